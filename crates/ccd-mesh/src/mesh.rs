@@ -1,0 +1,77 @@
+//! The connectivity of a triangle mesh.
+
+/// The faces of a triangle mesh and the edges that they share.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TriangleMesh {
+    vertex_count: usize,
+    faces: Vec<[u32; 3]>,
+    edges: Vec<[u32; 2]>,
+}
+
+/// A face names a vertex that the mesh does not have.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("face {face} names vertex {vertex}, but there are only {vertex_count} vertices")]
+pub struct IndexOutOfRange {
+    /// The index of the face, from 0.
+    pub face: usize,
+    /// The vertex that it names, from 0.
+    pub vertex: u32,
+    /// How many vertices there are.
+    pub vertex_count: usize,
+}
+
+impl TriangleMesh {
+    /// The mesh of these faces, each three indices of vertices from 0.
+    ///
+    /// # Errors
+    /// [`IndexOutOfRange`] names the first face with an index that is not below `vertex_count`.
+    pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Result<Self, IndexOutOfRange> {
+        for (face, corners) in faces.iter().enumerate() {
+            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
+                return Err(IndexOutOfRange {
+                    face,
+                    vertex,
+                    vertex_count,
+                });
+            }
+        }
+        let edges = edges_of(&faces);
+        Ok(Self {
+            vertex_count,
+            faces,
+            edges,
+        })
+    }
+
+    /// How many vertices there are.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.vertex_count
+    }
+
+    /// The faces, in the order in which they were given.
+    #[must_use]
+    pub fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
+    }
+
+    /// The edges of the faces, each once: the pairs (i, j), i < j, sorted by j, then by i, which is the order that
+    /// the published data sets use.
+    #[must_use]
+    pub fn edges(&self) -> &[[u32; 2]] {
+        &self.edges
+    }
+}
+
+fn edges_of(faces: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+    let mut edges: Vec<[u32; 2]> = faces
+        .iter()
+        .flat_map(sides)
+        .filter(|[a, b]| a != b)
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
+    edges.sort_unstable_by_key(|&[i, j]| (j, i));
+    edges.dedup();
+    edges
+}

@@ -1,0 +1,3 @@
+//! The `exact-ccd` program.
+
+fn main() {}

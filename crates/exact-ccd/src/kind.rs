@@ -1,0 +1,79 @@
+//! The two kinds of query, as the index tables that tell them apart.
+//!
+//! A query has four moving points x₀ … x₃. Both kinds meet in a plane only when the four points are coplanar,
+//! and both are then settled by the side of a line on which a vertex lies, so that all the algorithms in this
+//! crate are written once, over these tables.
+
+/// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
+pub(crate) type Difference = (usize, usize);
+
+/// A vertex against the line of an edge of the other primitive.
+#[derive(Clone, Copy)]
+pub(crate) struct Side {
+    /// The vertex q.
+    pub(crate) vertex: usize,
+    /// The edge from x to y.
+    pub(crate) edge: [usize; 2],
+    /// Where (x − q) × (y − q) points when the primitives meet: along the normal if true, against it if not.
+    pub(crate) along: bool,
+}
+
+/// What the algorithms need to know about a kind of query.
+pub(crate) mod tables {
+    use super::{Difference, Side};
+
+    /// The tables of a kind of query.
+    #[expect(unnameable_types, reason = "seals the public trait `Kind`")]
+    pub trait Tables {
+        /// How many of the four points belong to the first primitive.
+        const FIRST: usize;
+        /// w, e₁, e₂: the primitives are coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
+        const SPAN: [Difference; 3];
+        /// The primitives meet in their common plane, unless its normal vanishes, exactly if every vertex lies on
+        /// the stated side of its line or on the line itself.
+        const SIDES: &'static [Side];
+    }
+}
+pub(crate) use tables::Tables;
+
+/// The kind of a [`Query`](crate::Query): [`PointTriangle`] or [`SegmentSegment`]. Sealed.
+pub trait Kind: Tables + Copy {}
+
+/// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PointTriangle;
+
+/// Marks a query of an edge a₀ a₁ = x₀ x₁ against an edge b₀ b₁ = x₂ x₃.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SegmentSegment;
+
+impl Kind for PointTriangle {}
+impl Kind for SegmentSegment {}
+
+const fn side(vertex: usize, edge: [usize; 2], along: bool) -> Side {
+    Side { vertex, edge, along }
+}
+
+/// p lies in the triangle if it lies to the left of its three edges.
+impl Tables for PointTriangle {
+    const FIRST: usize = 1;
+    const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
+    const SIDES: &'static [Side] = &[
+        side(0, [1, 2], true),
+        side(0, [2, 3], true),
+        side(0, [3, 1], true),
+    ];
+}
+
+/// The segments cross if the ends of each lie on different sides of the line of the other. With n = e₁ × e₂,
+/// a₀ + u e₁ = b₀ + v e₂ gives u n = w × e₂ and v n = w × e₁; u ≥ 0, u ≤ 1, v ≥ 0, v ≤ 1 are the four sides.
+impl Tables for SegmentSegment {
+    const FIRST: usize = 2;
+    const SPAN: [Difference; 3] = [(2, 0), (1, 0), (3, 2)];
+    const SIDES: &'static [Side] = &[
+        side(0, [2, 3], true),
+        side(1, [2, 3], false),
+        side(2, [0, 1], false),
+        side(3, [0, 1], true),
+    ];
+}

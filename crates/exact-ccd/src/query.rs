@@ -1,0 +1,84 @@
+//! Queries: four points at the two ends of a time step.
+
+use core::fmt;
+use core::marker::PhantomData;
+
+use crate::kind::{Kind, PointTriangle, SegmentSegment};
+
+/// A point in space.
+pub type Point = [f64; 3];
+
+/// Two primitives of a moving mesh over one time step; see [`VertexFace`] and [`EdgeEdge`].
+///
+/// Each of the four points moves in a straight line, at constant speed, from where it is at t = 0 to where it is at
+/// t = 1. Any finite coordinates are allowed: faces without area, edges without length, coincident points and
+/// subnormal numbers have right answers too.
+#[derive(Clone, Copy, PartialEq)]
+pub struct Query<K> {
+    /// The four points at t = 0 and at t = 1.
+    points: [[Point; 4]; 2],
+    kind: PhantomData<K>,
+}
+
+/// A vertex p against a face v₁ v₂ v₃, in this order.
+pub type VertexFace = Query<PointTriangle>;
+
+/// An edge a₀ a₁ against an edge b₀ b₁, in this order.
+pub type EdgeEdge = Query<SegmentSegment>;
+
+/// A coordinate is infinite or not a number.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("coordinate {} of point {point} at t = {time} is {value}, not a finite number", ["x", "y", "z"][*.axis])]
+pub struct NonFinite {
+    /// The end of the time step, 0 or 1.
+    pub time: usize,
+    /// The index of the point among the four, from 0.
+    pub point: usize,
+    /// The index of the coordinate, from 0.
+    pub axis: usize,
+    /// The coordinate.
+    pub value: f64,
+}
+
+impl<K: Kind> Query<K> {
+    /// The query of four points at the start and at the end of the time step, in the order of [`VertexFace`] or
+    /// [`EdgeEdge`].
+    ///
+    /// # Errors
+    /// [`NonFinite`] names the first coordinate that is infinite or not a number.
+    pub fn new(t0: [Point; 4], t1: [Point; 4]) -> Result<Self, NonFinite> {
+        for (time, points) in [t0, t1].iter().enumerate() {
+            for (point, coordinates) in points.iter().enumerate() {
+                for (axis, &value) in coordinates.iter().enumerate() {
+                    if !value.is_finite() {
+                        return Err(NonFinite {
+                            time,
+                            point,
+                            axis,
+                            value,
+                        });
+                    }
+                }
+            }
+        }
+        Ok(Self {
+            points: [t0, t1],
+            kind: PhantomData,
+        })
+    }
+
+    /// The four points at t = 0 and at t = 1.
+    #[must_use]
+    pub fn points(&self) -> &[[Point; 4]; 2] {
+        &self.points
+    }
+}
+
+impl<K> fmt::Debug for Query<K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Query")
+            .field("t0", &self.points[0])
+            .field("t1", &self.points[1])
+            .finish()
+    }
+}

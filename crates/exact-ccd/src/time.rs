@@ -1,0 +1,98 @@
+//! Contact times: algebraic numbers, each given as an f64 or as the two adjacent f64 around it.
+
+use core::ops::Deref;
+
+use arrayvec::ArrayVec;
+
+/// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactTime {
+    lower: f64,
+    exact: bool,
+}
+
+impl ContactTime {
+    pub(crate) fn exactly(time: f64) -> Self {
+        Self {
+            lower: time,
+            exact: true,
+        }
+    }
+
+    /// A time strictly between `lower` and the next larger f64.
+    pub(crate) fn just_above(lower: f64) -> Self {
+        Self { lower, exact: false }
+    }
+
+    /// The largest f64 that is not above the time.
+    #[must_use]
+    pub fn lower(self) -> f64 {
+        self.lower
+    }
+
+    /// The smallest f64 that is not below the time.
+    #[must_use]
+    pub fn upper(self) -> f64 {
+        if self.exact {
+            self.lower
+        } else {
+            self.lower.next_up()
+        }
+    }
+
+    /// Whether the time is exactly [`lower`](Self::lower).
+    #[must_use]
+    pub fn is_exact(self) -> bool {
+        self.exact
+    }
+}
+
+/// The most isolated contact times that a query can have. Coplanar at some times only: three roots of a cubic.
+/// Coplanar always: two roots of a quadratic for each of at most four vertex-edge pairs, t = 0 and t = 1.
+pub(crate) const MOST_TIMES: usize = 10;
+
+/// Distinct contact times in increasing order; a slice of [`ContactTime`].
+///
+/// Two distinct times may lie between the same two adjacent f64.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Times(pub(crate) ArrayVec<ContactTime, MOST_TIMES>);
+
+impl Deref for Times {
+    type Target = [ContactTime];
+
+    fn deref(&self) -> &[ContactTime] {
+        &self.0
+    }
+}
+
+/// All times of a step at which two primitives are in contact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ContactTimes {
+    /// The primitives meet at finitely many times, at none if the list is empty.
+    Finite(Times),
+    /// The primitives stay in contact for an interval of time, sliding or resting.
+    Interval {
+        /// The earliest contact time of the step.
+        first: ContactTime,
+    },
+}
+
+impl ContactTimes {
+    /// The earliest contact time.
+    #[must_use]
+    pub fn first(&self) -> Option<ContactTime> {
+        match self {
+            Self::Finite(times) => times.first().copied(),
+            Self::Interval { first } => Some(*first),
+        }
+    }
+
+    /// The number of distinct contact times, or `None` if there are infinitely many.
+    #[must_use]
+    pub fn count(&self) -> Option<usize> {
+        match self {
+            Self::Finite(times) => Some(times.len()),
+            Self::Interval { .. } => None,
+        }
+    }
+}
