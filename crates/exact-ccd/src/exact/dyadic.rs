@@ -1,0 +1,112 @@
+//! Dyadic rationals n / 2ᵏ: every finite f64 is one, and bisection stays among them.
+
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+/// The non-negative number n / 2ᵏ in lowest terms: k = 0 or n odd.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Dyadic {
+    pub(super) numerator: IBig,
+    pub(super) exponent: usize,
+}
+
+impl Dyadic {
+    pub(crate) const ZERO: Self = Self {
+        numerator: IBig::ZERO,
+        exponent: 0,
+    };
+    pub(crate) const ONE: Self = Self {
+        numerator: IBig::ONE,
+        exponent: 0,
+    };
+
+    fn new(numerator: IBig, exponent: usize) -> Self {
+        let common = numerator.trailing_zeros().unwrap_or(exponent).min(exponent);
+        Self {
+            numerator: numerator >> common,
+            exponent: exponent - common,
+        }
+    }
+
+    fn power_of_half(exponent: usize) -> Self {
+        Self {
+            numerator: IBig::ONE,
+            exponent,
+        }
+    }
+
+    /// The value of `t`, which must lie in [0, 1].
+    pub(crate) fn from_unit(t: f64) -> Self {
+        let (mantissa, exponent) = decompose(t);
+        // A number in [0, 1] has no bit above 2⁰, so that a positive exponent can only belong to zero.
+        Self::new(mantissa.into(), exponent.min(0).unsigned_abs() as usize)
+    }
+
+    /// A number strictly between `low` < `high` that brings their logarithms together before it brings themselves
+    /// together, so that a root near 0 costs as few bisections as any other.
+    pub(crate) fn between(low: &Self, high: &Self) -> Self {
+        let (below, above) = (low.magnitude(), high.magnitude());
+        match below {
+            None => Self::power_of_half(2 * above.unwrap_or(0) + 1),
+            Some(below) if below > above.unwrap_or(0) + 1 => {
+                Self::power_of_half((below + above.unwrap_or(0)) / 2)
+            }
+            Some(_) => {
+                let exponent = low.exponent.max(high.exponent);
+                let scaled = |x: &Self| &x.numerator << (exponent - x.exponent);
+                Self::new(scaled(low) + scaled(high), exponent + 1)
+            }
+        }
+    }
+
+    /// The k with 2⁻ᵏ ≤ x < 2¹⁻ᵏ for a number in (0, 1], `None` for 0.
+    fn magnitude(&self) -> Option<usize> {
+        (!self.numerator.is_zero()).then(|| self.exponent + 1 - self.numerator.bit_len())
+    }
+}
+
+impl Ord for Dyadic {
+    fn cmp(&self, other: &Self) -> Ordering {
+        (&self.numerator << other.exponent).cmp(&(&other.numerator << self.exponent))
+    }
+}
+
+impl PartialOrd for Dyadic {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// (m, e) with x = m · 2ᵉ, for finite x; m is odd or zero.
+pub(crate) fn decompose(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let fraction = (bits & ((1 << 52) - 1)) as i64;
+    let (mantissa, exponent) = match (bits >> 52) & 0x7ff {
+        0 => (fraction, -1074),
+        biased => (fraction | 1 << 52, biased as i32 - 1075),
+    };
+    if mantissa == 0 {
+        return (0, i32::MAX);
+    }
+    let zeros = mantissa.trailing_zeros();
+    let magnitude = mantissa >> zeros;
+    (
+        if x < 0.0 { -magnitude } else { magnitude },
+        exponent + zeros as i32,
+    )
+}
+
+/// Integers in the ratio of these numbers: all of them divided by one power of two.
+pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> [IBig; N] {
+    let parts = numbers.map(decompose);
+    let unit = parts.iter().map(|part| part.1).min().unwrap_or_default();
+    parts.map(|(mantissa, exponent)| {
+        if mantissa == 0 {
+            IBig::ZERO
+        } else {
+            IBig::from(mantissa) << (exponent - unit) as usize
+        }
+    })
+}

@@ -1,0 +1,121 @@
+//! The four moving points of a query in integers, and the predicates of contact at an instant.
+
+use core::marker::PhantomData;
+
+use super::dyadic::to_integers;
+use super::instant::Instant;
+use super::polynomial::Polynomial;
+use crate::kind::{Difference, Kind, Side};
+use crate::query::Query;
+
+type Vector = [Polynomial; 3];
+
+/// The points of a query as polynomials in t, and the plane that they have in common when they are coplanar.
+///
+/// Each axis is scaled by a power of two of its own: contact is invariant under such scalings.
+pub(crate) struct Motion<K> {
+    points: [Vector; 4],
+    /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
+    pub(crate) volume: Polynomial,
+    /// e₁ × e₂.
+    normal: Vector,
+    kind: PhantomData<K>,
+}
+
+impl<K: Kind> Motion<K> {
+    pub(crate) fn new(query: &Query<K>) -> Self {
+        let axes = [0, 1, 2].map(|axis| {
+            let at = |i: usize| query.points()[i / 4][i % 4][axis];
+            let integers = to_integers([0, 1, 2, 3, 4, 5, 6, 7].map(at));
+            [0, 1, 2, 3].map(|point| Polynomial::between(&integers[point], &integers[point + 4]))
+        });
+        let points = [0, 1, 2, 3].map(|point| [0, 1, 2].map(|axis: usize| axes[axis][point].clone()));
+        let [w, e1, e2] = K::SPAN.map(|difference| subtract(&points, difference));
+        let normal = cross(&e1, &e2);
+        Self {
+            volume: dot(&w, &normal),
+            points,
+            normal,
+            kind: PhantomData,
+        }
+    }
+
+    /// Whether the primitives touch at an instant.
+    pub(crate) fn touches(&self, instant: &Instant) -> bool {
+        if instant.sign(&self.volume).is_ne() {
+            return false;
+        }
+        for axis in 0..3 {
+            let facing = instant.sign(&self.normal[axis]);
+            if facing.is_ne() {
+                return K::SIDES.iter().all(|side| {
+                    let sign = instant.sign(&self.side(side, axis));
+                    sign.is_eq() || sign == if side.along { facing } else { facing.reverse() }
+                });
+            }
+        }
+        // No plane: parallel edges touch if an end of one lies on the other, and a flat face is the union of its edges.
+        K::SIDES.iter().any(|side| self.lies_on(side, instant))
+    }
+
+    /// A polynomial that is not zero, among whose roots are all times at which contact begins or ends in the step.
+    ///
+    /// The primitives meet only while they are coplanar. If they always are, then contact begins or ends with a vertex
+    /// on an edge: a vertex inside the face, or edges that cross inside each other, stay so for a while. So does a
+    /// vertex inside an edge that it never leaves the line of; such a vertex can only come and go over an end.
+    pub(crate) fn events(&self) -> Polynomial {
+        if !self.volume.is_zero() {
+            return self.volume.clone();
+        }
+        let mut product = Polynomial::ends();
+        let mut join = |vector: Vector| {
+            let [x, y, z] = vector;
+            let common = x.gcd(y).gcd(z);
+            let vanishes_always = common.is_zero();
+            if !vanishes_always {
+                product = &product * &common.quotient(&product.clone().gcd(common.clone()));
+            }
+            vanishes_always
+        };
+        for side in K::SIDES {
+            if join([0, 1, 2].map(|axis| self.side(side, axis))) {
+                for end in side.edge {
+                    join(subtract(&self.points, (end, side.vertex)));
+                }
+            }
+        }
+        product
+    }
+
+    /// One component of (x − q) × (y − q) for a vertex q and an edge from x to y.
+    fn side(&self, side: &Side, axis: usize) -> Polynomial {
+        let [x, y] = side.edge.map(|end| subtract(&self.points, (end, side.vertex)));
+        cross_component(&x, &y, axis)
+    }
+
+    /// Whether a vertex lies on an edge: on its line and between its ends.
+    fn lies_on(&self, side: &Side, instant: &Instant) -> bool {
+        let [x, y] = side.edge.map(|end| subtract(&self.points, (end, side.vertex)));
+        cross(&x, &y)
+            .iter()
+            .all(|component| instant.sign(component).is_eq())
+            && instant.sign(&dot(&x, &y)).is_le()
+    }
+}
+
+fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {
+    [0, 1, 2].map(|axis: usize| &points[i][axis] - &points[j][axis])
+}
+
+fn cross_component(a: &Vector, b: &Vector, axis: usize) -> Polynomial {
+    let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+    &(&a[next] * &b[last]) - &(&a[last] * &b[next])
+}
+
+fn cross(a: &Vector, b: &Vector) -> Vector {
+    [0, 1, 2].map(|axis| cross_component(a, b, axis))
+}
+
+fn dot(a: &Vector, b: &Vector) -> Polynomial {
+    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
+}
