@@ -1,9 +1,9 @@
 //! The answers: floating-point filters first, then the exact path.
 
-use crate::exact;
 use crate::kind::Kind;
 use crate::query::{Point, Query};
 use crate::time::{ContactTime, ContactTimes};
+use crate::{exact, filter};
 
 /// The earliest contact of a query.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,17 +16,67 @@ pub struct Impact {
     pub normal: Option<Point>,
 }
 
+/// Where a query was settled, from the cheapest stage to the dearest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Stage {
+    /// The bounding box of F at the corners of its domain leaves out the origin.
+    BoundingBox,
+    /// The direction of the corners' centroid separates them from the origin.
+    Centroid,
+    /// The normal of the primitives' plane at t = 0 or t = 1 separates.
+    Normals,
+    /// The coplanarity cubic has no root in the step.
+    Coplanarity,
+    /// A direction found by iteration separates.
+    Direction,
+    /// The roots of the coplanarity cubic, and the position of the primitives at each.
+    Roots,
+    /// The filters do not know: [`exact`](crate::exact).
+    Exact,
+}
+
+impl Stage {
+    /// All stages, in order.
+    pub const ALL: [Self; 7] = [
+        Self::BoundingBox,
+        Self::Centroid,
+        Self::Normals,
+        Self::Coplanarity,
+        Self::Direction,
+        Self::Roots,
+        Self::Exact,
+    ];
+}
+
 impl<K: Kind> Query<K> {
     /// Whether the primitives touch at some time of the step.
     #[must_use]
+    #[inline]
     pub fn collides(&self) -> bool {
-        exact::collides(self)
+        self.decide().0
+    }
+
+    /// [`collides`](Self::collides), and the stage that settled it.
+    #[must_use]
+    #[inline]
+    pub fn decide(&self) -> (bool, Stage) {
+        filter::collides(self).unwrap_or_else(|| (exact::collides(self), Stage::Exact))
     }
 
     /// All times at which the primitives touch.
     #[must_use]
     pub fn contact_times(&self) -> ContactTimes {
-        exact::contact_times(self)
+        self.time().0
+    }
+
+    /// [`contact_times`](Self::contact_times), and the stage that settled it.
+    #[must_use]
+    pub fn time(&self) -> (ContactTimes, Stage) {
+        match filter::contact_times(self) {
+            Some((times, stage)) => (ContactTimes::Finite(times), stage),
+            None => (exact::contact_times(self), Stage::Exact),
+        }
     }
 
     /// The largest f64 not above the earliest contact time, if there is one.

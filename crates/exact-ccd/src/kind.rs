@@ -9,13 +9,13 @@ pub(crate) type Difference = (usize, usize);
 
 /// A vertex against the line of an edge of the other primitive.
 #[derive(Clone, Copy)]
-pub(crate) struct Side {
+pub struct Side {
     /// The vertex q.
-    pub(crate) vertex: usize,
+    pub vertex: usize,
     /// The edge from x to y.
-    pub(crate) edge: [usize; 2],
+    pub edge: [usize; 2],
     /// Where (x − q) × (y − q) points when the primitives meet: along the normal if true, against it if not.
-    pub(crate) along: bool,
+    pub along: bool,
 }
 
 /// What the algorithms need to know about a kind of query.
@@ -25,8 +25,8 @@ pub(crate) mod tables {
     /// The tables of a kind of query.
     #[expect(unnameable_types, reason = "seals the public trait `Kind`")]
     pub trait Tables {
-        /// How many of the four points belong to the first primitive.
-        const FIRST: usize;
+        /// F at the corners of the domain of (u, v). A face has only three; the last one stands twice.
+        const CORNERS: [Difference; 4];
         /// w, e₁, e₂: the primitives are coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
         /// The primitives meet in their common plane, unless its normal vanishes, exactly if every vertex lies on
@@ -56,7 +56,7 @@ const fn side(vertex: usize, edge: [usize; 2], along: bool) -> Side {
 
 /// p lies in the triangle if it lies to the left of its three edges.
 impl Tables for PointTriangle {
-    const FIRST: usize = 1;
+    const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
     const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
     const SIDES: &'static [Side] = &[
         side(0, [1, 2], true),
@@ -68,7 +68,7 @@ impl Tables for PointTriangle {
 /// The segments cross if the ends of each lie on different sides of the line of the other. With n = e₁ × e₂,
 /// a₀ + u e₁ = b₀ + v e₂ gives u n = w × e₂ and v n = w × e₁; u ≥ 0, u ≤ 1, v ≥ 0, v ≤ 1 are the four sides.
 impl Tables for SegmentSegment {
-    const FIRST: usize = 2;
+    const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
     const SPAN: [Difference; 3] = [(2, 0), (1, 0), (3, 2)];
     const SIDES: &'static [Side] = &[
         side(0, [2, 3], true),

@@ -32,11 +32,12 @@ extern crate alloc;
 
 mod contact;
 pub mod exact;
+mod filter;
 mod kind;
 mod query;
 mod time;
 
-pub use contact::Impact;
+pub use contact::{Impact, Stage};
 pub use kind::{Kind, PointTriangle, SegmentSegment};
 pub use query::{EdgeEdge, NonFinite, Point, Query, VertexFace};
 pub use time::{ContactTime, ContactTimes, Times};

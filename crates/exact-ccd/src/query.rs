@@ -40,35 +40,51 @@ pub struct NonFinite {
     pub value: f64,
 }
 
+impl NonFinite {
+    #[cold]
+    fn first_in(points: &[[Point; 4]; 2]) -> Self {
+        let coordinates = points.as_flattened().as_flattened();
+        let index = coordinates
+            .iter()
+            .position(|x| !x.is_finite())
+            .unwrap_or_default();
+        Self {
+            time: index / 12,
+            point: index / 3 % 4,
+            axis: index % 3,
+            value: coordinates[index],
+        }
+    }
+}
+
 impl<K: Kind> Query<K> {
     /// The query of four points at the start and at the end of the time step, in the order of [`VertexFace`] or
     /// [`EdgeEdge`].
     ///
     /// # Errors
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.
+    #[inline]
     pub fn new(t0: [Point; 4], t1: [Point; 4]) -> Result<Self, NonFinite> {
-        for (time, points) in [t0, t1].iter().enumerate() {
-            for (point, coordinates) in points.iter().enumerate() {
-                for (axis, &value) in coordinates.iter().enumerate() {
-                    if !value.is_finite() {
-                        return Err(NonFinite {
-                            time,
-                            point,
-                            axis,
-                            value,
-                        });
-                    }
-                }
-            }
+        let points = [t0, t1];
+        // Without a branch for each coordinate, which would cost more than most queries.
+        let finite = points
+            .as_flattened()
+            .as_flattened()
+            .iter()
+            .fold(true, |all, x| all & x.is_finite());
+        if finite {
+            Ok(Self {
+                points,
+                kind: PhantomData,
+            })
+        } else {
+            Err(NonFinite::first_in(&points))
         }
-        Ok(Self {
-            points: [t0, t1],
-            kind: PhantomData,
-        })
     }
 
     /// The four points at t = 0 and at t = 1.
     #[must_use]
+    #[inline]
     pub fn points(&self) -> &[[Point; 4]; 2] {
         &self.points
     }

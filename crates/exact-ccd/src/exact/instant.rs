@@ -23,14 +23,50 @@ pub(crate) enum Instant {
 }
 
 impl Instant {
-    pub(crate) const START: Self = Self::Dyadic(Dyadic::ZERO);
-    pub(crate) const END: Self = Self::Dyadic(Dyadic::ONE);
-
-    /// The sign of a polynomial at this time: Tarski's query over the only root of `of` in the bracket.
+    /// The sign of a polynomial at this time: Tarski's query over the only root of `of` in the bracket, unless the
+    /// polynomial plainly has one sign in all of it.
     pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
         match self {
             Self::Dyadic(t) => polynomial.sign_at(t),
-            Self::Root { of, low, high } => SturmChain::new(of, polynomial).sum_of_signs(low, high).cmp(&0),
+            Self::Root { of, low, high } => polynomial
+                .sign_between(low, high)
+                .unwrap_or_else(|| SturmChain::new(of, polynomial).sum_of_signs(low, high).cmp(&0)),
+        }
+    }
+
+    /// The same time in a narrower bracket.
+    fn narrowed(self) -> Self {
+        let Self::Root { of, low, high } = self else {
+            return self;
+        };
+        let middle = Dyadic::between(&low, &high);
+        // A simple root: the polynomial has one sign below it in the bracket and the other above.
+        match of.sign_at(&middle) {
+            Ordering::Equal => Self::Dyadic(middle),
+            sign if sign == of.sign_at(&low) => Self::Root {
+                of,
+                low: middle,
+                high,
+            },
+            _ => Self::Root {
+                of,
+                low,
+                high: middle,
+            },
+        }
+    }
+
+    /// Whether this time is earlier than another one, which must not be the same.
+    fn is_before(&self, other: &Self) -> bool {
+        let (mut this, mut other) = (self.clone(), other.clone());
+        loop {
+            if this.bounds().1 <= other.bounds().0 {
+                return true;
+            }
+            if other.bounds().1 <= this.bounds().0 {
+                return false;
+            }
+            (this, other) = (this.narrowed(), other.narrowed());
         }
     }
 
@@ -40,7 +76,6 @@ impl Instant {
             Self::Dyadic(time) => time.cmp(t),
             Self::Root { low, .. } if t <= low => Ordering::Greater,
             Self::Root { high, .. } if t >= high => Ordering::Less,
-            // A simple root: the polynomial has one sign below it in the bracket and the other above.
             Self::Root { of, low, .. } => match of.sign_at(t) {
                 Ordering::Equal => Ordering::Equal,
                 sign if sign == of.sign_at(low) => Ordering::Greater,
@@ -93,22 +128,23 @@ impl Instant {
     }
 }
 
-/// The distinct roots of a polynomial, which is not zero, in [0, 1], in increasing order.
-pub(crate) fn roots(polynomial: &Polynomial) -> Vec<Instant> {
-    let square_free = polynomial.quotient(&polynomial.clone().gcd(polynomial.derivative()));
-    let inner = square_free
-        .clone()
-        .without_root(&Dyadic::ZERO)
-        .without_root(&Dyadic::ONE);
-    let mut roots = Vec::new();
-    if square_free.sign_at(&Dyadic::ZERO).is_eq() {
-        roots.push(Instant::START);
+/// The roots in [0, 1], in increasing order, of square-free polynomials without common roots.
+pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
+    let mut all: Vec<Instant> = Vec::new();
+    for polynomial in polynomials {
+        let mut roots = Vec::new();
+        for end in [Dyadic::ZERO, Dyadic::ONE] {
+            if polynomial.sign_at(&end).is_eq() {
+                roots.push(Instant::Dyadic(end));
+            }
+        }
+        let inner = polynomial.without_root(&Dyadic::ZERO).without_root(&Dyadic::ONE);
+        isolate(inner, Dyadic::ZERO, Dyadic::ONE, &mut roots);
+        for root in roots {
+            all.insert(all.partition_point(|other| other.is_before(&root)), root);
+        }
     }
-    isolate(inner, Dyadic::ZERO, Dyadic::ONE, &mut roots);
-    if square_free.sign_at(&Dyadic::ONE).is_eq() {
-        roots.push(Instant::END);
-    }
-    roots
+    all
 }
 
 /// Appends the roots of a square-free polynomial between two numbers that are no roots. Recursion is only as deep as
@@ -121,11 +157,13 @@ fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mu
             return;
         }
         if count == 1 {
-            roots.push(Instant::Root {
+            // In a narrow bracket, most signs are plain.
+            let root = Instant::Root {
                 of: Rc::new(polynomial),
                 low,
                 high,
-            });
+            };
+            roots.push((0..16).fold(root, |root, _| root.narrowed()));
             return;
         }
         let middle = Dyadic::between(&low, &high);

@@ -11,8 +11,6 @@ mod motion;
 mod polynomial;
 mod sturm;
 
-use alloc::vec::Vec;
-
 use instant::Instant;
 use motion::Motion;
 
@@ -23,37 +21,35 @@ use crate::time::{ContactTime, ContactTimes, Times};
 /// [`Query::collides`], decided in integers alone.
 #[must_use]
 pub fn collides<K: Kind>(query: &Query<K>) -> bool {
-    !contacts(&Motion::new(query)).instants.is_empty()
+    let motion = Motion::new(query);
+    instant::roots(motion.events())
+        .iter()
+        .any(|instant| motion.touches(instant))
 }
 
 /// [`Query::contact_times`], computed in integers alone.
 #[must_use]
 pub fn contact_times<K: Kind>(query: &Query<K>) -> ContactTimes {
-    let contacts = contacts(&Motion::new(query));
-    let mut times = contacts.instants.iter().map(Instant::round);
-    match times.next() {
-        Some(first) if contacts.lasting => ContactTimes::Interval { first },
-        first => ContactTimes::Finite(Times(first.into_iter().chain(times).collect())),
+    let motion = Motion::new(query);
+    let instants = instant::roots(motion.events());
+    let mut times = Times::default();
+    for (i, instant) in instants
+        .iter()
+        .enumerate()
+        .filter(|(_, instant)| motion.touches(instant))
+    {
+        times.0.push(instant.round());
+        // Contact that lasts begins at an event, and holds until the next one: the primitives are closed.
+        let lasts = |next| motion.touches(&Instant::Dyadic(instant.before(next)));
+        if motion.is_always_coplanar() && instants.get(i + 1).is_some_and(lasts) {
+            return ContactTimes::Interval { first: times[0] };
+        }
     }
+    ContactTimes::Finite(times)
 }
 
 /// [`Query::time_of_impact`], computed in integers alone.
 #[must_use]
 pub fn time_of_impact<K: Kind>(query: &Query<K>) -> Option<f64> {
     contact_times(query).first().map(ContactTime::lower)
-}
-
-/// The instants of contact among the ends of the step and the events in it.
-struct Contacts {
-    instants: Vec<Instant>,
-    /// Whether there is contact between two of them, and so in a whole interval.
-    lasting: bool,
-}
-
-fn contacts<K: Kind>(motion: &Motion<K>) -> Contacts {
-    let mut instants = instant::roots(&motion.events());
-    let between = |pair: &[Instant]| motion.touches(&Instant::Dyadic(pair[0].before(&pair[1])));
-    let lasting = motion.volume.is_zero() && instants.windows(2).any(between);
-    instants.retain(|instant| motion.touches(instant));
-    Contacts { instants, lasting }
 }

@@ -1,5 +1,7 @@
 //! The four moving points of a query in integers, and the predicates of contact at an instant.
 
+use alloc::vec;
+use alloc::vec::Vec;
 use core::marker::PhantomData;
 
 use super::dyadic::to_integers;
@@ -16,7 +18,7 @@ type Vector = [Polynomial; 3];
 pub(crate) struct Motion<K> {
     points: [Vector; 4],
     /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
-    pub(crate) volume: Polynomial,
+    volume: Polynomial,
     /// e₁ × e₂.
     normal: Vector,
     kind: PhantomData<K>,
@@ -40,11 +42,8 @@ impl<K: Kind> Motion<K> {
         }
     }
 
-    /// Whether the primitives touch at an instant.
+    /// Whether the primitives touch at an instant at which the four points are coplanar.
     pub(crate) fn touches(&self, instant: &Instant) -> bool {
-        if instant.sign(&self.volume).is_ne() {
-            return false;
-        }
         for axis in 0..3 {
             let facing = instant.sign(&self.normal[axis]);
             if facing.is_ne() {
@@ -58,33 +57,40 @@ impl<K: Kind> Motion<K> {
         K::SIDES.iter().any(|side| self.lies_on(side, instant))
     }
 
-    /// A polynomial that is not zero, among whose roots are all times at which contact begins or ends in the step.
+    /// Square-free polynomials without common roots, among whose roots are all times at which contact begins or ends.
+    /// The four points are coplanar at every root.
     ///
-    /// The primitives meet only while they are coplanar. If they always are, then contact begins or ends with a vertex
-    /// on an edge: a vertex inside the face, or edges that cross inside each other, stay so for a while. So does a
-    /// vertex inside an edge that it never leaves the line of; such a vertex can only come and go over an end.
-    pub(crate) fn events(&self) -> Polynomial {
-        if !self.volume.is_zero() {
-            return self.volume.clone();
+    /// The primitives meet only while they are coplanar. If they always are, then contact begins or ends with the step,
+    /// or with a vertex on an edge: a vertex inside the face, or edges that cross inside each other, stay so for a
+    /// while. So does a vertex inside an edge whose line it never leaves; it can only come and go over an end.
+    pub(crate) fn events(&self) -> Vec<Polynomial> {
+        if !self.is_always_coplanar() {
+            return vec![self.volume.square_free()];
         }
-        let mut product = Polynomial::ends();
+        let mut factors = vec![Polynomial::ends()];
         let mut join = |vector: Vector| {
             let [x, y, z] = vector;
             let common = x.gcd(y).gcd(z);
-            let vanishes_always = common.is_zero();
-            if !vanishes_always {
-                product = &product * &common.quotient(&product.clone().gcd(common.clone()));
+            if common.is_zero() {
+                return false;
             }
-            vanishes_always
+            let divide =
+                |rest: Polynomial, factor: &Polynomial| rest.quotient(&rest.clone().gcd(factor.clone()));
+            factors.push(factors.iter().fold(common.square_free(), divide));
+            true
         };
         for side in K::SIDES {
-            if join([0, 1, 2].map(|axis| self.side(side, axis))) {
+            if !join([0, 1, 2].map(|axis| self.side(side, axis))) {
                 for end in side.edge {
                     join(subtract(&self.points, (end, side.vertex)));
                 }
             }
         }
-        product
+        factors
+    }
+
+    pub(crate) fn is_always_coplanar(&self) -> bool {
+        self.volume.is_zero()
     }
 
     /// One component of (x − q) × (y − q) for a vertex q and an edge from x to y.

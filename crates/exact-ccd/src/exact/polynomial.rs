@@ -44,10 +44,6 @@ impl Polynomial {
         self.0.is_empty()
     }
 
-    pub(crate) fn is_constant(&self) -> bool {
-        self.0.len() <= 1
-    }
-
     /// The sign of the value at t.
     pub(crate) fn sign_at(&self, t: &Dyadic) -> Ordering {
         self.scaled_value(t).cmp(&IBig::ZERO)
@@ -60,6 +56,38 @@ impl Polynomial {
             sum = sum * &t.numerator + (coefficient << (t.exponent * power));
         }
         sum
+    }
+
+    /// The sign in all of (low, high), if it is plain from Descartes' rule: the coefficients of
+    /// (1 + s)ᵈ q((low + high s) / (1 + s)), s > 0, have one sign.
+    pub(crate) fn sign_between(&self, low: &Dyadic, high: &Dyadic) -> Option<Ordering> {
+        let exponent = low.exponent.max(high.exponent);
+        let [low, high] = [low, high].map(|t| &t.numerator << (exponent - t.exponent));
+        let from_unit = Self(vec![low.clone(), high - low]);
+        let mut inner = self.compose(&from_unit, exponent);
+        inner.resize(self.0.len(), IBig::ZERO);
+        inner.reverse();
+        let outer = Self(inner).compose(&Self(vec![IBig::ONE, IBig::ONE]), 0);
+        let mut signs = outer
+            .iter()
+            .map(|c| c.cmp(&IBig::ZERO))
+            .filter(|sign| sign.is_ne());
+        let first = signs.next().unwrap_or(Ordering::Equal);
+        signs.all(|sign| sign == first).then_some(first)
+    }
+
+    /// The coefficients of 2ᵏᵈ q(inner / 2ᵏ), from the constant one up.
+    fn compose(&self, inner: &Self, exponent: usize) -> Vec<IBig> {
+        let mut sum = Self::zero();
+        for (power, coefficient) in self.0.iter().rev().enumerate() {
+            sum = &(&sum * inner) + &Self::new(vec![coefficient << (exponent * power)]);
+        }
+        sum.0
+    }
+
+    /// A polynomial with the same roots, all simple.
+    pub(crate) fn square_free(&self) -> Self {
+        self.quotient(&self.clone().gcd(self.derivative()))
     }
 
     pub(crate) fn derivative(&self) -> Self {

@@ -1,0 +1,108 @@
+//! Numbers of twice the precision: unevaluated sums of two f64.
+//!
+//! Error-free transforms after Dekker (A floating-point technique for extending the available precision, 1971) and
+//! Knuth; the sum and the product are the fast ones, whose errors are bounded relative to the magnitudes of the
+//! operands, not of the result: at most [`ROUNDOFF`] (|a| + |b|) and [`ROUNDOFF`] |a b|. (Joldes, Muller, Popescu,
+//! Tight and rigorous error bounds for basic building blocks of double-word arithmetic, 2017.) Products are split by
+//! multiplication and not by a fused multiply-add, which would be a slow library call where the target has none.
+
+use core::ops::{Add, Mul, Neg, Sub};
+
+/// 2⁻¹⁰⁰: more than the relative error of any one operation.
+pub(super) const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
+
+/// high + low, with |low| at most half a unit in the last place of `high`.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct DoubleDouble {
+    pub(super) high: f64,
+    pub(super) low: f64,
+}
+
+impl DoubleDouble {
+    /// a + b, exactly.
+    pub(super) fn sum(a: f64, b: f64) -> Self {
+        let high = a + b;
+        let of_b = high - a;
+        let low = (a - (high - of_b)) + (b - of_b);
+        Self { high, low }
+    }
+
+    /// a − b, exactly.
+    pub(super) fn difference(a: f64, b: f64) -> Self {
+        Self::sum(a, -b)
+    }
+
+    /// a b, exactly unless a part of it underflows.
+    fn product(a: f64, b: f64) -> Self {
+        let high = a * b;
+        let ((a1, a2), (b1, b2)) = (split(a), split(b));
+        let low = ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2;
+        Self { high, low }
+    }
+
+    /// high + low for |high| ≥ |low|, exactly.
+    fn normalized(high: f64, low: f64) -> Self {
+        let sum = high + low;
+        Self {
+            high: sum,
+            low: low - (sum - high),
+        }
+    }
+}
+
+/// Two halves of at most 26 bits each.
+fn split(a: f64) -> (f64, f64) {
+    const FACTOR: f64 = ((1u64 << 27) + 1) as f64;
+    let scaled = FACTOR * a;
+    let high = scaled - (scaled - a);
+    (high, a - high)
+}
+
+impl Add for DoubleDouble {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        let sum = Self::sum(self.high, other.high);
+        Self::normalized(sum.high, sum.low + (self.low + other.low))
+    }
+}
+
+impl Neg for DoubleDouble {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self {
+            high: -self.high,
+            low: -self.low,
+        }
+    }
+}
+
+impl Sub for DoubleDouble {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Mul for DoubleDouble {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let product = Self::product(self.high, other.high);
+        Self::normalized(
+            product.high,
+            product.low + (self.high * other.low + self.low * other.high),
+        )
+    }
+}
+
+impl Mul<f64> for DoubleDouble {
+    type Output = Self;
+
+    fn mul(self, other: f64) -> Self {
+        let product = Self::product(self.high, other);
+        Self::normalized(product.high, product.low + self.low * other)
+    }
+}

@@ -1,0 +1,130 @@
+//! Floating-point filters: each proves an answer or says nothing.
+//!
+//! Conventions of the error bounds, after Higham (Accuracy and Stability of Numerical Algorithms, 2002, chapter 3) and
+//! Meyer and Pion (FPG: a code generator for fast and certified geometric predicates, 2008). u = 2⁻⁵³ is the unit
+//! roundoff; a result that went through n roundings differs from the exact one by at most
+//! γₙ = n u / (1 − n u) times the same expression with all terms replaced by upper bounds of their magnitudes and
+//! all subtractions by additions. Each bound rounds n up to a power of two, at least by a quarter, which covers the
+//! roundings in the computation of the bound itself.
+//!
+//! Two things lie outside of that model. *Overflow* cannot happen: [`Hull::is_in_range`] limits differences to
+//! [`LARGEST`], and no filter multiplies more than four of them. *Underflow* adds at most 2⁻¹⁰⁷⁵ to a product,
+//! which later factors of at most (2 · LARGEST)² may enlarge; [`UNDERFLOW`] bounds the sum of hundreds of these. All
+//! comparisons are written so that a NaN would prove nothing.
+
+mod coplanarity;
+mod double_double;
+mod hull;
+mod rounding;
+mod sides;
+
+use arrayvec::ArrayVec;
+
+use coplanarity::{Coplanarity, Root};
+use hull::Hull;
+use rounding::PreciseCoplanarity;
+use sides::Position;
+
+use crate::contact::Stage;
+use crate::kind::Kind;
+use crate::query::{Point, Query};
+use crate::time::Times;
+
+/// The unit roundoff u.
+const UNIT: f64 = f64::EPSILON / 2.0;
+
+/// 2²⁰⁰: the largest difference of two coordinates that the filters work on.
+const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
+
+/// 2⁻⁶⁰⁰ > 1000 · 2⁻¹⁰⁷⁵ · (2 · LARGEST)².
+const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
+
+/// What the filters know before they look at where in the common plane the primitives are.
+enum Screening {
+    /// There is no contact, proved at this stage.
+    Free(Stage),
+    /// The primitives are coplanar exactly at these times.
+    Coplanar(ArrayVec<Root, 3>),
+    Unknown,
+}
+
+/// Whether the primitives touch, and the stage that proved it.
+#[inline]
+pub(crate) fn collides<K: Kind>(query: &Query<K>) -> Option<(bool, Stage)> {
+    match screen(query) {
+        Screening::Free(stage) => Some((false, stage)),
+        Screening::Coplanar(roots) => touches_at_any(query, &roots),
+        Screening::Unknown => None,
+    }
+}
+
+#[inline]
+fn screen<K: Kind>(query: &Query<K>) -> Screening {
+    let hull = Hull::new(query);
+    if hull.box_excludes_origin() {
+        return Screening::Free(Stage::BoundingBox);
+    }
+    if !hull.is_in_range() {
+        return Screening::Unknown;
+    }
+    let centroid = hull.centroid();
+    if hull.is_beyond(centroid) {
+        return Screening::Free(Stage::Centroid);
+    }
+    let coplanarity = Coplanarity::new(query);
+    if hull.is_beyond(coplanarity.normals[0]) || hull.is_beyond(coplanarity.normals[1]) {
+        return Screening::Free(Stage::Normals);
+    }
+    if coplanarity.never() {
+        return Screening::Free(Stage::Coplanarity);
+    }
+    screen_rest(&hull, centroid, &coplanarity)
+}
+
+/// Few candidates get here; apart, so that the stages above stay small.
+#[inline(never)]
+fn screen_rest(hull: &Hull, centroid: Point, coplanarity: &Coplanarity) -> Screening {
+    if hull.is_beyond_some_direction(centroid) {
+        return Screening::Free(Stage::Direction);
+    }
+    match coplanarity.roots() {
+        Some(roots) => Screening::Coplanar(roots),
+        None => Screening::Unknown,
+    }
+}
+
+fn touches_at_any<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<(bool, Stage)> {
+    let mut all_outside = true;
+    for root in roots {
+        match sides::position(query, root) {
+            Some(Position::Inside) => return Some((true, Stage::Roots)),
+            Some(Position::Outside) => {}
+            None => all_outside = false,
+        }
+    }
+    all_outside.then_some((false, Stage::Roots))
+}
+
+/// All times of contact, and the stage that proved them.
+pub(crate) fn contact_times<K: Kind>(query: &Query<K>) -> Option<(Times, Stage)> {
+    match screen(query) {
+        Screening::Free(stage) => Some((Times::default(), stage)),
+        Screening::Coplanar(roots) => Some((times_among(query, &roots)?, Stage::Roots)),
+        Screening::Unknown => None,
+    }
+}
+
+fn times_among<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<Times> {
+    let mut times = Times::default();
+    let mut precise = None;
+    for root in roots {
+        match sides::position(query, root)? {
+            Position::Inside => {
+                let precise = precise.get_or_insert_with(|| PreciseCoplanarity::new(query));
+                times.0.push(precise.round(root)?);
+            }
+            Position::Outside => {}
+        }
+    }
+    Some(times)
+}

@@ -1,0 +1,109 @@
+//! Where the primitives are in their common plane, at a time known to within a bracket.
+
+use super::coplanarity::Root;
+use super::{UNDERFLOW, UNIT};
+use crate::kind::{Difference, Kind};
+use crate::query::{Point, Query};
+
+/// Whether two coplanar primitives touch.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Position {
+    Inside,
+    Outside,
+}
+
+/// A sign that is certain in a whole bracket of time.
+#[derive(Clone, Copy, PartialEq)]
+enum Sign {
+    Negative,
+    Zero,
+    Positive,
+}
+
+/// The difference of two points somewhere in a bracket of time.
+struct Motion {
+    /// Near the middle of the bracket.
+    value: Point,
+    /// The larger magnitude at t = 0 and t = 1.
+    magnitude: Point,
+}
+
+/// Whether the primitives touch at the root, if that is certain; the same tests as in the exact path.
+pub(super) fn position<K: Kind>(query: &Query<K>, root: &Root) -> Option<Position> {
+    let bracket = Bracket::new(query, root);
+    let [_, e1, e2] = K::SPAN.map(|difference| bracket.motion(difference));
+    let normal = bracket.cross(&e1, &e2);
+    let mut position = Some(Position::Inside);
+    for side in K::SIDES {
+        let [x, y] = side.edge.map(|end| bracket.motion((end, side.vertex)));
+        let area = bracket.cross(&x, &y);
+        // In one plane, the components of both cross products have the same ratio: any certain one will do.
+        let verdict = (0..3).find_map(|axis| match (normal[axis]?, area[axis]?) {
+            (Sign::Zero, _) => None,
+            (_, Sign::Zero) => Some(Position::Inside),
+            (normal, area) if (normal == area) == side.along => Some(Position::Inside),
+            _ => Some(Position::Outside),
+        });
+        match verdict {
+            Some(Position::Inside) => {}
+            Some(Position::Outside) => return Some(Position::Outside),
+            None => position = None,
+        }
+    }
+    position
+}
+
+struct Bracket<'a, K> {
+    query: &'a Query<K>,
+    near: f64,
+    /// A bound of the error of a difference, relative to its magnitude: two ends rounded once, (1 − t), a product and a
+    /// sum, n = 4, and |d₁ − d₀| ≤ 2 max(|d₀|, |d₁|) times how far the time may be from the one it is taken at.
+    slack: f64,
+}
+
+impl<'a, K: Kind> Bracket<'a, K> {
+    fn new(query: &'a Query<K>, root: &Root) -> Self {
+        let radius = (root.high - root.near).max(root.near - root.low);
+        Self {
+            query,
+            near: root.near,
+            slack: 8.0 * UNIT + 4.0 * radius,
+        }
+    }
+
+    fn motion(&self, (i, j): Difference) -> Motion {
+        let [start, end] = self.query.points();
+        let mut motion = Motion {
+            value: [0.0; 3],
+            magnitude: [0.0; 3],
+        };
+        for axis in 0..3 {
+            let (start, end) = (start[i][axis] - start[j][axis], end[i][axis] - end[j][axis]);
+            motion.value[axis] = (1.0 - self.near) * start + self.near * end;
+            motion.magnitude[axis] = start.abs().max(end.abs());
+        }
+        motion
+    }
+
+    /// The signs of the components of a × b that are certain. Each factor is off by `slack` of its magnitude, each
+    /// product by 2 slack + slack² and two more roundings. Zero is certain where each product has a factor that is
+    /// zero at both ends of the step, as happens when a vertex and an edge share a coordinate.
+    fn cross(&self, a: &Motion, b: &Motion) -> [Option<Sign>; 3] {
+        let relative = 2.0 * self.slack + self.slack * self.slack + 8.0 * UNIT;
+        [(1, 2), (2, 0), (0, 1)].map(|(next, last): (usize, usize)| {
+            let value = a.value[next] * b.value[last] - a.value[last] * b.value[next];
+            let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
+            let error = relative * magnitude + UNDERFLOW;
+            let vanishes = |i: usize, j: usize| a.magnitude[i] == 0.0 || b.magnitude[j] == 0.0;
+            if value > error {
+                Some(Sign::Positive)
+            } else if value < -error {
+                Some(Sign::Negative)
+            } else if vanishes(next, last) && vanishes(last, next) {
+                Some(Sign::Zero)
+            } else {
+                None
+            }
+        })
+    }
+}
