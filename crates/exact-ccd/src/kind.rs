@@ -16,6 +16,8 @@ pub struct Side {
     pub edge: [usize; 2],
     /// Where (x − q) × (y − q) points when the primitives meet: along the normal if true, against it if not.
     pub along: bool,
+    /// The edge of the domain of (u, v) on which the vertex meets the edge: where it meets x, and where y.
+    pub domain: [[f64; 2]; 2],
 }
 
 /// What the algorithms need to know about a kind of query.
@@ -27,11 +29,13 @@ pub(crate) mod tables {
     pub trait Tables {
         /// F at the corners of the domain of (u, v). A face has only three; the last one stands twice.
         const CORNERS: [Difference; 4];
-        /// w, e₁, e₂: the primitives are coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
+        /// w, e₁, e₂, where w leads from the second primitive to the first: the primitives are coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
         /// The primitives meet in their common plane, unless its normal vanishes, exactly if every vertex lies on
         /// the stated side of its line or on the line itself.
         const SIDES: &'static [Side];
+        /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not `along`.
+        const PARAMETERS: [usize; 2];
     }
 }
 pub(crate) use tables::Tables;
@@ -50,30 +54,38 @@ pub struct SegmentSegment;
 impl Kind for PointTriangle {}
 impl Kind for SegmentSegment {}
 
-const fn side(vertex: usize, edge: [usize; 2], along: bool) -> Side {
-    Side { vertex, edge, along }
+const fn side(vertex: usize, edge: [usize; 2], along: bool, domain: [[f64; 2]; 2]) -> Side {
+    Side {
+        vertex,
+        edge,
+        along,
+        domain,
+    }
 }
 
-/// p lies in the triangle if it lies to the left of its three edges.
+/// p lies in the triangle if it lies to the left of its three edges; their areas with p are its barycentric coordinates.
 impl Tables for PointTriangle {
     const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
     const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
     const SIDES: &'static [Side] = &[
-        side(0, [1, 2], true),
-        side(0, [2, 3], true),
-        side(0, [3, 1], true),
+        side(0, [1, 2], true, [[0.0, 0.0], [1.0, 0.0]]),
+        side(0, [2, 3], true, [[1.0, 0.0], [0.0, 1.0]]),
+        side(0, [3, 1], true, [[0.0, 1.0], [0.0, 0.0]]),
     ];
+    const PARAMETERS: [usize; 2] = [2, 0];
 }
 
-/// The segments cross if the ends of each lie on different sides of the line of the other. With n = e₁ × e₂,
-/// a₀ + u e₁ = b₀ + v e₂ gives u n = w × e₂ and v n = w × e₁; u ≥ 0, u ≤ 1, v ≥ 0, v ≤ 1 are the four sides.
+/// The segments cross if the ends of each lie on different sides of the line of the other: with n = e₁ × e₂,
+/// a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four sides are u ≥ 0, u ≤ 1,
+/// v ≥ 0 and v ≤ 1.
 impl Tables for SegmentSegment {
     const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
-    const SPAN: [Difference; 3] = [(2, 0), (1, 0), (3, 2)];
+    const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
     const SIDES: &'static [Side] = &[
-        side(0, [2, 3], true),
-        side(1, [2, 3], false),
-        side(2, [0, 1], false),
-        side(3, [0, 1], true),
+        side(0, [2, 3], true, [[0.0, 0.0], [0.0, 1.0]]),
+        side(1, [2, 3], false, [[1.0, 0.0], [1.0, 1.0]]),
+        side(2, [0, 1], false, [[0.0, 0.0], [1.0, 0.0]]),
+        side(3, [0, 1], true, [[0.0, 1.0], [1.0, 1.0]]),
     ];
+    const PARAMETERS: [usize; 2] = [0, 2];
 }

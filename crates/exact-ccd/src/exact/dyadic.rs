@@ -98,15 +98,14 @@ pub(crate) fn decompose(x: f64) -> (i64, i32) {
     )
 }
 
-/// Integers in the ratio of these numbers: all of them divided by one power of two.
-pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> [IBig; N] {
+/// These numbers as integers, all divided by one power of two, and its exponent.
+pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
     let parts = numbers.map(decompose);
-    let unit = parts.iter().map(|part| part.1).min().unwrap_or_default();
-    parts.map(|(mantissa, exponent)| {
-        if mantissa == 0 {
-            IBig::ZERO
-        } else {
-            IBig::from(mantissa) << (exponent - unit) as usize
-        }
-    })
+    let unit = parts.iter().map(|part| part.1).min().unwrap_or(i32::MAX);
+    let integer = |(mantissa, exponent): (i64, i32)| match mantissa {
+        0 => IBig::ZERO,
+        _ => IBig::from(mantissa) << (exponent - unit) as usize,
+    };
+    // Where all of them are zero, any unit will do.
+    (parts.map(integer), if unit == i32::MAX { 0 } else { unit })
 }

@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 use core::marker::PhantomData;
 
 use super::dyadic::to_integers;
@@ -10,25 +11,29 @@ use super::polynomial::Polynomial;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 
-type Vector = [Polynomial; 3];
+pub(super) type Vector = [Polynomial; 3];
 
 /// The points of a query as polynomials in t, and the plane that they have in common when they are coplanar.
 ///
 /// Each axis is scaled by a power of two of its own: contact is invariant under such scalings.
 pub(crate) struct Motion<K> {
     points: [Vector; 4],
+    /// The coordinates on an axis are integers times two to this power.
+    units: [i32; 3],
     /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
-    volume: Polynomial,
+    pub(super) volume: Polynomial,
     /// e₁ × e₂.
-    normal: Vector,
+    pub(super) normal: Vector,
     kind: PhantomData<K>,
 }
 
 impl<K: Kind> Motion<K> {
     pub(crate) fn new(query: &Query<K>) -> Self {
-        let axes = [0, 1, 2].map(|axis| {
+        let mut units = [0; 3];
+        let axes = [0, 1, 2].map(|axis: usize| {
             let at = |i: usize| query.points()[i / 4][i % 4][axis];
-            let integers = to_integers([0, 1, 2, 3, 4, 5, 6, 7].map(at));
+            let (integers, unit) = to_integers([0, 1, 2, 3, 4, 5, 6, 7].map(at));
+            units[axis] = unit;
             [0, 1, 2, 3].map(|point| Polynomial::between(&integers[point], &integers[point + 4]))
         });
         let points = [0, 1, 2, 3].map(|point| [0, 1, 2].map(|axis: usize| axes[axis][point].clone()));
@@ -37,24 +42,34 @@ impl<K: Kind> Motion<K> {
         Self {
             volume: dot(&w, &normal),
             points,
+            units,
             normal,
             kind: PhantomData,
         }
     }
 
+    /// The difference of two points.
+    pub(super) fn difference(&self, difference: Difference) -> Vector {
+        subtract(&self.points, difference)
+    }
+
     /// Whether the primitives touch at an instant at which the four points are coplanar.
     pub(crate) fn touches(&self, instant: &Instant) -> bool {
-        for axis in 0..3 {
-            let facing = instant.sign(&self.normal[axis]);
-            if facing.is_ne() {
-                return K::SIDES.iter().all(|side| {
-                    let sign = instant.sign(&self.side(side, axis));
-                    sign.is_eq() || sign == if side.along { facing } else { facing.reverse() }
-                });
-            }
-        }
-        // No plane: parallel edges touch if an end of one lies on the other, and a flat face is the union of its edges.
-        K::SIDES.iter().any(|side| self.lies_on(side, instant))
+        let Some((axis, facing)) = self.facing(instant) else {
+            // Parallel edges touch if an end of one lies on the other, and a flat face is the union of its edges.
+            return K::SIDES.iter().any(|side| self.lies_on(side, instant));
+        };
+        K::SIDES.iter().all(|side| {
+            let sign = instant.sign(&self.side(side, axis));
+            sign.is_eq() || sign == if side.along { facing } else { facing.reverse() }
+        })
+    }
+
+    /// A component of the normal that is not zero at an instant, and its sign; `None` if the normal vanishes.
+    pub(super) fn facing(&self, instant: &Instant) -> Option<(usize, Ordering)> {
+        (0..3)
+            .map(|axis| (axis, instant.sign(&self.normal[axis])))
+            .find(|(_, sign)| sign.is_ne())
     }
 
     /// Square-free polynomials without common roots, among whose roots are all times at which contact begins or ends.
@@ -82,7 +97,7 @@ impl<K: Kind> Motion<K> {
         for side in K::SIDES {
             if !join([0, 1, 2].map(|axis| self.side(side, axis))) {
                 for end in side.edge {
-                    join(subtract(&self.points, (end, side.vertex)));
+                    join(self.difference((end, side.vertex)));
                 }
             }
         }
@@ -94,14 +109,14 @@ impl<K: Kind> Motion<K> {
     }
 
     /// One component of (x − q) × (y − q) for a vertex q and an edge from x to y.
-    fn side(&self, side: &Side, axis: usize) -> Polynomial {
-        let [x, y] = side.edge.map(|end| subtract(&self.points, (end, side.vertex)));
+    pub(super) fn side(&self, side: &Side, axis: usize) -> Polynomial {
+        let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
         cross_component(&x, &y, axis)
     }
 
     /// Whether a vertex lies on an edge: on its line and between its ends.
-    fn lies_on(&self, side: &Side, instant: &Instant) -> bool {
-        let [x, y] = side.edge.map(|end| subtract(&self.points, (end, side.vertex)));
+    pub(super) fn lies_on(&self, side: &Side, instant: &Instant) -> bool {
+        let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
         cross(&x, &y)
             .iter()
             .all(|component| instant.sign(component).is_eq())
@@ -118,7 +133,7 @@ fn cross_component(a: &Vector, b: &Vector, axis: usize) -> Polynomial {
     &(&a[next] * &b[last]) - &(&a[last] * &b[next])
 }
 
-fn cross(a: &Vector, b: &Vector) -> Vector {
+pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|axis| cross_component(a, b, axis))
 }
 

@@ -1,0 +1,77 @@
+//! How the data sets name and number the two kinds of query.
+
+use ccd_mesh::{Step, TriangleMesh};
+use exact_ccd::{Kind, PointTriangle, Query, SegmentSegment};
+
+/// A kind of query, as the data sets know it.
+pub trait DataKind: Kind + Send + Sync {
+    /// The folder of its handcrafted query files.
+    const FOLDER: &'static str;
+    /// What the name of each of its files in a scene ends with.
+    const SHORT: &'static str;
+    /// The names of the four points.
+    const POINTS: [&'static str; 4];
+
+    /// The indices of the two primitives that a pair of global ids names in a mesh, or `None` if it names no pair of
+    /// this kind. Ids count the vertices, then the edges, then the faces.
+    fn indices(ids: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]>;
+
+    /// The query of two primitives of a moving mesh.
+    ///
+    /// # Panics
+    /// If the mesh has no such primitives.
+    fn query(step: &Step<'_>, indices: [u32; 2]) -> Query<Self>;
+}
+
+impl DataKind for PointTriangle {
+    const FOLDER: &'static str = "vertex-face";
+    const SHORT: &'static str = "vf";
+    const POINTS: [&'static str; 4] = ["p", "v1", "v2", "v3"];
+
+    fn indices([vertex, face]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
+        let face = face.checked_sub(mesh.vertex_count() + mesh.edges().len())?;
+        (vertex < mesh.vertex_count() && face < mesh.faces().len()).then_some([vertex as u32, face as u32])
+    }
+
+    fn query(step: &Step<'_>, [vertex, face]: [u32; 2]) -> Query<Self> {
+        step.vertex_face(vertex, face)
+    }
+}
+
+impl DataKind for SegmentSegment {
+    const FOLDER: &'static str = "edge-edge";
+    const SHORT: &'static str = "ee";
+    const POINTS: [&'static str; 4] = ["a0", "a1", "b0", "b1"];
+
+    fn indices([a, b]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
+        let edge = |id: usize| {
+            let edge = id.checked_sub(mesh.vertex_count())?;
+            (edge < mesh.edges().len()).then_some(edge as u32)
+        };
+        Some([edge(a)?, edge(b)?])
+    }
+
+    fn query(step: &Step<'_>, [a, b]: [u32; 2]) -> Query<Self> {
+        step.edge_edge(a, b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_count_vertices_then_edges_then_faces() {
+        let mesh = TriangleMesh::new(4, vec![[0, 1, 2], [1, 2, 3]]).unwrap();
+        assert_eq!(mesh.edges().len(), 5);
+        assert_eq!(PointTriangle::indices([3, 9], &mesh), Some([3, 0]));
+        assert_eq!(PointTriangle::indices([0, 10], &mesh), Some([0, 1]));
+        assert_eq!(SegmentSegment::indices([4, 8], &mesh), Some([0, 4]));
+        for ids in [[4, 9], [0, 8], [0, 11], [9, 0]] {
+            assert_eq!(PointTriangle::indices(ids, &mesh), None, "{ids:?}");
+        }
+        for ids in [[3, 4], [4, 9], [9, 4]] {
+            assert_eq!(SegmentSegment::indices(ids, &mesh), None, "{ids:?}");
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! Rational numbers in text, as f64.
+
+use dashu_int::{IBig, UBig};
+use dashu_ratio::RBig;
+
+/// What becomes of a coordinate that is not exactly an f64.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Rounding {
+    /// It is an error: an exact answer to a rounded question would mislead.
+    #[default]
+    Refuse,
+    /// It becomes the nearest f64, ties to even. Out of range is still an error.
+    ToNearest,
+}
+
+/// Two fields that do not stand for an f64.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum CoordinateError {
+    /// A field is no decimal integer.
+    #[error("expected an integer, found \"{0}\"")]
+    NotAnInteger(String),
+    /// The denominator is zero.
+    #[error("the denominator of {0} is zero")]
+    ZeroDenominator(String),
+    /// The number lies between two f64.
+    #[error("{0} is not exactly an f64")]
+    Inexact(String),
+    /// The number would round to infinity.
+    #[error("{0} is out of the range of f64")]
+    OutOfRange(String),
+}
+
+/// The finite f64 that a numerator and a denominator, of either sign, stand for.
+pub(crate) fn parse(
+    numerator: &[u8],
+    denominator: &[u8],
+    rounding: Rounding,
+) -> Result<f64, CoordinateError> {
+    if let Some(value) = parse_small(numerator, denominator) {
+        return Ok(value);
+    }
+    let fraction = || format!("{}/{}", excerpt(numerator), excerpt(denominator));
+    let (sign, divisor) = integer(denominator)?.into_parts();
+    let dividend = integer(numerator)? * sign;
+    if divisor == UBig::ZERO {
+        return Err(CoordinateError::ZeroDenominator(fraction()));
+    }
+    match RBig::from_parts(dividend, divisor).to_f64().value_with_exact() {
+        (nearest, _) if nearest.is_infinite() => Err(CoordinateError::OutOfRange(fraction())),
+        (nearest, exact) if exact || rounding == Rounding::ToNearest => Ok(nearest),
+        _ => Err(CoordinateError::Inexact(fraction())),
+    }
+}
+
+/// What nearly all coordinates are: n / 2ᵏ with |n| ≤ 2⁵³ and 2ᵏ an i64. Both convert exactly, and so does the
+/// quotient.
+fn parse_small(numerator: &[u8], denominator: &[u8]) -> Option<f64> {
+    let small = |text: &[u8]| str::from_utf8(text).ok()?.parse::<i64>().ok();
+    let (n, d) = (small(numerator)?, small(denominator)?);
+    (n.unsigned_abs() <= 1 << 53 && d > 0 && d.count_ones() == 1).then(|| n as f64 / d as f64)
+}
+
+fn integer(text: &[u8]) -> Result<IBig, CoordinateError> {
+    let digits = text
+        .strip_prefix(b"-")
+        .or(text.strip_prefix(b"+"))
+        .unwrap_or(text);
+    digits
+        .iter()
+        .all(u8::is_ascii_digit)
+        .then(|| str::from_utf8(text).ok()?.parse().ok())
+        .flatten()
+        .ok_or_else(|| CoordinateError::NotAnInteger(excerpt(text)))
+}
+
+/// Enough of a field to recognise it, on one line.
+pub(crate) fn excerpt(field: &[u8]) -> String {
+    const LENGTH: usize = 40;
+    let text = String::from_utf8_lossy(&field[..field.len().min(LENGTH)]);
+    let mark = if field.len() > LENGTH { "…" } else { "" };
+    format!("{}{mark}", text.escape_debug())
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn exactly(numerator: &str, denominator: &str) -> Result<f64, CoordinateError> {
+        parse(numerator.as_bytes(), denominator.as_bytes(), Rounding::Refuse)
+    }
+
+    fn nearest(numerator: &str, denominator: &str) -> Result<f64, CoordinateError> {
+        parse(numerator.as_bytes(), denominator.as_bytes(), Rounding::ToNearest)
+    }
+
+    fn power(exponent: usize) -> String {
+        (UBig::ONE << exponent).to_string()
+    }
+
+    #[test]
+    fn fractions_that_are_f64_are_read_exactly() {
+        assert_eq!(exactly("3", "4"), Ok(0.75));
+        assert_eq!(exactly("-3", "-4"), Ok(0.75));
+        assert_eq!(exactly("+3", "-4"), Ok(-0.75));
+        assert_eq!(exactly("21", "28"), Ok(0.75));
+        assert_eq!(exactly("1", &power(1074)), Ok(5e-324));
+        assert_eq!(exactly(&power(1023), "1"), Ok(2f64.powi(1023)));
+        assert_eq!(exactly(&power(5000), &power(5001)), Ok(0.5));
+        for zero in ["0", "-0"] {
+            assert!(exactly(zero, "-7").is_ok_and(|value| value == 0.0 && value.is_sign_positive()));
+        }
+    }
+
+    #[test]
+    fn what_is_no_f64_is_refused_or_rounded() {
+        assert_eq!(exactly("1", "3"), Err(CoordinateError::Inexact("1/3".into())));
+        assert_eq!(nearest("1", "3"), Ok(1.0 / 3.0));
+        assert_eq!(
+            exactly("9007199254740993", "1"),
+            Err(CoordinateError::Inexact("9007199254740993/1".into()))
+        );
+        assert_eq!(nearest("9007199254740993", "1"), Ok(9007199254740992.0));
+        assert!(matches!(
+            exactly("1", &power(1075)),
+            Err(CoordinateError::Inexact(_))
+        ));
+        assert_eq!(nearest("1", &power(1075)), Ok(0.0));
+        assert!(matches!(
+            nearest(&power(1024), "1"),
+            Err(CoordinateError::OutOfRange(_))
+        ));
+        assert!(matches!(
+            exactly(&power(1024), "-1"),
+            Err(CoordinateError::OutOfRange(_))
+        ));
+    }
+
+    #[test]
+    fn what_is_no_fraction_is_an_error() {
+        for text in ["", "-", "+-1", "1.5", "1e3", "1_000", "0x1", "nan", "1 2", "١"] {
+            assert!(
+                matches!(nearest(text, "1"), Err(CoordinateError::NotAnInteger(_))),
+                "{text:?}"
+            );
+            assert!(
+                matches!(nearest("1", text), Err(CoordinateError::NotAnInteger(_))),
+                "{text:?}"
+            );
+        }
+        assert_eq!(
+            nearest("5", "-0"),
+            Err(CoordinateError::ZeroDenominator("5/-0".into()))
+        );
+    }
+
+    #[test]
+    fn excerpts_are_short_and_on_one_line() {
+        assert_eq!(excerpt(b"1\n2\xff"), "1\\n2\u{fffd}");
+        assert_eq!(excerpt(&[b'9'; 1000]).chars().count(), 41);
+    }
+
+    proptest! {
+        #[test]
+        fn every_finite_f64_survives(value in prop::num::f64::ANY) {
+            prop_assume!(value.is_finite());
+            let ratio = RBig::try_from(value).unwrap();
+            let (numerator, denominator) = (ratio.numerator().to_string(), ratio.denominator().to_string());
+            prop_assert_eq!(exactly(&numerator, &denominator), Ok(value));
+        }
+
+        /// No f64 is nearer, not even among the subnormals.
+        #[test]
+        fn rounding_is_to_the_nearest(numerator: i64, denominator in 1u64.., shift in 0usize..1140) {
+            let ratio = RBig::from_parts(numerator.into(), UBig::from(denominator) << shift);
+            let (numerator, denominator) = (ratio.numerator().to_string(), ratio.denominator().to_string());
+            let value = nearest(&numerator, &denominator).unwrap();
+            let distance = |value| {
+                let difference = RBig::try_from(value).unwrap() - &ratio;
+                if difference < RBig::ZERO { -difference } else { difference }
+            };
+            prop_assert!(distance(value) <= distance(value.next_up()));
+            prop_assert!(distance(value) <= distance(value.next_down()));
+        }
+    }
+}
