@@ -1,20 +1,10 @@
 //! The answers: floating-point filters first, then the exact path.
 
+use crate::impact::Impact;
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::query::Query;
 use crate::time::{ContactTime, ContactTimes};
 use crate::{exact, filter};
-
-/// The earliest contact of a query.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Impact {
-    /// When.
-    pub time: ContactTime,
-    /// Where on the primitives: (u, v).
-    pub parameters: [f64; 2],
-    /// The unit contact normal.
-    pub normal: Option<Point>,
-}
 
 /// Where a query was settled, from the cheapest stage to the dearest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -83,5 +73,11 @@ impl<K: Kind> Query<K> {
     #[must_use]
     pub fn time_of_impact(&self) -> Option<f64> {
         self.contact_times().first().map(ContactTime::lower)
+    }
+
+    /// The earliest contact, if there is one: when, where, and its normal.
+    #[must_use]
+    pub fn impact(&self) -> Option<Impact> {
+        filter::impact(self).unwrap_or_else(|| exact::impact(self))
     }
 }

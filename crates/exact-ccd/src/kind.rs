@@ -29,7 +29,8 @@ pub(crate) mod tables {
     pub trait Tables {
         /// F at the corners of the domain of (u, v). A face has only three; the last one stands twice.
         const CORNERS: [Difference; 4];
-        /// w, e₁, e₂, where w leads from the second primitive to the first: the primitives are coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
+        /// w, e₁, e₂, where w leads from the second primitive to the first: the primitives are coplanar when
+        /// w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
         /// The primitives meet in their common plane, unless its normal vanishes, exactly if every vertex lies on
         /// the stated side of its line or on the line itself.

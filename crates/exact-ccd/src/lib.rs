@@ -33,11 +33,13 @@ extern crate alloc;
 mod contact;
 pub mod exact;
 mod filter;
+mod impact;
 mod kind;
 mod query;
 mod time;
 
-pub use contact::{Impact, Stage};
+pub use contact::Stage;
+pub use impact::Impact;
 pub use kind::{Kind, PointTriangle, SegmentSegment};
 pub use query::{EdgeEdge, NonFinite, Point, Query, VertexFace};
 pub use time::{ContactTime, ContactTimes, Times};

@@ -56,6 +56,11 @@ impl Instant {
         }
     }
 
+    /// The same time in a bracket that has been narrowed this many times.
+    pub(crate) fn narrowed_by(self, steps: usize) -> Self {
+        (0..steps).fold(self, |instant, _| instant.narrowed())
+    }
+
     /// Whether this time is earlier than another one, which must not be the same.
     fn is_before(&self, other: &Self) -> bool {
         let (mut this, mut other) = (self.clone(), other.clone());
@@ -163,7 +168,7 @@ fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mu
                 low,
                 high,
             };
-            roots.push((0..16).fold(root, |root, _| root.narrowed()));
+            roots.push(root.narrowed_by(16));
             return;
         }
         let middle = Dyadic::between(&low, &high);

@@ -6,6 +6,7 @@
 //! is the one given here; the functions below give it without asking any filter, for audits.
 
 mod dyadic;
+mod impact;
 mod instant;
 mod motion;
 mod polynomial;
@@ -14,6 +15,7 @@ mod sturm;
 use instant::Instant;
 use motion::Motion;
 
+use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::{ContactTime, ContactTimes, Times};
@@ -52,4 +54,13 @@ pub fn contact_times<K: Kind>(query: &Query<K>) -> ContactTimes {
 #[must_use]
 pub fn time_of_impact<K: Kind>(query: &Query<K>) -> Option<f64> {
     contact_times(query).first().map(ContactTime::lower)
+}
+
+/// [`Query::impact`], computed in integers alone.
+#[must_use]
+pub fn impact<K: Kind>(query: &Query<K>) -> Option<Impact> {
+    let motion = Motion::new(query);
+    let instants = instant::roots(motion.events());
+    let first = instants.iter().find(|instant| motion.touches(instant))?;
+    Some(motion.impact(first))
 }

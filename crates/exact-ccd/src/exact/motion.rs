@@ -53,6 +53,12 @@ impl<K: Kind> Motion<K> {
         subtract(&self.points, difference)
     }
 
+    /// A difference of points with the same unit on all axes, as lengths and angles need it.
+    pub(super) fn to_scale(&self, vector: Vector) -> Vector {
+        let least = self.units.into_iter().min().unwrap_or_default();
+        [0, 1, 2].map(|axis: usize| vector[axis].shifted((self.units[axis] - least) as usize))
+    }
+
     /// Whether the primitives touch at an instant at which the four points are coplanar.
     pub(crate) fn touches(&self, instant: &Instant) -> bool {
         let Some((axis, facing)) = self.facing(instant) else {

@@ -30,6 +30,15 @@ impl Polynomial {
         Self(vec![IBig::ONE])
     }
 
+    pub(crate) fn constant(value: u64) -> Self {
+        Self::new(vec![value.into()])
+    }
+
+    /// The polynomial times 2ᵏ.
+    pub(crate) fn shifted(&self, exponent: usize) -> Self {
+        Self(self.0.iter().map(|coefficient| coefficient << exponent).collect())
+    }
+
     /// t (1 − t): the ends of the step.
     pub(crate) fn ends() -> Self {
         Self(vec![IBig::ZERO, IBig::ONE, IBig::NEG_ONE])

@@ -15,6 +15,7 @@
 mod coplanarity;
 mod double_double;
 mod hull;
+mod impact;
 mod rounding;
 mod sides;
 
@@ -26,6 +27,7 @@ use rounding::PreciseCoplanarity;
 use sides::Position;
 
 use crate::contact::Stage;
+use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::{Point, Query};
 use crate::time::Times;
@@ -127,4 +129,26 @@ fn times_among<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<Times> {
         }
     }
     Some(times)
+}
+
+/// The earliest contact; `Some(None)` if there certainly is none.
+pub(crate) fn impact<K: Kind>(query: &Query<K>) -> Option<Option<Impact>> {
+    let roots = match screen(query) {
+        Screening::Free(_) => return Some(None),
+        Screening::Coplanar(roots) => roots,
+        Screening::Unknown => return None,
+    };
+    for root in &roots {
+        if sides::position(query, root)? == Position::Inside {
+            let time = PreciseCoplanarity::new(query).round(root)?;
+            let (parameters, normal) = impact::parameters_and_normal(query, root)?;
+            let normal = Some(normal);
+            return Some(Some(Impact {
+                time,
+                parameters,
+                normal,
+            }));
+        }
+    }
+    Some(None)
 }

@@ -21,11 +21,31 @@ enum Sign {
 }
 
 /// The difference of two points somewhere in a bracket of time.
-struct Motion {
+pub(super) struct Motion {
     /// Near the middle of the bracket.
     value: Point,
     /// The larger magnitude at t = 0 and t = 1.
     magnitude: Point,
+}
+
+/// A number in a bracket of time, to within an error. It is zero for certain if the error is.
+pub(super) struct Component {
+    pub(super) value: f64,
+    pub(super) error: f64,
+}
+
+impl Component {
+    fn sign(&self) -> Option<Sign> {
+        if self.value > self.error {
+            Some(Sign::Positive)
+        } else if self.value < -self.error {
+            Some(Sign::Negative)
+        } else if self.error == 0.0 {
+            Some(Sign::Zero)
+        } else {
+            None
+        }
+    }
 }
 
 /// Whether the primitives touch at the root, if that is certain; the same tests as in the exact path.
@@ -38,7 +58,7 @@ pub(super) fn position<K: Kind>(query: &Query<K>, root: &Root) -> Option<Positio
         let [x, y] = side.edge.map(|end| bracket.motion((end, side.vertex)));
         let area = bracket.cross(&x, &y);
         // In one plane, the components of both cross products have the same ratio: any certain one will do.
-        let verdict = (0..3).find_map(|axis| match (normal[axis]?, area[axis]?) {
+        let verdict = (0..3).find_map(|axis| match (normal[axis].sign()?, area[axis].sign()?) {
             (Sign::Zero, _) => None,
             (_, Sign::Zero) => Some(Position::Inside),
             (normal, area) if (normal == area) == side.along => Some(Position::Inside),
@@ -53,7 +73,7 @@ pub(super) fn position<K: Kind>(query: &Query<K>, root: &Root) -> Option<Positio
     position
 }
 
-struct Bracket<'a, K> {
+pub(super) struct Bracket<'a, K> {
     query: &'a Query<K>,
     near: f64,
     /// A bound of the error of a difference, relative to its magnitude: two ends rounded once, (1 − t), a product and a
@@ -62,7 +82,7 @@ struct Bracket<'a, K> {
 }
 
 impl<'a, K: Kind> Bracket<'a, K> {
-    fn new(query: &'a Query<K>, root: &Root) -> Self {
+    pub(super) fn new(query: &'a Query<K>, root: &Root) -> Self {
         let radius = (root.high - root.near).max(root.near - root.low);
         Self {
             query,
@@ -71,7 +91,7 @@ impl<'a, K: Kind> Bracket<'a, K> {
         }
     }
 
-    fn motion(&self, (i, j): Difference) -> Motion {
+    pub(super) fn motion(&self, (i, j): Difference) -> Motion {
         let [start, end] = self.query.points();
         let mut motion = Motion {
             value: [0.0; 3],
@@ -85,24 +105,21 @@ impl<'a, K: Kind> Bracket<'a, K> {
         motion
     }
 
-    /// The signs of the components of a × b that are certain. Each factor is off by `slack` of its magnitude, each
-    /// product by 2 slack + slack² and two more roundings. Zero is certain where each product has a factor that is
-    /// zero at both ends of the step, as happens when a vertex and an edge share a coordinate.
-    fn cross(&self, a: &Motion, b: &Motion) -> [Option<Sign>; 3] {
+    /// The components of a × b. Each factor is off by `slack` of its magnitude, each product by 2 slack + slack² and two
+    /// more roundings. Zero is certain where each product has a factor that is zero at both ends of the step, as happens
+    /// when a vertex and an edge share a coordinate.
+    pub(super) fn cross(&self, a: &Motion, b: &Motion) -> [Component; 3] {
         let relative = 2.0 * self.slack + self.slack * self.slack + 8.0 * UNIT;
         [(1, 2), (2, 0), (0, 1)].map(|(next, last): (usize, usize)| {
-            let value = a.value[next] * b.value[last] - a.value[last] * b.value[next];
-            let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
-            let error = relative * magnitude + UNDERFLOW;
             let vanishes = |i: usize, j: usize| a.magnitude[i] == 0.0 || b.magnitude[j] == 0.0;
-            if value > error {
-                Some(Sign::Positive)
-            } else if value < -error {
-                Some(Sign::Negative)
-            } else if vanishes(next, last) && vanishes(last, next) {
-                Some(Sign::Zero)
-            } else {
-                None
+            let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
+            Component {
+                value: a.value[next] * b.value[last] - a.value[last] * b.value[next],
+                error: if vanishes(next, last) && vanishes(last, next) {
+                    0.0
+                } else {
+                    relative * magnitude + UNDERFLOW
+                },
             }
         })
     }

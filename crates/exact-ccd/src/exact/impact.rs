@@ -1,0 +1,162 @@
+//! Where the primitives meet first, and across which direction, by signs at the instant of contact.
+
+use super::instant::Instant;
+use super::motion::{Motion, Vector, cross};
+use super::polynomial::Polynomial;
+use crate::impact::{Impact, unit};
+use crate::kind::{Kind, Side};
+use crate::query::Point;
+
+/// How many bits after the point are computed of a ratio.
+const BITS: u32 = 52;
+
+/// What the primitives do at an instant of contact.
+struct Contact<'a, K> {
+    motion: &'a Motion<K>,
+    instant: Instant,
+}
+
+impl<K: Kind> Motion<K> {
+    /// The contact at an instant at which the primitives touch; see [`Impact`] for the cases.
+    pub(super) fn impact(&self, instant: &Instant) -> Impact {
+        let time = instant.round();
+        // In a bracket narrower than the ratios are accurate, nearly all of their signs are plain.
+        let instant = instant.clone().narrowed_by(64);
+        let contact = Contact {
+            motion: self,
+            instant,
+        };
+        let crossing = !self.is_always_coplanar() && self.facing(&contact.instant).is_some();
+        let is_met = |side: &&Side| !crossing && self.lies_on(side, &contact.instant);
+        let (parameters, normal) = match K::SIDES.iter().find(is_met) {
+            None => (contact.parameters_in_plane(), contact.normal_of_plane()),
+            Some(side) => contact.vertex_on_edge(side),
+        };
+        Impact {
+            time,
+            parameters,
+            normal,
+        }
+    }
+}
+
+impl<K: Kind> Contact<'_, K> {
+    /// (u, v) as ratios of the sides' areas to the normal, which must not vanish.
+    fn parameters_in_plane(&self) -> [f64; 2] {
+        let Some((axis, facing)) = self.motion.facing(&self.instant) else {
+            return [0.0; 2];
+        };
+        let normal = self.motion.normal[axis].clone();
+        K::PARAMETERS.map(|index| {
+            let side = &K::SIDES[index];
+            let area = self.motion.side(side, axis);
+            let reversed = facing.is_lt() == side.along;
+            self.ratio(
+                &if reversed { -area } else { area },
+                &if facing.is_lt() {
+                    -normal.clone()
+                } else {
+                    normal.clone()
+                },
+            )
+        })
+    }
+
+    /// The normal of the common plane on the side on which the first primitive is just before: there, the first
+    /// derivative of c that does not vanish decides about the sign of c.
+    fn normal_of_plane(&self) -> Option<Point> {
+        let [e1, e2] = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
+        let normal = self.direction(cross(&e1, &e2))?;
+        let mut derivative = self.motion.volume.clone();
+        let mut is_above = true;
+        while !derivative.is_zero() {
+            let sign = self.instant.sign(&derivative);
+            if sign.is_ne() {
+                is_above = sign.is_gt() == is_above;
+                break;
+            }
+            derivative = derivative.derivative();
+            is_above = !is_above;
+        }
+        Some(if is_above { normal } else { normal.map(|x| -x) })
+    }
+
+    /// Parameters and normal where a vertex meets an edge: the normal opposes the velocity of the first primitive
+    /// relative to the second, across the line of the edge.
+    fn vertex_on_edge(&self, side: &Side) -> ([f64; 2], Option<Point>) {
+        let [x, y] = side.edge;
+        let offset = self.motion.to_scale(self.motion.difference((side.vertex, x)));
+        let edge = self.motion.to_scale(self.motion.difference((y, x)));
+        let velocity = |vector: &Vector| [0, 1, 2].map(|axis: usize| vector[axis].derivative());
+        let mut relative = velocity(&offset);
+        let mut along = 0.0;
+        let axis = (0..3).find(|&axis| self.instant.sign(&edge[axis]).is_ne());
+        if let Some(axis) = axis {
+            // The vertex is at x + s (y − x), s = offset / edge on this axis.
+            let reversed = self.instant.sign(&edge[axis]).is_lt();
+            let [above, below] = [&offset, &edge].map(|vector| {
+                let component = vector[axis].clone();
+                if reversed { -component } else { component }
+            });
+            along = self.ratio(&above, &below);
+            let of_edge = velocity(&edge);
+            relative = [0, 1, 2].map(|axis: usize| &(&below * &relative[axis]) - &(&above * &of_edge[axis]));
+        }
+        let is_of_first = side.vertex < x;
+        let towards_first = relative.map(|component| if is_of_first { -component } else { component });
+
+        let [start, end] = side.domain;
+        let parameters = [0, 1].map(|i: usize| start[i] + along * (end[i] - start[i]));
+        (parameters, self.direction(self.across_line(edge, towards_first)))
+    }
+
+    /// The part of a vector that is orthogonal to the line that holds both primitives, if they have one, up to a
+    /// positive factor.
+    fn across_line(&self, edge: Vector, vector: Vector) -> Vector {
+        let spans = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
+        let is_point = |line: &Vector| line.iter().all(|component| self.instant.sign(component).is_eq());
+        match [edge].into_iter().chain(spans).find(|line| !is_point(line)) {
+            Some(line) => cross(&line, &cross(&vector, &line)),
+            None => vector,
+        }
+    }
+
+    /// The direction of a vector at the instant, unless it vanishes there.
+    fn direction(&self, vector: Vector) -> Option<Point> {
+        let signs = [0, 1, 2].map(|axis: usize| self.instant.sign(&vector[axis]));
+        let mut magnitudes = vector;
+        for (component, sign) in magnitudes.iter_mut().zip(signs) {
+            if sign.is_lt() {
+                *component = -component.clone();
+            }
+        }
+        let is_less = |a: usize, b: usize| self.instant.sign(&(&magnitudes[a] - &magnitudes[b])).is_lt();
+        let largest = (1..3).fold(0, |best, axis| if is_less(best, axis) { axis } else { best });
+        if signs[largest].is_eq() {
+            return None;
+        }
+        Some(unit([0, 1, 2].map(|axis: usize| {
+            let ratio = self.ratio(&magnitudes[axis], &magnitudes[largest]);
+            if signs[axis].is_lt() { -ratio } else { ratio }
+        })))
+    }
+
+    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of 2⁻⁵².
+    fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
+        let scaled = a.shifted(BITS as usize);
+        let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if self
+                .instant
+                .sign(&(&scaled - &(&Polynomial::constant(middle) * b)))
+                .is_ge()
+            {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low as f64 / (1_u64 << BITS) as f64
+    }
+}

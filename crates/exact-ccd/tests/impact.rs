@@ -1,0 +1,256 @@
+//! The earliest contact: parameters that meet, normals that face the right way, and the degenerate cases by hand.
+
+use exact_ccd::{EdgeEdge, Impact, Kind, Point, Query, VertexFace, exact};
+use proptest::prelude::*;
+
+/// What the documentation promises.
+const ACCURACY: f64 = 1.0 / (1_u64 << 32) as f64;
+
+type Points = [[Point; 4]; 2];
+
+fn small_integers() -> impl Strategy<Value = Points> {
+    let point = prop::array::uniform3((-4..=4).prop_map(f64::from));
+    prop::array::uniform2(prop::array::uniform4(point))
+}
+
+fn in_general_position() -> impl Strategy<Value = Points> {
+    prop::array::uniform2(prop::array::uniform4(prop::array::uniform3(-1.0..1.0)))
+}
+
+/// The points, with one moved so that they meet, up to rounding, at t, u and v if they are those of a face.
+fn meeting(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
+    (points, (1..=8, 0..=8, 0..=8)).prop_map(|(mut points, (t, u, v))| {
+        let [t, u, v] = [t, u, v].map(|n| f64::from(n) / 8.0);
+        for axis in 0..3 {
+            let at = |i: usize| (1.0 - t) * points[0][i][axis] + t * points[1][i][axis];
+            let target = (1.0 - u) * at(1) + u * ((1.0 - v) * at(2) + v * at(3));
+            points[1][0][axis] = (target - (1.0 - t) * points[0][0][axis]) / t;
+        }
+        points
+    })
+}
+
+fn any() -> impl Strategy<Value = Points> {
+    prop_oneof![
+        small_integers(),
+        meeting(small_integers()),
+        in_general_position(),
+        meeting(in_general_position()),
+    ]
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}
+
+fn close(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(x, y)| (x - y).abs() <= 2.0 * ACCURACY)
+}
+
+/// The weights of the four points in F(t, u, v).
+type Weights = fn([f64; 2]) -> [f64; 4];
+const VERTEX_FACE: Weights = |[u, v]| [1.0, u + v - 1.0, -u, -v];
+const EDGE_EDGE: Weights = |[u, v]| [1.0 - u, u, v - 1.0, -v];
+
+fn check<K: Kind>(query: &Query<K>, weights: Weights) -> Result<(), TestCaseError> {
+    let (impact, reference) = (query.impact(), exact::impact(query));
+    let first = query.contact_times().first();
+    prop_assert_eq!(impact.map(|impact| impact.time), first);
+    prop_assert_eq!(reference.map(|impact| impact.time), first);
+    let (Some(impact), Some(reference)) = (impact, reference) else {
+        return Ok(());
+    };
+
+    let (found, expected) = (impact.parameters, reference.parameters);
+    prop_assert!(close(&found, &expected), "{found:?}, exactly {expected:?}");
+    prop_assert!(found.iter().all(|x| (0.0..=1.0).contains(x)));
+
+    let (found, expected) = (impact.normal, reference.normal);
+    prop_assert_eq!(found.is_some(), expected.is_some());
+    if let (Some(found), Some(expected)) = (found, expected) {
+        prop_assert!((dot(found, found) - 1.0).abs() <= 4.0 * f64::EPSILON);
+        prop_assert!(close(&found, &expected), "{found:?}, exactly {expected:?}");
+    }
+
+    let [start, end] = query.points();
+    let (t, weights) = (impact.time.lower(), weights(impact.parameters));
+    let size = query
+        .points()
+        .as_flattened()
+        .as_flattened()
+        .iter()
+        .fold(1.0, |size: f64, x| size.max(x.abs()));
+    for axis in 0..3 {
+        let at = |i: usize| (1.0 - t) * start[i][axis] + t * end[i][axis];
+        let distance: f64 = (0..4).map(|i| weights[i] * at(i)).sum();
+        prop_assert!(
+            distance.abs() <= 8.0 * ACCURACY * size,
+            "{distance} apart on axis {axis}"
+        );
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    #[test]
+    fn vertex_and_face_meet_at_the_parameters(points in any()) {
+        check(&VertexFace::new(points[0], points[1]).unwrap(), VERTEX_FACE)?;
+    }
+
+    #[test]
+    fn edges_meet_at_the_parameters(points in any()) {
+        check(&EdgeEdge::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
+    }
+
+    #[test]
+    fn the_normal_of_a_face_at_rest_is_where_the_vertex_comes_from(points in any()) {
+        let [[from, a, b, c], [to, ..]] = points;
+        let query = VertexFace::new([from, a, b, c], [to, a, b, c]).unwrap();
+        let motion: Point = core::array::from_fn(|axis| to[axis] - from[axis]);
+        if let Some(Impact { normal: Some(normal), .. }) = query.impact() {
+            prop_assert!(dot(normal, motion) <= 4.0 * ACCURACY * dot(motion, motion).sqrt());
+        }
+    }
+
+    #[test]
+    fn swapped_edges_swap_the_answer([start, end] in meeting(in_general_position())) {
+        let swap = |[a0, a1, b0, b1]: [Point; 4]| [b0, b1, a0, a1];
+        let impact = EdgeEdge::new(start, end).unwrap().impact();
+        let swapped = EdgeEdge::new(swap(start), swap(end)).unwrap().impact();
+        prop_assert_eq!(impact.map(|impact| impact.time), swapped.map(|impact| impact.time));
+        if let (Some(impact), Some(swapped)) = (impact, swapped) {
+            let [u, v] = swapped.parameters;
+            prop_assert!(close(&impact.parameters, &[v, u]));
+            let (found, expected) = (impact.normal.unwrap(), swapped.normal.unwrap());
+            prop_assert!(close(&found, &expected.map(|x| -x)), "{found:?} and {expected:?}");
+        }
+    }
+}
+
+const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+
+#[track_caller]
+fn on_face(from: Point, to: Point) -> Impact {
+    let [a, b, c] = FACE;
+    let query = VertexFace::new([from, a, b, c], [to, a, b, c]).unwrap();
+    query.impact().unwrap()
+}
+
+#[test]
+fn a_vertex_falls_on_a_face() {
+    let impact = on_face([1.0, 2.0, 1.0], [1.0, 2.0, -1.0]);
+    assert_eq!(impact.time.lower(), 0.5);
+    assert_eq!(impact.parameters, [0.25, 0.5]);
+    assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
+    assert!(!impact.touching_at_start());
+}
+
+#[test]
+fn a_vertex_rises_to_a_face() {
+    let impact = on_face([1.0, 2.0, -3.0], [1.0, 2.0, 1.0]);
+    assert_eq!(impact.time.lower(), 0.75);
+    assert_eq!(impact.normal, Some([0.0, 0.0, -1.0]));
+}
+
+#[test]
+fn a_face_turns_up_to_a_vertex() {
+    // Its corner at (4, 0) rises by 4: the vertex at (1, 1) is reached when that is done.
+    let start = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let end = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 0.0]];
+    let query = VertexFace::new(start, end).unwrap();
+    let impact = query.impact().unwrap();
+    assert_eq!(impact.time.lower(), 1.0);
+    assert!(close(
+        &impact.normal.unwrap(),
+        &[-0.5_f64.sqrt(), 0.0, 0.5_f64.sqrt()]
+    ));
+}
+
+#[test]
+fn at_the_start_the_normal_opposes_the_motion() {
+    let leaving = on_face([1.0, 2.0, 0.0], [1.0, 2.0, 1.0]);
+    assert!(leaving.touching_at_start());
+    assert_eq!(leaving.normal, Some([0.0, 0.0, -1.0]));
+    let entering = on_face([1.0, 2.0, 0.0], [1.0, 2.0, -1.0]);
+    assert!(entering.touching_at_start());
+    assert_eq!(entering.normal, Some([0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn a_vertex_in_the_plane_of_a_face_reaches_an_edge() {
+    let impact = on_face([1.0, -1.0, 0.0], [3.0, 3.0, 0.0]);
+    assert_eq!(impact.time.lower(), 0.25);
+    assert_eq!(impact.parameters, [0.375, 0.0]);
+    assert_eq!(impact.normal, Some([0.0, -1.0, 0.0]));
+}
+
+#[test]
+fn a_vertex_in_the_plane_of_a_face_starts_inside() {
+    let impact = on_face([1.0, 1.0, 0.0], [2.0, 1.0, 0.0]);
+    assert!(impact.touching_at_start());
+    assert_eq!(impact.parameters, [0.25, 0.25]);
+    assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn a_flat_face_is_its_edges() {
+    let [a, b] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
+    let query = VertexFace::new([[1.0, 1.0, 2.0], a, b, b], [[1.0, -1.0, -2.0], a, b, b]).unwrap();
+    let impact = query.impact().unwrap();
+    assert_eq!(impact.time.lower(), 0.5);
+    assert_eq!(impact.parameters, [0.25, 0.0]);
+    assert!(close(
+        &impact.normal.unwrap(),
+        &[0.0, 0.2_f64.sqrt(), 0.8_f64.sqrt()]
+    ));
+}
+
+#[test]
+fn parallel_edges_meet() {
+    let [b0, b1] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
+    let [start, end] = [2.0, -2.0].map(|z| [[1.0, 0.0, z], [2.0, 0.0, z], b0, b1]);
+    let impact = EdgeEdge::new(start, end).unwrap().impact().unwrap();
+    assert_eq!(impact.time.lower(), 0.5);
+    assert_eq!(impact.parameters, [0.0, 0.25]);
+    assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn points_meet() {
+    let still = [0.0; 3];
+    let [start, end] = [[2.0, 1.0, 2.0], [-2.0, -1.0, -2.0]].map(|p: Point| [p, still, still, still]);
+    let impact = VertexFace::new(start, end).unwrap().impact().unwrap();
+    assert_eq!(impact.time.lower(), 0.5);
+    assert_eq!(impact.parameters, [0.0, 0.0]);
+    assert!(close(&impact.normal.unwrap(), &[2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0]));
+}
+
+#[test]
+fn what_rests_has_no_normal() {
+    let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 3.0]];
+    let impact = EdgeEdge::new(points, points).unwrap().impact().unwrap();
+    assert!(impact.touching_at_start());
+    assert_eq!(impact.parameters, [0.25, 0.0]);
+    assert_eq!(impact.normal, None);
+}
+
+#[test]
+fn lengths_of_very_different_size() {
+    let (tiny, huge) = (1e-300, 1e300);
+    let [a, b, c] = [[0.0, 0.0, 0.0], [tiny, 0.0, 0.0], [0.0, huge, 0.0]];
+    let [start, end] = [1.0, -1.0].map(|z| [[tiny / 4.0, huge / 2.0, z], a, b, c]);
+    let impact = VertexFace::new(start, end).unwrap().impact().unwrap();
+    assert_eq!(impact.time.lower(), 0.5);
+    assert!(close(&impact.parameters, &[0.25, 0.5]));
+    assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn no_contact_no_impact() {
+    let [a, b, c] = FACE;
+    let query = VertexFace::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, 0.5], a, b, c]).unwrap();
+    assert_eq!(query.impact(), None);
+    assert_eq!(exact::impact(&query), None);
+}
