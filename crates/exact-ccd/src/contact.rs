@@ -22,19 +22,22 @@ pub enum Stage {
     Direction,
     /// The roots of the coplanarity cubic, and the position of the primitives at each.
     Roots,
+    /// All points move in one plane across an axis, and the sides of the edges' lines on which the vertices are decide.
+    Planar,
     /// The filters do not know: [`exact`](crate::exact).
     Exact,
 }
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::BoundingBox,
         Self::Centroid,
         Self::Normals,
         Self::Coplanarity,
         Self::Direction,
         Self::Roots,
+        Self::Planar,
         Self::Exact,
     ];
 }
@@ -63,10 +66,7 @@ impl<K: Kind> Query<K> {
     /// [`contact_times`](Self::contact_times), and the stage that settled it.
     #[must_use]
     pub fn time(&self) -> (ContactTimes, Stage) {
-        match filter::contact_times(self) {
-            Some((times, stage)) => (ContactTimes::Finite(times), stage),
-            None => (exact::contact_times(self), Stage::Exact),
-        }
+        filter::contact_times(self).unwrap_or_else(|| (exact::contact_times(self), Stage::Exact))
     }
 
     /// The largest f64 not above the earliest contact time, if there is one.

@@ -1,265 +1,81 @@
-//! The cubic c(t) = w · (e₁ × e₂), which vanishes when the primitives lie in one plane, in Bernstein form.
+//! The cubic c(t) = w · (e₁ × e₂), which vanishes when the primitives lie in one plane.
 
-use arrayvec::ArrayVec;
-
-use super::{UNDERFLOW, UNIT};
-use crate::kind::{Difference, Kind};
+use super::cubic::Cubic;
+use super::double_double::DoubleDouble;
+use super::number::{Number, reach, subtract};
+use super::rounding::PreciseCubic;
+use crate::kind::Kind;
 use crate::query::{Point, Query};
 
-/// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient to within an error.
+/// c, and the normals on the way to it.
 pub(super) struct Coplanarity {
-    bernstein: [f64; 4],
-    /// A bound for the magnitudes of c's coefficients, and of everything that is added up on the way to them.
-    magnitude: f64,
+    pub(super) cubic: Cubic,
     /// e₁ × e₂ at t = 0 and at t = 1.
     pub(super) normals: [Point; 2],
 }
 
-/// A bracket of exactly one root of c, a simple one; c has opposite strict signs at its ends.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Root {
-    pub(super) low: f64,
-    pub(super) high: f64,
-    /// An approximation of the root in the bracket.
-    pub(super) near: f64,
-    /// An approximation of c′ there.
-    pub(super) slope: f64,
-    /// Whether c is negative below the root and positive above it.
-    pub(super) rising: bool,
-}
-
-/// What is known of a number of which an approximation is known.
-#[derive(Clone, Copy, PartialEq)]
-enum Sign {
-    Negative,
-    Unknown,
-    Positive,
+/// c = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³.
+struct Expansion<T> {
+    /// b₀, 3 b₁, 3 b₂, b₃. The longest way is that to 3 b₁ and 3 b₂: a difference, a product, the difference in `cross`, the
+    /// sum in `mixed`, a product, two sums in `dot` and one more; and the two other differences in each term.
+    coefficients: [T; 4],
+    magnitude: f64,
+    normals: [[T; 3]; 2],
 }
 
 impl Coplanarity {
     #[inline]
     pub(super) fn new<K: Kind>(query: &Query<K>) -> Self {
-        let (w, e1, e2) = (
-            subtract(query, K::SPAN[0]),
-            subtract(query, K::SPAN[1]),
-            subtract(query, K::SPAN[2]),
-        );
+        let expansion = Expansion::<f64>::new(query);
+        Self {
+            cubic: Cubic::new(expansion.coefficients, expansion.magnitude),
+            normals: expansion.normals,
+        }
+    }
+
+    /// c in twice the precision.
+    pub(super) fn precise<K: Kind>(query: &Query<K>) -> PreciseCubic {
+        let expansion = Expansion::<DoubleDouble>::new(query);
+        PreciseCubic::new(expansion.coefficients, expansion.magnitude)
+    }
+}
+
+impl<T: Number> Expansion<T> {
+    #[inline]
+    fn new<K: Kind>(query: &Query<K>) -> Self {
+        let w = subtract(query, K::SPAN[0]);
+        let e1 = subtract(query, K::SPAN[1]);
+        let e2 = subtract(query, K::SPAN[2]);
         let normals = [cross(e1[0], e2[0]), cross(e1[1], e2[1])];
         // Twice the blossom of e₁ × e₂ at (0, 1).
         let mixed = add(cross(e1[0], e2[1]), cross(e1[1], e2[0]));
-        let bernstein = [
+        let coefficients = [
             dot(w[0], normals[0]),
-            (dot(w[1], normals[0]) + dot(w[0], mixed)) / 3.0,
-            (dot(w[0], normals[1]) + dot(w[1], mixed)) / 3.0,
+            dot(w[1], normals[0]) + dot(w[0], mixed),
+            dot(w[0], normals[1]) + dot(w[1], mixed),
             dot(w[1], normals[1]),
         ];
-        let (w, e1, e2) = (larger(w), larger(e1), larger(e2));
+        let (w, e1, e2) = (reach(&w), reach(&e1), reach(&e2));
         let magnitude = w[0] * (e1[1] * e2[2] + e1[2] * e2[1])
             + w[1] * (e1[2] * e2[0] + e1[0] * e2[2])
             + w[2] * (e1[0] * e2[1] + e1[1] * e2[0]);
         Self {
-            bernstein,
+            coefficients,
             magnitude,
             normals,
         }
     }
-
-    /// The error of a Bernstein coefficient. The longest way to one is that of b₁ and b₂: three rounded differences,
-    /// two products, the difference in `cross`, the sum in `mixed`, two sums in `dot`, one sum and one quotient, n = 11.
-    fn coefficient_error(&self) -> f64 {
-        16.0 * UNIT * self.magnitude + UNDERFLOW
-    }
-
-    /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y with three roundings
-    /// one after another, n = 11 + 9.
-    fn blossom_error(&self) -> f64 {
-        32.0 * UNIT * self.magnitude + UNDERFLOW
-    }
-
-    /// Whether c certainly has no root in [0, 1]: all its coefficients have the same strict sign.
-    #[inline]
-    pub(super) fn never(&self) -> bool {
-        let error = self.coefficient_error();
-        let positive = self.bernstein.iter().fold(true, |all, &b| all & (b > error));
-        let negative = self.bernstein.iter().fold(true, |all, &b| all & (b < -error));
-        positive | negative
-    }
-
-    /// Brackets of all roots of c in [0, 1], in increasing order, if all of them are certainly simple and inside.
-    ///
-    /// c is cut at the approximate zeros of c′. A piece has no root if its Bernstein coefficients have one sign, and
-    /// exactly one if their signs change once (Descartes' rule); if neither is certain for a piece, nothing is.
-    pub(super) fn roots(&self) -> Option<ArrayVec<Root, 3>> {
-        let mut roots = ArrayVec::new();
-        let mut low = 0.0;
-        for high in self.critical_points().into_iter().chain([1.0]) {
-            let signs = [
-                self.sign_of_blossom(low, low, low),
-                self.sign_of_blossom(low, low, high),
-                self.sign_of_blossom(low, high, high),
-                self.sign_of_blossom(high, high, high),
-            ];
-            match signs {
-                [Sign::Unknown, ..] | [.., Sign::Unknown] => return None,
-                [first, second, third, last] if first == last => {
-                    if second != first || third != first {
-                        return None;
-                    }
-                }
-                [first, second, third, last] => {
-                    // Whatever the sign of an unknown one, the signs change only once if these two agree.
-                    if second != first && third != last {
-                        return None;
-                    }
-                    roots.push(self.refine(low, high, last == Sign::Positive));
-                }
-            }
-            low = high;
-        }
-        Some(roots)
-    }
-
-    /// Approximate zeros of c′ in (0, 1), in increasing order.
-    fn critical_points(&self) -> ArrayVec<f64, 2> {
-        let [b0, b1, b2, b3] = self.bernstein;
-        // c′ / 3 = d₀ (1−t)² + 2 d₁ (1−t) t + d₂ t² = a t² + 2 h t + d₀.
-        let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];
-        let (a, h) = (d0 - 2.0 * d1 + d2, d1 - d0);
-        let discriminant = h * h - a * d0;
-        let mut points = ArrayVec::new();
-        if discriminant > 0.0 {
-            let q = -(h + libm::sqrt(discriminant).copysign(h));
-            let (first, second) = (q / a, d0 / q);
-            let (first, second) = if first < second {
-                (first, second)
-            } else {
-                (second, first)
-            };
-            points.extend([first, second].into_iter().filter(|&t| t > 0.0 && t < 1.0));
-        }
-        points
-    }
-
-    /// A narrow bracket of the only root in a wider one.
-    fn refine(&self, low: f64, high: f64, rising: bool) -> Root {
-        let (near, slope) = self.approximate(low, high, rising);
-        // Where c is at least twice its error away from zero, if it is as steep as here.
-        let mut width = 4.0 * self.blossom_error() / slope.abs();
-        let mut root = Root {
-            low,
-            high,
-            near,
-            slope,
-            rising,
-        };
-        let (below, above) = if rising {
-            (Sign::Negative, Sign::Positive)
-        } else {
-            (Sign::Positive, Sign::Negative)
-        };
-        for _ in 0..3 {
-            let (left, right) = (near - width, near + width);
-            if root.low == low && left > low && self.sign_at(left) == below {
-                root.low = left;
-            }
-            if root.high == high && right < high && self.sign_at(right) == above {
-                root.high = right;
-            }
-            width *= 16.0;
-        }
-        root
-    }
-
-    /// Newton's iteration, kept in the bracket by bisection: an approximation of the root, and of c′ there.
-    fn approximate(&self, mut low: f64, mut high: f64, rising: bool) -> (f64, f64) {
-        const STEPS: usize = 60;
-        let noise = self.blossom_error();
-        let mut t = 0.5 * (low + high);
-        let mut slope = 0.0;
-        for _ in 0..STEPS {
-            let (left, right) = (self.blossom(t, t, 0.0), self.blossom(t, t, 1.0));
-            let value = interpolate(left, right, t);
-            slope = 3.0 * (right - left);
-            if (value < 0.0) == rising {
-                low = t;
-            } else {
-                high = t;
-            }
-            let newton = t - value / slope;
-            let next = if newton > low && newton < high {
-                newton
-            } else {
-                0.5 * (low + high)
-            };
-            let step = (next - t).abs();
-            t = next;
-            if step * slope.abs() <= noise {
-                break;
-            }
-        }
-        (t, slope)
-    }
-
-    /// The symmetric, in each argument affine function whose diagonal is c. (Ramshaw, Blossoms are polar forms, 1989.)
-    fn blossom(&self, r: f64, s: f64, t: f64) -> f64 {
-        let [b0, b1, b2, b3] = self.bernstein;
-        let [b0, b1, b2] = [
-            interpolate(b0, b1, r),
-            interpolate(b1, b2, r),
-            interpolate(b2, b3, r),
-        ];
-        let [b0, b1] = [interpolate(b0, b1, s), interpolate(b1, b2, s)];
-        interpolate(b0, b1, t)
-    }
-
-    fn sign_of_blossom(&self, r: f64, s: f64, t: f64) -> Sign {
-        let (value, error) = (self.blossom(r, s, t), self.blossom_error());
-        if value > error {
-            Sign::Positive
-        } else if value < -error {
-            Sign::Negative
-        } else {
-            Sign::Unknown
-        }
-    }
-
-    fn sign_at(&self, t: f64) -> Sign {
-        self.sign_of_blossom(t, t, t)
-    }
 }
 
-fn interpolate(start: f64, end: f64, t: f64) -> f64 {
-    (1.0 - t) * start + t * end
-}
-
-/// The difference of two points at t = 0 and at t = 1.
-#[inline]
-fn subtract<K: Kind>(query: &Query<K>, (i, j): Difference) -> [Point; 2] {
-    let [start, end] = query.points();
-    let minus = |a: Point, b: Point| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    [minus(start[i], start[j]), minus(end[i], end[j])]
-}
-
-/// The larger magnitude at the two times, by axis.
-#[inline]
-fn larger([a, b]: [Point; 2]) -> Point {
-    let pick = |a: f64, b: f64| if a > b { a } else { b };
-    [
-        pick(a[0].abs(), b[0].abs()),
-        pick(a[1].abs(), b[1].abs()),
-        pick(a[2].abs(), b[2].abs()),
-    ]
-}
-
-fn add(a: Point, b: Point) -> Point {
+fn add<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-fn dot(a: Point, b: Point) -> f64 {
+fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn cross(a: Point, b: Point) -> Point {
+fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -8,6 +8,8 @@
 
 use core::ops::{Add, Mul, Neg, Sub};
 
+use super::number::Number;
+
 /// 2⁻¹⁰⁰: more than the relative error of any one operation.
 pub(super) const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
@@ -27,11 +29,6 @@ impl DoubleDouble {
         Self { high, low }
     }
 
-    /// a − b, exactly.
-    pub(super) fn difference(a: f64, b: f64) -> Self {
-        Self::sum(a, -b)
-    }
-
     /// a b, exactly unless a part of it underflows.
     fn product(a: f64, b: f64) -> Self {
         let high = a * b;
@@ -47,6 +44,17 @@ impl DoubleDouble {
             high: sum,
             low: low - (sum - high),
         }
+    }
+}
+
+impl Number for DoubleDouble {
+    /// a − b, exactly.
+    fn difference(a: f64, b: f64) -> Self {
+        Self::sum(a, -b)
+    }
+
+    fn magnitude(self) -> f64 {
+        self.high.abs()
     }
 }
 

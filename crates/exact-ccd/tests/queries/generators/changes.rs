@@ -1,0 +1,97 @@
+//! Changes that make a query special: exactly so on small integers, and nearly so where they round.
+
+use proptest::prelude::*;
+
+use crate::primitives::{Points, combine};
+
+/// A relation that is brought about among the points.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Change {
+    /// The first of these points becomes xⱼ + a (xₖ − xⱼ) + b (xₗ − xⱼ) for the others, at the ends of the step that
+    /// are marked. So points coincide, lie in line or in a plane, and edges become parallel.
+    Combine {
+        points: [usize; 4],
+        factors: [i8; 2],
+        ends: [bool; 2],
+    },
+    /// A point does not move.
+    Rest(usize),
+    /// All points move as this one does.
+    Drift(usize),
+    /// All points stay in a plane across this axis.
+    Flatten(usize),
+}
+
+impl Change {
+    pub(crate) fn apply(self, points: &mut Points) {
+        match self {
+            Self::Combine {
+                points: [i, j, k, l],
+                factors,
+                ends,
+            } => {
+                let [a, b] = factors.map(f64::from);
+                for (now, _) in points.iter_mut().zip(ends).filter(|(_, marked)| *marked) {
+                    now[i] = combine([1.0 - a - b, a, b], [now[j], now[k], now[l]]);
+                }
+            }
+            Self::Rest(point) => points[1][point] = points[0][point],
+            Self::Drift(like) => {
+                let shift = combine([1.0, -1.0], [points[1][like], points[0][like]]);
+                points[1] = points[0].map(|point| combine([1.0, 1.0], [point, shift]));
+            }
+            Self::Flatten(axis) => {
+                for now in points {
+                    let level = now[0][axis];
+                    now.iter_mut().for_each(|point| point[axis] = level);
+                }
+            }
+        }
+    }
+}
+
+pub(crate) fn change() -> impl Strategy<Value = Change> {
+    let combine = (
+        Just([0, 1, 2, 3]).prop_shuffle(),
+        [-1..=2i8, -1..=1i8],
+        prop::sample::select(vec![[true, true], [true, true], [true, false], [false, true]]),
+    )
+        .prop_map(|(points, factors, ends)| Change::Combine {
+            points,
+            factors,
+            ends,
+        });
+    prop_oneof![
+        6 => combine,
+        2 => (0..4usize).prop_map(Change::Rest),
+        1 => (0..4usize).prop_map(Change::Drift),
+        1 => (0..3usize).prop_map(Change::Flatten),
+    ]
+}
+
+/// The f64 that comes a few steps after x, or before it.
+fn nudged(x: f64, steps: i8) -> f64 {
+    let next = if steps < 0 { f64::next_down } else { f64::next_up };
+    (0..steps.unsigned_abs()).fold(x, |x, _| next(x))
+}
+
+/// Up to four coordinates moved by up to four steps.
+pub(crate) fn nudge(mut points: Points, nudges: &[([usize; 3], i8)]) -> Points {
+    for &([time, point, axis], steps) in nudges {
+        let coordinate = &mut points[time][point][axis];
+        *coordinate = nudged(*coordinate, steps);
+    }
+    points
+}
+
+pub(crate) fn nudges() -> impl Strategy<Value = Vec<([usize; 3], i8)>> {
+    let place = [0..2usize, 0..4usize, 0..3usize];
+    prop::collection::vec((place, -4..=4i8), 1..5)
+}
+
+/// x times a power of two, rounded if it is subnormal.
+pub(crate) fn scaled(x: f64, exponent: i32) -> f64 {
+    // In two factors, for 2⁻¹⁰⁷⁴ may be out of the range of `powi`.
+    let half = exponent / 2;
+    x * 2f64.powi(half) * 2f64.powi(exponent - half)
+}

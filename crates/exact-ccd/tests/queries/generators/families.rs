@@ -1,0 +1,109 @@
+//! The families.
+
+use proptest::array::{uniform2, uniform3, uniform4, uniform8};
+use proptest::prelude::*;
+
+use super::alphabet::ALPHABET;
+use super::changes::{Change, change, nudge, nudges, scaled};
+use super::contacts::{grazing, parameters, quarters, touching};
+use crate::primitives::{Points, Primitives};
+
+fn points_of(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Points> + Clone {
+    uniform2(uniform4(uniform3(coordinate)))
+}
+
+/// Every relation among few small integers comes up by chance.
+pub(crate) fn small_integers(radius: i8) -> impl Strategy<Value = Points> + Clone {
+    points_of((-radius..=radius).prop_map(f64::from))
+}
+
+/// All 53 bits in use.
+pub(crate) fn fractions() -> impl Strategy<Value = Points> + Clone {
+    points_of(-1.0..1.0)
+}
+
+/// Two to four values for all coordinates.
+pub(crate) fn few_values() -> impl Strategy<Value = Points> {
+    let value = prop_oneof![prop::sample::select(ALPHABET.as_slice()), -1.0..1.0];
+    let choice = uniform2(uniform4(uniform3(any::<prop::sample::Index>())));
+    (prop::collection::vec(value, 2..5), choice).prop_map(|(values, choice)| {
+        choice.map(|now| now.map(|point| point.map(|i| values[i.index(values.len())])))
+    })
+}
+
+/// Coincident points, zero-length edges, flat faces, parallel edges, coplanar motion, rest.
+pub(crate) fn degenerate(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
+    (points, prop::collection::vec(change(), 1..4)).prop_map(|(mut points, changes)| {
+        changes
+            .into_iter()
+            .for_each(|change| Change::apply(change, &mut points));
+        points
+    })
+}
+
+/// A few steps away from other points.
+pub(crate) fn nearly(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
+    (points, nudges()).prop_map(|(points, nudges)| nudge(points, &nudges))
+}
+
+/// In contact at a quarter of the step and of the domain, on numbers that do not round.
+pub(crate) fn exact_contacts<K: Primitives>() -> impl Strategy<Value = Points> {
+    (small_integers(8), quarters()).prop_map(|(points, place)| touching::<K>(points, place))
+}
+
+/// Touching, but not crossing, at a quarter of the step, on numbers that do not round.
+pub(crate) fn exact_grazes<K: Primitives>() -> impl Strategy<Value = Points> {
+    let velocity = [-4..=4i8, -4..=4i8].prop_map(|factors| factors.map(f64::from));
+    (small_integers(8), quarters(), velocity)
+        .prop_map(|(points, place, velocity)| grazing::<K>(points, place, velocity))
+}
+
+/// In contact somewhere, to within rounding.
+pub(crate) fn rounded_contacts<K: Primitives>() -> impl Strategy<Value = Points> {
+    (fractions(), parameters()).prop_map(|(points, place)| touching::<K>(points, place))
+}
+
+/// Touching, but not crossing, to within rounding.
+pub(crate) fn rounded_grazes<K: Primitives>() -> impl Strategy<Value = Points> {
+    let velocity = [-4.0..4.0, -4.0..4.0];
+    (fractions(), parameters(), velocity)
+        .prop_map(|(points, place, velocity)| grazing::<K>(points, place, velocity))
+}
+
+/// Each axis in a unit of its own, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.
+pub(crate) fn stretched(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
+    (points, uniform3(exponent())).prop_map(|(points, exponents)| {
+        points.map(|now| now.map(|point| [0, 1, 2].map(|axis: usize| scaled(point[axis], exponents[axis]))))
+    })
+}
+
+/// Each point at each end of the step in a unit of its own, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.
+pub(crate) fn scattered(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
+    (points, uniform8(exponent())).prop_map(|(points, exponents)| {
+        [0, 1].map(|time: usize| {
+            [0, 1, 2, 3].map(|i: usize| points[time][i].map(|x| scaled(x, exponents[4 * time + i])))
+        })
+    })
+}
+
+fn exponent() -> impl Strategy<Value = i32> + Clone {
+    prop_oneof![-1000..=1000, -210..=210, Just(0), Just(200)]
+}
+
+/// Multiples of the least subnormal number.
+pub(crate) fn subnormal(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
+    points.prop_map(|points| points.map(|now| now.map(|point| point.map(|x| scaled(x, -1074)))))
+}
+
+/// Single coordinates of extreme magnitude in ordinary company.
+pub(crate) fn extremes() -> impl Strategy<Value = Points> {
+    let bits = any::<u64>()
+        .prop_map(f64::from_bits)
+        .prop_filter("finite", |x| x.is_finite());
+    let coordinate = prop_oneof![
+        4 => (-2..=2i8).prop_map(f64::from),
+        3 => prop::sample::select(ALPHABET.as_slice()),
+        1 => bits,
+    ];
+    points_of(coordinate.boxed())
+}

@@ -1,0 +1,74 @@
+//! F as its definition reads, apart from the algebra of the kernel.
+
+use exact_ccd::{Kind, Point, PointTriangle, SegmentSegment};
+
+/// The four points of a query at t = 0 and at t = 1.
+pub(crate) type Points = [[Point; 4]; 2];
+
+/// A kind of query, as the linear combination of its four points that vanishes in contact.
+pub(crate) trait Primitives: Kind {
+    /// How many of the points, from the first on, belong to the first primitive.
+    const FIRST: usize;
+    /// The corners of the domain of (u, v).
+    const CORNERS: &'static [[f64; 2]];
+    /// Orders of the points that leave the two primitives what they are.
+    const RENAMINGS: &'static [[usize; 4]];
+    /// The factors of the four points in F(·, u, v).
+    fn weights(u: f64, v: f64) -> [f64; 4];
+    /// A point of the domain for a point of the unit square.
+    fn in_domain(u: f64, v: f64) -> [f64; 2];
+}
+
+impl Primitives for PointTriangle {
+    const FIRST: usize = 1;
+    const CORNERS: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    const RENAMINGS: &'static [[usize; 4]] = &[
+        [0, 1, 2, 3],
+        [0, 1, 3, 2],
+        [0, 2, 1, 3],
+        [0, 2, 3, 1],
+        [0, 3, 1, 2],
+        [0, 3, 2, 1],
+    ];
+
+    fn weights(u: f64, v: f64) -> [f64; 4] {
+        [1.0, u + v - 1.0, -u, -v]
+    }
+
+    fn in_domain(u: f64, v: f64) -> [f64; 2] {
+        if u + v > 1.0 { [1.0 - u, 1.0 - v] } else { [u, v] }
+    }
+}
+
+impl Primitives for SegmentSegment {
+    const FIRST: usize = 2;
+    const CORNERS: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+    const RENAMINGS: &'static [[usize; 4]] = &[
+        [0, 1, 2, 3],
+        [1, 0, 2, 3],
+        [0, 1, 3, 2],
+        [1, 0, 3, 2],
+        [2, 3, 0, 1],
+        [3, 2, 0, 1],
+        [2, 3, 1, 0],
+        [3, 2, 1, 0],
+    ];
+
+    fn weights(u: f64, v: f64) -> [f64; 4] {
+        [1.0 - u, u, v - 1.0, -v]
+    }
+
+    fn in_domain(u: f64, v: f64) -> [f64; 2] {
+        [u, v]
+    }
+}
+
+/// Σ wᵢ xᵢ.
+pub(crate) fn combine<const N: usize>(weights: [f64; N], points: [Point; N]) -> Point {
+    [0, 1, 2].map(|axis: usize| (0..N).map(|i| weights[i] * points[i][axis]).sum())
+}
+
+/// Where the points are at time t.
+pub(crate) fn at(points: &Points, t: f64) -> [Point; 4] {
+    [0, 1, 2, 3].map(|i: usize| combine([1.0 - t, t], [points[0][i], points[1][i]]))
+}
