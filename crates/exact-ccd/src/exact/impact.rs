@@ -8,7 +8,7 @@ use crate::kind::{Kind, Side};
 use crate::query::Point;
 
 /// How many bits after the point are computed of a ratio.
-const BITS: u32 = 52;
+const BITS: usize = 52;
 
 /// What the primitives do at an instant of contact.
 struct Contact<'a, K> {
@@ -143,15 +143,22 @@ impl<K: Kind> Contact<'_, K> {
 
     /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of 2⁻⁵².
     fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
-        let scaled = a.shifted(BITS as usize);
+        let scaled = a.shifted(BITS);
+        let reaches = |n: u64| {
+            self.instant
+                .sign(&(&scaled - &(&Polynomial::constant(n) * b)))
+                .is_ge()
+        };
         let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
+        // The quotient at an end of the bracket is most likely next to it.
+        let guess = scaled.quotient_at(b, self.instant.bounds().0).unwrap_or_default();
+        let window = [guess.saturating_sub(1), guess.saturating_add(2)].map(|n| n.clamp(low, high));
+        if reaches(window[0]) && !reaches(window[1]) {
+            [low, high] = window;
+        }
         while high - low > 1 {
             let middle = low + (high - low) / 2;
-            if self
-                .instant
-                .sign(&(&scaled - &(&Polynomial::constant(middle) * b)))
-                .is_ge()
-            {
+            if reaches(middle) {
                 low = middle;
             } else {
                 high = middle;

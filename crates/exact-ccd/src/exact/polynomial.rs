@@ -67,6 +67,18 @@ impl Polynomial {
         sum
     }
 
+    /// The quotient of the values of two polynomials at t, without its fraction, if there is one in range.
+    pub(crate) fn quotient_at(&self, divisor: &Self, t: &Dyadic) -> Option<u64> {
+        let lifted = |p: &Self, other: &Self| {
+            p.scaled_value(t) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
+        };
+        let (value, by) = (lifted(self, divisor), lifted(divisor, self));
+        if by.is_zero() {
+            return None;
+        }
+        u64::try_from(value / by).ok()
+    }
+
     /// The sign in all of (low, high), if it is plain from Descartes' rule: the coefficients of
     /// (1 + s)ᵈ q((low + high s) / (1 + s)), s > 0, have one sign.
     pub(crate) fn sign_between(&self, low: &Dyadic, high: &Dyadic) -> Option<Ordering> {

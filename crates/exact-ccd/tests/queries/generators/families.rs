@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::alphabet::ALPHABET;
 use super::changes::{Change, change, nudge, nudges, scaled};
 use super::contacts::{grazing, parameters, quarters, touching};
-use crate::primitives::{Points, Primitives};
+use crate::primitives::{Points, Primitives, combine};
 
 fn points_of(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Points> + Clone {
     uniform2(uniform4(uniform3(coordinate)))
@@ -68,6 +68,27 @@ pub(crate) fn rounded_grazes<K: Primitives>() -> impl Strategy<Value = Points> {
     let velocity = [-4.0..4.0, -4.0..4.0];
     (fractions(), parameters(), velocity)
         .prop_map(|(points, place, velocity)| grazing::<K>(points, place, velocity))
+}
+
+/// Off a contact or a graze by any power of two, so that filters come to their limits.
+pub(crate) fn narrow_misses<K: Primitives>(
+    points: impl Strategy<Value = Points>,
+) -> impl Strategy<Value = Points> {
+    let offset = uniform3(-1.0..1.0);
+    (points, offset, -70..0i32).prop_map(|(mut points, offset, exponent)| {
+        for point in points.iter_mut().flat_map(|now| &mut now[..K::FIRST]) {
+            *point = combine([1.0, scaled(1.0, exponent)], [*point, offset]);
+        }
+        points
+    })
+}
+
+/// In one plane across an axis, touching there at some time.
+pub(crate) fn planar_contacts<K: Primitives>() -> impl Strategy<Value = Points> {
+    (fractions(), 0..3usize, parameters()).prop_map(|(mut points, axis, place)| {
+        Change::Flatten(axis).apply(&mut points);
+        touching::<K>(points, place)
+    })
 }
 
 /// Each axis in a unit of its own, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.

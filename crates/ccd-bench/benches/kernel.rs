@@ -1,0 +1,237 @@
+//! What a query costs: on every candidate of the broad phase in order, and on the colliding ones with all contact
+//! times and the impact.
+//!
+//! `cargo bench -p ccd-bench --bench kernel [-- SCENE...]`, on one thread, over the published data sets.
+//!
+//! The scenes and kinds take turns for some rounds; a figure is the median over these. A query is built from the
+//! positions of the mesh each time, as a simulator would do. The time of one colliding query is the least of some
+//! attempts, so that the worst of them tells of a query and not of the scheduler.
+
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+use ccd_bench::{DataError, DataFolder, DataKind};
+use ccd_mesh::{Bvh, Candidates, Motion, Step};
+use exact_ccd::{PointTriangle, Query, SegmentSegment, Stage, exact};
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ROUNDS: usize = 7;
+const ATTEMPTS: usize = 5;
+/// How many colliding queries the exact path is asked about.
+const AUDITED: usize = 1000;
+
+fn main() -> Result<(), DataError> {
+    let wanted: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| !argument.starts_with('-'))
+        .collect();
+    let mut motions = Vec::new();
+    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
+        if wanted.is_empty() || wanted.contains(&scene.name()) {
+            motions.push((scene.name(), scene.motion()?));
+        }
+    }
+    let mut batches: Vec<Batch<'_>> = motions.iter().flat_map(batches).collect();
+    for round in 1..=ROUNDS {
+        eprintln!("round {round} of {ROUNDS}");
+        batches.iter_mut().for_each(Batch::time_all);
+    }
+    print_candidates(&batches);
+    print_stages(&batches);
+    print_colliding(&batches);
+    Ok(())
+}
+
+/// Candidates of one kind in one scene, and what was measured on them. All times are in nanoseconds.
+#[derive(Clone)]
+struct Batch<'a> {
+    name: String,
+    step: Step<'a>,
+    pairs: Vec<[u32; 2]>,
+    functions: Functions,
+    /// The mean over all candidates, round by round.
+    means: Vec<f64>,
+    /// Among the candidates, settled at each stage.
+    settled: [usize; Stage::ALL.len()],
+    colliding: Colliding,
+}
+
+/// The times of the colliding queries.
+#[derive(Clone, Default)]
+struct Colliding {
+    /// All contact times, in which the count and the time of impact are.
+    times: Vec<f64>,
+    /// The same without those of the exact path.
+    times_filtered: Vec<f64>,
+    impacts: Vec<f64>,
+    /// The exact path on some of them.
+    exact: Vec<f64>,
+}
+
+/// The two kinds of query behind one face: what is measured is inlined in each.
+#[derive(Clone, Copy)]
+struct Functions {
+    count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
+    settle: fn(&Step<'_>, &[[u32; 2]]) -> ([usize; Stage::ALL.len()], Colliding),
+}
+
+fn batches((name, motion): &(String, Motion)) -> [Batch<'_>; 2] {
+    let step = motion.step().expect("the frames of a scene are sound");
+    let candidates = Candidates::new(step, &Bvh);
+    [
+        Batch::new::<PointTriangle>(name, step, candidates.vertex_face()),
+        Batch::new::<SegmentSegment>(name, step, candidates.edge_edge()),
+    ]
+}
+
+impl<'a> Batch<'a> {
+    fn new<K: DataKind>(scene: &str, step: Step<'a>, pairs: &[[u32; 2]]) -> Self {
+        let functions = Functions {
+            count_collisions: count_collisions::<K>,
+            settle: settle::<K>,
+        };
+        let (settled, colliding) = (functions.settle)(&step, pairs);
+        Self {
+            name: format!("{scene} {}", K::SHORT),
+            step,
+            pairs: pairs.to_vec(),
+            functions,
+            means: Vec::new(),
+            settled,
+            colliding,
+        }
+    }
+
+    fn time_all(&mut self) {
+        let clock = Instant::now();
+        black_box((self.functions.count_collisions)(
+            &self.step,
+            black_box(&self.pairs),
+        ));
+        self.means
+            .push(clock.elapsed().as_secs_f64() * 1e9 / self.pairs.len() as f64);
+    }
+}
+
+fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
+    pairs
+        .iter()
+        .filter(|&&pair| K::query(step, pair).collides())
+        .count()
+}
+
+/// Where the candidates are settled, and how long the colliding ones take one by one.
+fn settle<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> ([usize; Stage::ALL.len()], Colliding) {
+    let mut settled = [0; Stage::ALL.len()];
+    let mut colliding = Colliding::default();
+    for &pair in pairs {
+        let query = K::query(step, pair);
+        let (collides, stage) = query.decide();
+        settled[stage as usize] += 1;
+        if collides {
+            colliding.time(&query);
+        }
+    }
+    (settled, colliding)
+}
+
+impl Colliding {
+    fn time<K: DataKind>(&mut self, query: &Query<K>) {
+        let times = nanoseconds(|| query.contact_times());
+        self.times.push(times);
+        if query.time().1 != Stage::Exact {
+            self.times_filtered.push(times);
+        }
+        self.impacts.push(nanoseconds(|| query.impact()));
+        if self.exact.len() < AUDITED {
+            self.exact.push(nanoseconds(|| exact::contact_times(query)));
+        }
+    }
+}
+
+fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
+    let attempt = |_| {
+        let clock = Instant::now();
+        black_box(task());
+        clock.elapsed().as_secs_f64() * 1e9
+    };
+    (0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min)
+}
+
+fn print_candidates(batches: &[Batch<'_>]) {
+    println!("All candidates in order: does it collide?\n");
+    println!("| scene and kind | candidates | mean ns |");
+    println!("|---|---:|---:|");
+    for Batch {
+        name, pairs, means, ..
+    } in batches
+    {
+        println!("| {name} | {} | {:.0} |", pairs.len(), quantile(means, 0.5));
+    }
+}
+
+fn print_stages(batches: &[Batch<'_>]) {
+    println!(
+        "\nSettled at each stage, in %; the last column is the exact path's share of those past the box.\n"
+    );
+    println!(
+        "| scene and kind | {} | exact past box |",
+        Stage::ALL.map(|stage| format!("{stage:?}")).join(" | ")
+    );
+    println!("|---|{}---:|", "---:|".repeat(Stage::ALL.len()));
+    for Batch { name, settled, .. } in batches {
+        let count = |stage: Stage| settled[stage as usize] as f64;
+        let all: f64 = Stage::ALL.map(count).iter().sum();
+        let shares = Stage::ALL
+            .map(|stage| format!("{:.3}", 100.0 * count(stage) / all))
+            .join(" | ");
+        let past_box = 100.0 * count(Stage::Exact) / (all - count(Stage::BoundingBox));
+        println!("| {name} | {shares} | {past_box:.3} |");
+    }
+}
+
+fn print_colliding(batches: &[Batch<'_>]) {
+    println!("\nColliding queries, one by one, in ns: count and all contact times, then the impact.\n");
+    println!(
+        "| scene and kind | colliding | mean | median | worst | exact | mean without | worst without | \
+         impact mean | exact path median |"
+    );
+    println!("|---|{}", "---:|".repeat(9));
+    for Batch { name, colliding, .. } in batches {
+        let Colliding {
+            times,
+            times_filtered,
+            impacts,
+            exact,
+        } = colliding;
+        println!(
+            "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} |",
+            times.len(),
+            mean(times),
+            quantile(times, 0.5),
+            quantile(times, 1.0),
+            times.len() - times_filtered.len(),
+            mean(times_filtered),
+            quantile(times_filtered, 1.0),
+            mean(impacts),
+            quantile(exact, 0.5),
+        );
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn quantile(values: &[f64], fraction: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().saturating_sub(1) as f64;
+    sorted
+        .get((fraction * last).round() as usize)
+        .copied()
+        .unwrap_or(f64::NAN)
+}
