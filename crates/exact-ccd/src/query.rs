@@ -82,6 +82,15 @@ impl<K: Kind> Query<K> {
         }
     }
 
+    /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra` (`Point3<f64>`,
+    /// `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) turn into `[f64; 3]`.
+    ///
+    /// # Errors
+    /// [`NonFinite`], as there.
+    pub fn from_points<P: Into<Point>>(t0: [P; 4], t1: [P; 4]) -> Result<Self, NonFinite> {
+        Self::new(t0.map(Into::into), t1.map(Into::into))
+    }
+
     /// The four points at t = 0 and at t = 1.
     #[must_use]
     #[inline]

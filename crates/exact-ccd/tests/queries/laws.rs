@@ -1,8 +1,11 @@
 //! What holds for the answers to every query, wherever it comes from.
 
+use std::cmp::Ordering;
+
 use exact_ccd::{ContactTime, ContactTimes, Kind, Query, exact};
 
-use crate::primitives::Points;
+use crate::primitives::{Points, Primitives};
+use crate::symmetry::Symmetry;
 
 /// The query of these points, which are finite.
 pub(crate) fn query<K: Kind>(points: &Points) -> Query<K> {
@@ -63,5 +66,59 @@ fn assert_sound(times: &ContactTimes) {
         let apart = pair[0].upper() <= pair[1].lower() && pair[0] != pair[1];
         let in_one_gap = pair[0] == pair[1] && !pair[0].is_exact();
         assert!(apart || in_one_gap, "{times:?}");
+    }
+}
+
+/// Checks that a symmetry leaves the contact times as they are.
+pub(crate) fn assert_symmetric<K: Primitives>(points: &Points, symmetry: &Symmetry) {
+    let image = symmetry.apply::<K>(points);
+    assert_same_times(&query::<K>(points), &query::<K>(&image));
+}
+
+pub(crate) fn assert_same_times<K: Kind, L: Kind>(one: &Query<K>, other: &Query<L>) {
+    let (times, others) = (one.contact_times(), other.contact_times());
+    assert_eq!(bits(&times), bits(&others), "{one:?} and {other:?}");
+    assert_eq!(one.collides(), other.collides(), "{one:?} and {other:?}");
+}
+
+/// Checks that a contact at t is one at 1 − t when time runs backwards.
+pub(crate) fn assert_reversible<K: Primitives>(points: &Points) {
+    let [start, end] = *points;
+    let (forth, back) = (query::<K>(points), query::<K>(&[end, start]));
+    assert_eq!(forth.collides(), back.collides(), "{forth:?}");
+    let (times, reversed) = (forth.contact_times(), back.contact_times());
+    match (&times, &reversed) {
+        (ContactTimes::Finite(times), ContactTimes::Finite(reversed)) => {
+            assert_eq!(times.len(), reversed.len(), "{forth:?}");
+            for (a, b) in times.iter().zip(reversed.iter().rev()) {
+                assert!(may_add_up_to_one(*a, *b), "{a:?} and {b:?}: {forth:?}");
+            }
+        }
+        (ContactTimes::Interval { first }, ContactTimes::Interval { first: last }) => {
+            let sum = compare_sum_with_one(first.lower(), last.lower());
+            assert!(sum.is_lt(), "from {first:?} to 1 − {last:?}: {forth:?}");
+        }
+        _ => panic!("{times:?}, backwards {reversed:?}: {forth:?}"),
+    }
+}
+
+/// Whether numbers of which this is known may be t and 1 − t.
+fn may_add_up_to_one(a: ContactTime, b: ContactTime) -> bool {
+    let lower = compare_sum_with_one(a.lower(), b.lower());
+    let upper = compare_sum_with_one(a.upper(), b.upper());
+    if a.is_exact() && b.is_exact() {
+        lower.is_eq()
+    } else {
+        lower.is_lt() && upper.is_gt()
+    }
+}
+
+/// How a + b compares with 1, for numbers in [0, 1]; exact, as 1 − x is for x ≥ 1/2.
+fn compare_sum_with_one(a: f64, b: f64) -> Ordering {
+    let (smaller, larger) = if a < b { (a, b) } else { (b, a) };
+    if larger < 0.5 {
+        Ordering::Less
+    } else {
+        smaller.total_cmp(&(1.0 - larger))
     }
 }

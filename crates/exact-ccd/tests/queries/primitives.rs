@@ -6,11 +6,13 @@ use exact_ccd::{Kind, Point, PointTriangle, SegmentSegment};
 pub(crate) type Points = [[Point; 4]; 2];
 
 /// A kind of query, as the linear combination of its four points that vanishes in contact.
-pub(crate) trait Primitives: Kind {
+pub(crate) trait Primitives: Kind + 'static {
     /// How many of the points, from the first on, belong to the first primitive.
     const FIRST: usize;
     /// The corners of the domain of (u, v).
     const CORNERS: &'static [[f64; 2]];
+    /// Whether (u / one, v / one) lies in the domain.
+    fn contains(parameters: [f64; 2], one: f64) -> bool;
     /// Orders of the points that leave the two primitives what they are.
     const RENAMINGS: &'static [[usize; 4]];
     /// The factors of the four points in F(·, u, v).
@@ -30,6 +32,10 @@ impl Primitives for PointTriangle {
         [0, 3, 1, 2],
         [0, 3, 2, 1],
     ];
+
+    fn contains([u, v]: [f64; 2], one: f64) -> bool {
+        u >= 0.0 && v >= 0.0 && u + v <= one
+    }
 
     fn weights(u: f64, v: f64) -> [f64; 4] {
         [1.0, u + v - 1.0, -u, -v]
@@ -53,6 +59,10 @@ impl Primitives for SegmentSegment {
         [2, 3, 1, 0],
         [3, 2, 1, 0],
     ];
+
+    fn contains(parameters: [f64; 2], one: f64) -> bool {
+        parameters.iter().all(|x| (0.0..=one).contains(x))
+    }
 
     fn weights(u: f64, v: f64) -> [f64; 4] {
         [1.0 - u, u, v - 1.0, -v]

@@ -128,3 +128,22 @@ pub(crate) fn extremes() -> impl Strategy<Value = Points> {
     ];
     points_of(coordinate.boxed())
 }
+
+/// Some of everything.
+pub(crate) fn mixed<K: Primitives>() -> impl Strategy<Value = Points> {
+    prop_oneof![
+        20 => small_integers(2),
+        20 => degenerate(small_integers(2)),
+        20 => exact_contacts::<K>(),
+        10 => exact_grazes::<K>(),
+        10 => degenerate(fractions()),
+        5 => planar_contacts::<K>(),
+        5 => rounded_contacts::<K>(),
+        5 => nearly(exact_contacts::<K>()),
+        5 => subnormal(exact_contacts::<K>()),
+        5 => stretched(exact_grazes::<K>()),
+        1 => few_values(),
+        1 => scattered(degenerate(fractions())),
+        1 => extremes(),
+    ]
+}
