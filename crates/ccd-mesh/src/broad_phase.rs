@@ -7,7 +7,17 @@ use crate::bounds::Bounds;
 /// A way to find the pairs of boxes that overlap.
 ///
 /// Whichever way it is, the pairs are the same and come in the same order, sorted by their first index, then by their
-/// second, on any number of threads.
+/// second, on any number of threads. Boxes are numbered with 32 bits, so there must not be more of them than that.
+///
+/// ```
+/// use ccd_mesh::{AllPairs, Bounds, BroadPhase, Bvh};
+///
+/// let cube = |x: f64| Bounds::of([x, 0.0, 0.0]).union(&Bounds::of([x + 1.0, 1.0, 1.0]));
+/// let cubes = [0.0, 1.0, 2.5, 2.0].map(cube);
+/// let pairs = Bvh.within(&cubes, |_, _| true);
+/// assert_eq!(pairs, [[0, 1], [1, 3], [2, 3]]);
+/// assert_eq!(pairs, AllPairs.within(&cubes, |_, _| true));
+/// ```
 pub trait BroadPhase {
     /// The pairs [i, j] such that `a[i]` overlaps `b[j]` and `keep(i, j)`.
     fn between(&self, a: &[Bounds], b: &[Bounds], keep: impl Fn(u32, u32) -> bool + Sync) -> Vec<[u32; 2]>;

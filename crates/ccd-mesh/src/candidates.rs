@@ -10,18 +10,17 @@ use crate::step::Step;
 /// The pairs of primitives whose boxes over the step overlap, without those that share a vertex.
 ///
 /// All contacts of the step are among them, save those between neighbours in the mesh.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Candidates {
-    /// Pairs of a vertex and a face that it is no corner of, sorted.
-    pub vertex_face: Vec<[u32; 2]>,
-    /// Pairs of two edges, the smaller index first, without a common vertex, sorted.
-    pub edge_edge: Vec<[u32; 2]>,
+#[derive(Clone, Debug)]
+pub struct Candidates<'a> {
+    step: Step<'a>,
+    vertex_face: Vec<[u32; 2]>,
+    edge_edge: Vec<[u32; 2]>,
 }
 
-impl Candidates {
+impl<'a> Candidates<'a> {
     /// The candidates of a step.
     #[must_use]
-    pub fn new(step: &Step, broad_phase: &impl BroadPhase) -> Self {
+    pub fn new(step: Step<'a>, broad_phase: &impl BroadPhase) -> Self {
         let [x0, x1] = step.positions();
         let (faces, edges) = (step.mesh().faces(), step.mesh().edges());
 
@@ -39,9 +38,28 @@ impl Candidates {
         });
 
         Self {
+            step,
             vertex_face,
             edge_edge,
         }
+    }
+
+    /// The step.
+    #[must_use]
+    pub fn step(&self) -> Step<'a> {
+        self.step
+    }
+
+    /// Pairs of a vertex and a face that it is no corner of, sorted.
+    #[must_use]
+    pub fn vertex_face(&self) -> &[[u32; 2]] {
+        &self.vertex_face
+    }
+
+    /// Pairs of two edges, the smaller index first, without a common vertex, sorted.
+    #[must_use]
+    pub fn edge_edge(&self) -> &[[u32; 2]] {
+        &self.edge_edge
     }
 
     /// How many there are of each kind.

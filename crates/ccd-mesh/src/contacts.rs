@@ -39,15 +39,16 @@ impl StepReport {
     ///
     /// Calls `progress`, on any thread, with the number of candidates that it has finished since the last call there.
     #[must_use]
-    pub fn new(step: &Step, candidates: &Candidates, progress: &(dyn Fn(usize) + Sync)) -> Self {
+    pub fn new(candidates: &Candidates<'_>, progress: &(dyn Fn(usize) + Sync)) -> Self {
+        let step = candidates.step();
         let vertex_face = Contacts::among(
-            &candidates.vertex_face,
+            candidates.vertex_face(),
             |[vertex, face]| step.vertex_face(vertex, face),
             |[vertex, face]| Pair::VertexFace { vertex, face },
             progress,
         );
         let edge_edge = Contacts::among(
-            &candidates.edge_edge,
+            candidates.edge_edge(),
             |[a, b]| step.edge_edge(a, b),
             |[a, b]| Pair::EdgeEdge { a, b },
             progress,
@@ -61,7 +62,7 @@ impl StepReport {
             colliding: counts(|contacts| contacts.colliding),
             touching: counts(|contacts| contacts.touching),
             earliest: earlier(vertex_face.earliest, edge_edge.earliest)
-                .and_then(|(_, pair)| impact(step, pair).map(|impact| EarliestContact { pair, impact })),
+                .and_then(|(_, pair)| impact(&step, pair).map(|impact| EarliestContact { pair, impact })),
         }
     }
 
@@ -89,7 +90,7 @@ struct Contacts {
 impl Contacts {
     fn among<K: Kind>(
         candidates: &[[u32; 2]],
-        query: impl Fn([u32; 2]) -> Query<K> + Sync,
+        query: impl Fn([u32; 2]) -> Option<Query<K>> + Sync,
         pair: impl Fn([u32; 2]) -> Pair + Sync,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Self {
@@ -98,14 +99,14 @@ impl Contacts {
             .map(|chunk| {
                 let mut contacts = Self::default();
                 for &ids in chunk {
-                    let query = query(ids);
                     // Most candidates are not in contact, and to decide that is cheaper than to look for times.
-                    if query.collides() {
-                        contacts.colliding += 1;
-                        if let Some(time) = query.contact_times().first() {
-                            contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
-                            contacts.earliest = earlier(contacts.earliest, Some((time.lower(), pair(ids))));
-                        }
+                    let Some(query) = query(ids).filter(Query::collides) else {
+                        continue;
+                    };
+                    contacts.colliding += 1;
+                    if let Some(time) = query.contact_times().first() {
+                        contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
+                        contacts.earliest = earlier(contacts.earliest, Some((time.lower(), pair(ids))));
                     }
                 }
                 progress(chunk.len());
@@ -129,19 +130,9 @@ fn earlier(a: Option<(f64, Pair)>, b: Option<(f64, Pair)>) -> Option<(f64, Pair)
         .min_by(|(s, p), (t, q)| s.total_cmp(t).then(p.cmp(q)))
 }
 
-fn impact(step: &Step, pair: Pair) -> Option<Impact> {
+fn impact(step: &Step<'_>, pair: Pair) -> Option<Impact> {
     match pair {
-        Pair::VertexFace { vertex, face } => stand_in(&step.vertex_face(vertex, face)),
-        Pair::EdgeEdge { a, b } => stand_in(&step.edge_edge(a, b)),
+        Pair::VertexFace { vertex, face } => step.vertex_face(vertex, face)?.impact(),
+        Pair::EdgeEdge { a, b } => step.edge_edge(a, b)?.impact(),
     }
-}
-
-// Until Query::impact is there.
-fn stand_in<K: Kind>(query: &Query<K>) -> Option<Impact> {
-    let time = query.contact_times().first()?;
-    Some(Impact {
-        time,
-        parameters: [0.0; 2],
-        normal: None,
-    })
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use exact_ccd::Point;
 
 use crate::mesh::{IndexOutOfRange, TriangleMesh};
+use crate::positions::{self, PositionsError};
 use crate::read::{self, Format, ParseError, ReadError};
 
 /// A triangle mesh at one time: its connectivity and where its vertices are.
@@ -19,39 +20,35 @@ pub struct Frame {
 /// What keeps positions and faces from being a [`Frame`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum FrameError {
-    /// A coordinate is NaN or infinite.
-    #[error("vertex {vertex} has {axis} = {value}, expected a finite number")]
-    NotFinite {
-        /// The index of the vertex, from 0.
-        vertex: usize,
-        /// `x`, `y` or `z`.
-        axis: char,
-        /// The coordinate.
-        value: f64,
-    },
     /// A face names a vertex that has no position.
     #[error(transparent)]
     Index(#[from] IndexOutOfRange),
-    /// There is not one position for each vertex.
-    #[error("{positions} positions, expected one for each of {vertex_count} vertices")]
-    PositionCount {
-        /// How many positions there are.
-        positions: usize,
-        /// How many vertices the mesh has.
-        vertex_count: usize,
-    },
+    /// The positions are not sound.
+    #[error(transparent)]
+    Positions(#[from] PositionsError),
 }
 
 impl Frame {
     /// The mesh of these faces, each three indices into `positions`.
     ///
+    /// ```
+    /// use ccd_mesh::{Frame, FrameError};
+    ///
+    /// let square = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let frame = Frame::new(square.clone(), vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!(frame.mesh.edges(), [[0, 1], [0, 2], [1, 2], [0, 3], [2, 3]]);
+    ///
+    /// let error = Frame::new(square, vec![[0, 1, 4]]).unwrap_err();
+    /// assert_eq!(error.to_string(), "face 0 names vertex 4, but there are only 4 vertices");
+    /// # Ok::<(), FrameError>(())
+    /// ```
+    ///
     /// # Errors
     /// The first index that is out of range, or else the first coordinate that is not finite.
     pub fn new(positions: Vec<Point>, faces: Vec<[u32; 3]>) -> Result<Self, FrameError> {
         let mesh = TriangleMesh::new(positions.len(), faces)?;
-        let frame = Self { mesh, positions };
-        frame.check()?;
-        Ok(frame)
+        positions::check(&mesh, &positions)?;
+        Ok(Self { mesh, positions })
     }
 
     /// The frame in a file. The extension tells the format, see [`Format::of_path`].
@@ -68,28 +65,21 @@ impl Frame {
 
     /// The frame in the contents of a file, as [`Frame::read`] gives it.
     ///
+    /// ```
+    /// use ccd_mesh::{Format, Frame};
+    ///
+    /// let frame = Frame::parse(b"v 0 0 0\nv 0.1 0 0\nv 0 1 0\nf 1 2 3\n", Format::Obj)?;
+    /// assert_eq!(frame.positions[1], [0.1, 0.0, 0.0]);
+    /// assert_eq!(frame.mesh.faces(), [[0, 1, 2]]);
+    ///
+    /// let error = Frame::parse(b"v 0 0 zero", Format::Obj).unwrap_err();
+    /// assert_eq!(error.to_string(), "line 1: expected a number, found `zero`");
+    /// # Ok::<(), ccd_mesh::ParseError>(())
+    /// ```
+    ///
     /// # Errors
     /// [`ParseError`] names the place and what was expected there.
     pub fn parse(bytes: &[u8], format: Format) -> Result<Self, ParseError> {
         read::parse(bytes, format)
-    }
-
-    /// Checks that there is one position for each vertex and that all coordinates are finite.
-    pub(crate) fn check(&self) -> Result<(), FrameError> {
-        let vertex_count = self.mesh.vertex_count();
-        if self.positions.len() != vertex_count {
-            return Err(FrameError::PositionCount {
-                positions: self.positions.len(),
-                vertex_count,
-            });
-        }
-        for (vertex, position) in self.positions.iter().enumerate() {
-            for (axis, &value) in ['x', 'y', 'z'].into_iter().zip(position) {
-                if !value.is_finite() {
-                    return Err(FrameError::NotFinite { vertex, axis, value });
-                }
-            }
-        }
-        Ok(())
     }
 }

@@ -1,4 +1,26 @@
 //! Triangle meshes in motion: mesh files, the broad phase, and the collision-free step of a whole mesh.
+//!
+//! ```no_run
+//! use ccd_mesh::{Motion, step};
+//!
+//! let motion = Motion::read("start.ply", "end.ply")?;
+//! let report = step(&motion.mesh, &motion.x0, &motion.x1)?;
+//! match report.time_of_impact() {
+//!     None => println!("free of contact"),
+//!     Some(toi) => println!("free of contact on [0, {toi})"),
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The way from files to the answer:
+//!
+//! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh are a [`Motion`].
+//! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a simulator keeps its own.
+//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
+//! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
+//!   [`exact_ccd`].
+//!
+//! No result depends on the number of threads, and no input makes anything here panic.
 
 mod bounds;
 mod broad_phase;
@@ -9,6 +31,7 @@ mod frame;
 mod mesh;
 mod motion;
 mod pair;
+mod positions;
 mod read;
 mod step;
 mod weld;
@@ -24,5 +47,6 @@ pub use frame::{Frame, FrameError};
 pub use mesh::{IndexOutOfRange, TriangleMesh};
 pub use motion::{Motion, MotionError, ReadMotionError};
 pub use pair::{Pair, PairCounts};
+pub use positions::PositionsError;
 pub use read::{Fault, Format, ParseError, Place, ReadError};
 pub use step::{Step, StepError, step};

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd::Point;
 
-use crate::frame::{Frame, FrameError};
+use crate::frame::Frame;
 use crate::mesh::TriangleMesh;
 use crate::read::{Format, ReadError};
+use crate::step::{Step, StepError};
 
 /// A triangle mesh whose vertices move in straight lines, from `x0` at t = 0 to `x1` at t = 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,12 +23,6 @@ pub struct Motion {
 /// What keeps two frames from being the start and the end of one motion.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MotionError {
-    /// The frame at t = 0 is not sound.
-    #[error("at the start, {0}")]
-    Start(#[source] FrameError),
-    /// The frame at t = 1 is not sound.
-    #[error("at the end, {0}")]
-    End(#[source] FrameError),
     /// The numbers of vertices differ.
     #[error("{start} vertices at the start, {end} at the end, expected the same mesh")]
     VertexCount {
@@ -54,6 +49,9 @@ pub enum MotionError {
         /// Its corners at t = 1.
         end: [u32; 3],
     },
+    /// The positions are not sound.
+    #[error(transparent)]
+    Positions(#[from] StepError),
 }
 
 /// Why two files could not be read as one motion.
@@ -79,21 +77,30 @@ impl Motion {
     ///
     /// # Errors
     /// [`MotionError`] names the first difference between the two meshes: they must have the same number of vertices
-    /// and the same faces in the same order, each with its corners in the same order.
+    /// and the same faces in the same order, each with its corners in the same order. Or else it names the positions
+    /// that are too many, too few or not finite.
     pub fn new(start: Frame, end: Frame) -> Result<Self, MotionError> {
-        start.check().map_err(MotionError::Start)?;
-        end.check().map_err(MotionError::End)?;
         same_connectivity(&start.mesh, &end.mesh)?;
-        Ok(Self {
+        let motion = Self {
             mesh: start.mesh,
             x0: start.positions,
             x1: end.positions,
-        })
+        };
+        motion.step()?;
+        Ok(motion)
     }
 
     /// The motion between the frames in two files, read at the same time.
     ///
     /// Two STL files are welded, see [`Motion::weld`].
+    ///
+    /// ```no_run
+    /// use ccd_mesh::Motion;
+    ///
+    /// let motion = Motion::read("start.obj", "end.ply")?;
+    /// assert_eq!(motion.x0.len(), motion.x1.len());
+    /// # Ok::<(), ccd_mesh::ReadMotionError>(())
+    /// ```
     ///
     /// # Errors
     /// [`ReadMotionError`] names the file that cannot be read, or both files and their first difference.
@@ -107,6 +114,14 @@ impl Motion {
             end: end.to_owned(),
             source,
         })
+    }
+
+    /// The motion as a time step.
+    ///
+    /// # Errors
+    /// As [`Step::new`].
+    pub fn step(&self) -> Result<Step<'_>, StepError> {
+        Step::new(&self.mesh, &self.x0, &self.x1)
     }
 }
 

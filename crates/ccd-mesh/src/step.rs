@@ -1,11 +1,12 @@
 //! One time step of a mesh: is it free of contact, and if not, until when?
 
-use exact_ccd::{EdgeEdge, Point, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 
 use crate::bvh::Bvh;
 use crate::candidates::Candidates;
 use crate::contacts::StepReport;
 use crate::mesh::TriangleMesh;
+use crate::positions::{self, PositionsError};
 
 /// A mesh whose vertices move in straight lines, at constant speed, from t = 0 to t = 1.
 #[derive(Clone, Copy, Debug)]
@@ -14,31 +15,15 @@ pub struct Step<'a> {
     positions: [&'a [Point]; 2],
 }
 
-/// The positions do not fit the mesh, or are no positions.
+/// Which positions of a step do not fit its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum StepError {
-    /// The number of positions is not the number of vertices.
-    #[error("{found} positions at t = {time}, but the mesh has {expected} vertices")]
-    PositionCount {
-        /// The end of the step, 0 or 1.
-        time: usize,
-        /// How many positions there are.
-        found: usize,
-        /// How many vertices the mesh has.
-        expected: usize,
-    },
-    /// A coordinate is infinite or not a number.
-    #[error("coordinate {} of vertex {vertex} at t = {time} is {value}, not a finite number", ["x", "y", "z"][*.axis])]
-    NonFinite {
-        /// The end of the step, 0 or 1.
-        time: usize,
-        /// The index of the vertex.
-        vertex: usize,
-        /// The index of the coordinate.
-        axis: usize,
-        /// The coordinate.
-        value: f64,
-    },
+    /// Those at t = 0.
+    #[error("at the start, {0}")]
+    Start(#[source] PositionsError),
+    /// Those at t = 1.
+    #[error("at the end, {0}")]
+    End(#[source] PositionsError),
 }
 
 /// Looks for the contacts of a mesh with itself in one time step.
@@ -47,12 +32,27 @@ pub enum StepError {
 /// touch and are left out. To see progress, or to use another broad phase, call [`Candidates::new`] and
 /// [`StepReport::new`] in turn, as this function does.
 ///
+/// ```
+/// use ccd_mesh::{Pair, TriangleMesh, step};
+///
+/// // A vertex of one triangle falls through another triangle, which rests.
+/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
+/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+/// let falling = |height: f64| [[1.0, 1.0, height], [1.0, 2.0, height + 4.0], [2.0, 1.0, height + 4.0]];
+/// let (x0, x1) = ([floor, falling(1.0)].concat(), [floor, falling(-1.0)].concat());
+///
+/// let report = step(&mesh, &x0, &x1)?;
+/// assert_eq!(report.time_of_impact(), Some(0.5));
+/// assert_eq!(report.earliest.map(|contact| contact.pair), Some(Pair::VertexFace { vertex: 3, face: 0 }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`StepError`] says which positions are too many, too few or not finite.
 pub fn step(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> Result<StepReport, StepError> {
     let step = Step::new(mesh, x0, x1)?;
-    let candidates = Candidates::new(&step, &Bvh);
-    Ok(StepReport::new(&step, &candidates, &|_| ()))
+    let candidates = Candidates::new(step, &Bvh);
+    Ok(StepReport::new(&candidates, &|_| ()))
 }
 
 impl<'a> Step<'a> {
@@ -61,26 +61,9 @@ impl<'a> Step<'a> {
     /// # Errors
     /// [`StepError`] says which positions are too many, too few or not finite.
     pub fn new(mesh: &'a TriangleMesh, x0: &'a [Point], x1: &'a [Point]) -> Result<Self, StepError> {
+        positions::check(mesh, x0).map_err(StepError::Start)?;
+        positions::check(mesh, x1).map_err(StepError::End)?;
         let positions = [x0, x1];
-        for (time, points) in positions.into_iter().enumerate() {
-            if points.len() != mesh.vertex_count() {
-                return Err(StepError::PositionCount {
-                    time,
-                    found: points.len(),
-                    expected: mesh.vertex_count(),
-                });
-            }
-            for (vertex, point) in points.iter().enumerate() {
-                if let Some(axis) = point.iter().position(|value| !value.is_finite()) {
-                    return Err(StepError::NonFinite {
-                        time,
-                        vertex,
-                        axis,
-                        value: point[axis],
-                    });
-                }
-            }
-        }
         Ok(Self { mesh, positions })
     }
 
@@ -96,29 +79,29 @@ impl<'a> Step<'a> {
         self.positions
     }
 
-    /// The query of a vertex against a face, its corners in the order of the face.
-    ///
-    /// # Panics
-    /// If the mesh has no such vertex or no such face.
+    /// The query of a vertex against a face, its corners in the order of the face, or `None` if the mesh has no such
+    /// vertex or no such face.
     #[must_use]
-    pub fn vertex_face(&self, vertex: u32, face: u32) -> VertexFace {
-        let [a, b, c] = self.mesh.faces()[face as usize];
-        let [t0, t1] = self.at([vertex, a, b, c]);
-        VertexFace::new(t0, t1).expect("all positions are finite")
+    pub fn vertex_face(&self, vertex: u32, face: u32) -> Option<VertexFace> {
+        let &[a, b, c] = self.mesh.faces().get(face as usize)?;
+        self.query([vertex, a, b, c])
     }
 
-    /// The query of two edges, the vertices of each in increasing order.
-    ///
-    /// # Panics
-    /// If the mesh does not have two such edges.
+    /// The query of two edges, the vertices of each in increasing order, or `None` if the mesh does not have both.
     #[must_use]
-    pub fn edge_edge(&self, a: u32, b: u32) -> EdgeEdge {
-        let [[a0, a1], [b0, b1]] = [a, b].map(|edge| self.mesh.edges()[edge as usize]);
-        let [t0, t1] = self.at([a0, a1, b0, b1]);
-        EdgeEdge::new(t0, t1).expect("all positions are finite")
+    pub fn edge_edge(&self, a: u32, b: u32) -> Option<EdgeEdge> {
+        let edge = |index: u32| self.mesh.edges().get(index as usize).copied();
+        let ([a0, a1], [b0, b1]) = (edge(a)?, edge(b)?);
+        self.query([a0, a1, b0, b1])
     }
 
-    fn at(&self, vertices: [u32; 4]) -> [[Point; 4]; 2] {
-        self.positions.map(|x| vertices.map(|vertex| x[vertex as usize]))
+    fn query<K: Kind>(&self, [a, b, c, d]: [u32; 4]) -> Option<Query<K>> {
+        let [x0, x1] = self.positions;
+        let at = |x: &[Point]| {
+            let point = |vertex: u32| x.get(vertex as usize).copied();
+            Some([point(a)?, point(b)?, point(c)?, point(d)?])
+        };
+        // All positions are finite.
+        Query::new(at(x0)?, at(x1)?).ok()
     }
 }

@@ -22,19 +22,18 @@ impl Motion {
         let mut numbers = HashMap::with_capacity(split.x0.len());
         let mut vertex_of = Vec::with_capacity(split.x0.len());
         let (mut x0, mut x1) = (Vec::new(), Vec::new());
-        let mut next = 0_u32;
         for (&p0, &p1) in split.x0.iter().zip(&split.x1) {
             let vertex = *numbers.entry(key(p0, p1)).or_insert_with(|| {
+                let next = x0.len() as u32;
                 x0.push(p0);
                 x1.push(p1);
-                next += 1;
-                next - 1
+                next
             });
             vertex_of.push(vertex);
         }
         let weld_face = |face: &[u32; 3]| face.map(|corner| vertex_of[corner as usize]);
         let faces = split.mesh.faces().iter().map(weld_face).collect();
-        let mesh = TriangleMesh::new(x0.len(), faces).map_err(|error| MotionError::Start(error.into()))?;
+        let mesh = TriangleMesh::new(x0.len(), faces).expect("every corner has its vertex");
         Ok(Self { mesh, x0, x1 })
     }
 }

@@ -3,6 +3,7 @@
 use std::io;
 
 use crate::frame::Frame;
+use crate::positions;
 
 impl Frame {
     /// Writes the frame as a binary little-endian PLY file, which reads back as the same frame, bit for bit.
@@ -10,8 +11,11 @@ impl Frame {
     /// Coordinates take 8 bytes each, or 4 if every one of them is exactly an `f32`.
     ///
     /// # Errors
-    /// Those of the writer.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), with the
+    /// [`PositionsError`](crate::PositionsError), if the positions do not fit the mesh.
     pub fn write_ply(&self, mut writer: impl io::Write) -> io::Result<()> {
+        positions::check(&self.mesh, &self.positions)
+            .map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
         let coordinates = self.positions.as_flattened();
         let single = coordinates
             .iter()

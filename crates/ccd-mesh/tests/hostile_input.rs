@@ -1,5 +1,7 @@
 //! Whatever the bytes, a reader gives an error or a sound frame.
 
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
 mod encodings;
 
 use ccd_mesh::{Format, Frame};
@@ -9,7 +11,7 @@ const FORMATS: [Format; 4] = [Format::Ply, Format::Obj, Format::Stl, Format::Off
 
 /// One file of each encoding, about two triangles.
 fn samples() -> Vec<encodings::File> {
-    let corners = vec![[0.0, 0.5, -0.0], [1.0, 0.25, 0.0], [0.0, 1.0, 8.0]].repeat(2);
+    let corners = [[0.0, 0.5, -0.0], [1.0, 0.25, 0.0], [0.0, 1.0, 8.0]].repeat(2);
     let frame = Frame::new(corners, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
     [encodings::indexed(&frame), encodings::soup(&frame)].concat()
 }

@@ -1,5 +1,7 @@
 //! Two frames as the start and the end of one motion.
 
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
 use std::path::{Path, PathBuf};
 
 use ccd_mesh::{Format, Frame, Motion, Point};
@@ -153,6 +155,20 @@ fn a_frame_refuses_what_it_cannot_hold() {
         error(&infinite, [0, 0, 0]),
         "vertex 0 has y = inf, expected a finite number"
     );
+}
+
+#[test]
+fn a_frame_that_would_not_read_back_is_not_written() {
+    let mut unsound = frame(&TRIANGLE, &[[0, 1, 2]]);
+    unsound.positions[2][0] = f64::INFINITY;
+    let mut bytes = Vec::new();
+    let error = unsound.write_ply(&mut bytes).unwrap_err();
+    assert_eq!(error.kind(), std::io::ErrorKind::InvalidInput);
+    assert_eq!(
+        error.to_string(),
+        "vertex 2 has x = inf, expected a finite number"
+    );
+    assert!(bytes.is_empty());
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! Each error says in one line where it is and what was expected there.
 
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
 use ccd_mesh::{Format, Frame};
 
 #[track_caller]
@@ -219,7 +221,7 @@ fn obj() {
     let error = |text: &str, message| assert_error(Format::Obj, text, message);
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let face = |face: &str, message: &str| {
-        assert_error(Format::Obj, format!("{triangle}f 1 2 3\n{face}\n"), message)
+        assert_error(Format::Obj, format!("{triangle}f 1 2 3\n{face}\n"), message);
     };
     error("", "line 1: the file ends, expected a statement `v`");
     error("\u{7f}ELF\n\n", "line 3: the file ends, expected a statement `v`");
