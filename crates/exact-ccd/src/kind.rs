@@ -29,6 +29,9 @@ pub(crate) mod tables {
     pub trait Tables {
         /// F at the corners of the domain of (u, v). A face has only three; the last one stands twice.
         const CORNERS: [Difference; 4];
+        /// The faces of the domain as cycles of four corners, at t = 0 and, plus four, at t = 1: those of a hexahedron, or
+        /// of a prism, whose triangles have a corner twice.
+        const PATCHES: &'static [[usize; 4]];
         /// w, e₁, e₂, where w leads from the second primitive to the first: the primitives are coplanar when
         /// w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
@@ -67,6 +70,13 @@ const fn side(vertex: usize, edge: [usize; 2], along: bool, domain: [[f64; 2]; 2
 /// p lies in the triangle if it lies to the left of its three edges; their areas with p are its barycentric coordinates.
 impl Tables for PointTriangle {
     const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
+    const PATCHES: &'static [[usize; 4]] = &[
+        [0, 1, 2, 2],
+        [4, 5, 6, 6],
+        [0, 1, 5, 4],
+        [1, 2, 6, 5],
+        [2, 0, 4, 6],
+    ];
     const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
     const SIDES: &'static [Side] = &[
         side(0, [1, 2], true, [[0.0, 0.0], [1.0, 0.0]]),
@@ -81,6 +91,14 @@ impl Tables for PointTriangle {
 /// v ≥ 0 and v ≤ 1.
 impl Tables for SegmentSegment {
     const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
+    const PATCHES: &'static [[usize; 4]] = &[
+        [0, 1, 3, 2],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [2, 3, 7, 6],
+        [0, 2, 6, 4],
+        [1, 3, 7, 5],
+    ];
     const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
     const SIDES: &'static [Side] = &[
         side(0, [2, 3], true, [[0.0, 0.0], [0.0, 1.0]]),

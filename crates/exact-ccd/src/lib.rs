@@ -35,6 +35,7 @@ pub mod exact;
 mod filter;
 mod impact;
 mod kind;
+pub mod parity;
 mod query;
 mod time;
 

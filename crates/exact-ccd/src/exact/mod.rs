@@ -12,6 +12,11 @@ mod motion;
 mod polynomial;
 mod sturm;
 
+pub(crate) use dyadic::to_integers;
+pub(crate) use instant::roots;
+pub(crate) use motion::{Vector, cross, dot};
+pub(crate) use polynomial::Polynomial;
+
 use instant::Instant;
 use motion::Motion;
 
@@ -24,7 +29,7 @@ use crate::time::{ContactTime, ContactTimes, Times};
 #[must_use]
 pub fn collides<K: Kind>(query: &Query<K>) -> bool {
     let motion = Motion::new(query);
-    instant::roots(motion.events())
+    roots(motion.events())
         .iter()
         .any(|instant| motion.touches(instant))
 }
@@ -33,7 +38,7 @@ pub fn collides<K: Kind>(query: &Query<K>) -> bool {
 #[must_use]
 pub fn contact_times<K: Kind>(query: &Query<K>) -> ContactTimes {
     let motion = Motion::new(query);
-    let instants = instant::roots(motion.events());
+    let instants = roots(motion.events());
     let mut times = Times::default();
     for (i, instant) in instants
         .iter()
@@ -60,7 +65,7 @@ pub fn time_of_impact<K: Kind>(query: &Query<K>) -> Option<f64> {
 #[must_use]
 pub fn impact<K: Kind>(query: &Query<K>) -> Option<Impact> {
     let motion = Motion::new(query);
-    let instants = instant::roots(motion.events());
+    let instants = roots(motion.events());
     let first = instants.iter().find(|instant| motion.touches(instant))?;
     Some(motion.impact(first))
 }

@@ -11,7 +11,7 @@ use super::polynomial::Polynomial;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 
-pub(super) type Vector = [Polynomial; 3];
+pub(crate) type Vector = [Polynomial; 3];
 
 /// The points of a query as polynomials in t, and the plane that they have in common when they are coplanar.
 ///
@@ -139,10 +139,10 @@ fn cross_component(a: &Vector, b: &Vector, axis: usize) -> Polynomial {
     &(&a[next] * &b[last]) - &(&a[last] * &b[next])
 }
 
-pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
+pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
     [0, 1, 2].map(|axis| cross_component(a, b, axis))
 }
 
-fn dot(a: &Vector, b: &Vector) -> Polynomial {
+pub(crate) fn dot(a: &Vector, b: &Vector) -> Polynomial {
     &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }

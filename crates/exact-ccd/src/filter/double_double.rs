@@ -11,11 +11,11 @@ use core::ops::{Add, Mul, Neg, Sub};
 use super::number::Number;
 
 /// 2⁻¹⁰⁰: more than the relative error of any one operation.
-pub(super) const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
+pub(crate) const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// high + low, with |low| at most half a unit in the last place of `high`.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct DoubleDouble {
+pub(crate) struct DoubleDouble {
     pub(super) high: f64,
     pub(super) low: f64,
 }
@@ -53,8 +53,8 @@ impl Number for DoubleDouble {
         Self::sum(a, -b)
     }
 
-    fn magnitude(self) -> f64 {
-        self.high.abs()
+    fn value(self) -> f64 {
+        self.high
     }
 }
 

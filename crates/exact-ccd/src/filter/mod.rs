@@ -24,6 +24,9 @@ mod sides;
 
 use arrayvec::ArrayVec;
 
+pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
+pub(crate) use number::Number;
+
 use coplanarity::Coplanarity;
 use cubic::Root;
 use hull::Hull;
@@ -37,13 +40,13 @@ use crate::query::{Point, Query};
 use crate::time::{ContactTimes, Times};
 
 /// The unit roundoff u.
-const UNIT: f64 = f64::EPSILON / 2.0;
+pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
 
 /// 2²⁰⁰: the largest difference of two coordinates that the filters work on.
 const LARGEST: f64 = f64::from_bits((1023 + 200) << 52);
 
 /// 2⁻⁶⁰⁰ > 1000 · 2⁻¹⁰⁷⁵ · (2 · LARGEST)².
-const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
+pub(crate) const UNDERFLOW: f64 = f64::from_bits((1023 - 600) << 52);
 
 /// What the filters know before they look at where in the common plane the primitives are.
 enum Screening {

@@ -7,10 +7,11 @@ use crate::kind::{Difference, Kind};
 use crate::query::{Point, Query};
 
 /// A number that stands for a real number to within roundings.
-pub(super) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
+pub(crate) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     fn difference(a: f64, b: f64) -> Self;
 
-    fn magnitude(self) -> f64;
+    /// The f64 next to it.
+    fn value(self) -> f64;
 }
 
 impl Number for f64 {
@@ -20,14 +21,14 @@ impl Number for f64 {
     }
 
     #[inline]
-    fn magnitude(self) -> f64 {
-        self.abs()
+    fn value(self) -> f64 {
+        self
     }
 }
 
 /// The difference of two points at t = 0 and at t = 1.
 #[inline]
-pub(super) fn subtract<K: Kind, T: Number>(query: &Query<K>, (i, j): Difference) -> [[T; 3]; 2] {
+pub(crate) fn subtract<K: Kind, T: Number>(query: &Query<K>, (i, j): Difference) -> [[T; 3]; 2] {
     let [start, end] = query.points();
     let minus = |a: Point, b: Point| {
         [
@@ -41,9 +42,9 @@ pub(super) fn subtract<K: Kind, T: Number>(query: &Query<K>, (i, j): Difference)
 
 /// The larger magnitude of a coordinate at the two times.
 #[inline]
-pub(super) fn reach<T: Number, const N: usize>([a, b]: &[[T; N]; 2]) -> [f64; N] {
+pub(crate) fn reach<T: Number, const N: usize>([a, b]: &[[T; N]; 2]) -> [f64; N] {
     core::array::from_fn(|axis| {
-        let (a, b) = (a[axis].magnitude(), b[axis].magnitude());
+        let (a, b) = (a[axis].value().abs(), b[axis].value().abs());
         if a > b { a } else { b }
     })
 }

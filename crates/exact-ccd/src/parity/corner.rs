@@ -1,0 +1,180 @@
+//! What the parity counter asks of the corners of F: signs of determinants, in f64 or in integers.
+
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+
+use crate::exact::to_integers;
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT};
+use crate::query::Point;
+
+/// A vector from the origin to a corner, in exact coordinates.
+pub(super) trait Corner: Sized {
+    /// A vector of small integers.
+    fn small(coordinates: [u32; 3]) -> Self;
+
+    /// The sign of a coordinate.
+    fn sign(&self, axis: usize) -> Ordering;
+
+    /// Whether both lie on one line through the origin.
+    fn are_parallel(a: &Self, b: &Self) -> bool;
+
+    /// Whether the corner is the origin.
+    fn is_zero(&self) -> bool {
+        (0..3).all(|axis| self.sign(axis).is_eq())
+    }
+
+    /// The sign of a · (b × c): the orientation of three corners, as seen from the origin.
+    fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering;
+
+    /// The sign of V₀ V₂ − V₁ V₃, where Vᵢ is the determinant of the corners but the i-th.
+    fn phi(corners: [&Self; 4]) -> Ordering;
+
+    /// The corners as integers, on each axis divided by a positive number.
+    fn integers(corners: [&Self; 4]) -> [Integers; 4];
+}
+
+/// A vector in integers.
+pub(super) type Integers = [IBig; 3];
+
+fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+    a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+/// The determinant of magnitudes, with sums in place of differences.
+fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
+    let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
+    a[0] * (b[1] * c[2] + b[2] * c[1])
+        + a[1] * (b[2] * c[0] + b[0] * c[2])
+        + a[2] * (b[0] * c[1] + b[1] * c[0])
+}
+
+/// The corners without the i-th, for each i.
+fn faces<T: Copy>([q0, q1, q2, q3]: [T; 4]) -> [[T; 3]; 4] {
+    [[q1, q2, q3], [q0, q2, q3], [q0, q1, q3], [q0, q1, q2]]
+}
+
+/// The sign of a number that is known to within an error.
+fn certain_sign(value: f64, error: f64) -> Option<Ordering> {
+    (value.abs() > error).then(|| value.total_cmp(&0.0))
+}
+
+impl Corner for Point {
+    fn small(coordinates: [u32; 3]) -> Self {
+        coordinates.map(f64::from)
+    }
+
+    #[inline]
+    fn sign(&self, axis: usize) -> Ordering {
+        self[axis].partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+    }
+
+    fn are_parallel(a: &Self, b: &Self) -> bool {
+        let [a, b, ..] = Self::integers([a, b, a, b]);
+        Integers::are_parallel(&a, &b)
+    }
+
+    /// A filter (n = 5 roundings of exact input), then Shewchuk's adaptive predicate where no part of it can underflow or
+    /// overflow, then integers.
+    #[inline]
+    fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {
+        let permanent = permanent(a, b, c);
+        // Infinite and NaN are not certain.
+        match certain_sign(determinant(*a, *b, *c), 8.0 * UNIT * permanent + UNDERFLOW) {
+            Some(sign) if permanent.is_finite() => sign,
+            _ => orientation_near_zero(a, b, c),
+        }
+    }
+
+    /// A filter, then the same in twice the precision, then integers.
+    fn phi(corners: [&Self; 4]) -> Ordering {
+        certain_phi::<f64>(corners, 8.0 * UNIT)
+            .or_else(|| certain_phi::<DoubleDouble>(corners, 16.0 * ROUNDOFF))
+            .unwrap_or_else(|| Integers::phi(Self::integers(corners).each_ref()))
+    }
+
+    fn integers(corners: [&Self; 4]) -> [Integers; 4] {
+        let axes = [0, 1, 2].map(|axis: usize| to_integers(corners.map(|corner| corner[axis])).0);
+        [0, 1, 2, 3].map(|corner: usize| [0, 1, 2].map(|axis: usize| axes[axis][corner].clone()))
+    }
+}
+
+#[cold]
+fn orientation_near_zero(a: &Point, b: &Point, c: &Point) -> Ordering {
+    if [a, b, c].into_iter().flatten().all(|&x| is_safe(x)) {
+        let [a, b, c] = [a, b, c].map(|&[x, y, z]| robust::Coord3D { x, y, z });
+        let origin = robust::Coord3D {
+            x: 0.0,
+            y: 0.0,
+            z: 0.0,
+        };
+        let orientation = robust::orient3d(a, b, c, origin);
+        return orientation.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
+    }
+    let [a, b, c, _] = Point::integers([a, b, c, c]);
+    Integers::orientation(&a, &b, &c)
+}
+
+/// Whether products of three such numbers, split as Shewchuk splits them, stay within the range of f64: their last bits
+/// are multiples of 2⁻³⁵³⁻³⁵³⁻³⁵³ > 2⁻¹⁰⁷⁴, and the sum of six is at most 2⁹⁰³.
+fn is_safe(x: f64) -> bool {
+    const SMALLEST: f64 = f64::from_bits((1023 - 300) << 52);
+    const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
+    x == 0.0 || (SMALLEST..=LARGEST).contains(&x.abs())
+}
+
+/// The sign of φ, where it is certain in the arithmetic of T. Five operations lead to a volume of which m is a bound; it
+/// is off by no more than `relative` m, and a product of two by no more than the errors that each brings to the other,
+/// and `relative` of its magnitude for the operations that are left.
+fn certain_phi<T: Number>(corners: [&Point; 4], relative: f64) -> Option<Ordering> {
+    /// 2¹⁶⁰, so that products of six stay in the range of f64.
+    const LARGEST: f64 = f64::from_bits((1023 + 160) << 52);
+    if corners.into_iter().flatten().any(|x| x.abs() > LARGEST) {
+        return None;
+    }
+    let exact = |corner: &Point| corner.map(|x| T::difference(x, 0.0));
+    let [v0, v1, v2, v3] = faces(corners).map(|[a, b, c]| determinant(exact(a), exact(b), exact(c)));
+    let bounds = faces(corners).map(|[a, b, c]| permanent(a, b, c));
+    let errors = bounds.map(|bound| relative * bound + UNDERFLOW);
+    let error = |i: usize, j: usize| {
+        bounds[i] * errors[j] + (bounds[j] + errors[j]) * errors[i] + relative * bounds[i] * bounds[j]
+    };
+    certain_sign((v0 * v2 - v1 * v3).value(), error(0, 2) + error(1, 3) + UNDERFLOW)
+}
+
+impl Corner for Integers {
+    fn small(coordinates: [u32; 3]) -> Self {
+        coordinates.map(IBig::from)
+    }
+
+    fn sign(&self, axis: usize) -> Ordering {
+        self[axis].cmp(&IBig::ZERO)
+    }
+
+    fn are_parallel(a: &Self, b: &Self) -> bool {
+        (0..3).all(|axis| {
+            let next = (axis + 1) % 3;
+            &a[axis] * &b[next] == &a[next] * &b[axis]
+        })
+    }
+
+    fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {
+        volume([a, b, c]).cmp(&IBig::ZERO)
+    }
+
+    fn phi(corners: [&Self; 4]) -> Ordering {
+        let [v0, v1, v2, v3] = faces(corners).map(volume);
+        (v0 * v2).cmp(&(v1 * v3))
+    }
+
+    fn integers(corners: [&Self; 4]) -> [Integers; 4] {
+        corners.map(Clone::clone)
+    }
+}
+
+fn volume([a, b, c]: [&Integers; 3]) -> IBig {
+    let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
+    &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
+}

@@ -1,0 +1,214 @@
+//! Input rounded so that the corner differences of F are exact (section 4.2 of the paper).
+//!
+//! By Sterbenz's lemma x − y is exact if y / 2 ≤ x ≤ 2 y. A pair a ≤ b that is not like that is moved to the right by
+//! e = RU(b − 2a), the difference rounded up: then b + e ≤ 2 (a + e), and since rounding is monotone and commutes with
+//! doubling, the same holds for the rounded coordinates fl(a + e) and fl(b + e). The shift is the only place where
+//! input is changed, by at most half a unit in the last place of the shifted coordinate.
+
+use crate::kind::Kind;
+use crate::query::{Point, Query};
+
+/// How far all points are moved along each axis to make their differences exact.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Displacement(Point);
+
+/// The displacement of a set of pairs of coordinates, before the last of them is known.
+#[derive(Clone, Copy)]
+struct Need {
+    violated: bool,
+    shift: f64,
+}
+
+impl Need {
+    const NONE: Self = Self {
+        violated: false,
+        shift: f64::NEG_INFINITY,
+    };
+
+    /// For one more pair. If any pair needs a shift, all of them are shifted, and by enough for each.
+    #[inline]
+    fn and(self, a: f64, b: f64) -> Self {
+        let (a, b) = if a < b { (a, b) } else { (b, a) };
+        let shift = round_up_difference(b, 2.0 * a);
+        Self {
+            violated: self.violated | !is_near(a, b),
+            shift: if shift > self.shift { shift } else { self.shift },
+        }
+    }
+
+    fn displacement(self) -> f64 {
+        if self.violated { self.shift } else { 0.0 }
+    }
+}
+
+/// Sterbenz's condition, for numbers of either sign.
+#[inline]
+fn is_near(a: f64, b: f64) -> bool {
+    ((b <= 2.0 * a) & (a <= 2.0 * b)) | ((b >= 2.0 * a) & (a >= 2.0 * b))
+}
+
+/// a − b, rounded up; infinite if it overflows.
+#[inline]
+fn round_up_difference(a: f64, b: f64) -> f64 {
+    let (difference, error) = exact_sum(a, -b);
+    // Written so that a NaN, from an overflow on the way, rounds up too.
+    if error <= 0.0 {
+        difference
+    } else {
+        difference.next_up()
+    }
+}
+
+/// a + b as fl(a + b) and what that leaves out (Knuth).
+#[inline]
+fn exact_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+impl Displacement {
+    /// For pairs of points whose differences are to be exact.
+    #[must_use]
+    pub fn of_pairs(pairs: impl IntoIterator<Item = (Point, Point)>) -> Self {
+        let mut needs = [Need::NONE; 3];
+        for (a, b) in pairs {
+            for (axis, need) in needs.iter_mut().enumerate() {
+                *need = need.and(a[axis], b[axis]);
+            }
+        }
+        Self(needs.map(Need::displacement))
+    }
+
+    /// For all pairs of points in the box between two corners, as that of a whole simulation.
+    #[must_use]
+    pub fn of_box(lower: Point, upper: Point) -> Self {
+        Self::of_pairs([(lower, upper)])
+    }
+
+    /// For the corner differences of a query.
+    #[must_use]
+    #[inline]
+    pub fn of_query<K: Kind>(query: &Query<K>) -> Self {
+        let pair = |points: &[Point; 4], corner: usize| {
+            let (i, j) = K::CORNERS[corner];
+            (points[i], points[j])
+        };
+        let [start, end] = query.points();
+        Self::of_pairs((0..8).map(|index| pair(if index < 4 { start } else { end }, index % 4)))
+    }
+
+    /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
+    #[must_use]
+    pub fn along_axes(self) -> Point {
+        self.0
+    }
+
+    /// The shifted and rounded point.
+    #[must_use]
+    #[inline]
+    pub fn apply(self, point: Point) -> Point {
+        [0, 1, 2].map(|axis: usize| point[axis] + self.0[axis])
+    }
+
+    /// How far rounding moves a point along each axis: |x + e − fl(x + e)|, exactly. NaN where the shift overflows.
+    #[must_use]
+    pub fn error(self, point: Point) -> Point {
+        [0, 1, 2].map(|axis: usize| exact_sum(point[axis], self.0[axis]).1.abs())
+    }
+}
+
+/// A query whose corner differences, the values of F at the corners of its domain, are exactly f64.
+///
+/// It is made by a shift ([`Rounded::shift`]) or by a check ([`Rounded::check`]), and by nothing else.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rounded<K> {
+    query: Query<K>,
+    corners: [Point; 8],
+}
+
+/// Why a query is no [`Rounded`] one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum RoundingError {
+    /// The difference of two coordinates is not exactly an f64.
+    #[error("on the {} axis, points {} and {} at t = {time} have an inexact difference", ["x", "y", "z"][*.axis], .points[0], .points[1])]
+    Inexact {
+        /// The end of the time step, 0 or 1.
+        time: usize,
+        /// The indices of the two points among the four, from 0.
+        points: [usize; 2],
+        /// The index of the coordinate, from 0.
+        axis: usize,
+    },
+    /// The coordinates are too far apart to be shifted within the range of f64.
+    #[error("on the {} axis, the coordinates are too large to be shifted", ["x", "y", "z"][*.axis])]
+    OutOfRange {
+        /// The index of the coordinate, from 0.
+        axis: usize,
+    },
+}
+
+impl<K: Kind> Rounded<K> {
+    /// The query, shifted by its own displacement and rounded.
+    ///
+    /// # Errors
+    /// [`RoundingError::OutOfRange`] if a shifted coordinate would overflow.
+    #[inline]
+    pub fn shift(query: &Query<K>) -> Result<Self, RoundingError> {
+        let displacement = Displacement::of_query(query);
+        let shifted = query
+            .points()
+            .map(|points| points.map(|point| displacement.apply(point)));
+        let Ok(shifted) = Query::new(shifted[0], shifted[1]) else {
+            let axis = displacement.0.iter().position(|e| *e != 0.0).unwrap_or_default();
+            return Err(RoundingError::OutOfRange { axis });
+        };
+        Ok(Self {
+            corners: corners(&shifted),
+            query: shifted,
+        })
+    }
+
+    /// The query as it is, if all corner differences are exact: as in a scene that was shifted as a whole, or with small
+    /// integers.
+    ///
+    /// # Errors
+    /// [`RoundingError::Inexact`] names the first difference that is not.
+    pub fn check(query: Query<K>) -> Result<Self, RoundingError> {
+        for (time, points) in query.points().iter().enumerate() {
+            for (i, j) in K::CORNERS {
+                for axis in 0..3 {
+                    let (difference, error) = exact_sum(points[i][axis], -points[j][axis]);
+                    if !(difference.is_finite() && error == 0.0) {
+                        let points = [i, j];
+                        return Err(RoundingError::Inexact { time, points, axis });
+                    }
+                }
+            }
+        }
+        Ok(Self {
+            corners: corners(&query),
+            query,
+        })
+    }
+
+    /// The query, with rounded coordinates.
+    #[must_use]
+    pub fn query(&self) -> &Query<K> {
+        &self.query
+    }
+
+    /// F at the corners of the domain: at t = 0, then at t = 1.
+    #[must_use]
+    pub(super) fn corners(&self) -> &[Point; 8] {
+        &self.corners
+    }
+}
+
+#[inline]
+fn corners<K: Kind>(query: &Query<K>) -> [Point; 8] {
+    core::array::from_fn(|index| {
+        let (points, (i, j)) = (&query.points()[index / 4], K::CORNERS[index % 4]);
+        [0, 1, 2].map(|axis: usize| points[i][axis] - points[j][axis])
+    })
+}
