@@ -129,7 +129,7 @@ fn settle<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> ([usize; Stage::A
     let mut colliding = Colliding::default();
     for &pair in pairs {
         let query = K::query(step, pair);
-        let (collides, stage) = query.decide();
+        let (collides, stage) = query.collides_with_stage();
         settled[stage as usize] += 1;
         if collides {
             colliding.time(&query);
@@ -142,7 +142,7 @@ impl Colliding {
     fn time<K: DataKind>(&mut self, query: &Query<K>) {
         let times = nanoseconds(|| query.contact_times());
         self.times.push(times);
-        if query.time().1 != Stage::Exact {
+        if query.contact_times_with_stage().1 != Stage::Exact {
             self.times_filtered.push(times);
         }
         self.impacts.push(nanoseconds(|| query.impact()));

@@ -47,25 +47,25 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn collides(&self) -> bool {
-        self.decide().0
+        self.collides_with_stage().0
     }
 
     /// [`collides`](Self::collides), and the stage that settled it.
     #[must_use]
     #[inline]
-    pub fn decide(&self) -> (bool, Stage) {
+    pub fn collides_with_stage(&self) -> (bool, Stage) {
         filter::collides(self).unwrap_or_else(|| (exact::collides(self), Stage::Exact))
     }
 
     /// All times at which the primitives touch.
     #[must_use]
     pub fn contact_times(&self) -> ContactTimes {
-        self.time().0
+        self.contact_times_with_stage().0
     }
 
     /// [`contact_times`](Self::contact_times), and the stage that settled it.
     #[must_use]
-    pub fn time(&self) -> (ContactTimes, Stage) {
+    pub fn contact_times_with_stage(&self) -> (ContactTimes, Stage) {
         filter::contact_times(self).unwrap_or_else(|| (exact::contact_times(self), Stage::Exact))
     }
 

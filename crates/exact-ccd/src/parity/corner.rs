@@ -13,16 +13,22 @@ pub(super) trait Corner: Sized {
     /// A vector of small integers.
     fn small(coordinates: [u32; 3]) -> Self;
 
-    /// The sign of a coordinate.
-    fn sign(&self, axis: usize) -> Ordering;
+    fn is_positive(&self, axis: usize) -> bool;
+
+    fn is_negative(&self, axis: usize) -> bool;
 
     /// Whether both lie on one line through the origin.
-    fn are_parallel(a: &Self, b: &Self) -> bool;
+    fn are_parallel(a: &Self, b: &Self) -> bool {
+        (0..3).all(|axis| Self::turn(axis, a, b).is_eq())
+    }
 
     /// Whether the corner is the origin.
     fn is_zero(&self) -> bool {
-        (0..3).all(|axis| self.sign(axis).is_eq())
+        (0..3).all(|axis| !self.is_positive(axis) && !self.is_negative(axis))
     }
+
+    /// The sign of a component of a × b: on which side of that axis the line from a to b passes.
+    fn turn(axis: usize, a: &Self, b: &Self) -> Ordering;
 
     /// The sign of a · (b × c): the orientation of three corners, as seen from the origin.
     fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering;
@@ -67,13 +73,33 @@ impl Corner for Point {
     }
 
     #[inline]
-    fn sign(&self, axis: usize) -> Ordering {
-        self[axis].partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+    fn is_positive(&self, axis: usize) -> bool {
+        self[axis] > 0.0
     }
 
-    fn are_parallel(a: &Self, b: &Self) -> bool {
-        let [a, b, ..] = Self::integers([a, b, a, b]);
-        Integers::are_parallel(&a, &b)
+    #[inline]
+    fn is_negative(&self, axis: usize) -> bool {
+        self[axis] < 0.0
+    }
+
+    /// Rounding is monotone: if the rounded products differ, so do the exact ones, in the same sense.
+    #[inline]
+    fn turn(axis: usize, a: &Self, b: &Self) -> Ordering {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        let (p, q) = (a[next] * b[last], a[last] * b[next]);
+        if p > q {
+            return Ordering::Greater;
+        }
+        if p < q {
+            return Ordering::Less;
+        }
+        let vanishes = |x: f64, y: f64| x == 0.0 || y == 0.0;
+        if vanishes(a[next], b[last]) && vanishes(a[last], b[next]) {
+            return Ordering::Equal;
+        }
+        let mut along = [0.0; 3];
+        along[axis] = 1.0;
+        orientation_near_zero(&along, a, b)
     }
 
     /// A filter (n = 5 roundings of exact input), then Shewchuk's adaptive predicate where no part of it can underflow or
@@ -149,15 +175,17 @@ impl Corner for Integers {
         coordinates.map(IBig::from)
     }
 
-    fn sign(&self, axis: usize) -> Ordering {
-        self[axis].cmp(&IBig::ZERO)
+    fn is_positive(&self, axis: usize) -> bool {
+        self[axis] > IBig::ZERO
     }
 
-    fn are_parallel(a: &Self, b: &Self) -> bool {
-        (0..3).all(|axis| {
-            let next = (axis + 1) % 3;
-            &a[axis] * &b[next] == &a[next] * &b[axis]
-        })
+    fn is_negative(&self, axis: usize) -> bool {
+        self[axis] < IBig::ZERO
+    }
+
+    fn turn(axis: usize, a: &Self, b: &Self) -> Ordering {
+        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        (&a[next] * &b[last]).cmp(&(&a[last] * &b[next]))
     }
 
     fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {

@@ -27,15 +27,13 @@ mod planar;
 mod ray;
 mod rounding;
 
-use core::cmp::Ordering;
-
 pub use rounding::{Displacement, Rounded, RoundingError};
 
 use crate::exact::to_integers;
 use crate::kind::Kind;
 use crate::query::Query;
-use arrayvec::ArrayVec;
 use corner::{Corner, Integers};
+use ray::Ray;
 
 /// The number of contacts, mod 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -79,34 +77,38 @@ pub fn rational<K: Kind>(query: &Query<K>) -> Parity {
     parity::<K, _>(&corners)
 }
 
-/// The most faces of a domain.
-const MOST_PATCHES: usize = 6;
-
 fn parity<K: Kind, C: Corner>(corners: &[C; 8]) -> Parity {
     let signs = Signs::new(corners);
     if signs.exclude_origin(u8::MAX) {
         return Parity::Even;
     }
-    let mut triangles = ArrayVec::<[usize; 3], { 2 * MOST_PATCHES }>::new();
+    // One of the first rays serves; see `ray`.
+    (0..)
+        .find_map(|k| cast::<K, C>(&Ray::new(k), corners, &signs))
+        .unwrap_or(Parity::Even)
+}
+
+/// The parity that a ray tells, or `None` if it meets the boundary of a face.
+fn cast<K: Kind, C: Corner>(ray: &Ray<C>, corners: &[C; 8], signs: &Signs) -> Option<Parity> {
+    let mut parity = Some(false);
     for patch in K::PATCHES {
-        let is_near = !signs.exclude_origin(mask(patch));
-        let Some(pair) = patch::stand_in(patch.map(|corner| &corners[corner]), is_near) else {
-            return Parity::Boundary;
-        };
-        triangles.extend(pair.map(|triangle| triangle.map(|corner| patch[corner])));
-    }
-    let crossings = |k| {
-        let ray = ray::direction::<C>(k);
-        let mut is_odd = false;
-        for triangle in &triangles {
-            if !signs.exclude_ray(&ray, mask(triangle)) {
-                is_odd ^= ray::crosses(&ray, triangle.map(|corner| &corners[corner]))?;
-            }
+        let mask = mask(patch);
+        if signs.exclude_ray(ray.is_axis(), mask) {
+            continue;
         }
-        Some(if is_odd { Parity::Odd } else { Parity::Even })
-    };
-    // One of the first directions serves; see `ray`.
-    (0..).find_map(crossings).unwrap_or(Parity::Even)
+        let corners = patch.map(|corner| &corners[corner]);
+        let Some(passage) = ray.pass(corners) else {
+            continue;
+        };
+        let Some(pair) = patch::stand_in(corners, !signs.exclude_origin(mask)) else {
+            return Some(Parity::Boundary);
+        };
+        for triangle in pair {
+            let crosses = ray.crosses(&passage, corners, triangle);
+            parity = parity.zip(crosses).map(|(parity, crosses)| parity ^ crosses);
+        }
+    }
+    parity.map(|is_odd| if is_odd { Parity::Odd } else { Parity::Even })
 }
 
 /// Which corners have positive and which negative coordinates, as sets of bits by axis.
@@ -120,17 +122,19 @@ fn mask(corners: &[usize]) -> u8 {
 }
 
 impl Signs {
+    #[inline]
     fn new<C: Corner>(corners: &[C; 8]) -> Self {
-        let with = |sign: Ordering| {
-            [0, 1, 2].map(|axis: usize| {
-                let bit = |index: usize| u8::from(corners[index].sign(axis) == sign) << index;
-                (0..8).map(bit).fold(0, |mask, bit| mask | bit)
-            })
+        let mut signs = Self {
+            positive: [0; 3],
+            negative: [0; 3],
         };
-        Self {
-            positive: with(Ordering::Greater),
-            negative: with(Ordering::Less),
+        for (index, corner) in corners.iter().enumerate() {
+            for axis in 0..3 {
+                signs.positive[axis] |= u8::from(corner.is_positive(axis)) << index;
+                signs.negative[axis] |= u8::from(corner.is_negative(axis)) << index;
+            }
         }
+        signs
     }
 
     /// Whether the bounding box of some corners leaves out the origin.
@@ -138,11 +142,10 @@ impl Signs {
         (0..3).any(|axis| self.positive[axis] & mask == mask || self.negative[axis] & mask == mask)
     }
 
-    /// Whether it leaves out the ray, of which no coordinate is negative.
-    fn exclude_ray<C: Corner>(&self, ray: &C, mask: u8) -> bool {
+    /// Whether it leaves out a ray of which no coordinate is negative and, if it is the x axis, none but x is positive.
+    fn exclude_ray(&self, is_axis: bool, mask: u8) -> bool {
         (0..3).any(|axis| {
-            self.negative[axis] & mask == mask
-                || (self.positive[axis] & mask == mask && ray.sign(axis).is_eq())
+            self.negative[axis] & mask == mask || (is_axis && axis > 0 && self.positive[axis] & mask == mask)
         })
     }
 }

@@ -23,7 +23,7 @@ use super::corner::Corner;
 use super::planar;
 
 /// Two triangles that a ray from the origin crosses as often as the patch, mod 2.
-type Pair = [[usize; 3]; 2];
+pub(super) type Pair = [[usize; 3]; 2];
 
 /// The faces of the tetrahedron opposite q₁ and q₃, on which φ ≥ 0, and those opposite q₀ and q₂, on which φ ≤ 0.
 const AROUND_02: Pair = [[0, 2, 3], [0, 1, 2]];
@@ -37,22 +37,24 @@ pub(super) fn stand_in<C: Corner>(corners: [&C; 4], is_near: bool) -> Option<Pai
         return Some(AROUND_02);
     }
     let [q0, q1, q2, q3] = corners;
-    let weights = [
-        C::orientation(q1, q2, q3),
-        C::orientation(q0, q2, q3).reverse(),
-        C::orientation(q0, q1, q3),
-        C::orientation(q0, q1, q2).reverse(),
-    ];
-    match (
-        weights.contains(&Ordering::Less),
-        weights.contains(&Ordering::Greater),
-    ) {
-        (true, true) => Some(AROUND_02),
-        (false, false) => (!planar::contains_origin(corners)).then_some(AROUND_02),
-        _ => match C::phi(corners) {
-            Ordering::Equal => None,
-            Ordering::Greater => Some(AROUND_13),
-            Ordering::Less => Some(AROUND_02),
-        },
+    let mut weights = Ordering::Equal;
+    for (index, [a, b, c]) in [[q0, q1, q2], [q0, q1, q3], [q0, q2, q3], [q1, q2, q3]]
+        .into_iter()
+        .enumerate()
+    {
+        let volume = C::orientation(a, b, c);
+        let weight = if index % 2 == 0 { volume } else { volume.reverse() };
+        if weight == weights.reverse() && weight.is_ne() {
+            return Some(AROUND_02);
+        }
+        weights = weights.then(weight);
+    }
+    if weights.is_eq() {
+        return (!planar::contains_origin(corners)).then_some(AROUND_02);
+    }
+    match C::phi(corners) {
+        Ordering::Equal => None,
+        Ordering::Greater => Some(AROUND_13),
+        Ordering::Less => Some(AROUND_02),
     }
 }

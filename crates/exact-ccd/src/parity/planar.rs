@@ -3,6 +3,7 @@
 use alloc::vec;
 
 use super::corner::{Corner, Integers};
+use super::ray::Passage;
 use crate::exact::{Polynomial, Vector, cross, dot, roots};
 
 /// Whether a patch, all of whose corners and the origin lie in one plane, contains the origin.
@@ -12,6 +13,10 @@ use crate::exact::{Polynomial, Vector, cross, dot, roots};
 /// another: of the components of P × Q, or, if these vanish for all s, at the roots of P · Q itself, where it may change
 /// its sign.
 pub(super) fn contains_origin<C: Corner>(corners: [&C; 4]) -> bool {
+    // Seen along an axis, the origin may plainly be outside of the corners' hull.
+    if (0..3).any(|axis| Passage::new(corners, |a, b| C::turn(axis, a, b)).is_none()) {
+        return false;
+    }
     let [q0, q1, q2, q3] = C::integers(corners);
     let (p, q) = (between(&q0, &q1), between(&q3, &q2));
     let along = dot(&p, &q);

@@ -5,41 +5,14 @@
 //! doubling, the same holds for the rounded coordinates fl(a + e) and fl(b + e). The shift is the only place where
 //! input is changed, by at most half a unit in the last place of the shifted coordinate.
 
+use alloc::vec::Vec;
+
 use crate::kind::Kind;
 use crate::query::{Point, Query};
 
 /// How far all points are moved along each axis to make their differences exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Displacement(Point);
-
-/// The displacement of a set of pairs of coordinates, before the last of them is known.
-#[derive(Clone, Copy)]
-struct Need {
-    violated: bool,
-    shift: f64,
-}
-
-impl Need {
-    const NONE: Self = Self {
-        violated: false,
-        shift: f64::NEG_INFINITY,
-    };
-
-    /// For one more pair. If any pair needs a shift, all of them are shifted, and by enough for each.
-    #[inline]
-    fn and(self, a: f64, b: f64) -> Self {
-        let (a, b) = if a < b { (a, b) } else { (b, a) };
-        let shift = round_up_difference(b, 2.0 * a);
-        Self {
-            violated: self.violated | !is_near(a, b),
-            shift: if shift > self.shift { shift } else { self.shift },
-        }
-    }
-
-    fn displacement(self) -> f64 {
-        if self.violated { self.shift } else { 0.0 }
-    }
-}
 
 /// Sterbenz's condition, for numbers of either sign.
 #[inline]
@@ -67,35 +40,51 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - of_b)) + (b - of_b))
 }
 
+/// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by enough for each.
+#[inline]
+fn displacement(a: &[f64], b: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b);
+    if pairs.clone().fold(true, |all, (&a, &b)| all & is_near(a, b)) {
+        return 0.0;
+    }
+    let shift = |(&a, &b): (&f64, &f64)| {
+        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
+        round_up_difference(upper, 2.0 * lower)
+    };
+    pairs.map(shift).fold(
+        f64::NEG_INFINITY,
+        |most, shift| if shift > most { shift } else { most },
+    )
+}
+
 impl Displacement {
     /// For pairs of points whose differences are to be exact.
     #[must_use]
-    pub fn of_pairs(pairs: impl IntoIterator<Item = (Point, Point)>) -> Self {
-        let mut needs = [Need::NONE; 3];
-        for (a, b) in pairs {
-            for (axis, need) in needs.iter_mut().enumerate() {
-                *need = need.and(a[axis], b[axis]);
-            }
-        }
-        Self(needs.map(Need::displacement))
+    pub fn of_pairs(pairs: &[[Point; 2]]) -> Self {
+        let column = |end: usize, axis: usize| pairs.iter().map(|pair| pair[end][axis]).collect::<Vec<_>>();
+        Self([0, 1, 2].map(|axis| displacement(&column(0, axis), &column(1, axis))))
     }
 
     /// For all pairs of points in the box between two corners, as that of a whole simulation.
     #[must_use]
     pub fn of_box(lower: Point, upper: Point) -> Self {
-        Self::of_pairs([(lower, upper)])
+        Self::of_pairs(&[[lower, upper]])
     }
 
     /// For the corner differences of a query.
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind>(query: &Query<K>) -> Self {
-        let pair = |points: &[Point; 4], corner: usize| {
-            let (i, j) = K::CORNERS[corner];
-            (points[i], points[j])
-        };
-        let [start, end] = query.points();
-        Self::of_pairs((0..8).map(|index| pair(if index < 4 { start } else { end }, index % 4)))
+        let mut displacements = [0.0; 3];
+        for (axis, shift) in displacements.iter_mut().enumerate() {
+            let (mut a, mut b) = ([0.0; 8], [0.0; 8]);
+            for corner in 0..8 {
+                let (points, (i, j)) = (&query.points()[corner / 4], K::CORNERS[corner % 4]);
+                (a[corner], b[corner]) = (points[i][axis], points[j][axis]);
+            }
+            *shift = displacement(&a, &b);
+        }
+        Self(displacements)
     }
 
     /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
@@ -156,10 +145,12 @@ impl<K: Kind> Rounded<K> {
     #[inline]
     pub fn shift(query: &Query<K>) -> Result<Self, RoundingError> {
         let displacement = Displacement::of_query(query);
-        let shifted = query
-            .points()
-            .map(|points| points.map(|point| displacement.apply(point)));
-        let Ok(shifted) = Query::new(shifted[0], shifted[1]) else {
+        let mut points = *query.points();
+        for point in points.as_flattened_mut() {
+            *point = displacement.apply(*point);
+        }
+        let [start, end] = points;
+        let Ok(shifted) = Query::new(start, end) else {
             let axis = displacement.0.iter().position(|e| *e != 0.0).unwrap_or_default();
             return Err(RoundingError::OutOfRange { axis });
         };
@@ -207,8 +198,12 @@ impl<K: Kind> Rounded<K> {
 
 #[inline]
 fn corners<K: Kind>(query: &Query<K>) -> [Point; 8] {
-    core::array::from_fn(|index| {
+    let mut corners = [[0.0; 3]; 8];
+    for (index, corner) in corners.iter_mut().enumerate() {
         let (points, (i, j)) = (&query.points()[index / 4], K::CORNERS[index % 4]);
-        [0, 1, 2].map(|axis: usize| points[i][axis] - points[j][axis])
-    })
+        for axis in 0..3 {
+            corner[axis] = points[i][axis] - points[j][axis];
+        }
+    }
+    corners
 }
