@@ -1,10 +1,11 @@
 //! The folder of published data sets.
 
 use std::path::{Path, PathBuf};
-use std::{env, fs, io};
+use std::{fs, io};
 
 use crate::error::DataError;
 use crate::kind::DataKind;
+use crate::location;
 use crate::scene::Scene;
 
 /// The folder of published data sets: handcrafted queries and simulated scenes.
@@ -12,20 +13,19 @@ use crate::scene::Scene;
 pub struct DataFolder(PathBuf);
 
 impl DataFolder {
-    /// The environment variable that says where the data is.
-    pub const VARIABLE: &'static str = "EXACT_CCD_DATA";
+    /// The data in a folder.
+    #[must_use]
+    pub fn new(folder: PathBuf) -> Self {
+        Self(folder)
+    }
 
-    /// Where the data is otherwise, relative to the root of the repository.
-    pub const DEFAULT: &'static str = "../shared/data";
-
-    /// The folder that [`VARIABLE`](Self::VARIABLE) names, or else [`DEFAULT`](Self::DEFAULT) as seen from
-    /// `repository`.
+    /// The folder that the environment variable `EXACT_CCD_DATA` names, or else `../shared/data` as seen from the root
+    /// of the repository.
     ///
     /// # Errors
     /// If there is no such folder.
     pub fn find(repository: &Path) -> Result<Self, DataError> {
-        let named = env::var_os(Self::VARIABLE).map(PathBuf::from);
-        let folder = named.unwrap_or_else(|| repository.join(Self::DEFAULT));
+        let folder = location::data_folder(repository);
         list(&folder).map(|_| Self(folder))
     }
 

@@ -13,7 +13,7 @@ use crate::kind::DataKind;
 ///
 /// # Errors
 /// If the file is no list of pairs of ids, or names something that is no primitive of this kind.
-pub fn read_pairs<K: DataKind>(file: &Path, mesh: &TriangleMesh) -> Result<Vec<[u32; 2]>, DataError> {
+pub(crate) fn read_pairs<K: DataKind>(file: &Path, mesh: &TriangleMesh) -> Result<Vec<[u32; 2]>, DataError> {
     let pairs: Vec<[usize; 2]> = read(file, "a list of pairs of ids")?;
     let convert = |(index, ids)| {
         K::indices(ids, mesh).ok_or_else(|| DataError::Ids {
@@ -30,7 +30,7 @@ pub fn read_pairs<K: DataKind>(file: &Path, mesh: &TriangleMesh) -> Result<Vec<[
 ///
 /// # Errors
 /// If the file is no list of `true` and `false`.
-pub fn read_verdicts(file: &Path) -> Result<Vec<bool>, DataError> {
+pub(crate) fn read_verdicts(file: &Path) -> Result<Vec<bool>, DataError> {
     read(file, "a list of true and false")
 }
 

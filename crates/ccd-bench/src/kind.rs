@@ -30,11 +30,14 @@ impl DataKind for PointTriangle {
 
     fn indices([vertex, face]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
         let face = face.checked_sub(mesh.vertex_count() + mesh.edges().len())?;
-        (vertex < mesh.vertex_count() && face < mesh.faces().len()).then_some([vertex as u32, face as u32])
+        Some([
+            index(vertex, mesh.vertex_count())?,
+            index(face, mesh.faces().len())?,
+        ])
     }
 
     fn query(step: &Step<'_>, [vertex, face]: [u32; 2]) -> Query<Self> {
-        step.vertex_face(vertex, face)
+        step.vertex_face(vertex, face).expect("the mesh has both")
     }
 }
 
@@ -44,16 +47,17 @@ impl DataKind for SegmentSegment {
     const POINTS: [&'static str; 4] = ["a0", "a1", "b0", "b1"];
 
     fn indices([a, b]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
-        let edge = |id: usize| {
-            let edge = id.checked_sub(mesh.vertex_count())?;
-            (edge < mesh.edges().len()).then_some(edge as u32)
-        };
+        let edge = |id: usize| index(id.checked_sub(mesh.vertex_count())?, mesh.edges().len());
         Some([edge(a)?, edge(b)?])
     }
 
     fn query(step: &Step<'_>, [a, b]: [u32; 2]) -> Query<Self> {
-        step.edge_edge(a, b)
+        step.edge_edge(a, b).expect("the mesh has both")
     }
+}
+
+fn index(id: usize, count: usize) -> Option<u32> {
+    u32::try_from(id).ok().filter(|_| id < count)
 }
 
 #[cfg(test)]

@@ -5,8 +5,10 @@
 
 mod data_folder;
 mod error;
+mod excerpt;
 mod json;
 mod kind;
+mod location;
 mod queries;
 mod rational;
 mod roots;
@@ -14,7 +16,6 @@ mod scene;
 
 pub use data_folder::DataFolder;
 pub use error::{DataError, Problem};
-pub use json::{read_pairs, read_verdicts};
 pub use kind::DataKind;
 pub use queries::{QueryReader, Sample};
 pub use rational::{CoordinateError, Rounding};

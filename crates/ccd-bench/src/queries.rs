@@ -9,8 +9,9 @@ use csv::{ByteRecord, ReaderBuilder, Terminator, Trim};
 use exact_ccd::{Point, Query};
 
 use crate::error::{DataError, Problem};
+use crate::excerpt::excerpt;
 use crate::kind::DataKind;
-use crate::rational::{self, Rounding, excerpt};
+use crate::rational::{self, Rounding};
 
 /// A query from a file.
 #[derive(Clone, Copy, Debug, PartialEq)]

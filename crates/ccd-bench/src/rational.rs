@@ -3,6 +3,8 @@
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 
+use crate::excerpt::excerpt;
+
 /// What becomes of a coordinate that is not exactly an f64.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
@@ -71,14 +73,6 @@ fn integer(text: &[u8]) -> Result<IBig, CoordinateError> {
         .then(|| str::from_utf8(text).ok()?.parse().ok())
         .flatten()
         .ok_or_else(|| CoordinateError::NotAnInteger(excerpt(text)))
-}
-
-/// Enough of a field to recognise it, on one line.
-pub(crate) fn excerpt(field: &[u8]) -> String {
-    const LENGTH: usize = 40;
-    let text = String::from_utf8_lossy(&field[..field.len().min(LENGTH)]);
-    let mark = if field.len() > LENGTH { "…" } else { "" };
-    format!("{}{mark}", text.escape_debug())
 }
 
 #[cfg(test)]
@@ -153,12 +147,6 @@ mod tests {
             nearest("5", "-0"),
             Err(CoordinateError::ZeroDenominator("5/-0".into()))
         );
-    }
-
-    #[test]
-    fn excerpts_are_short_and_on_one_line() {
-        assert_eq!(excerpt(b"1\n2\xff"), "1\\n2\u{fffd}");
-        assert_eq!(excerpt(&[b'9'; 1000]).chars().count(), 41);
     }
 
     proptest! {

@@ -6,6 +6,7 @@ use std::str::FromStr;
 use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::error::{DataError, Problem};
+use crate::excerpt::excerpt;
 
 /// The contact times of one query, computed symbolically. All are rounded down to f64.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,7 +53,7 @@ fn roots(record: &StringRecord) -> Result<Roots, Problem> {
         query: field(&record[0], "query", "an index")?,
         count: field(&record[1], "count", "a number of times")?,
         toi: time(&record[2], "toi")?,
-        toi_is_exact: field::<u8>(&record[3], "toi_is_exact", "0 or 1")? == 1,
+        toi_is_exact: flag(&record[3], "toi_is_exact")?,
         times: record[4]
             .split_whitespace()
             .map(|text| time(text, "times"))
@@ -62,13 +63,31 @@ fn roots(record: &StringRecord) -> Result<Roots, Problem> {
 }
 
 fn time(text: &str, column: &'static str) -> Result<f64, Problem> {
-    field(text, column, "a time")
+    let expected = "a time from 0 to 1";
+    let time = field(text, column, expected)?;
+    if (0.0..=1.0).contains(&time) {
+        Ok(time)
+    } else {
+        Err(other(text, column, expected))
+    }
+}
+
+fn flag(text: &str, column: &'static str) -> Result<bool, Problem> {
+    match text {
+        "0" => Ok(false),
+        "1" => Ok(true),
+        _ => Err(other(text, column, "0 or 1")),
+    }
 }
 
 fn field<T: FromStr>(text: &str, column: &'static str, expected: &'static str) -> Result<T, Problem> {
-    text.parse().map_err(|_| Problem::Field {
+    text.parse().map_err(|_| other(text, column, expected))
+}
+
+fn other(text: &str, column: &'static str, expected: &'static str) -> Problem {
+    Problem::Field {
         column,
         expected,
-        found: text.to_owned(),
-    })
+        found: excerpt(text.as_bytes()),
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use ccd_mesh::{Motion, Step};
+use ccd_mesh::{Motion, Step, TriangleMesh};
 
 use crate::data_folder::list;
 use crate::error::DataError;
@@ -58,13 +58,20 @@ impl Scene {
         Ok(Motion::read(&start, &end)?)
     }
 
+    /// The pairs of a kind that were queried, as indices of the mesh: a vertex and a face, or two edges.
+    ///
+    /// # Errors
+    /// If the file is missing or wrong.
+    pub fn pairs<K: DataKind>(&self, mesh: &TriangleMesh) -> Result<Vec<[u32; 2]>, DataError> {
+        read_pairs::<K>(&self.file("boxes", K::SHORT, "json")?, mesh)
+    }
+
     /// The queries of a kind, rebuilt from the motion and the pairs, with the verdicts on them.
     ///
     /// # Errors
     /// If a file is missing or wrong, or if there are more pairs or fewer than verdicts.
-    pub fn samples<K: DataKind>(&self, motion: &Motion) -> Result<Vec<Sample<K>>, DataError> {
-        let step = Step::new(&motion.mesh, &motion.x0, &motion.x1).expect("a motion has finite positions");
-        let pairs = read_pairs::<K>(&self.file("boxes", K::SHORT, "json")?, &motion.mesh)?;
+    pub fn samples<K: DataKind>(&self, step: &Step<'_>) -> Result<Vec<Sample<K>>, DataError> {
+        let pairs = self.pairs::<K>(step.mesh())?;
         let verdict_file = self.file("mma_bool", &format!("{}_mma_bool", K::SHORT), "json")?;
         let verdicts = read_verdicts(&verdict_file)?;
         if verdicts.len() != pairs.len() {
@@ -75,7 +82,7 @@ impl Scene {
             });
         }
         let sample = |(indices, truth)| Sample {
-            query: K::query(&step, indices),
+            query: K::query(step, indices),
             truth: Some(truth),
         };
         Ok(pairs.into_iter().zip(verdicts).map(sample).collect())

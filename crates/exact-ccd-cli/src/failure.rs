@@ -21,9 +21,9 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
-    /// The message, even if a file has a line break in its name.
+    /// The message, even if a file has a line break or another control character in its name.
     pub(crate) fn on_one_line(&self) -> String {
-        self.to_string().replace(['\n', '\r'], " ")
+        self.to_string().replace(char::is_control, " ")
     }
 
     /// A reader who wants to read no more, as in `exact-ccd queries FILE | head`, is no failure.

@@ -3,27 +3,28 @@
 //! Status 0 is success, 1 a step with contact, 2 an error, which is told in one line on standard error.
 
 mod failure;
+mod kind;
 mod progress;
 mod queries;
 mod shortest;
 mod step;
 mod step_report;
+mod tally;
 
 use std::io::Write;
-use std::num::NonZeroUsize;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{Parser, Subcommand, value_parser};
 
 use failure::Failure;
 
-/// Exact continuous collision detection.
+/// Exact continuous collision detection: do moving triangles touch, and when first?
 #[derive(Parser)]
-#[command(version, about)]
+#[command(version, max_term_width = 100)]
 struct Program {
-    /// Threads to use; as many as there are cores if not given.
-    #[arg(long, global = true, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    /// How many threads to use; if not given, as many as there are cores.
+    #[arg(long, global = true, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     #[command(subcommand)]
     command: Command,
 }
@@ -44,11 +45,11 @@ fn main() -> ExitCode {
 }
 
 fn run(program: &Program) -> Result<ExitCode, Failure> {
-    if let Some(threads) = program.threads {
-        rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.get())
-            .build_global()?;
-    }
+    // 0 stands for the number of cores.
+    let threads = program.threads.unwrap_or(0);
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.into())
+        .build_global()?;
     match &program.command {
         Command::Step(arguments) => step::run(arguments),
         Command::Queries(arguments) => queries::run(arguments),

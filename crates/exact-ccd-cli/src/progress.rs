@@ -1,53 +1,68 @@
-//! A progress bar for what takes long.
+//! How far the work is, on a terminal, when it takes long.
 
-use std::sync::OnceLock;
+use std::convert::Infallible;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// How long to wait for the end before showing a bar.
+/// How long to wait for the end before showing anything.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// A bar on standard error, if that is a terminal, which only appears after a while.
-pub(crate) struct Progress {
-    total: usize,
-    done: AtomicUsize,
-    started: Instant,
-    bar: OnceLock<ProgressBar>,
+/// The time between two pictures.
+const REFRESH: Duration = Duration::from_millis(100);
+
+/// A bar that is full after `total` pairs.
+pub(crate) fn pairs(total: usize) -> ProgressBar {
+    ProgressBar::new(total as u64)
+        .with_style(style("{wide_bar} {human_pos} of {human_len} pairs, {eta} left"))
 }
 
-impl Progress {
-    pub(crate) fn new(total: usize) -> Self {
-        Self {
-            total,
-            done: AtomicUsize::new(0),
-            started: Instant::now(),
-            bar: OnceLock::new(),
-        }
-    }
-
-    /// Tells that `count` more are done. Any thread may.
-    pub(crate) fn add(&self, count: usize) {
-        let done = self.done.fetch_add(count, Ordering::Relaxed) + count;
-        if self.started.elapsed() > PATIENCE {
-            self.bar
-                .get_or_init(|| self.start_bar())
-                .set_position(done as u64);
-        }
-    }
-
-    fn start_bar(&self) -> ProgressBar {
-        let style = ProgressStyle::with_template("{wide_bar} {human_pos} of {human_len} pairs, {eta} left")
-            .expect("the template is well-formed");
-        ProgressBar::new(self.total as u64).with_style(style)
-    }
+/// A count of queries, nobody knows up to how many.
+pub(crate) fn queries() -> ProgressBar {
+    ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} queries"))
 }
 
-impl Drop for Progress {
-    fn drop(&mut self) {
-        if let Some(bar) = self.bar.get() {
-            bar.finish_and_clear();
-        }
+/// Work whose steps cannot be counted.
+pub(crate) fn stage(name: &'static str) -> ProgressBar {
+    ProgressBar::new_spinner()
+        .with_style(style("{spinner} {msg}"))
+        .with_message(name)
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).expect("the templates are well-formed")
+}
+
+/// Does the work, which tells how many more of its steps are done, from any thread.
+///
+/// Meanwhile, after a while, the bar is on standard error, if that is a terminal.
+pub(crate) fn during<T>(bar: ProgressBar, work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> T) -> T {
+    let done = &AtomicUsize::new(0);
+    let progress = |count| {
+        done.fetch_add(count, Ordering::Relaxed);
+    };
+    if bar.is_hidden() {
+        return work(&progress);
     }
+    let (working, end) = mpsc::channel();
+    thread::scope(|scope| {
+        // If there is no thread to be had, there is no bar.
+        let _ = thread::Builder::new().spawn_scoped(scope, move || draw(&bar, done, &end));
+        let result = work(&progress);
+        drop(working);
+        result
+    })
+}
+
+/// Draws the bar from time to time until the sender is gone.
+fn draw(bar: &ProgressBar, done: &AtomicUsize, end: &Receiver<Infallible>) {
+    let mut pause = PATIENCE;
+    while end.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {
+        bar.set_position(done.load(Ordering::Relaxed) as u64);
+        pause = REFRESH;
+    }
+    bar.finish_and_clear();
 }

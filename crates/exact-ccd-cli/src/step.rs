@@ -5,23 +5,26 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use ccd_mesh::{Bvh, Candidates, Motion, Step, StepReport};
+use ccd_mesh::{Bvh, Candidates, Motion, StepReport};
 
 use crate::failure::Failure;
-use crate::progress::Progress;
+use crate::progress::{self, during};
 use crate::step_report::{Report, Seconds};
 
 /// Is the step from one mesh to another free of contact?
 ///
-/// The vertices move in straight lines from where they are in START to where they are in END. Primitives that share
-/// a vertex are not tested against each other. Exit status: 0 free, 1 contact, 2 error.
+/// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to where it is in END
+/// at t = 1. Contact is a common point of a vertex and a face, or of two edges, that have no vertex in common.
+///
+/// The time of impact is the earliest contact time, rounded down to f64: until then the step is free of contact for
+/// certain. Exit status: 0 free, 1 contact, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The mesh at the start of the step: a .ply, .obj, .stl or .off file.
     start: PathBuf,
     /// The mesh at its end, with the same faces.
     end: PathBuf,
-    /// Print one JSON object.
+    /// Print the report as a JSON object.
     #[arg(long)]
     json: bool,
 }
@@ -30,16 +33,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let clock = Instant::now();
     let elapsed = || clock.elapsed().as_secs_f64();
 
-    let motion = Motion::read(&arguments.start, &arguments.end)?;
-    let step = Step::new(&motion.mesh, &motion.x0, &motion.x1)?;
+    let motion = during(progress::stage("reading"), |_| {
+        Motion::read(&arguments.start, &arguments.end)
+    })?;
+    let step = motion.step()?;
     let read = elapsed();
 
-    let candidates = Candidates::new(&step, &Bvh);
+    let candidates = during(progress::stage("looking for pairs near each other"), |_| {
+        Candidates::new(step, &Bvh)
+    });
     let broad = elapsed();
 
-    let progress = Progress::new(candidates.counts().total());
-    let contacts = StepReport::new(&step, &candidates, &|count| progress.add(count));
-    drop(progress);
+    let pairs = candidates.counts().total();
+    let contacts = during(progress::pairs(pairs), |progress| {
+        StepReport::new(&candidates, progress)
+    });
     let total = elapsed();
 
     let seconds = Seconds {

@@ -5,6 +5,7 @@ use std::fmt;
 use ccd_mesh::{Pair, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
+use crate::kind::Kind;
 use crate::shortest::shortest;
 
 /// The answer, in the shape of the JSON object.
@@ -24,16 +25,9 @@ struct ReportedPair {
     kind: Kind,
     /// The indices of the vertex and the face, or of the two edges.
     ids: [u32; 2],
-    /// The vertices of the first primitive, then those of the second.
+    /// The vertices of the first primitive, then those of the second, for people.
+    #[serde(skip)]
     vertices: [u32; 4],
-}
-
-#[derive(Clone, Copy, Serialize)]
-enum Kind {
-    #[serde(rename = "vf")]
-    VertexFace,
-    #[serde(rename = "ee")]
-    EdgeEdge,
 }
 
 #[derive(Serialize)]
@@ -76,7 +70,7 @@ impl ReportedPair {
             Pair::VertexFace { vertex, face } => {
                 let [a, b, c] = mesh.faces()[face as usize];
                 Self {
-                    kind: Kind::VertexFace,
+                    kind: Kind::Vf,
                     ids: [vertex, face],
                     vertices: [vertex, a, b, c],
                 }
@@ -84,7 +78,7 @@ impl ReportedPair {
             Pair::EdgeEdge { a, b } => {
                 let [[a0, a1], [b0, b1]] = [a, b].map(|edge| mesh.edges()[edge as usize]);
                 Self {
-                    kind: Kind::EdgeEdge,
+                    kind: Kind::Ee,
                     ids: [a, b],
                     vertices: [a0, a1, b0, b1],
                 }
@@ -133,8 +127,8 @@ impl fmt::Display for ReportedPair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ([i, j], [a, b, c, d]) = (self.ids, self.vertices);
         match self.kind {
-            Kind::VertexFace => write!(f, "vertex {i} and face {j} (vertices {b}, {c}, {d})"),
-            Kind::EdgeEdge => write!(f, "edge {i} (vertices {a}, {b}) and edge {j} (vertices {c}, {d})"),
+            Kind::Vf => write!(f, "vertex {i} and face {j} (vertices {b}, {c}, {d})"),
+            Kind::Ee => write!(f, "edge {i} (vertices {a}, {b}) and edge {j} (vertices {c}, {d})"),
         }
     }
 }

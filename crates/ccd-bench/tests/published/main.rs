@@ -1,0 +1,22 @@
+//! The published data sets, with symbolic ground truth that no one on this project made.
+//!
+//! Without the data folder these tests are ignored, and say why.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+mod candidates;
+mod frames;
+mod ground_truth;
+mod steps;
+
+use std::path::Path;
+
+use ccd_bench::{DataFolder, Scene};
+
+fn data() -> DataFolder {
+    DataFolder::find(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))).unwrap()
+}
+
+fn scenes() -> Vec<Scene> {
+    data().scenes().unwrap()
+}

@@ -1,0 +1,113 @@
+//! The steps of the scenes against a plain loop over all candidates.
+
+use ccd_bench::DataKind;
+use ccd_mesh::{Bvh, Candidates, Pair, PairCounts, Step, StepReport, step};
+use exact_ccd::{PointTriangle, SegmentSegment, exact};
+use rayon::ThreadPoolBuilder;
+
+use crate::scenes;
+
+/// A pair in contact. The order is that in which a step prefers one as its earliest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Contact {
+    /// The bits of the time of impact: times are not negative, so that these are in the same order.
+    toi: u64,
+    /// 0 for a vertex and a face, 1 for two edges.
+    kind: u8,
+    ids: [u32; 2],
+    is_exact: bool,
+}
+
+fn contacts<K: DataKind>(kind: u8, step: &Step<'_>, candidates: &[[u32; 2]]) -> Vec<Contact> {
+    let contact = |&ids| {
+        let time = K::query(step, ids).contact_times().first()?;
+        Some(Contact {
+            toi: time.lower().to_bits(),
+            kind,
+            ids,
+            is_exact: time.is_exact(),
+        })
+    };
+    candidates.iter().filter_map(contact).collect()
+}
+
+fn earliest(report: &StepReport) -> Option<Contact> {
+    report.earliest.map(|earliest| {
+        let (kind, ids) = match earliest.pair {
+            Pair::VertexFace { vertex, face } => (0, [vertex, face]),
+            Pair::EdgeEdge { a, b } => (1, [a, b]),
+        };
+        Contact {
+            toi: earliest.impact.time.lower().to_bits(),
+            kind,
+            ids,
+            is_exact: earliest.impact.time.is_exact(),
+        }
+    })
+}
+
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn a_step_reports_what_a_loop_over_all_candidates_finds() {
+    for scene in scenes() {
+        let name = scene.name();
+        let motion = scene.motion().unwrap();
+        let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
+
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        let faces = contacts::<PointTriangle>(0, &step, candidates.vertex_face());
+        let edges = contacts::<SegmentSegment>(1, &step, candidates.edge_edge());
+        let counts = |of_interest: fn(&&Contact) -> bool| PairCounts {
+            vertex_face: faces.iter().filter(of_interest).count(),
+            edge_edge: edges.iter().filter(of_interest).count(),
+        };
+
+        assert_eq!(report.candidates, candidates.counts(), "{name}");
+        assert_eq!(report.colliding, counts(|_| true), "{name}");
+        assert_eq!(
+            report.touching,
+            counts(|contact| contact.toi == 0 && contact.is_exact),
+            "{name}"
+        );
+        assert_eq!(
+            earliest(&report),
+            faces.iter().chain(&edges).min().copied(),
+            "{name}"
+        );
+        assert!(!report.is_free(), "{name}");
+    }
+}
+
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn a_step_reports_the_same_on_any_number_of_threads() {
+    for scene in scenes() {
+        let motion = scene.motion().unwrap();
+        let [on_one, on_two] = [1, 2].map(|threads| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| step(&motion.mesh, &motion.x0, &motion.x1))
+        });
+        assert_eq!(on_one, on_two, "{}", scene.name());
+    }
+}
+
+/// All candidates of the small scene, and of the others one in many.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn candidates_have_the_contact_times_of_the_exact_path() {
+    fn check<K: DataKind>(step: &Step<'_>, candidates: &[[u32; 2]]) {
+        let stride = if candidates.len() < 50_000 { 1 } else { 211 };
+        for &ids in candidates.iter().step_by(stride) {
+            let query = K::query(step, ids);
+            assert_eq!(query.contact_times(), exact::contact_times(&query), "{query:?}");
+        }
+    }
+    for scene in scenes() {
+        let motion = scene.motion().unwrap();
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        check::<PointTriangle>(&step, candidates.vertex_face());
+        check::<SegmentSegment>(&step, candidates.edge_edge());
+    }
+}

@@ -1,0 +1,10 @@
+//! What the program calls the two kinds of query.
+
+/// `vf` or `ee`.
+#[derive(Clone, Copy, clap::ValueEnum, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Kind {
+    // Without documentation: clap would show it as help.
+    Vf,
+    Ee,
+}

@@ -1,0 +1,53 @@
+//! Answers against the ground truth.
+
+use std::io::Write;
+
+/// Answers counted, and those among them that differ from the ground truth.
+#[derive(Default)]
+pub(crate) struct Tally {
+    queries: usize,
+    contacts: usize,
+    judged: usize,
+    false_positives: usize,
+    false_negatives: usize,
+}
+
+impl Tally {
+    /// How many answers there are.
+    pub(crate) fn queries(&self) -> usize {
+        self.queries
+    }
+
+    pub(crate) fn add(&mut self, contact: bool, truth: Option<bool>) {
+        self.queries += 1;
+        self.contacts += usize::from(contact);
+        self.judged += usize::from(truth.is_some());
+        self.false_positives += usize::from(contact && truth == Some(false));
+        self.false_negatives += usize::from(!contact && truth == Some(true));
+    }
+
+    /// Tells how the answers compare with the ground truth, if there is any.
+    pub(crate) fn report(&self) {
+        let Self {
+            queries,
+            contacts,
+            judged,
+            false_positives,
+            false_negatives,
+        } = self;
+        if *judged == 0 {
+            return;
+        }
+        let of = if judged == queries {
+            String::new()
+        } else {
+            format!(" of {judged} of them")
+        };
+        // The answers are out: that nobody listens to the summary is no failure.
+        let _ = writeln!(
+            std::io::stderr(),
+            "{queries} queries, {contacts} in contact; against the ground truth{of}: \
+             {false_positives} false positives, {false_negatives} false negatives",
+        );
+    }
+}

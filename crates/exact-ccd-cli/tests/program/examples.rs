@@ -1,0 +1,23 @@
+//! The meshes that come with the repository, as the README shows them.
+
+use std::path::Path;
+
+use crate::folder::Folder;
+use crate::step::without_seconds;
+
+#[test]
+fn the_sheet_drapes_freely_or_not() {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let example = |name| repository.join("examples").join(name).display().to_string();
+    let (start, free, contact) = (
+        example("drape_start.ply"),
+        example("drape_free.ply"),
+        example("drape_contact.ply"),
+    );
+    let step = |end: &str| Folder::new().run(&["step", &start, end]);
+    assert_eq!(step(&free).status, 0);
+    let run = step(&contact);
+    assert_eq!(run.status, 1);
+    let readme = std::fs::read_to_string(repository.join("README.md")).unwrap();
+    assert!(readme.contains(without_seconds(&run)), "{run:?}");
+}

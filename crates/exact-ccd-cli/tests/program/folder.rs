@@ -1,0 +1,75 @@
+//! Runs of the program in a folder of their own.
+
+use std::fs;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::{Command, Output, Stdio};
+
+use tempfile::TempDir;
+
+/// A temporary folder. The program runs in it, so that files go by their names.
+pub(crate) struct Folder(TempDir);
+
+/// What a run of the program left.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Run {
+    pub(crate) status: i32,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Folder {
+    pub(crate) fn new() -> Self {
+        Self(TempDir::new().unwrap())
+    }
+
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
+        self.0.path().join(name)
+    }
+
+    pub(crate) fn write(&self, name: &str, contents: impl AsRef<[u8]>) {
+        fs::write(self.path(name), contents).unwrap();
+    }
+
+    /// The program with these arguments, not yet started.
+    pub(crate) fn program(&self, arguments: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_exact-ccd"));
+        command.args(arguments).current_dir(&self.0).stdin(Stdio::null());
+        command
+    }
+
+    pub(crate) fn run(&self, arguments: &[&str]) -> Run {
+        self.program(arguments).output().unwrap().into()
+    }
+
+    /// A run with this on standard input, which has to fit into a pipe.
+    pub(crate) fn run_with_input(&self, arguments: &[&str], input: &str) -> Run {
+        let (reader, mut writer) = std::io::pipe().unwrap();
+        writer.write_all(input.as_bytes()).unwrap();
+        drop(writer);
+        self.program(arguments).stdin(reader).output().unwrap().into()
+    }
+}
+
+impl From<Output> for Run {
+    fn from(output: Output) -> Self {
+        let text = |bytes| String::from_utf8(bytes).unwrap();
+        Self {
+            // A program that a signal ended has none.
+            status: output.status.code().unwrap(),
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        }
+    }
+}
+
+impl Run {
+    /// The run failed as it should: status 2 and one line on standard error, which is returned without its beginning.
+    #[track_caller]
+    pub(crate) fn error(&self) -> &str {
+        assert_eq!(self.status, 2, "{self:?}");
+        let line = self.stderr.strip_suffix('\n').unwrap();
+        assert!(!line.contains(['\n', '\r']), "{self:?}");
+        line.strip_prefix("exact-ccd: error: ").unwrap()
+    }
+}

@@ -1,0 +1,40 @@
+//! The command line.
+
+use crate::folder::Folder;
+
+#[test]
+fn wrong_usage_has_status_2() {
+    for arguments in [
+        &[][..],
+        &["collide"],
+        &["step"],
+        &["step", "start.ply"],
+        &["step", "start.ply", "end.ply", "third.ply"],
+        &["step", "start.ply", "end.ply", "--xml"],
+        &["step", "start.ply", "end.ply", "--threads"],
+        &["step", "start.ply", "end.ply", "--threads", "0"],
+        &["step", "start.ply", "end.ply", "--threads", "-1"],
+        &["step", "start.ply", "end.ply", "--threads", "many"],
+        &["step", "start.ply", "end.ply", "--threads", "1025"],
+        &["queries"],
+        &["queries", "vf.csv"],
+        &["queries", "--kind", "vf"],
+        &["queries", "--kind", "fv", "vf.csv"],
+    ] {
+        let run = Folder::new().run(arguments);
+        assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{arguments:?}");
+        assert!(
+            run.stderr.contains("Usage") || run.stderr.contains("--help"),
+            "{run:?}"
+        );
+    }
+}
+
+#[test]
+fn help_tells_the_exit_status() {
+    for command in ["step", "queries"] {
+        let run = Folder::new().run(&[command, "--help"]);
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+        assert!(run.stdout.contains("Exit status"), "{command}");
+    }
+}
