@@ -54,7 +54,13 @@ struct Batch<'a> {
     functions: Functions,
     /// The mean over all candidates, round by round.
     means: Vec<f64>,
-    /// Among the candidates, settled at each stage.
+    survey: Survey,
+}
+
+/// What is learned from each candidate alone.
+#[derive(Clone, Default)]
+struct Survey {
+    /// How many were settled at each stage.
     settled: [usize; Stage::ALL.len()],
     colliding: Colliding,
 }
@@ -75,7 +81,7 @@ struct Colliding {
 #[derive(Clone, Copy)]
 struct Functions {
     count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
-    settle: fn(&Step<'_>, &[[u32; 2]]) -> ([usize; Stage::ALL.len()], Colliding),
+    survey: fn(&Step<'_>, &[[u32; 2]]) -> Survey,
 }
 
 fn batches((name, motion): &(String, Motion)) -> [Batch<'_>; 2] {
@@ -91,17 +97,15 @@ impl<'a> Batch<'a> {
     fn new<K: DataKind>(scene: &str, step: Step<'a>, pairs: &[[u32; 2]]) -> Self {
         let functions = Functions {
             count_collisions: count_collisions::<K>,
-            settle: settle::<K>,
+            survey: survey::<K>,
         };
-        let (settled, colliding) = (functions.settle)(&step, pairs);
         Self {
             name: format!("{scene} {}", K::SHORT),
             step,
             pairs: pairs.to_vec(),
             functions,
             means: Vec::new(),
-            settled,
-            colliding,
+            survey: (functions.survey)(&step, pairs),
         }
     }
 
@@ -123,19 +127,17 @@ fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
         .count()
 }
 
-/// Where the candidates are settled, and how long the colliding ones take one by one.
-fn settle<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> ([usize; Stage::ALL.len()], Colliding) {
-    let mut settled = [0; Stage::ALL.len()];
-    let mut colliding = Colliding::default();
+fn survey<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> Survey {
+    let mut survey = Survey::default();
     for &pair in pairs {
         let query = K::query(step, pair);
         let (collides, stage) = query.collides_with_stage();
-        settled[stage as usize] += 1;
+        survey.settled[stage as usize] += 1;
         if collides {
-            colliding.time(&query);
+            survey.colliding.time(&query);
         }
     }
-    (settled, colliding)
+    survey
 }
 
 impl Colliding {
@@ -182,8 +184,8 @@ fn print_stages(batches: &[Batch<'_>]) {
         Stage::ALL.map(|stage| format!("{stage:?}")).join(" | ")
     );
     println!("|---|{}---:|", "---:|".repeat(Stage::ALL.len()));
-    for Batch { name, settled, .. } in batches {
-        let count = |stage: Stage| settled[stage as usize] as f64;
+    for Batch { name, survey, .. } in batches {
+        let count = |stage: Stage| survey.settled[stage as usize] as f64;
         let all: f64 = Stage::ALL.map(count).iter().sum();
         let shares = Stage::ALL
             .map(|stage| format!("{:.3}", 100.0 * count(stage) / all))
@@ -200,13 +202,13 @@ fn print_colliding(batches: &[Batch<'_>]) {
          impact mean | exact path median |"
     );
     println!("|---|{}", "---:|".repeat(9));
-    for Batch { name, colliding, .. } in batches {
+    for Batch { name, survey, .. } in batches {
         let Colliding {
             times,
             times_filtered,
             impacts,
             exact,
-        } = colliding;
+        } = &survey.colliding;
         println!(
             "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} |",
             times.len(),
