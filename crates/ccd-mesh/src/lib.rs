@@ -19,6 +19,7 @@
 //! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
 //! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
 //!   [`exact_ccd`].
+//! - [`step_size`] is the line search of an optimiser: how far along a direction is free of contact.
 //!
 //! No result depends on the number of threads, and no input makes anything here panic.
 
@@ -28,6 +29,7 @@ mod bvh;
 mod candidates;
 mod contacts;
 mod frame;
+mod line_search;
 mod mesh;
 mod motion;
 mod pair;
@@ -44,6 +46,9 @@ pub use candidates::Candidates;
 pub use contacts::{EarliestContact, StepReport};
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
+pub use line_search::{
+    Decision, ExactDecision, LineSearch, LineSearchError, ParityDecision, advance, step_size,
+};
 pub use mesh::{IndexOutOfRange, TriangleMesh};
 pub use motion::{Motion, MotionError, ReadMotionError};
 pub use pair::{Pair, PairCounts};
