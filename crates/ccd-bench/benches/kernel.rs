@@ -15,6 +15,7 @@ use std::time::Instant;
 
 use ccd_bench::{DataError, DataFolder, DataKind};
 use ccd_mesh::{Bvh, Candidates, Motion, Step};
+use exact_ccd::parity::Rounded;
 use exact_ccd::{PointTriangle, Query, SegmentSegment, Stage, exact};
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -54,6 +55,8 @@ struct Batch<'a> {
     functions: Functions,
     /// The mean over all candidates, round by round.
     means: Vec<f64>,
+    /// The same for the parity of the rounded query.
+    parity_means: Vec<f64>,
     survey: Survey,
 }
 
@@ -73,6 +76,8 @@ struct Colliding {
     /// The same without those of the exact path.
     times_filtered: Vec<f64>,
     impacts: Vec<f64>,
+    /// The parity of the rounded query.
+    parity: Vec<f64>,
     /// The exact path on some of them.
     exact: Vec<f64>,
 }
@@ -81,6 +86,7 @@ struct Colliding {
 #[derive(Clone, Copy)]
 struct Functions {
     count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
+    count_by_parity: fn(&Step<'_>, &[[u32; 2]]) -> usize,
     survey: fn(&Step<'_>, &[[u32; 2]]) -> Survey,
 }
 
@@ -97,6 +103,7 @@ impl<'a> Batch<'a> {
     fn new<K: DataKind>(scene: &str, step: Step<'a>, pairs: &[[u32; 2]]) -> Self {
         let functions = Functions {
             count_collisions: count_collisions::<K>,
+            count_by_parity: count_by_parity::<K>,
             survey: survey::<K>,
         };
         Self {
@@ -105,18 +112,19 @@ impl<'a> Batch<'a> {
             pairs: pairs.to_vec(),
             functions,
             means: Vec::new(),
+            parity_means: Vec::new(),
             survey: (functions.survey)(&step, pairs),
         }
     }
 
     fn time_all(&mut self) {
-        let clock = Instant::now();
-        black_box((self.functions.count_collisions)(
-            &self.step,
-            black_box(&self.pairs),
-        ));
-        self.means
-            .push(clock.elapsed().as_secs_f64() * 1e9 / self.pairs.len() as f64);
+        let mean = |count: fn(&Step<'_>, &[[u32; 2]]) -> usize| {
+            let clock = Instant::now();
+            black_box(count(&self.step, black_box(&self.pairs)));
+            clock.elapsed().as_secs_f64() * 1e9 / self.pairs.len() as f64
+        };
+        self.means.push(mean(self.functions.count_collisions));
+        self.parity_means.push(mean(self.functions.count_by_parity));
     }
 }
 
@@ -125,6 +133,16 @@ fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
         .iter()
         .filter(|&&pair| K::query(step, pair).collides())
         .count()
+}
+
+fn count_by_parity<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
+    let collides = |pair: &&[u32; 2]| parity_collides(&K::query(step, **pair));
+    pairs.iter().filter(collides).count()
+}
+
+/// As the paper decides: the query is rounded, and then its parity is counted.
+fn parity_collides<K: DataKind>(query: &Query<K>) -> bool {
+    Rounded::shift(query).is_ok_and(|rounded| rounded.parity().is_collision())
 }
 
 fn survey<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> Survey {
@@ -148,6 +166,7 @@ impl Colliding {
             self.times_filtered.push(times);
         }
         self.impacts.push(nanoseconds(|| query.impact()));
+        self.parity.push(nanoseconds(|| parity_collides(query)));
         if self.exact.len() < AUDITED {
             self.exact.push(nanoseconds(|| exact::contact_times(query)));
         }
@@ -164,14 +183,17 @@ fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
 }
 
 fn print_candidates(batches: &[Batch<'_>]) {
-    println!("All candidates in order: does it collide?\n");
-    println!("| scene and kind | candidates | mean ns |");
-    println!("|---|---:|---:|");
-    for Batch {
-        name, pairs, means, ..
-    } in batches
-    {
-        println!("| {name} | {} | {:.0} |", pairs.len(), quantile(means, 0.5));
+    println!("All candidates in order, mean ns: does it collide, and by the parity of the rounded query?\n");
+    println!("| scene and kind | candidates | exact | parity |");
+    println!("|---|---:|---:|---:|");
+    for batch in batches {
+        println!(
+            "| {} | {} | {:.0} | {:.0} |",
+            batch.name,
+            batch.pairs.len(),
+            quantile(&batch.means, 0.5),
+            quantile(&batch.parity_means, 0.5)
+        );
     }
 }
 
@@ -199,18 +221,19 @@ fn print_colliding(batches: &[Batch<'_>]) {
     println!("\nColliding queries, one by one, in ns: count and all contact times, then the impact.\n");
     println!(
         "| scene and kind | colliding | mean | median | worst | exact | mean without | worst without | \
-         impact mean | exact path median |"
+         impact mean | parity mean | exact path median |"
     );
-    println!("|---|{}", "---:|".repeat(9));
+    println!("|---|{}", "---:|".repeat(10));
     for Batch { name, survey, .. } in batches {
         let Colliding {
             times,
             times_filtered,
             impacts,
+            parity,
             exact,
         } = &survey.colliding;
         println!(
-            "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} |",
+            "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
             times.len(),
             mean(times),
             quantile(times, 0.5),
@@ -219,6 +242,7 @@ fn print_colliding(batches: &[Batch<'_>]) {
             mean(times_filtered),
             quantile(times_filtered, 1.0),
             mean(impacts),
+            mean(parity),
             quantile(exact, 0.5),
         );
     }

@@ -129,6 +129,11 @@ impl Corner for Point {
 
 #[cold]
 fn orientation_near_zero(a: &Point, b: &Point, c: &Point) -> Ordering {
+    // Most zeros are plain: a point at rest makes corners coincide, motion in a plane makes them vanish on its axis.
+    let vanish_on = |axis: usize| a[axis] == 0.0 && b[axis] == 0.0 && c[axis] == 0.0;
+    if a == b || b == c || c == a || (0..3).any(vanish_on) {
+        return Ordering::Equal;
+    }
     if [a, b, c].into_iter().flatten().all(|&x| is_safe(x)) {
         let [a, b, c] = [a, b, c].map(|&[x, y, z]| robust::Coord3D { x, y, z });
         let origin = robust::Coord3D {

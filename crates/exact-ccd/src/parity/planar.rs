@@ -1,22 +1,75 @@
 //! A bilinear patch in a plane through the origin, or on a line through it.
 
 use alloc::vec;
+use core::cmp::Ordering;
 
 use super::corner::{Corner, Integers};
-use super::ray::Passage;
 use crate::exact::{Polynomial, Vector, cross, dot, roots};
 
 /// Whether a patch, all of whose corners and the origin lie in one plane, contains the origin.
 ///
-/// The patch is swept by a segment from P(s) on the side q₀ q₁ to Q(s) on the side q₃ q₂, both linear in s. The origin is on
-/// the segment if P × Q = 0 and P · Q ≤ 0. As in [`exact`](crate::exact), that is the sign of one polynomial at the roots of
-/// another: of the components of P × Q, or, if these vanish for all s, at the roots of P · Q itself, where it may change
-/// its sign.
+/// If the closed curve q₀ q₁ q₂ q₃ winds around the origin an odd number of times, the patch, which fills it, covers the
+/// origin. It cannot if the origin is outside of the corners' hull. What is left are patches that fold over.
 pub(super) fn contains_origin<C: Corner>(corners: [&C; 4]) -> bool {
-    // Seen along an axis, the origin may plainly be outside of the corners' hull.
-    if (0..3).any(|axis| Passage::new(corners, |a, b| C::turn(axis, a, b)).is_none()) {
-        return false;
+    let turns = |axis: usize| {
+        corners
+            .iter()
+            .any(|a| corners.iter().any(|b| C::turn(axis, a, b).is_ne()))
+    };
+    // Seen along such an axis, different points of the plane look different.
+    match (0..3).find(|&axis| turns(axis)) {
+        Some(axis) if is_outside_of_hull(corners, axis) => false,
+        Some(axis) => winds_around_origin(corners, axis) || folds_over_origin(corners),
+        // The corners lie on a line through the origin.
+        None => (0..3).all(|axis| !is_outside_of_hull(corners, axis)),
     }
+}
+
+/// The axes that are seen along another one, in the order of their turn.
+fn seen_along(axis: usize) -> [usize; 2] {
+    [(axis + 1) % 3, (axis + 2) % 3]
+}
+
+/// Whether the origin is outside of the corners' hull, as seen along an axis: then all of it is on one side of the line from
+/// the origin through some corner, or on the ray to that corner.
+fn is_outside_of_hull<C: Corner>(corners: [&C; 4], axis: usize) -> bool {
+    let is_outermost = |a: &C| {
+        corners.iter().all(|b| match C::turn(axis, a, b) {
+            Ordering::Greater => true,
+            Ordering::Equal => are_on_one_ray(a, b, axis),
+            Ordering::Less => false,
+        })
+    };
+    corners.into_iter().any(is_outermost)
+}
+
+/// Whether two corners on a line through the origin, as seen along an axis, are strictly on the same side of it.
+fn are_on_one_ray<C: Corner>(a: &C, b: &C, axis: usize) -> bool {
+    let signs = |c: &C| seen_along(axis).map(|k| (c.is_positive(k), c.is_negative(k)));
+    signs(a) == signs(b) && signs(a) != [(false, false); 2]
+}
+
+/// Whether the closed curve through the corners passes through the origin, or winds around it an odd number of times, as
+/// seen along an axis: whether it crosses a ray from the origin as often.
+fn winds_around_origin<C: Corner>([q0, q1, q2, q3]: [&C; 4], axis: usize) -> bool {
+    let [_, up] = seen_along(axis);
+    let mut is_odd = false;
+    for [a, b] in [[q0, q1], [q1, q2], [q2, q3], [q3, q0]] {
+        let turn = C::turn(axis, a, b);
+        if turn.is_eq() && !are_on_one_ray(a, b, axis) {
+            return true;
+        }
+        let (from_below, to_below) = (a.is_negative(up), b.is_negative(up));
+        is_odd ^= from_below != to_below && turn.is_gt() == from_below;
+    }
+    is_odd
+}
+
+/// Whether the patch covers the origin at all: it is swept by a segment from P(s) on the side q₀ q₁ to Q(s) on the side
+/// q₃ q₂, both linear in s. The origin is on the segment if P × Q = 0 and P · Q ≤ 0. As in [`exact`](crate::exact), that is
+/// the sign of one polynomial at the roots of another: of the components of P × Q, or, if these vanish for all s, at the
+/// roots of P · Q itself, where it may change its sign.
+fn folds_over_origin<C: Corner>(corners: [&C; 4]) -> bool {
     let [q0, q1, q2, q3] = C::integers(corners);
     let (p, q) = (between(&q0, &q1), between(&q3, &q2));
     let along = dot(&p, &q);
