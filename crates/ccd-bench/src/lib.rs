@@ -1,7 +1,7 @@
 //! The published data sets of continuous collision queries: query files, scenes, and symbolic ground truth.
 //!
-//! [`DataFolder`] lists what there is, [`QueryReader`] streams the queries of a file, and [`Scene`] rebuilds the
-//! queries of a simulation's time step from its meshes.
+//! [`DataFolder`] lists what there is, [`QueryReader`] streams the queries of a file, [`write_query`] writes them, and
+//! [`Scene`] rebuilds the queries of a simulation's time step from its meshes.
 
 mod data_folder;
 mod error;
@@ -13,6 +13,7 @@ mod queries;
 mod rational;
 mod roots;
 mod scene;
+mod write;
 
 pub use data_folder::DataFolder;
 pub use error::{DataError, Problem};
@@ -21,3 +22,4 @@ pub use queries::{QueryReader, Sample};
 pub use rational::{CoordinateError, Rounding};
 pub use roots::{Roots, read_roots};
 pub use scene::Scene;
+pub use write::write_query;

@@ -52,3 +52,12 @@ impl Bounds {
         })
     }
 }
+
+/// The smallest box around some points.
+impl FromIterator<Point> for Bounds {
+    fn from_iter<T: IntoIterator<Item = Point>>(points: T) -> Self {
+        points
+            .into_iter()
+            .fold(Self::EMPTY, |bounds, point| bounds.union(&Self::of(point)))
+    }
+}

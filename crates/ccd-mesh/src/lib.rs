@@ -19,6 +19,7 @@
 //! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
 //! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
 //!   [`exact_ccd`].
+//! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can be asked about it.
 //! - [`step_size`] is the line search of an optimiser: how far along a direction is free of contact.
 //!
 //! No result depends on the number of threads, and no input makes anything here panic.
@@ -35,6 +36,7 @@ mod motion;
 mod pair;
 mod positions;
 mod read;
+mod shift;
 mod step;
 mod weld;
 mod write;

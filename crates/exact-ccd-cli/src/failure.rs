@@ -1,9 +1,11 @@
 //! Why the program has no answer.
 
 use std::io;
+use std::path::{Path, PathBuf};
 
 use ccd_bench::DataError;
-use ccd_mesh::{ReadMotionError, StepError};
+use ccd_mesh::{ReadError, ReadMotionError, StepError};
+use exact_ccd::parity::RoundingError;
 
 /// Why the program has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -11,16 +13,43 @@ pub(crate) enum Failure {
     #[error(transparent)]
     Data(#[from] DataError),
     #[error(transparent)]
+    Mesh(#[from] ReadError),
+    #[error(transparent)]
     Motion(#[from] ReadMotionError),
     #[error(transparent)]
     Step(#[from] StepError),
+    #[error("{}, query {query}: {source}", file.display())]
+    Query {
+        file: PathBuf,
+        /// The number of the query in the file, from 0.
+        query: usize,
+        source: RoundingError,
+    },
+    #[error(transparent)]
+    Rounding(#[from] RoundingError),
+    #[error("{}: expected a .ply, .obj, .stl or .off file, or --kind for a query file", .0.display())]
+    KindMissing(PathBuf),
+    #[error("two meshes would be written to {}", .0.display())]
+    SameOutput(PathBuf),
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("cannot write {}: {source}", file.display())]
+    Write { file: PathBuf, source: io::Error },
     #[error("cannot write the answer: {0}")]
     Output(#[from] io::Error),
 }
 
 impl Failure {
+    pub(crate) fn write(file: &Path, source: io::Error) -> Self {
+        let file = file.to_owned();
+        Self::Write { file, source }
+    }
+
+    pub(crate) fn query(file: &Path, query: usize, source: RoundingError) -> Self {
+        let file = file.to_owned();
+        Self::Query { file, query, source }
+    }
+
     /// The message, even if a file has a line break or another control character in its name.
     pub(crate) fn on_one_line(&self) -> String {
         self.to_string().replace(char::is_control, " ")

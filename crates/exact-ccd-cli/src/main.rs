@@ -4,8 +4,12 @@
 
 mod failure;
 mod kind;
+mod method;
+mod output;
 mod progress;
 mod queries;
+mod query_files;
+mod round;
 mod shortest;
 mod step;
 mod step_report;
@@ -33,6 +37,7 @@ struct Program {
 enum Command {
     Step(step::Arguments),
     Queries(queries::Arguments),
+    Round(round::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -53,5 +58,6 @@ fn run(program: &Program) -> Result<ExitCode, Failure> {
     match &program.command {
         Command::Step(arguments) => step::run(arguments),
         Command::Queries(arguments) => queries::run(arguments),
+        Command::Round(arguments) => round::run(arguments),
     }
 }

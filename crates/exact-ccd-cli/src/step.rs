@@ -1,6 +1,5 @@
 //! `exact-ccd step`: is the step from one mesh to another free of contact?
 
-use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -8,6 +7,7 @@ use std::time::Instant;
 use ccd_mesh::{Bvh, Candidates, Motion, StepReport};
 
 use crate::failure::Failure;
+use crate::output::print;
 use crate::progress::{self, during};
 use crate::step_report::{Report, Seconds};
 
@@ -62,12 +62,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     } else {
         report.to_string()
     };
-    print(&text).or_else(Failure::unless_closed_pipe)?;
+    print(&text)?;
     Ok(ExitCode::from(u8::from(!contacts.is_free())))
-}
-
-fn print(text: &str) -> Result<(), Failure> {
-    let mut output = std::io::stdout().lock();
-    writeln!(output, "{text}")?;
-    Ok(output.flush()?)
 }

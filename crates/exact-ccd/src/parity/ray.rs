@@ -1,10 +1,10 @@
 //! Rays from the origin, and the triangles that they cross (appendix A of the paper).
 //!
 //! A ray serves if it meets no triangle at its boundary. The paper casts another random one if it does; here, the
-//! directions are (1, k, k²), k = 0, 1, 2, …, and one of the first few hundred always serves: each time that a direction is
-//! rejected, it lies in the plane through the origin and an edge, or along the line through the origin and an edge.
-//! No plane through the origin contains more than two of these directions, and no two of them are parallel, so that
-//! each of the at most 36 planes and lines that a query has rejects two at most.
+//! directions are (1, k, k²), k = 0, 1, 2, …, and one of the first 49 serves. For each direction that is rejected, there are
+//! two corners of one face such that it lies in the plane through them and the origin, or, if they are on a line through the
+//! origin, along that line. The faces have at most 24 such pairs: their edges and their diagonals. No plane through the
+//! origin contains more than two of the directions, and no two of these are parallel: each pair rejects two at most.
 
 use core::cmp::Ordering;
 

@@ -63,8 +63,8 @@ fn halves_of_the_step<K: Primitives>(points: &Points) {
     let [mut in_morning, mut in_afternoon] = [list(&morning), list(&afternoon)];
     if lasts {
         // Only the beginning is known.
-        in_morning.truncate(early.len());
-        in_afternoon.truncate(if early.is_empty() { 1 } else { 0 });
+        in_morning.truncate(1);
+        in_afternoon.truncate(usize::from(early.is_empty()));
         late.truncate(in_afternoon.len());
     }
     assert_eq!(early.len(), in_morning.len(), "{points:?}");
@@ -73,7 +73,10 @@ fn halves_of_the_step<K: Primitives>(points: &Points) {
     }
     assert_eq!(late.len(), in_afternoon.len(), "{points:?}");
     for (whole, half) in late.iter().zip(in_afternoon) {
-        assert!(may_be(half, doubled(*whole, 1.0)), "{whole:?}, {half:?}: {points:?}");
+        assert!(
+            may_be(half, doubled(*whole, 1.0)),
+            "{whole:?}, {half:?}: {points:?}"
+        );
     }
 }
 
@@ -90,7 +93,11 @@ fn halves_of_a_primitive<K: Primitives>(points: &Points) {
         "{points:?}"
     );
     let mut expected: Vec<ContactTime> = halves.iter().flat_map(list).collect();
-    expected.sort_by(|a, b| (a.lower(), a.upper()).partial_cmp(&(b.lower(), b.upper())).unwrap());
+    expected.sort_by(|a, b| {
+        (a.lower(), a.upper())
+            .partial_cmp(&(b.lower(), b.upper()))
+            .unwrap()
+    });
     expected.dedup();
     if whole.count().is_none() {
         expected.truncate(1);

@@ -43,8 +43,12 @@ fn names_axes_and_units_do_not_matter_to_edges() {
 
 #[test]
 fn time_can_run_backwards() {
-    for_all(6_000, mixed::<PointTriangle>(), |points| assert_reversible::<PointTriangle>(&points));
-    for_all(6_000, mixed::<SegmentSegment>(), |points| assert_reversible::<SegmentSegment>(&points));
+    for_all(6_000, mixed::<PointTriangle>(), |points| {
+        assert_reversible::<PointTriangle>(&points);
+    });
+    for_all(6_000, mixed::<SegmentSegment>(), |points| {
+        assert_reversible::<SegmentSegment>(&points);
+    });
 }
 
 /// A frame of reference: axes that are not orthogonal, and an origin that moves.

@@ -10,7 +10,7 @@ pub(crate) trait Primitives: Kind + 'static {
     /// How many of the points, from the first on, belong to the first primitive.
     const FIRST: usize;
     /// The corners of the domain of (u, v).
-    const CORNERS: &'static [[f64; 2]];
+    const DOMAIN: &'static [[f64; 2]];
     /// Whether (u / one, v / one) lies in the domain.
     fn contains(parameters: [f64; 2], one: f64) -> bool;
     /// Orders of the points that leave the two primitives what they are.
@@ -23,7 +23,7 @@ pub(crate) trait Primitives: Kind + 'static {
 
 impl Primitives for PointTriangle {
     const FIRST: usize = 1;
-    const CORNERS: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     const RENAMINGS: &'static [[usize; 4]] = &[
         [0, 1, 2, 3],
         [0, 1, 3, 2],
@@ -48,7 +48,7 @@ impl Primitives for PointTriangle {
 
 impl Primitives for SegmentSegment {
     const FIRST: usize = 2;
-    const CORNERS: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+    const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
     const RENAMINGS: &'static [[usize; 4]] = &[
         [0, 1, 2, 3],
         [1, 0, 2, 3],

@@ -19,9 +19,7 @@ impl Symmetry {
     pub(crate) fn apply<K: Primitives>(&self, points: &Points) -> Points {
         let order = K::RENAMINGS[self.renaming % K::RENAMINGS.len()];
         let factors = [0, 1, 2].map(|axis: usize| self.factor(points, axis));
-        points.map(|now| {
-            order.map(|point| self.axes.map(|axis| now[point][axis] * factors[axis]))
-        })
+        points.map(|now| order.map(|point| self.axes.map(|axis| now[point][axis] * factors[axis])))
     }
 
     fn factor(&self, points: &Points, axis: usize) -> f64 {

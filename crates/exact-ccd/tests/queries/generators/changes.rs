@@ -1,7 +1,5 @@
 //! Changes that make a query special: exactly so on small integers, and nearly so where they round.
 
-use proptest::prelude::*;
-
 use crate::primitives::{Points, combine};
 
 /// A relation that is brought about among the points.
@@ -50,43 +48,19 @@ impl Change {
     }
 }
 
-pub(crate) fn change() -> impl Strategy<Value = Change> {
-    let combine = (
-        Just([0, 1, 2, 3]).prop_shuffle(),
-        [-1..=2i8, -1..=1i8],
-        prop::sample::select(vec![[true, true], [true, true], [true, false], [false, true]]),
-    )
-        .prop_map(|(points, factors, ends)| Change::Combine {
-            points,
-            factors,
-            ends,
-        });
-    prop_oneof![
-        6 => combine,
-        2 => (0..4usize).prop_map(Change::Rest),
-        1 => (0..4usize).prop_map(Change::Drift),
-        1 => (0..3usize).prop_map(Change::Flatten),
-    ]
-}
-
 /// The f64 that comes a few steps after x, or before it.
 fn nudged(x: f64, steps: i8) -> f64 {
     let next = if steps < 0 { f64::next_down } else { f64::next_up };
     (0..steps.unsigned_abs()).fold(x, |x, _| next(x))
 }
 
-/// Up to four coordinates moved by up to four steps.
+/// Single coordinates moved by a few steps.
 pub(crate) fn nudge(mut points: Points, nudges: &[([usize; 3], i8)]) -> Points {
     for &([time, point, axis], steps) in nudges {
         let coordinate = &mut points[time][point][axis];
         *coordinate = nudged(*coordinate, steps);
     }
     points
-}
-
-pub(crate) fn nudges() -> impl Strategy<Value = Vec<([usize; 3], i8)>> {
-    let place = [0..2usize, 0..4usize, 0..3usize];
-    prop::collection::vec((place, -4..=4i8), 1..5)
 }
 
 /// x times a power of two, rounded if it is subnormal.

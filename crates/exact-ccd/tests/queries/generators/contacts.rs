@@ -1,7 +1,5 @@
 //! Queries brought into contact at a given time and place: exactly where the arithmetic is exact, nearly elsewhere.
 
-use proptest::prelude::*;
-
 use crate::primitives::{Points, Primitives, at, combine};
 
 /// Some points, moved into contact at (t, u, v).
@@ -35,20 +33,4 @@ pub(crate) fn grazing<K: Primitives>(points: Points, [t, u, v]: [f64; 3], [a, b]
         }
     }
     points
-}
-
-/// Quarters, so that nothing rounds on small integers.
-pub(crate) fn quarters() -> impl Strategy<Value = [f64; 3]> {
-    [0..=4u8, 0..=4u8, 0..=4u8].prop_map(|parameters| parameters.map(|n| f64::from(n) / 4.0))
-}
-
-/// Anything in the unit cube, with some preference for its boundary and for simple fractions.
-pub(crate) fn parameters() -> impl Strategy<Value = [f64; 3]> {
-    let parameter = || {
-        prop_oneof![
-            3 => 0.0..1.0,
-            1 => prop::sample::select(vec![0.0, 1.0, 0.5, 1.0 / 3.0, 0.1, 1e-10, 1e-200]),
-        ]
-    };
-    [parameter(), parameter(), parameter()]
 }

@@ -4,8 +4,9 @@ use proptest::array::{uniform2, uniform3, uniform4, uniform8};
 use proptest::prelude::*;
 
 use super::alphabet::ALPHABET;
-use super::changes::{Change, change, nudge, nudges, scaled};
-use super::contacts::{grazing, parameters, quarters, touching};
+use super::changes::{Change, nudge, scaled};
+use super::contacts::{grazing, touching};
+use super::ingredients::{change, nudges, parameters, quarters};
 use crate::primitives::{Points, Primitives, combine};
 
 fn points_of(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Value = Points> + Clone {
