@@ -24,7 +24,8 @@ pub trait Decision: Sync {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct ExactDecision;
 
-/// Decides by the parity of the number of contacts of the rounded query, as the paper does: two contacts look like none.
+/// Decides by the parity of the number of contacts of the rounded query, as the paper does: two contacts look like none, and so does one
+/// that only grazes.
 ///
 /// A query that is too large to be rounded counts as a collision.
 #[derive(Clone, Copy, Debug, Default)]

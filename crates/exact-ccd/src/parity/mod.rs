@@ -6,7 +6,7 @@
 //! from the origin has crossings with the faces. All that it takes are signs of determinants of corners of the solid, if
 //! these are exact: for that, the input is rounded first ([`Rounded`]).
 //!
-//! Zero contacts and two look the same. [`Query::collides`] and [`Query::contact_times`] tell them apart, without rounding,
+//! Zero contacts and two look the same, and so does a contact that only grazes. [`Query::collides`] and [`Query::contact_times`] tell them apart, without rounding,
 //! and faster; this module is for comparison, and for who wants the paper's answer.
 //!
 //! ```
