@@ -1,6 +1,8 @@
 //! The fast path answers as the exact path does, bit for bit.
 
-use exact_ccd::{PointTriangle, SegmentSegment};
+use std::cell::RefCell;
+
+use exact_ccd::{PointTriangle, SegmentSegment, Stage};
 use proptest::prelude::*;
 
 use crate::generators::*;
@@ -41,26 +43,46 @@ agrees! {
     on_small_integers: 12_000, small_integers(8);
     on_fractions: 8_000, fractions();
     on_degenerate_integers: 12_000, degenerate(small_integers(2));
+    on_degenerate_large_integers: 6_000, degenerate(large_integers());
     on_degenerate_fractions: 8_000, degenerate(fractions());
-    on_exact_contacts: 10_000, exact_contacts::<K>();
-    on_exact_grazes: 10_000, exact_grazes::<K>();
+    on_exact_contacts: 10_000, exact_contacts::<K>(integers());
+    on_exact_grazes: 10_000, exact_grazes::<K>(integers());
     on_rounded_contacts: 3_000, rounded_contacts::<K>();
     on_rounded_grazes: 3_000, rounded_grazes::<K>();
     on_planar_contacts: 3_000, planar_contacts::<K>();
     on_stretched_planar_contacts: 3_000, stretched(planar_contacts::<K>());
     near_planar_contacts: 3_000, nearly(planar_contacts::<K>());
     near_degenerate: 3_000, nearly(degenerate(fractions()));
-    near_contact: 3_000, nearly(exact_contacts::<K>());
-    near_grazing: 3_000, nearly(exact_grazes::<K>());
+    near_contact: 3_000, nearly(exact_contacts::<K>(integers()));
+    near_grazing: 3_000, nearly(exact_grazes::<K>(integers()));
     on_narrow_misses: 3_000, narrow_misses::<K>(rounded_contacts::<K>());
     on_narrowly_missed_grazes: 3_000, narrow_misses::<K>(rounded_grazes::<K>());
-    on_narrowly_missed_corners: 3_000, narrow_misses::<K>(exact_contacts::<K>());
+    on_narrowly_missed_corners: 3_000, narrow_misses::<K>(exact_contacts::<K>(integers()));
     on_stretched_degenerate: 6_000, stretched(degenerate(small_integers(8)));
     on_stretched_contacts: 3_000, stretched(rounded_contacts::<K>());
-    on_stretched_grazes: 6_000, stretched(exact_grazes::<K>());
+    on_stretched_grazes: 6_000, stretched(exact_grazes::<K>(small_integers(8)));
     on_scattered: 500, scattered(degenerate(fractions()));
     on_subnormal: 6_000, subnormal(small_integers(8));
-    on_subnormal_contacts: 3_000, subnormal(exact_contacts::<K>());
+    on_subnormal_contacts: 3_000, subnormal(exact_contacts::<K>(small_integers(8)));
     on_few_values: 500, few_values();
     on_extremes: 200, extremes();
+}
+
+/// Otherwise agreement would mean little.
+fn every_stage_settles_some<K: Primitives>() {
+    let stages = RefCell::new(Vec::new());
+    for_all(4_000, mixed::<K>(), |points| {
+        stages
+            .borrow_mut()
+            .push(query::<K>(&points).contact_times_with_stage().1);
+    });
+    for stage in Stage::ALL {
+        assert!(stages.borrow().contains(&stage), "{stage:?}");
+    }
+}
+
+#[test]
+fn every_stage_settles_some_queries() {
+    every_stage_settles_some::<PointTriangle>();
+    every_stage_settles_some::<SegmentSegment>();
 }

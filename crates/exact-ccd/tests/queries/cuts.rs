@@ -1,4 +1,4 @@
-//! A step or a primitive cut in two at the middle has the contacts of the whole. Exact on small integers.
+//! A step or a primitive cut in two at the middle has the contacts of the whole. Exact on integers.
 
 use exact_ccd::{ContactTime, ContactTimes, Point, PointTriangle, SegmentSegment};
 use proptest::prelude::*;
@@ -12,8 +12,9 @@ fn exact_points<K: Primitives>() -> impl Strategy<Value = Points> {
     prop_oneof![
         small_integers(2),
         degenerate(small_integers(2)),
-        exact_contacts::<K>(),
-        exact_grazes::<K>(),
+        degenerate(large_integers()),
+        exact_contacts::<K>(integers()),
+        exact_grazes::<K>(integers()),
     ]
 }
 

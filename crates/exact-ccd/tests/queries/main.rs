@@ -3,10 +3,10 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod agreement;
-mod constructed;
 mod cuts;
 mod generators;
 mod invariance;
+mod known_contacts;
 mod laws;
 mod named_cases;
 mod non_finite;
@@ -15,5 +15,6 @@ mod radicals;
 mod rational;
 mod rational_times;
 mod runner;
+mod separated;
 mod subdivision;
 mod symmetry;

@@ -78,6 +78,10 @@ pub(crate) fn combine<const N: usize>(weights: [f64; N], points: [Point; N]) -> 
     [0, 1, 2].map(|axis: usize| (0..N).map(|i| weights[i] * points[i][axis]).sum())
 }
 
+pub(crate) fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
 /// Where the points are at time t.
 pub(crate) fn at(points: &Points, t: f64) -> [Point; 4] {
     [0, 1, 2, 3].map(|i: usize| combine([1.0 - t, t], [points[0][i], points[1][i]]))

@@ -18,6 +18,17 @@ pub(crate) fn small_integers(radius: i8) -> impl Strategy<Value = Points> + Clon
     points_of((-radius..=radius).prop_map(f64::from))
 }
 
+/// Integers that add up exactly, and whose products do not fit into an f64.
+pub(crate) fn large_integers() -> impl Strategy<Value = Points> + Clone {
+    const RADIUS: i64 = 1 << 36;
+    points_of((-RADIUS..=RADIUS).prop_map(|n| n as f64))
+}
+
+/// Small ones or large ones.
+pub(crate) fn integers() -> impl Strategy<Value = Points> + Clone {
+    prop_oneof![small_integers(8), large_integers()]
+}
+
 /// All 53 bits in use.
 pub(crate) fn fractions() -> impl Strategy<Value = Points> + Clone {
     points_of(-1.0..1.0)
@@ -48,14 +59,18 @@ pub(crate) fn nearly(points: impl Strategy<Value = Points>) -> impl Strategy<Val
 }
 
 /// In contact at a quarter of the step and of the domain, on numbers that do not round.
-pub(crate) fn exact_contacts<K: Primitives>() -> impl Strategy<Value = Points> {
-    (small_integers(8), quarters()).prop_map(|(points, place)| touching::<K>(points, place))
+pub(crate) fn exact_contacts<K: Primitives>(
+    integers: impl Strategy<Value = Points>,
+) -> impl Strategy<Value = Points> {
+    (integers, quarters()).prop_map(|(points, place)| touching::<K>(points, place))
 }
 
 /// Touching, but not crossing, at a quarter of the step, on numbers that do not round.
-pub(crate) fn exact_grazes<K: Primitives>() -> impl Strategy<Value = Points> {
+pub(crate) fn exact_grazes<K: Primitives>(
+    integers: impl Strategy<Value = Points>,
+) -> impl Strategy<Value = Points> {
     let velocity = [-4..=4i8, -4..=4i8].prop_map(|factors| factors.map(f64::from));
-    (small_integers(8), quarters(), velocity)
+    (integers, quarters(), velocity)
         .prop_map(|(points, place, velocity)| grazing::<K>(points, place, velocity))
 }
 
@@ -135,14 +150,14 @@ pub(crate) fn mixed<K: Primitives>() -> impl Strategy<Value = Points> {
     prop_oneof![
         20 => small_integers(2),
         20 => degenerate(small_integers(2)),
-        20 => exact_contacts::<K>(),
-        10 => exact_grazes::<K>(),
+        20 => exact_contacts::<K>(integers()),
+        10 => exact_grazes::<K>(integers()),
         10 => degenerate(fractions()),
         5 => planar_contacts::<K>(),
         5 => rounded_contacts::<K>(),
-        5 => nearly(exact_contacts::<K>()),
-        5 => subnormal(exact_contacts::<K>()),
-        5 => stretched(exact_grazes::<K>()),
+        5 => nearly(exact_contacts::<K>(integers())),
+        5 => subnormal(exact_contacts::<K>(small_integers(8))),
+        5 => stretched(exact_grazes::<K>(small_integers(8))),
         1 => few_values(),
         1 => scattered(degenerate(fractions())),
         1 => extremes(),

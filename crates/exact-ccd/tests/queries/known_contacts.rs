@@ -1,0 +1,73 @@
+//! Queries made to touch at a known time. All arithmetic is exact on integers.
+
+use exact_ccd::{ContactTime, ContactTimes, Point, PointTriangle, SegmentSegment};
+use proptest::array::uniform3;
+use proptest::prelude::*;
+
+use crate::generators::*;
+use crate::laws::{checked_times, query};
+use crate::primitives::{Points, Primitives, combine};
+use crate::rational::Rational;
+use crate::runner::for_all;
+
+/// The points, moved so that F(t, u, v) = (m − n t) d at the given (u, v).
+fn with_contact<K: Primitives>(mut points: Points, [u, v]: [f64; 2], time: Rational, d: Point) -> Points {
+    let [u, v] = K::in_domain(u, v);
+    let (m, n) = time.parts();
+    for (now, factor) in points.iter_mut().zip([m, m - n]) {
+        let gap = combine(K::weights(u, v), *now);
+        for point in &mut now[..K::FIRST] {
+            *point = combine([1.0, -1.0, factor], [*point, gap, d]);
+        }
+    }
+    points
+}
+
+fn contact_at_a_known_time<K: Primitives>() {
+    let place = quarters().prop_map(|[_, u, v]| [u, v]);
+    let factor = uniform3((-4..=4i8).prop_map(f64::from));
+    let queries = (integers(), place, Rational::in_unit(12), factor);
+    for_all(8_000, queries, |(points, place, time, d)| {
+        let points = with_contact::<K>(points, place, time, d);
+        let times = checked_times(&query::<K>(&points));
+        assert_ne!(time.is_among(&times), Some(false), "{times:?}: {points:?}");
+    });
+}
+
+#[test]
+fn a_vertex_touches_a_face_at_a_known_time() {
+    contact_at_a_known_time::<PointTriangle>();
+}
+
+#[test]
+fn edges_touch_at_a_known_time() {
+    contact_at_a_known_time::<SegmentSegment>();
+}
+
+fn graze_at_a_known_time<K: Primitives>() {
+    let velocity = [-4..=4i8, -4..=4i8].prop_map(|factors| factors.map(f64::from));
+    for_all(
+        4_000,
+        (integers(), quarters(), velocity),
+        |(points, place, velocity)| {
+            let points = grazing::<K>(points, place, velocity);
+            let times = checked_times(&query::<K>(&points));
+            let is_known = |time: &ContactTime| time.is_exact() && time.lower() == place[0];
+            let found = match &times {
+                ContactTimes::Finite(times) => times.iter().any(is_known),
+                ContactTimes::Interval { first } => first.upper() <= place[0],
+            };
+            assert!(found, "{times:?}: {points:?}");
+        },
+    );
+}
+
+#[test]
+fn a_vertex_grazes_a_face_at_a_known_time() {
+    graze_at_a_known_time::<PointTriangle>();
+}
+
+#[test]
+fn edges_graze_at_a_known_time() {
+    graze_at_a_known_time::<SegmentSegment>();
+}

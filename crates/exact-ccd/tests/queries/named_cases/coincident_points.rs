@@ -1,0 +1,40 @@
+//! Points that are all the same.
+
+use exact_ccd::{EdgeEdge, Point, VertexFace};
+
+use super::{HUGE, TINY, touches_at, touches_from};
+
+fn both_touch_from_the_start(start: Point, end: Point) {
+    touches_from(&VertexFace::new([start; 4], [end; 4]).unwrap(), 0.0);
+    touches_from(&EdgeEdge::new([start; 4], [end; 4]).unwrap(), 0.0);
+}
+
+#[test]
+fn touch_at_all_times() {
+    for x in [0.0, -0.0, 1.0, TINY, HUGE, f64::MAX] {
+        both_touch_from_the_start([x; 3], [x; 3]);
+        both_touch_from_the_start([x, 0.0, -x], [-x, 3.0, 0.1]);
+    }
+}
+
+#[test]
+fn part_at_once() {
+    let (origin, away) = ([0.0; 3], [TINY, HUGE, 1.0]);
+    let face = VertexFace::new([origin; 4], [away, origin, origin, origin]).unwrap();
+    touches_at(&face, &[0.0]);
+    let edges = EdgeEdge::new([origin; 4], [away, away, origin, origin]).unwrap();
+    touches_at(&edges, &[0.0]);
+}
+
+#[test]
+fn stay_in_touch_at_one_corner() {
+    let (origin, away) = ([0.0; 3], [TINY, HUGE, 1.0]);
+    touches_from(
+        &VertexFace::new([origin; 4], [origin, away, away, origin]).unwrap(),
+        0.0,
+    );
+    touches_from(
+        &EdgeEdge::new([origin; 4], [origin, away, origin, away]).unwrap(),
+        0.0,
+    );
+}

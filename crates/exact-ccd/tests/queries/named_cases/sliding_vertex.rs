@@ -1,0 +1,57 @@
+//! A vertex in the plane of a face.
+
+use exact_ccd::VertexFace;
+
+use super::{FACE, TINY, never_touches, touches_at, touches_from, vertex_against};
+
+#[test]
+fn rests_in_it() {
+    touches_from(&vertex_against(FACE, [0.25, 0.25, 0.0], [0.25, 0.25, 0.0]), 0.0);
+}
+
+#[test]
+fn rests_on_its_corner() {
+    touches_from(&vertex_against(FACE, FACE[1], FACE[1]), 0.0);
+}
+
+#[test]
+fn rests_beside_it() {
+    never_touches(&vertex_against(FACE, [0.75, 0.75, 0.0], [0.75, 0.75, 0.0]));
+}
+
+#[test]
+fn slides_into_it() {
+    // Over the edge x = 0 after a quarter of the way, over the hypotenuse after seven sixteenths.
+    touches_from(&vertex_against(FACE, [-1.0, 0.25, 0.0], [3.0, 0.25, 0.0]), 0.25);
+}
+
+#[test]
+fn slides_out_of_it() {
+    touches_from(&vertex_against(FACE, [0.25, 0.25, 0.0], [-1.0, 0.25, 0.0]), 0.0);
+}
+
+#[test]
+fn slides_along_its_edge() {
+    touches_from(&vertex_against(FACE, [-1.0, 0.0, 0.0], [3.0, 0.0, 0.0]), 0.25);
+}
+
+#[test]
+fn slides_up_to_it() {
+    touches_at(&vertex_against(FACE, [-1.0, 0.25, 0.0], [0.0, 0.25, 0.0]), &[1.0]);
+}
+
+#[test]
+fn slides_past_its_corner() {
+    touches_at(&vertex_against(FACE, [1.0, -1.0, 0.0], [1.0, 1.0, 0.0]), &[0.5]);
+}
+
+#[test]
+fn moves_along_with_it() {
+    let [a, b, c] = FACE;
+    let drifts = |height: f64| {
+        let start = [[0.25, 0.25, height], a, b, c];
+        VertexFace::new(start, start.map(|[x, y, z]| [x + 4.0, y - 2.0, z])).unwrap()
+    };
+    touches_from(&drifts(0.0), 0.0);
+    never_touches(&drifts(TINY));
+}

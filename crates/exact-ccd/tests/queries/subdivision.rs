@@ -1,0 +1,128 @@
+//! Contact by subdivision: F is affine in each of t, u and v, so that its image of a box lies in the hull of its values
+//! at the corners. Boxes whose image a plane parts from the origin are free of contact, the others are cut until they
+//! are too small to matter. On small integers, nothing comes that close without touching.
+
+use exact_ccd::{ContactTime, ContactTimes, Point, PointTriangle, SegmentSegment};
+use proptest::prelude::*;
+
+use crate::generators::*;
+use crate::laws::query;
+use crate::primitives::{Points, Primitives, at, combine, dot};
+use crate::runner::for_all;
+
+/// More than all roundings.
+const MARGIN: f64 = 1e-12;
+
+/// How close to the origin the image of a box must be to count as contact.
+const SIZE: f64 = 1e-7;
+
+/// An interval of each of t, u and v.
+type Cuboid = [[f64; 2]; 3];
+
+fn corners<K: Primitives>(points: &Points, cuboid: &Cuboid) -> [Point; 8] {
+    let [times, us, vs] = cuboid;
+    let ends = times.map(|t| at(points, t));
+    [0, 1, 2, 3, 4, 5, 6, 7].map(|i: usize| combine(K::weights(us[i / 2 % 2], vs[i % 2]), ends[i / 4]))
+}
+
+/// Whether all points are beyond a plane through the origin, across an axis or across the direction of their centre.
+fn are_beyond_a_plane(points: &[Point; 8]) -> bool {
+    let centre = combine([0.125; 8], *points);
+    let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], centre];
+    directions.iter().any(|&direction| {
+        let heights = points.map(|point| dot(point, direction));
+        heights.iter().all(|&height| height > MARGIN) || heights.iter().all(|&height| height < -MARGIN)
+    })
+}
+
+/// How far the image reaches along each of t, u and v.
+fn extents(corners: &[Point; 8]) -> [f64; 3] {
+    let distance = |i: usize, j: usize| {
+        let difference = combine([1.0, -1.0], [corners[i], corners[j]]);
+        dot(difference, difference).sqrt()
+    };
+    [4, 2, 1].map(|stride: usize| {
+        (0..8)
+            .filter(|i| i & stride == 0)
+            .map(|i| distance(i, i + stride))
+            .fold(0.0, f64::max)
+    })
+}
+
+/// Whether there is contact in a box, as far as its size can tell.
+fn touches<K: Primitives>(points: &Points, cuboid: Cuboid) -> bool {
+    let [_, [u, _], [v, _]] = cuboid;
+    // The lower corner is the last one to leave the domain.
+    if !K::contains([u, v], 1.0) {
+        return false;
+    }
+    let corners = corners::<K>(points, &cuboid);
+    if are_beyond_a_plane(&corners) {
+        return false;
+    }
+    let extents = extents(&corners);
+    let widest = (1..3).fold(0, |best, i| if extents[i] > extents[best] { i } else { best });
+    if extents[widest] < SIZE {
+        return true;
+    }
+    let [low, high] = cuboid[widest];
+    let middle = 0.5 * (low + high);
+    [[low, middle], [middle, high]].into_iter().any(|half| {
+        let mut part = cuboid;
+        part[widest] = half;
+        touches::<K>(points, part)
+    })
+}
+
+fn touches_between<K: Primitives>(points: &Points, low: f64, high: f64) -> bool {
+    low <= high && touches::<K>(points, [[low, high], [0.0, 1.0], [0.0, 1.0]])
+}
+
+fn contacts_are_the_reported_ones<K: Primitives>(points: &Points) {
+    /// How long before and after a contact the primitives are clearly apart.
+    const NEAR: f64 = 1.0 / 64.0;
+    let times = query::<K>(points).contact_times();
+    let (all, until): (Vec<ContactTime>, f64) = match &times {
+        ContactTimes::Finite(times) => (times.to_vec(), 1.0),
+        ContactTimes::Interval { first } => (vec![*first], 0.0),
+    };
+    let mut free_from = 0.0;
+    for time in all.iter().map(|time| time.lower()) {
+        assert!(
+            !touches_between::<K>(points, free_from, time - NEAR),
+            "before {time}: {times:?}, {points:?}"
+        );
+        let (low, high) = ((time - SIZE).max(0.0), (time + SIZE).min(1.0));
+        assert!(
+            touches_between::<K>(points, low, high),
+            "at {time}: {times:?}, {points:?}"
+        );
+        free_from = time + NEAR;
+    }
+    assert!(
+        !touches_between::<K>(points, free_from, until),
+        "after all: {times:?}, {points:?}"
+    );
+}
+
+fn checked<K: Primitives>() {
+    let points = prop_oneof![
+        4 => small_integers(2),
+        2 => small_integers(8),
+        2 => degenerate(small_integers(2)),
+        1 => exact_contacts::<K>(small_integers(8)),
+    ];
+    for_all(10_000, points, |points| {
+        contacts_are_the_reported_ones::<K>(&points);
+    });
+}
+
+#[test]
+fn finds_the_contacts_of_a_vertex_and_a_face() {
+    checked::<PointTriangle>();
+}
+
+#[test]
+fn finds_the_contacts_of_edges() {
+    checked::<SegmentSegment>();
+}

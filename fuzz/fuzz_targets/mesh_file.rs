@@ -1,0 +1,117 @@
+//! Mesh files: no bytes make a reader panic, and what it reads can be written and read again.
+
+#![no_main]
+
+use arbitrary::{Result, Unstructured};
+use ccd_mesh::{Format, Frame};
+use exact_ccd_fuzz::file;
+use libfuzzer_sys::fuzz_target;
+
+const PLY: &[&str] = &[
+    "\n",
+    " ",
+    "ply\n",
+    "format ascii 1.0\n",
+    "format binary_little_endian 1.0\n",
+    "format binary_big_endian 1.0\n",
+    "comment ",
+    "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n",
+    "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n",
+    "element face 1\nproperty list uchar int vertex_indices\n",
+    "element face 2\nproperty list uint ushort vertex_index\n",
+    "element other ",
+    "property ",
+    "list ",
+    "char ",
+    "uint8 ",
+    "short ",
+    "uint ",
+    "float64 ",
+    "name\n",
+    "end_header\n",
+    "3 0 1 2\n",
+];
+
+const OBJ: &[&str] = &[
+    "\n",
+    " ",
+    "v ",
+    "v 0 1 2\n",
+    "f ",
+    "f 1 2 3\n",
+    "f 1/1/1 2//2 -1\n",
+    "/",
+    "-",
+    "# ",
+    "\\\n",
+    "vn 0 0 1\n",
+    "vt 0 0\n",
+    "o name\n",
+    "usemtl ",
+    "l 1 2\n",
+];
+
+const STL: &[&str] = &[
+    "\n",
+    " ",
+    "solid ",
+    "facet normal 0 0 1\n",
+    "outer loop\n",
+    "vertex ",
+    "vertex 0 1 2\n",
+    "endloop\n",
+    "endfacet\n",
+    "endsolid ",
+    "name",
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n",
+    "eighty bytes of header, so that the number of faces and the faces can come next: ",
+    "\0\0",
+];
+
+const OFF: &[&str] = &[
+    "\n",
+    " ",
+    "OFF\n",
+    "3 1 0\n",
+    "3 0 1 2\n",
+    "0 1 2\n",
+    "# ",
+    "COFF\n",
+    "-1",
+    "3 ",
+];
+
+fuzz_target!(|bytes: &[u8]| {
+    // Too few bytes are no file.
+    let _ = check(&mut Unstructured::new(bytes));
+});
+
+fn check(bytes: &mut Unstructured) -> Result<()> {
+    let (format, words) = match bytes.arbitrary::<u8>()? % 4 {
+        0 => (Format::Ply, PLY),
+        1 => (Format::Obj, OBJ),
+        2 => (Format::Stl, STL),
+        _ => (Format::Off, OFF),
+    };
+    match Frame::parse(&file(bytes, words)?, format) {
+        Ok(frame) => check_frame(&frame),
+        Err(error) => drop(error.to_string()),
+    }
+    Ok(())
+}
+
+fn check_frame(frame: &Frame) {
+    let mut written = Vec::new();
+    frame.write_ply(&mut written).expect("memory takes everything");
+    let read = Frame::parse(&written, Format::Ply).expect("our own files are sound");
+    assert_eq!(frame, &read);
+    let bits = |frame: &Frame| {
+        frame
+            .positions
+            .as_flattened()
+            .iter()
+            .map(|x| x.to_bits())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(bits(frame), bits(&read));
+}

@@ -1,0 +1,151 @@
+//! Queries of both kinds: the fast path answers as the exact one, and as its symmetries say.
+
+#![no_main]
+
+#[path = "../../crates/exact-ccd/tests/queries/generators/changes.rs"]
+mod changes;
+#[path = "../../crates/exact-ccd/tests/queries/generators/contacts.rs"]
+mod contacts;
+#[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
+mod laws;
+#[path = "../../crates/exact-ccd/tests/queries/primitives.rs"]
+#[allow(dead_code, reason = "the oracles in the tests need more of it")]
+mod primitives;
+#[path = "../../crates/exact-ccd/tests/queries/symmetry.rs"]
+mod symmetry;
+
+use arbitrary::{Result, Unstructured};
+use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd_fuzz::coordinate;
+use libfuzzer_sys::fuzz_target;
+
+use changes::{Change, nudge, scaled};
+use contacts::{grazing, touching};
+use primitives::{Points, Primitives};
+use symmetry::Symmetry;
+
+fuzz_target!(|bytes: &[u8]| {
+    // Too few bytes are no query.
+    let _ = check(&mut Unstructured::new(bytes));
+});
+
+/// What is done to points to make them special.
+struct Recipe {
+    changes: Vec<Change>,
+    contact: Contact,
+    nudges: Vec<([usize; 3], i8)>,
+}
+
+/// A contact that is brought about at a time and place.
+enum Contact {
+    None,
+    Touching([f64; 3]),
+    Grazing([f64; 3], [f64; 2]),
+}
+
+fn check(bytes: &mut Unstructured) -> Result<()> {
+    let recipe = recipe(bytes)?;
+    let symmetry = symmetry(bytes)?;
+    let points = points(bytes)?;
+    check_kind::<PointTriangle>(&recipe, &symmetry, points);
+    check_kind::<SegmentSegment>(&recipe, &symmetry, points);
+    Ok(())
+}
+
+fn check_kind<K: Primitives>(recipe: &Recipe, symmetry: &Symmetry, mut points: Points) {
+    recipe.changes.iter().for_each(|change| change.apply(&mut points));
+    let points = match recipe.contact {
+        Contact::None => points,
+        Contact::Touching(place) => touching::<K>(points, place),
+        Contact::Grazing(place, velocity) => grazing::<K>(points, place, velocity),
+    };
+    let points = nudge(points, &recipe.nudges);
+    if points.as_flattened().as_flattened().iter().all(|x| x.is_finite()) {
+        laws::checked_times(&laws::query::<K>(&points));
+        laws::assert_symmetric::<K>(&points, symmetry);
+        laws::assert_reversible::<K>(&points);
+    }
+}
+
+/// Few values, so that many coordinates are the same.
+fn points(bytes: &mut Unstructured) -> Result<Points> {
+    let mut values = [0.0; 8];
+    for value in &mut values {
+        *value = coordinate(bytes)?;
+    }
+    let mut points = Points::default();
+    for x in points.as_flattened_mut().as_flattened_mut() {
+        *x = values[index(bytes, values.len())?];
+    }
+    Ok(points)
+}
+
+fn recipe(bytes: &mut Unstructured) -> Result<Recipe> {
+    let changes = several(bytes, change)?;
+    let contact = match bytes.arbitrary::<u8>()? % 4 {
+        0 => Contact::Touching(place(bytes)?),
+        1 => Contact::Grazing(place(bytes)?, [coordinate(bytes)?, coordinate(bytes)?]),
+        _ => Contact::None,
+    };
+    let nudges = several(bytes, |bytes| {
+        let at = [index(bytes, 2)?, index(bytes, 4)?, index(bytes, 3)?];
+        Ok((at, bytes.int_in_range(-4..=4)?))
+    })?;
+    Ok(Recipe {
+        changes,
+        contact,
+        nudges,
+    })
+}
+
+fn several<T>(bytes: &mut Unstructured, one: impl Fn(&mut Unstructured) -> Result<T>) -> Result<Vec<T>> {
+    (0..bytes.int_in_range(0..=3)?).map(|_| one(bytes)).collect()
+}
+
+fn index(bytes: &mut Unstructured, length: usize) -> Result<usize> {
+    bytes.int_in_range(0..=length - 1)
+}
+
+/// Sixteenths, or some fraction.
+fn place(bytes: &mut Unstructured) -> Result<[f64; 3]> {
+    let mut place = [0.0; 3];
+    for parameter in &mut place {
+        *parameter = match bytes.arbitrary::<u8>()? {
+            kind @ ..0x80 => f64::from(kind % 17) / 16.0,
+            _ => scaled(f64::from(bytes.arbitrary::<u32>()?), -32),
+        };
+    }
+    Ok(place)
+}
+
+fn change(bytes: &mut Unstructured) -> Result<Change> {
+    Ok(match bytes.arbitrary::<u8>()? % 8 {
+        0 => Change::Rest(index(bytes, 4)?),
+        1 => Change::Drift(index(bytes, 4)?),
+        2 => Change::Flatten(index(bytes, 3)?),
+        _ => Change::Combine {
+            points: order(bytes)?,
+            factors: [bytes.int_in_range(-1..=2)?, bytes.int_in_range(-1..=1)?],
+            ends: [[true, true], [true, false], [false, true]][index(bytes, 3)?],
+        },
+    })
+}
+
+/// A permutation of 0, 1, ….
+fn order<const N: usize>(bytes: &mut Unstructured) -> Result<[usize; N]> {
+    let mut order = core::array::from_fn(|i| i);
+    for i in 1..N {
+        order.swap(i, index(bytes, i + 1)?);
+    }
+    Ok(order)
+}
+
+fn symmetry(bytes: &mut Unstructured) -> Result<Symmetry> {
+    let exponent = |bytes: &mut Unstructured| bytes.int_in_range(-1000..=1000);
+    Ok(Symmetry {
+        renaming: index(bytes, 8)?,
+        axes: order(bytes)?,
+        mirrored: bytes.arbitrary()?,
+        exponents: [exponent(bytes)?, exponent(bytes)?, exponent(bytes)?],
+    })
+}

@@ -1,0 +1,83 @@
+//! Query files: no bytes make the reader panic, and what it reads can be written and read again.
+
+#![no_main]
+
+use std::fmt::Debug;
+
+use arbitrary::{Result, Unstructured};
+use ccd_bench::{DataKind, QueryReader, Rounding, Sample};
+use dashu_ratio::RBig;
+use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd_fuzz::file;
+use libfuzzer_sys::fuzz_target;
+
+const WORDS: &[&str] = &[
+    "\n",
+    "\r\n",
+    ",",
+    ",1,",
+    "1,2,",
+    "0,1,",
+    "-3,4,",
+    "1",
+    "1\n",
+    "0\n",
+    "-",
+    "+",
+    " ",
+    "9007199254740993",
+    "340282366920938463463374607431768211456,",
+    "0,1,0,1,0,1\n",
+    "1,1,2,4,3,8,1\n",
+    "1,1,2,4,3,8,0\n",
+    "1,3,1,3,1,3\n",
+    "0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n0,1,0,1,0,1,0\n",
+];
+
+fuzz_target!(|bytes: &[u8]| {
+    // Too few bytes are no file.
+    let _ = check(&mut Unstructured::new(bytes));
+});
+
+fn check(bytes: &mut Unstructured) -> Result<()> {
+    let text = file(bytes, WORDS)?;
+    check_kind::<PointTriangle>(&text);
+    check_kind::<SegmentSegment>(&text);
+    Ok(())
+}
+
+fn check_kind<K: DataKind + Debug + PartialEq>(text: &[u8]) {
+    let exactly = read::<K>(text, Rounding::Refuse);
+    let nearly = read::<K>(text, Rounding::ToNearest);
+    assert_eq!(
+        exactly,
+        nearly[..exactly.len()],
+        "exact coordinates are not rounded"
+    );
+    for samples in [exactly, nearly] {
+        let written: String = samples.iter().map(rows).collect();
+        assert_eq!(read::<K>(written.as_bytes(), Rounding::Refuse), samples);
+    }
+}
+
+/// The queries before the first error.
+fn read<K: DataKind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
+    QueryReader::new("input", text, rounding)
+        .inspect(|sample| drop(sample.as_ref().map_err(ToString::to_string)))
+        .map_while(std::result::Result::ok)
+        .collect()
+}
+
+fn rows<K: DataKind>(sample: &Sample<K>) -> String {
+    let truth = sample
+        .truth
+        .map_or(String::new(), |truth| format!(",{}", u8::from(truth)));
+    let row = |point: &[f64; 3]| {
+        let fields = point.map(|x| {
+            let ratio = RBig::try_from(x).expect("coordinates are finite");
+            format!("{},{}", ratio.numerator(), ratio.denominator())
+        });
+        fields.join(",") + &truth + "\n"
+    };
+    sample.query.points().as_flattened().iter().map(row).collect()
+}

@@ -1,0 +1,34 @@
+//! What the targets make of bytes: values from a small alphabet that is known to hurt, and raw bits.
+
+#[path = "../../crates/exact-ccd/tests/queries/generators/alphabet.rs"]
+mod alphabet;
+
+use arbitrary::{Result, Unstructured};
+
+use alphabet::ALPHABET;
+
+/// A small integer, a number at which floating-point arithmetic goes wrong, or any f64, which may be infinite or NaN.
+pub fn coordinate(bytes: &mut Unstructured) -> Result<f64> {
+    Ok(match bytes.arbitrary::<u8>()? {
+        kind @ ..0x80 => f64::from(kind % 17) - 8.0,
+        kind @ 0x80..0xff => ALPHABET[usize::from(kind) % ALPHABET.len()],
+        0xff => f64::from_bits(bytes.arbitrary()?),
+    })
+}
+
+/// A file: words that mean something in its format, numbers as text and as bits, and raw bytes.
+pub fn file(bytes: &mut Unstructured, words: &[&str]) -> Result<Vec<u8>> {
+    let mut file = Vec::new();
+    while !bytes.is_empty() {
+        match bytes.arbitrary::<u8>()? {
+            kind @ ..0x80 => file.extend(words[usize::from(kind) % words.len()].bytes()),
+            0x80..0xa0 => file.extend(coordinate(bytes)?.to_string().bytes()),
+            0xa0..0xb0 => file.extend(coordinate(bytes)?.to_le_bytes()),
+            0xb0..0xc0 => file.extend((coordinate(bytes)? as f32).to_be_bytes()),
+            kind @ 0xc0..0xe0 => file.extend(u32::from(kind % 8).to_le_bytes()),
+            kind @ 0xe0..0xf0 => file.extend((kind % 16).to_string().bytes()),
+            0xf0.. => file.push(bytes.arbitrary()?),
+        }
+    }
+    Ok(file)
+}
