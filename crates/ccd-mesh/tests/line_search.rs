@@ -96,7 +96,7 @@ fn parity_goes_through_two_contacts() {
     };
     let (size, is_free) = search(&motion, LineSearch::Exact);
     assert!(
-        is_free && size <= 1.0 / 3.0 && size >= 1.0 / 3.0 - 64.0 * f64::EPSILON,
+        is_free && (1.0 / 3.0 - 64.0 * f64::EPSILON..=1.0 / 3.0).contains(&size),
         "{size}"
     );
     let decision = &ParityDecision;

@@ -1,5 +1,7 @@
 //! The earliest contact: parameters that meet, normals that face the right way, and the degenerate cases by hand.
 
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
 use exact_ccd::{EdgeEdge, Impact, Kind, Point, Query, VertexFace, exact};
 use proptest::prelude::*;
 
@@ -19,14 +21,15 @@ fn in_general_position() -> impl Strategy<Value = Points> {
 
 /// The points, with one moved so that they meet, up to rounding, at t, u and v if they are those of a face.
 fn meeting(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
-    (points, (1..=8, 0..=8, 0..=8)).prop_map(|(mut points, (t, u, v))| {
+    (points, (1..=8, 0..=8, 0..=8)).prop_map(|(points, (t, u, v))| {
         let [t, u, v] = [t, u, v].map(|n| f64::from(n) / 8.0);
-        for axis in 0..3 {
-            let at = |i: usize| (1.0 - t) * points[0][i][axis] + t * points[1][i][axis];
+        let [start, mut end] = points;
+        end[0] = core::array::from_fn(|axis| {
+            let at = |i: usize| (1.0 - t) * start[i][axis] + t * end[i][axis];
             let target = (1.0 - u) * at(1) + u * ((1.0 - v) * at(2) + v * at(3));
-            points[1][0][axis] = (target - (1.0 - t) * points[0][0][axis]) / t;
-        }
-        points
+            (target - (1.0 - t) * start[0][axis]) / t
+        });
+        [start, end]
     })
 }
 

@@ -1,5 +1,7 @@
 //! Points of other libraries make the same query.
 
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
 use exact_ccd::{EdgeEdge, Point};
 
 const START: [Point; 4] = [
