@@ -7,7 +7,13 @@
 mod candidates;
 mod frames;
 mod ground_truth;
+mod parity;
 mod steps;
+
+#[path = "../../../exact-ccd/tests/parity/expected.rs"]
+mod expected;
+#[path = "../../../exact-ccd/tests/parity/integers.rs"]
+mod integers;
 
 use std::path::Path;
 

@@ -5,9 +5,14 @@
 mod examples;
 mod folder;
 mod meshes;
+mod methods;
 mod queries;
 mod queries_errors;
 mod query_rows;
+mod round_errors;
+mod round_meshes;
+mod round_queries;
+mod rounding_report;
 mod step;
 mod step_errors;
 mod streams;

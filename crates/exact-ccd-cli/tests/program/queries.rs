@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use crate::folder::Folder;
 use crate::query_rows::rows;
 
-const HEADER: &str = "query,contact,count,toi\n";
+pub(crate) const HEADER: &str = "query,contact,count,toi\n";
 
 /// A vertex that moves against the face (0, 0, 0), (1, 0, 0), (0, 1, 0), which stays where it is.
 fn against_resting_face(from: Point, to: Point) -> VertexFace {
@@ -14,16 +14,16 @@ fn against_resting_face(from: Point, to: Point) -> VertexFace {
     VertexFace::new(with_face(from), with_face(to)).unwrap()
 }
 
-fn miss() -> VertexFace {
+pub(crate) fn miss() -> VertexFace {
     against_resting_face([2.0, 2.0, 1.0], [2.0, 2.0, -1.0])
 }
 
-fn pass() -> VertexFace {
+pub(crate) fn pass() -> VertexFace {
     against_resting_face([0.25, 0.25, 1.0], [0.25, 0.25, -2.0])
 }
 
 /// Comes in over the edge x = 0 at t = 1/2 and stays.
-fn slide() -> VertexFace {
+pub(crate) fn slide() -> VertexFace {
     against_resting_face([-0.25, 0.25, 0.0], [0.25, 0.25, 0.0])
 }
 
@@ -187,7 +187,7 @@ fn assert_answers<K: Kind>(kind: &str, points: &[[[Point; 4]; 2]]) {
 
 prop_compose! {
     /// Points on a coarse grid, among which everything degenerate is common.
-    fn grid_points()(
+    pub(crate) fn grid_points()(
         eighths in prop::array::uniform2(prop::array::uniform4(prop::array::uniform3(-3i8..=3)))
     ) -> [[Point; 4]; 2] {
         eighths.map(|points| points.map(|point| point.map(|x| f64::from(x) / 8.0)))

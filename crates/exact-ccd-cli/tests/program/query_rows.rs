@@ -1,6 +1,9 @@
 //! Query files.
 
+use ccd_bench::{DataKind, QueryReader, Rounding, write_query};
 use exact_ccd::{Kind, Point, Query};
+
+use crate::folder::Folder;
 
 /// The rows of a query whose coordinates are all multiples of 1/8. Each row has this at its end.
 pub(crate) fn rows<K: Kind>(query: &Query<K>, ending: &str) -> String {
@@ -15,4 +18,23 @@ fn row(point: &Point) -> String {
         format!("{numerator},8")
     };
     point.iter().map(fraction).collect::<Vec<_>>().join(",")
+}
+
+/// A query file of any queries.
+pub(crate) fn file<K: Kind>(queries: &[Query<K>]) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for query in queries {
+        write_query(&mut bytes, query).unwrap();
+    }
+    bytes
+}
+
+/// The points of the queries in a file, which is to have no ground truth.
+pub(crate) fn points_in<K: DataKind>(folder: &Folder, name: &str) -> Vec<[[Point; 4]; 2]> {
+    QueryReader::<K, _>::open(&folder.path(name), Rounding::Refuse)
+        .unwrap()
+        .map(|sample| sample.unwrap())
+        .inspect(|sample| assert_eq!(sample.truth, None))
+        .map(|sample| *sample.query.points())
+        .collect()
 }

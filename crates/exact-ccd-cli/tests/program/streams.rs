@@ -52,6 +52,12 @@ fn a_closed_pipe_is_no_error() {
 }
 
 #[test]
+fn a_report_that_nobody_reads_is_no_error() {
+    let run = run_unread(&fall(1.0, -2.0), &["round", "start.ply"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+}
+
+#[test]
 fn the_status_of_a_step_is_the_answer_even_if_nobody_reads_the_report() {
     for (to, status) in [(-2.0, 1), (0.5, 0)] {
         let run = run_unread(&fall(1.0, to), &["step", "start.ply", "end.ply"]);
@@ -69,6 +75,7 @@ fn an_answer_that_cannot_be_written_is_an_error() {
         &["step", "start.ply", "end.ply"][..],
         &["step", "--json", "start.ply", "end.ply"],
         &["queries", "--kind", "vf", "vf.csv"],
+        &["round", "start.ply"],
     ] {
         let run: Run = folder.program(arguments).stdout(full()).output().unwrap().into();
         assert!(run.error().starts_with("cannot write the answer: "), "{run:?}");

@@ -20,6 +20,10 @@ fn wrong_usage_has_status_2() {
         &["queries", "vf.csv"],
         &["queries", "--kind", "vf"],
         &["queries", "--kind", "fv", "vf.csv"],
+        &["queries", "--kind", "vf", "--method", "odd", "vf.csv"],
+        &["round"],
+        &["round", "--kind", "vf"],
+        &["round", "--per-query", "mesh.ply"],
     ] {
         let run = Folder::new().run(arguments);
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{arguments:?}");
@@ -32,7 +36,7 @@ fn wrong_usage_has_status_2() {
 
 #[test]
 fn help_tells_the_exit_status() {
-    for command in ["step", "queries"] {
+    for command in ["step", "queries", "round"] {
         let run = Folder::new().run(&[command, "--help"]);
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
         assert!(run.stdout.contains("Exit status"), "{command}");

@@ -1,0 +1,58 @@
+//! Mesh files, rounded.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use ccd_mesh::{Bounds, Format, Frame};
+
+use super::report::Report;
+use super::{Arguments, shared_displacement};
+use crate::failure::Failure;
+use crate::output::write_file;
+
+/// Reads each mesh twice, so that one at a time is in memory: a simulation can have many frames.
+pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
+    let inputs = &arguments.inputs;
+    let outputs = arguments
+        .output
+        .as_ref()
+        .map(|output| destinations(inputs, output))
+        .transpose()?;
+    let bounds = inputs.iter().try_fold(Bounds::EMPTY, |bounds, input| {
+        Ok::<_, Failure>(bounds.union(&read(input)?.bounds()))
+    })?;
+    let displacement = shared_displacement(&bounds)?;
+    let mut report = Report::shared(displacement);
+    for (index, input) in inputs.iter().enumerate() {
+        let frame = read(input)?;
+        let shifted = frame.shifted(displacement)?;
+        report.add(displacement, &frame.positions);
+        if let Some(outputs) = &outputs {
+            write_file(&outputs[index], |writer| shifted.write_ply(writer))?;
+        }
+    }
+    Ok(report)
+}
+
+fn read(file: &Path) -> Result<Frame, Failure> {
+    if Format::of_path(file).is_none() {
+        return Err(Failure::KindMissing(file.to_owned()));
+    }
+    Ok(Frame::read(file)?)
+}
+
+/// Where each mesh goes: the only one to `output` itself, several to their names in that folder, which is made.
+fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failure> {
+    if inputs.len() == 1 {
+        return Ok(vec![output.to_owned()]);
+    }
+    let name = |input: &PathBuf| Path::new(input.file_name().unwrap_or_default()).with_extension("ply");
+    let files: Vec<_> = inputs.iter().map(|input| output.join(name(input))).collect();
+    let mut distinct = BTreeSet::new();
+    if let Some(file) = files.iter().find(|file| !distinct.insert(*file)) {
+        return Err(Failure::SameOutput(file.clone()));
+    }
+    fs::create_dir_all(output).map_err(|source| Failure::write(output, source))?;
+    Ok(files)
+}

@@ -1,0 +1,82 @@
+//! `exact-ccd round`: queries and meshes shifted and rounded, so that differences of coordinates are exact.
+
+mod histogram;
+mod meshes;
+mod plot;
+mod queries;
+mod report;
+
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use ccd_mesh::Bounds;
+use exact_ccd::parity::{Displacement, RoundingError};
+use exact_ccd::{PointTriangle, SegmentSegment};
+
+use crate::failure::Failure;
+use crate::kind::Kind;
+use crate::output::{print, write_file};
+use crate::progress::{self, during};
+
+/// Queries or meshes shifted and rounded, so that differences of coordinates are exact
+///
+/// The parity of the number of contacts is counted on differences of
+/// coordinates, which must be exact f64. Section 4.2 of the paper "Fast and
+/// Exact Root Parity for Continuous Collision Detection" (2022) makes them so:
+/// along each axis, every coordinate x becomes fl(x + e), which is x + e rounded
+/// to f64. The displacement e is 0 along an axis where that is enough.
+///
+/// As in the paper, a data set or a simulation is moved as a whole: there is
+/// one displacement for all the files, that of the box around them.
+///
+/// Printed are the displacement and the histogram of the rounding errors
+/// |x + e - fl(x + e)| of all coordinates: how many are zero, and how many are
+/// in each decade, from one power of ten to the next. The errors are exact.
+///
+/// Exit status: 0 success, 2 error.
+#[derive(clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// The files are query files of this kind, a vertex against a face or an edge against an edge; without it, they
+    /// are meshes.
+    #[arg(long)]
+    kind: Option<Kind>,
+    /// Move each query by a displacement of its own.
+    #[arg(long, requires = "kind")]
+    per_query: bool,
+    /// Write what was rounded: all queries as one query file, a mesh as a PLY file, several meshes as PLY files of
+    /// the same names in this folder. The ground truth of the queries is left out, for rounding can change it.
+    #[arg(long, value_name = "PATH")]
+    output: Option<PathBuf>,
+    /// Draw the histogram as an SVG file.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Query files, of which - is standard input, or meshes: .ply, .obj, .stl or .off files.
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let report = during(progress::stage("rounding"), |_| match arguments.kind {
+        None => meshes::round(arguments),
+        Some(Kind::Vf) => queries::round::<PointTriangle>(arguments),
+        Some(Kind::Ee) => queries::round::<SegmentSegment>(arguments),
+    })?;
+    if let Some(file) = &arguments.plot {
+        let drawing = plot::svg(&report.errors);
+        write_file(file, |writer| writer.write_all(drawing.as_bytes()))?;
+    }
+    print(&report.to_string())?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The displacement for all points in a box.
+fn shared_displacement(bounds: &Bounds) -> Result<Displacement, RoundingError> {
+    let displacement = bounds.displacement();
+    let is_infinite = |e: &f64| !e.is_finite();
+    match displacement.along_axes().iter().position(is_infinite) {
+        None => Ok(displacement),
+        Some(axis) => Err(RoundingError::OutOfRange { axis }),
+    }
+}

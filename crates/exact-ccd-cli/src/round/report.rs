@@ -1,0 +1,70 @@
+//! What `exact-ccd round` prints.
+
+use std::fmt;
+
+use exact_ccd::Point;
+use exact_ccd::parity::Displacement;
+
+use super::histogram::Histogram;
+use crate::shortest::shortest;
+
+/// What was done to the coordinates.
+pub(super) struct Report {
+    displacements: Displacements,
+    pub(super) errors: Histogram,
+}
+
+/// How far the coordinates were moved.
+enum Displacements {
+    Shared(Point),
+    /// The largest along each axis.
+    PerQuery(Point),
+}
+
+impl Report {
+    /// Nothing was moved yet, and all is to be moved by the same displacement.
+    pub(super) fn shared(displacement: Displacement) -> Self {
+        Self {
+            displacements: Displacements::Shared(displacement.along_axes()),
+            errors: Histogram::default(),
+        }
+    }
+
+    /// Nothing was moved yet.
+    pub(super) fn per_query() -> Self {
+        Self {
+            displacements: Displacements::PerQuery([0.0; 3]),
+            errors: Histogram::default(),
+        }
+    }
+
+    /// These points were moved and rounded.
+    pub(super) fn add(&mut self, displacement: Displacement, points: &[Point]) {
+        if let Displacements::PerQuery(largest) = &mut self.displacements {
+            let moved = displacement.along_axes();
+            *largest = [0, 1, 2].map(|axis: usize| largest[axis].max(moved[axis]));
+        }
+        for &point in points {
+            for error in displacement.error(point) {
+                self.errors.add(error);
+            }
+        }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (name, displacement) = match self.displacements {
+            Displacements::Shared(displacement) => ("displacement", displacement),
+            Displacements::PerQuery(largest) => ("largest displacements", largest),
+        };
+        let [x, y, z] = displacement.map(shortest);
+        writeln!(f, "{name} along x, y, z: {x}, {y}, {z}")?;
+        let (count, largest) = (self.errors.total(), shortest(self.errors.largest()));
+        write!(
+            f,
+            "rounding errors |x + e - fl(x + e)| of {count} coordinates, at most {largest}:{}",
+            self.errors
+        )
+    }
+}

@@ -1,0 +1,91 @@
+//! What `exact-ccd round` makes of meshes.
+
+use ccd_mesh::{Frame, Motion};
+
+use crate::folder::Folder;
+use crate::meshes::{obj, off, ply, stl, tip_above_square};
+use crate::rounding_report::{Report, bars};
+
+/// The rounding errors of these frames, after the report was found to tell the right displacement.
+fn errors(frames: &[&Frame], report: &Report) -> Vec<f64> {
+    let bounds = frames
+        .iter()
+        .map(|frame| frame.bounds())
+        .reduce(|a, b| a.union(&b))
+        .unwrap();
+    let displacement = bounds.displacement();
+    assert_eq!(report.displacement, displacement.along_axes());
+    let points = frames.iter().flat_map(|frame| &frame.positions);
+    points.flat_map(|&point| displacement.error(point)).collect()
+}
+
+#[test]
+fn one_mesh_becomes_one_file() {
+    let frame = tip_above_square(-0.1);
+    let folder = Folder::new();
+    for (name, contents) in [
+        ("mesh.ply", ply(&frame)),
+        ("mesh.obj", obj(&frame).into()),
+        ("mesh.off", off(&frame).into()),
+    ] {
+        folder.write(name, contents);
+        let run = folder.run(&["round", name, "--output", "rounded.ply", "--plot", "plot.svg"]);
+        let report = Report::of(&run);
+        report.assert_counts(&errors(&[&frame], &report));
+        assert_eq!(bars(&folder.read("plot.svg")), report.rows.len());
+        let expected = frame.shifted(frame.bounds().displacement()).unwrap();
+        assert_eq!(
+            Frame::read(folder.path("rounded.ply")).unwrap(),
+            expected,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
+    let [start, middle, end] = [0.7, 0.1, -1e-9].map(tip_above_square);
+    let folder = Folder::new();
+    folder.write("start.ply", ply(&start));
+    folder.write("middle.off", off(&middle));
+    folder.write("end.obj", obj(&end));
+    // The folder is made.
+    let run = folder.run(&[
+        "round",
+        "start.ply",
+        "middle.off",
+        "end.obj",
+        "--output",
+        "new/rounded",
+    ]);
+    let report = Report::of(&run);
+    report.assert_counts(&errors(&[&start, &middle, &end], &report));
+    let read = |name: &str| Frame::read(folder.path("new/rounded").join(name)).unwrap();
+    // The box of the ends is that of all three.
+    let motion = Motion::new(start, end).unwrap();
+    let displacement = motion.displacement();
+    assert_eq!(
+        Motion::new(read("start.ply"), read("end.ply")).unwrap(),
+        motion.shifted(displacement).unwrap()
+    );
+    assert_eq!(read("middle.ply"), middle.shifted(displacement).unwrap());
+}
+
+#[test]
+fn stl_stays_a_soup() {
+    let folder = Folder::new();
+    folder.write("mesh.stl", stl(&tip_above_square(-0.5)));
+    let soup = Frame::read(folder.path("mesh.stl")).unwrap();
+    let report = Report::of(&folder.run(&["round", "mesh.stl", "--output", "rounded.ply"]));
+    report.assert_counts(&errors(&[&soup], &report));
+    assert_eq!(Frame::read(folder.path("rounded.ply")).unwrap().mesh, soup.mesh);
+}
+
+#[test]
+fn a_mesh_can_take_the_place_of_its_input() {
+    let folder = Folder::new();
+    folder.write("mesh.ply", ply(&tip_above_square(-0.1)));
+    let round = || Report::of(&folder.run(&["round", "mesh.ply", "--output", "mesh.ply"]));
+    assert_ne!(round().displacement, [0.0; 3]);
+    assert_eq!(round().displacement, [0.0; 3]);
+}

@@ -1,0 +1,109 @@
+//! What `exact-ccd round` prints and draws.
+
+use crate::folder::Run;
+
+/// A report, taken apart.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Report {
+    /// What the first line calls the displacement.
+    pub(crate) name: String,
+    pub(crate) displacement: [f64; 3],
+    pub(crate) coordinates: usize,
+    pub(crate) largest: f64,
+    pub(crate) rows: Vec<Row>,
+}
+
+/// A line of the histogram.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Row {
+    pub(crate) first: f64,
+    /// None for the zeros.
+    pub(crate) below: Option<f64>,
+    pub(crate) count: usize,
+    pub(crate) bar: usize,
+}
+
+impl Report {
+    #[track_caller]
+    pub(crate) fn of(run: &Run) -> Self {
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
+        let mut lines = run.stdout.lines();
+        let (name, displacement) = lines.next().unwrap().split_once(" along x, y, z: ").unwrap();
+        let displacement: Vec<_> = displacement.split(", ").map(|e| e.parse().unwrap()).collect();
+        let summary = lines.next().unwrap().strip_suffix(':').unwrap();
+        let summary = summary
+            .strip_prefix("rounding errors |x + e - fl(x + e)| of ")
+            .unwrap();
+        let (coordinates, largest) = summary.split_once(" coordinates, at most ").unwrap();
+        Self {
+            name: name.to_owned(),
+            displacement: displacement.try_into().unwrap(),
+            coordinates: coordinates.parse().unwrap(),
+            largest: largest.parse().unwrap(),
+            rows: lines.map(Row::of).collect(),
+        }
+    }
+
+    /// Whether each of these errors has its place in the histogram, and no other.
+    #[track_caller]
+    pub(crate) fn assert_counts(&self, errors: &[f64]) {
+        assert_eq!(self.coordinates, errors.len());
+        assert_eq!(self.largest, errors.iter().copied().fold(0.0, f64::max));
+        assert_eq!(self.rows.iter().map(|row| row.count).sum::<usize>(), errors.len());
+        for row in &self.rows {
+            let is_here = |error: &&f64| match row.below {
+                None => **error == 0.0,
+                Some(below) => row.first <= **error && **error < below,
+            };
+            assert_eq!(row.count, errors.iter().filter(is_here).count(), "{row:?}");
+            assert!(row.count > 0 && row.bar > 0, "{row:?}");
+        }
+        assert!(self.rows.is_sorted_by(|a, b| a.first < b.first));
+        assert!(
+            self.rows
+                .iter()
+                .all(|a| self.rows.iter().all(|b| a.count > b.count || a.bar <= b.bar))
+        );
+    }
+}
+
+impl Row {
+    fn of(line: &str) -> Self {
+        let words: Vec<_> = line.split_whitespace().collect();
+        let (first, below, count, bar) = match words[..] {
+            ["0", count, bar] => (0.0, None, count, bar),
+            [first, "to", below, count, bar] => {
+                (first.parse().unwrap(), Some(below.parse().unwrap()), count, bar)
+            }
+            _ => panic!("{line}"),
+        };
+        assert_eq!(bar, "#".repeat(bar.len()));
+        Self {
+            first,
+            below,
+            count: count.parse().unwrap(),
+            bar: bar.len(),
+        }
+    }
+}
+
+/// How many bars a drawing has.
+pub(crate) fn bars(drawing: &str) -> usize {
+    assert!(
+        drawing.starts_with("<svg ") && drawing.ends_with("</svg>\n"),
+        "{drawing}"
+    );
+    for label in [
+        "coordinates",
+        "log₁₀ ε of the rounding errors ε = |x + e − fl(x + e)|",
+        "ε = 0",
+    ] {
+        assert!(drawing.contains(&format!("\n{label}\n")), "{label} in {drawing}");
+    }
+    assert!(
+        !drawing.contains(" width=\"0\""),
+        "a bar that cannot be seen: {drawing}"
+    );
+    // One more rectangle is the white ground.
+    drawing.matches("<rect ").count() - 1
+}
