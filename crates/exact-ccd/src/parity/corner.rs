@@ -104,14 +104,15 @@ impl Corner for Point {
 
     /// A filter (n = 5 roundings of exact input), then Shewchuk's adaptive predicate where no part of it can underflow or
     /// overflow, then integers.
+    ///
+    /// What underflows is off by up to 2⁻¹⁰⁷⁵, and only a coordinate of `a` can enlarge that: by far less than 2⁻¹⁰⁰⁰ times
+    /// one plus their sum. An overflow makes the bound infinite, and nothing certain.
     #[inline]
     fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {
-        let permanent = permanent(a, b, c);
-        // Infinite and NaN are not certain.
-        match certain_sign(determinant(*a, *b, *c), 8.0 * UNIT * permanent + UNDERFLOW) {
-            Some(sign) if permanent.is_finite() => sign,
-            _ => orientation_near_zero(a, b, c),
-        }
+        const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
+        let enlarged = 1.0 + a[0].abs() + a[1].abs() + a[2].abs();
+        let error = 8.0 * UNIT * permanent(a, b, c) + UNDERFLOW * enlarged;
+        certain_sign(determinant(*a, *b, *c), error).unwrap_or_else(|| orientation_near_zero(a, b, c))
     }
 
     /// A filter, then the same in twice the precision, then integers.
@@ -210,4 +211,93 @@ impl Corner for Integers {
 fn volume([a, b, c]: [&Integers; 3]) -> IBig {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::array::{uniform3, uniform4};
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    use super::*;
+
+    fn combine<const N: usize>(factors: [f64; N], vectors: [Point; N]) -> Point {
+        [0, 1, 2].map(|axis: usize| (0..N).map(|i| factors[i] * vectors[i][axis]).sum())
+    }
+
+    fn vectors() -> impl Strategy<Value = [Point; 4]> {
+        let power =
+            prop_oneof![-1000..=1000, -330..=330, -170..=170].prop_map(|exponent| 2f64.powi(exponent));
+        let coordinate = prop_oneof![
+            8 => -1.0..1.0,
+            4 => (-2..=2i8).prop_map(f64::from),
+            1 => power,
+            1 => any::<f64>().prop_filter("finite", |x| x.is_finite()),
+        ];
+        uniform4(uniform3(coordinate))
+    }
+
+    /// With the third in the plane of the first two, and the fourth placed so that the patch contains the origin, or
+    /// nearly so.
+    fn special() -> impl Strategy<Value = [Point; 4]> {
+        let factors = [-2..=2i8, -2..=2i8].prop_map(|factors| factors.map(f64::from));
+        let place = [1..=3u8, 1..=3u8].prop_map(|place| place.map(|n| f64::from(n) / 4.0));
+        (vectors(), any::<[bool; 2]>(), factors, place).prop_map(
+            |([a, b, mut c, mut d], [flat, near], factors, [s, r])| {
+                if flat {
+                    c = combine(factors, [a, b]);
+                }
+                if near {
+                    let scale = -1.0 / ((1.0 - s) * r);
+                    d = combine(
+                        [(1.0 - s) * (1.0 - r), s * (1.0 - r), s * r].map(|x| x * scale),
+                        [a, b, c],
+                    );
+                }
+                [a, b, c, d]
+            },
+        )
+    }
+
+    fn nudged(x: f64, steps: i8) -> f64 {
+        let next = if steps < 0 { f64::next_down } else { f64::next_up };
+        (0..steps.unsigned_abs()).fold(x, |x, _| next(x))
+    }
+
+    /// Moved by a few units in the last place, and on each axis in a unit of its own.
+    fn corners() -> impl Strategy<Value = [Point; 4]> {
+        let steps = prop_oneof![3 => Just(0), 1 => -2..=2i8];
+        let unit = prop_oneof![2 => Just(0), 1 => -200..=200, 1 => -900..=900]
+            .prop_map(|exponent| 2f64.powi(exponent));
+        let finite = |corners: &[Point; 4]| corners.as_flattened().iter().all(|x| x.is_finite());
+        (special(), uniform4(uniform3(steps)), uniform3(unit))
+            .prop_map(|(corners, steps, units)| {
+                let coordinate =
+                    |i: usize, axis: usize| nudged(corners[i][axis], steps[i][axis]) * units[axis];
+                [0, 1, 2, 3].map(|i| [0, 1, 2].map(|axis| coordinate(i, axis)))
+            })
+            .prop_filter("finite", finite)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 100_000,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..ProptestConfig::default()
+        })]
+
+        /// Whatever underflows, overflows, or cancels.
+        #[test]
+        fn signs_are_those_in_integers(corners in corners()) {
+            let integers = Point::integers(corners.each_ref());
+            let ([a, b, c, _], [i, j, k, _]) = (corners.each_ref(), integers.each_ref());
+            prop_assert_eq!(Point::orientation(a, b, c), Integers::orientation(i, j, k));
+            for axis in 0..3 {
+                prop_assert_eq!(Point::turn(axis, a, b), Integers::turn(axis, i, j));
+            }
+            prop_assert_eq!(Point::are_parallel(a, b), Integers::are_parallel(i, j));
+            prop_assert_eq!(Point::phi(corners.each_ref()), Integers::phi(integers.each_ref()));
+        }
+    }
 }

@@ -149,3 +149,86 @@ impl Signs {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use proptest::array::{uniform2, uniform8};
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    use super::*;
+    use crate::query::Point;
+    use crate::{PointTriangle, SegmentSegment};
+
+    /// The edges of the domain and the diagonals of its faces. Each rejects two rays at most.
+    const LINES_OF_PRISM: u32 = 9 + 6;
+    const LINES_OF_HEXAHEDRON: u32 = 12 + 12;
+
+    /// How many rays are cast until one serves, without counting that.
+    fn rejected<K: Kind>(corners: &[Point; 8]) -> u32 {
+        let signs = Signs::new(corners);
+        if signs.exclude_origin(u8::MAX) {
+            return 0;
+        }
+        (0..)
+            .take_while(|&k| cast::<K, _>(&Ray::new(k), corners, &signs).is_none())
+            .count() as u32
+    }
+
+    /// The corners of a prism, of which those with indices 3 and 7 do not count.
+    fn rejected_by_prism(mut corners: [Point; 8]) -> u32 {
+        (corners[3], corners[7]) = (corners[2], corners[6]);
+        rejected::<PointTriangle>(&corners)
+    }
+
+    /// A linear map that takes the k-th ray to the (k + shift)-th.
+    fn forward(shift: f64, [x, y, z]: Point) -> Point {
+        [x, y + shift * x, z + 2.0 * shift * y + shift * shift * x]
+    }
+
+    /// Each side of a triangle lies across two rays, and so does each side of a parallelogram.
+    const TRIANGLE: [Point; 3] = [[2.0, 3.0, 3.0], [2.0, 7.0, 23.0], [-2.0, -5.0, -5.0]];
+    const PARALLELOGRAM: [Point; 4] = [
+        [2.0, 3.0, 3.0],
+        [6.0, 21.0, 69.0],
+        [-2.0, -7.0, -7.0],
+        [2.0, 11.0, 59.0],
+    ];
+
+    #[test]
+    fn edges_across_the_first_rays_reject_them() {
+        let [a, b, c] = TRIANGLE;
+        let face = [a, b, c, c];
+        let later = face.map(|corner| forward(6.0, corner));
+        let count = rejected_by_prism([face, later].as_flattened().try_into().unwrap());
+        assert!((12..=2 * LINES_OF_PRISM).contains(&count), "{count}");
+
+        let later = PARALLELOGRAM.map(|corner| forward(8.0, corner));
+        let count = rejected::<SegmentSegment>([PARALLELOGRAM, later].as_flattened().try_into().unwrap());
+        assert!((16..=2 * LINES_OF_HEXAHEDRON).contains(&count), "{count}");
+    }
+
+    /// On one of the first rays, opposite of one, or in the plane of two.
+    fn corner() -> impl Strategy<Value = Point> {
+        let ray = (0..6u8).prop_map(|k| [1, k, k * k].map(f64::from));
+        (uniform2(ray), uniform2(-2..=2i8)).prop_map(|([a, b], factors)| {
+            let [x, y] = factors.map(f64::from);
+            [0, 1, 2].map(|axis: usize| x * a[axis] + y * b[axis])
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 50_000,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..ProptestConfig::default()
+        })]
+
+        #[test]
+        fn few_rays_are_rejected(corners in uniform8(corner())) {
+            prop_assert!(rejected_by_prism(corners) <= 2 * LINES_OF_PRISM);
+            prop_assert!(rejected::<SegmentSegment>(&corners) <= 2 * LINES_OF_HEXAHEDRON);
+        }
+    }
+}

@@ -8,7 +8,7 @@
 use alloc::vec::Vec;
 
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::query::{NonFinite, Point, Query};
 
 /// How far all points are moved along each axis to make their differences exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -150,10 +150,8 @@ impl<K: Kind> Rounded<K> {
             *point = displacement.apply(*point);
         }
         let [start, end] = points;
-        let Ok(shifted) = Query::new(start, end) else {
-            let axis = displacement.0.iter().position(|e| *e != 0.0).unwrap_or_default();
-            return Err(RoundingError::OutOfRange { axis });
-        };
+        let shifted =
+            Query::new(start, end).map_err(|NonFinite { axis, .. }| RoundingError::OutOfRange { axis })?;
         Ok(Self {
             corners: corners(&shifted),
             query: shifted,

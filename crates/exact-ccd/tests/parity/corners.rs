@@ -1,0 +1,29 @@
+//! F at the corners of the domain of (u, v), as differences of points.
+
+use std::fmt::Debug;
+
+use exact_ccd::{Kind, Point, PointTriangle, SegmentSegment};
+
+use crate::primitives::Points;
+
+pub(crate) trait Corners: Kind + PartialEq + Debug {
+    /// In the order in which they are checked.
+    const DIFFERENCES: &'static [[usize; 2]];
+
+    /// The pairs of points of which these are the differences.
+    fn pairs(points: &Points) -> Vec<[Point; 2]> {
+        let pair = |now: &[Point; 4], [i, j]: [usize; 2]| [now[i], now[j]];
+        points
+            .iter()
+            .flat_map(|now| Self::DIFFERENCES.iter().map(|&ij| pair(now, ij)))
+            .collect()
+    }
+}
+
+impl Corners for PointTriangle {
+    const DIFFERENCES: &'static [[usize; 2]] = &[[0, 1], [0, 2], [0, 3]];
+}
+
+impl Corners for SegmentSegment {
+    const DIFFERENCES: &'static [[usize; 2]] = &[[0, 2], [0, 3], [1, 2], [1, 3]];
+}

@@ -1,0 +1,149 @@
+//! The shift moves coordinates by as little as makes their differences exact, and says how far it rounded them.
+
+use dashu_int::IBig;
+use dashu_int::ops::Abs;
+use exact_ccd::parity::{Displacement, Rounded, RoundingError};
+use exact_ccd::{EdgeEdge, Point, PointTriangle, SegmentSegment};
+use proptest::prelude::*;
+
+use crate::corners::Corners;
+use crate::generators::*;
+use crate::integers::exactly;
+use crate::laws::query;
+use crate::primitives::Points;
+use crate::runner::for_all;
+
+/// Everything that floating-point numbers can be to each other.
+fn points() -> impl Strategy<Value = Points> {
+    prop_oneof![
+        4 => fractions(),
+        4 => degenerate(small_integers(8)),
+        4 => few_values(),
+        2 => stretched(fractions()),
+        2 => subnormal(small_integers(8)),
+        1 => extremes(),
+        1 => scattered(fractions()),
+    ]
+}
+
+/// Sterbenz's condition: each is at most twice the other.
+fn are_near(x: f64, y: f64) -> bool {
+    let (x, y) = (exactly(x), exactly(y));
+    let twice = |x: &IBig| x + x;
+    (x <= twice(&y) && y <= twice(&x)) || (x >= twice(&y) && y >= twice(&x))
+}
+
+/// b − 2 a for a ≤ b.
+fn excess(x: f64, y: f64) -> IBig {
+    exactly(x.max(y)) - exactly(x.min(y)) * 2
+}
+
+fn moves_by_as_little_as_it_must<K: Corners>() {
+    for_all(20_000, points(), |points| {
+        let pairs = K::pairs(&points);
+        let displacement = Displacement::of_query(&query::<K>(&points));
+        assert_eq!(displacement, Displacement::of_pairs(&pairs), "{points:?}");
+        for (axis, e) in displacement.along_axes().into_iter().enumerate() {
+            let along = || pairs.iter().map(|[x, y]| (x[axis], y[axis]));
+            if along().all(|(x, y)| are_near(x, y)) {
+                assert_eq!(e, 0.0, "{points:?}");
+                continue;
+            }
+            let most = along().map(|(x, y)| excess(x, y)).max().unwrap();
+            assert!(e.is_infinite() || exactly(e) >= most, "{e}: {points:?}");
+            assert!(exactly(e.next_down()) < most, "{e}: {points:?}");
+        }
+    });
+}
+
+#[test]
+fn moves_a_vertex_and_a_face_by_as_little_as_it_must() {
+    moves_by_as_little_as_it_must::<PointTriangle>();
+}
+
+#[test]
+fn moves_edges_by_as_little_as_it_must() {
+    moves_by_as_little_as_it_must::<SegmentSegment>();
+}
+
+fn brings_points_near<K: Corners>() {
+    for_all(20_000, points(), |points| {
+        let query = query::<K>(&points);
+        let displacement = Displacement::of_query(&query);
+        let moved = points.map(|now| now.map(|point| displacement.apply(point)));
+        match Rounded::shift(&query) {
+            Ok(rounded) => {
+                assert_eq!(*rounded.query().points(), moved);
+                assert_eq!(Rounded::check(*rounded.query()), Ok(rounded));
+                for [x, y] in K::pairs(&moved) {
+                    assert!((0..3).all(|axis| are_near(x[axis], y[axis])), "{points:?}");
+                }
+            }
+            Err(error) => {
+                let overflows = |axis: &usize| moved.as_flattened().iter().any(|x| !x[*axis].is_finite());
+                let named = |axis: usize| error == RoundingError::OutOfRange { axis };
+                assert!((0..3).filter(overflows).any(named), "{error}: {points:?}");
+            }
+        }
+    });
+}
+
+#[test]
+fn brings_a_vertex_near_a_face() {
+    brings_points_near::<PointTriangle>();
+}
+
+#[test]
+fn brings_edges_near() {
+    brings_points_near::<SegmentSegment>();
+}
+
+/// One shift serves all queries in a box.
+#[test]
+fn of_a_box_brings_all_its_points_near() {
+    let corners = points().prop_map(|[[a, b, _, _], _]| [a, b]);
+    let boxes = (corners, prop::array::uniform8(prop::array::uniform3(0.0..=1.0)));
+    for_all(20_000, boxes, |([a, b], places)| {
+        let displacement = Displacement::of_box(a, b);
+        let inside = places.map(|place: Point| {
+            [0, 1, 2].map(|axis: usize| {
+                let (lower, upper) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
+                (lower * (1.0 - place[axis]) + upper * place[axis]).clamp(lower, upper)
+            })
+        });
+        let moved = inside.map(|point| displacement.apply(point));
+        if !moved.as_flattened().iter().all(|x| x.is_finite()) {
+            return;
+        }
+        let [p, q, r, s, t, u, v, w] = moved;
+        for axis in 0..3 {
+            assert!(
+                moved
+                    .iter()
+                    .all(|x| moved.iter().all(|y| are_near(x[axis], y[axis]))),
+                "{a:?}, {b:?}: {inside:?}"
+            );
+        }
+        let query = EdgeEdge::new([p, q, r, s], [t, u, v, w]).unwrap();
+        assert!(Rounded::check(query).is_ok(), "{query:?}");
+    });
+}
+
+/// |x + e − x′|.
+#[test]
+fn knows_its_error() {
+    let pairs = points().prop_map(|[[a, b, c, _], _]| ([a, b], c));
+    for_all(20_000, pairs, |(pair, point)| {
+        let displacement = Displacement::of_pairs(&[pair]);
+        let (moved, error) = (displacement.apply(point), displacement.error(point));
+        for axis in 0..3 {
+            let e = displacement.along_axes()[axis];
+            if !moved[axis].is_finite() {
+                assert!(error[axis].is_nan(), "{pair:?}, {point:?}");
+                continue;
+            }
+            let off: IBig = exactly(point[axis]) + exactly(e) - exactly(moved[axis]);
+            assert_eq!(exactly(error[axis]), off.abs(), "{pair:?}, {point:?}");
+        }
+    });
+}

@@ -1,0 +1,25 @@
+//! What holds for the parity of every query, wherever it comes from.
+
+use exact_ccd::parity::{self, Parity, Rounded};
+use exact_ccd::{Kind, Query};
+
+use crate::expected::{Rim, expected};
+use crate::primitives::Points;
+
+/// The query of these points, which are finite.
+pub(crate) fn query<K: Kind>(points: &Points) -> Query<K> {
+    Query::new(points[0], points[1]).unwrap()
+}
+
+/// The parity, checked to be the same in integers.
+pub(crate) fn checked_parity<K: Kind>(rounded: &Rounded<K>) -> Parity {
+    let (parity, query) = (rounded.parity(), rounded.query());
+    assert_eq!(parity, parity::rational(query), "{query:?}");
+    parity
+}
+
+/// Checks that the parity is what the definition of contact makes it.
+pub(crate) fn assert_defined<K: Rim>(rounded: &Rounded<K>) {
+    let query = rounded.query();
+    assert_eq!(checked_parity(rounded), expected(query), "{query:?}");
+}

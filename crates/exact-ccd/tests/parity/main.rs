@@ -1,0 +1,29 @@
+//! Root parity against the definition of contact and against itself in integers, and its rounding against exact
+//! arithmetic.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+mod any_magnitude;
+mod check;
+mod corners;
+mod definition;
+mod displacement;
+mod expected;
+mod flat_patch;
+mod integers;
+mod laws;
+mod plane;
+mod rays;
+
+#[path = "../queries/generators/mod.rs"]
+#[expect(
+    dead_code,
+    unused_imports,
+    reason = "families of which the tests of queries use more"
+)]
+mod generators;
+#[path = "../queries/primitives.rs"]
+#[expect(dead_code, reason = "what the families are made of, and more")]
+mod primitives;
+#[path = "../queries/runner.rs"]
+mod runner;
