@@ -87,8 +87,8 @@ pub enum LineSearchError {
 /// [`LineSearch::Exact`] and with [`ExactDecision`] the step from `start` to [`advance`]`(start, direction, α)` has been
 /// checked to be free of contact, exactly, with the rounding of the positions at its end.
 ///
-/// With [`LineSearch::Exact`], α is the time of impact of the full step, less one, two, four, … units in its last place, the
-/// first for which this is so. A bisection returns a step that is smaller by up to its tolerance.
+/// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two, four, … units in its last
+/// place: the first for which this is so. A bisection returns a step that is smaller by up to its tolerance.
 ///
 /// # Errors
 /// [`LineSearchError`] says which positions or parts of the direction are too many, too few or not finite.

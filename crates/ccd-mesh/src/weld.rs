@@ -11,8 +11,9 @@ use crate::motion::{Motion, MotionError};
 impl Motion {
     /// The motion from one frame to another, with one vertex in place of all that coincide both at t = 0 and at t = 1.
     ///
-    /// Such vertices coincide at all times between, so nothing that happens to the surface is lost. Vertices that
-    /// meet at one time only stay apart. The new vertices are numbered in the order in which they first appear, and
+    /// Such vertices coincide at all times between, so the surface stays the same. But where separate bodies share such
+    /// a point, they become neighbours there, and pairs of primitives that share a vertex are not looked at. Vertices
+    /// that meet at one time only stay apart. The new vertices are numbered in the order in which they first appear, and
     /// the faces keep their order. Coordinates are compared as numbers: −0.0 equals 0.0.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use crate::query::Query;
 use crate::time::{ContactTime, ContactTimes};
 use crate::{exact, filter};
 
-/// Where a query was settled, from the cheapest stage to the dearest.
+/// Where a query was settled, from the cheapest stage to the costliest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Stage {

@@ -28,6 +28,9 @@
 //! where their error bounds prove the same.
 #![no_std]
 
+#[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
+compile_error!("the error bounds of the filters need f64 arithmetic without excess precision: enable SSE2");
+
 extern crate alloc;
 
 mod contact;

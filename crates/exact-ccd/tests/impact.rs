@@ -221,6 +221,23 @@ fn parallel_edges_meet() {
 }
 
 #[test]
+fn an_end_of_the_second_edge_meets_the_first() {
+    // In the plane y = 0 at all times: b₀ falls on a.
+    let [start, end] = [2.0, -2.0].map(|z| {
+        [
+            [0.0, 0.0, 0.0],
+            [4.0, 0.0, 0.0],
+            [1.0, 0.0, z],
+            [1.0, 0.0, z + 3.0],
+        ]
+    });
+    let impact = EdgeEdge::new(start, end).unwrap().impact().unwrap();
+    assert_eq!(impact.time.lower(), 0.5);
+    assert_eq!(impact.parameters, [0.25, 0.0]);
+    assert_eq!(impact.normal, Some([0.0, 0.0, -1.0]));
+}
+
+#[test]
 fn points_meet() {
     let still = [0.0; 3];
     let [start, end] = [[2.0, 1.0, 2.0], [-2.0, -1.0, -2.0]].map(|p: Point| [p, still, still, still]);

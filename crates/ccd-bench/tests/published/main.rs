@@ -10,10 +10,8 @@ mod ground_truth;
 mod parity;
 mod steps;
 
-#[path = "../../../exact-ccd/tests/parity/expected.rs"]
+#[path = "../../../exact-ccd/tests/parity/expected/mod.rs"]
 mod expected;
-#[path = "../../../exact-ccd/tests/parity/integers.rs"]
-mod integers;
 
 use std::path::Path;
 

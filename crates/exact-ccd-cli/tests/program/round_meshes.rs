@@ -4,7 +4,7 @@ use ccd_mesh::{Frame, Motion};
 
 use crate::folder::Folder;
 use crate::meshes::{obj, off, ply, stl, tip_above_square};
-use crate::rounding_report::{Report, bars};
+use crate::rounding_report::{Report, assert_drawn};
 
 /// The rounding errors of these frames, after the report was found to tell the right displacement.
 fn errors(frames: &[&Frame], report: &Report) -> Vec<f64> {
@@ -32,7 +32,7 @@ fn one_mesh_becomes_one_file() {
         let run = folder.run(&["round", name, "--output", "rounded.ply", "--plot", "plot.svg"]);
         let report = Report::of(&run);
         report.assert_counts(&errors(&[&frame], &report));
-        assert_eq!(bars(&folder.read("plot.svg")), report.rows.len());
+        assert_drawn(&folder.read("plot.svg"), &report.rows);
         let expected = frame.shifted(frame.bounds().displacement()).unwrap();
         assert_eq!(
             Frame::read(folder.path("rounded.ply")).unwrap(),

@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use crate::folder::Folder;
 use crate::queries::{miss, pass, slide};
 use crate::query_rows::{file, points_in, rows};
-use crate::rounding_report::{Report, bars};
+use crate::rounding_report::{Report, assert_drawn};
 
 /// One displacement for all points.
 fn shared(points: &[[[Point; 4]; 2]]) -> Displacement {
@@ -61,7 +61,7 @@ fn errors_of_all_magnitudes_have_their_bars() {
     let report = Report::of(&folder.run(&["round", "--kind", "vf", "vf.csv", "--plot", "plot.svg"]));
     report.assert_counts(&errors(shared(&[points]), &points));
     assert_eq!(report.rows.len(), 6);
-    assert_eq!(bars(&folder.read("plot.svg")), 6);
+    assert_drawn(&folder.read("plot.svg"), &report.rows);
 }
 
 #[test]
@@ -103,7 +103,7 @@ fn no_queries_are_no_error() {
         assert_eq!(report.displacement, [0.0; 3]);
         report.assert_counts(&[]);
         assert_eq!(folder.read("rounded.csv"), "");
-        assert_eq!(bars(&folder.read("plot.svg")), 0);
+        assert_drawn(&folder.read("plot.svg"), &[]);
     }
 }
 
@@ -148,7 +148,7 @@ fn assert_shared<K: DataKind>(kind: &str, points: &[[[Point; 4]; 2]]) {
         .flat_map(|points| errors(displacement, points))
         .collect();
     report.assert_counts(&errors);
-    assert_eq!(bars(&folder.read("plot.svg")), report.rows.len());
+    assert_drawn(&folder.read("plot.svg"), &report.rows);
 
     let rounded = points_in::<K>(&folder, "rounded.csv");
     let apply = |times: &[[Point; 4]; 2]| times.map(|points| points.map(|point| displacement.apply(point)));

@@ -87,23 +87,67 @@ impl Row {
     }
 }
 
-/// How many bars a drawing has.
-pub(crate) fn bars(drawing: &str) -> usize {
+/// Whether a drawing shows the rows as bars: in their places on the axis, side by side, as high as there are many.
+#[track_caller]
+pub(crate) fn assert_drawn(drawing: &str, rows: &[Row]) {
     assert!(
         drawing.starts_with("<svg ") && drawing.ends_with("</svg>\n"),
         "{drawing}"
     );
-    for label in [
-        "coordinates",
-        "log₁₀ ε of the rounding errors ε = |x + e − fl(x + e)|",
-        "ε = 0",
-    ] {
-        assert!(drawing.contains(&format!("\n{label}\n")), "{label} in {drawing}");
+    let texts: Vec<_> = elements(drawing, "text").collect();
+    let text = |content: &str| texts.iter().find(|text| text.content() == content);
+    assert!(text("coordinates").is_some());
+    assert!(text("log₁₀ ε of the rounding errors ε = |x + e − fl(x + e)|").is_some());
+    let zero = text("ε = 0").unwrap();
+
+    // The first rectangle is the white ground.
+    let bars: Vec<_> = elements(drawing, "rect").skip(1).collect();
+    assert_eq!(bars.len(), rows.len());
+    for (bar, row) in bars.iter().zip(rows) {
+        let [left, width] = ["x", "width"].map(|name| bar.number(name));
+        assert!(width > 0, "a bar that cannot be seen: {drawing}");
+        let exponent = row.below.map(|below| below.log10().round() - 1.0);
+        let distance = match exponent {
+            None => left + width / 2 - zero.number("x"),
+            Some(k) => texts
+                .iter()
+                .find(|label| label.content() == k.to_string() && label.number("y") == zero.number("y"))
+                .map_or(0, |label| left - label.number("x")),
+        };
+        // In pixels.
+        assert!(distance.abs() <= 1, "{row:?} in {drawing}");
     }
-    assert!(
-        !drawing.contains(" width=\"0\""),
-        "a bar that cannot be seen: {drawing}"
-    );
-    // One more rectangle is the white ground.
-    drawing.matches("<rect ").count() - 1
+    assert!(bars.is_sorted_by(|a, b| a.number("x") + a.number("width") <= b.number("x")));
+    let highest = rows.iter().map(|row| row.count).max().unwrap_or(0);
+    let tallest = bars.iter().map(|bar| bar.number("height")).max();
+    for (bar, row) in bars.iter().zip(rows) {
+        let expected = f64::from(tallest.unwrap()) * row.count as f64 / highest as f64;
+        assert!(
+            (f64::from(bar.number("height")) - expected).abs() <= 1.0,
+            "{row:?}"
+        );
+    }
+}
+
+/// An element of a drawing, from its first attribute on.
+struct Element<'a>(&'a str);
+
+fn elements<'a>(drawing: &'a str, name: &str) -> impl Iterator<Item = Element<'a>> {
+    let start = format!("<{name} ");
+    let places: Vec<_> = drawing.match_indices(&start).map(|(place, _)| place).collect();
+    places
+        .into_iter()
+        .map(move |place| Element(&drawing[place + start.len() - 1..]))
+}
+
+impl Element<'_> {
+    fn number(&self, attribute: &str) -> i32 {
+        let (_, value) = self.0.split_once(&format!(" {attribute}=\"")).unwrap();
+        value.split_once('"').unwrap().0.parse().unwrap()
+    }
+
+    fn content(&self) -> &str {
+        let (_, content) = self.0.split_once(">\n").unwrap();
+        content.split_once("\n</").unwrap().0
+    }
 }

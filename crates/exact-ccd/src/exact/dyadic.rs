@@ -93,7 +93,11 @@ pub(crate) fn decompose(x: f64) -> (i64, i32) {
     let zeros = mantissa.trailing_zeros();
     let magnitude = mantissa >> zeros;
     (
-        if x < 0.0 { -magnitude } else { magnitude },
+        if x.is_sign_negative() {
+            -magnitude
+        } else {
+            magnitude
+        },
         exponent + zeros as i32,
     )
 }

@@ -6,8 +6,8 @@ use exact_ccd::{PointTriangle, SegmentSegment};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
+use crate::expected::integers::exactly;
 use crate::generators::*;
-use crate::integers::exactly;
 use crate::laws::query;
 use crate::primitives::{Points, Primitives};
 use crate::runner::for_all;

@@ -7,8 +7,8 @@ use exact_ccd::{EdgeEdge, Point, PointTriangle, SegmentSegment};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
+use crate::expected::integers::exactly;
 use crate::generators::*;
-use crate::integers::exactly;
 use crate::laws::query;
 use crate::primitives::Points;
 use crate::runner::for_all;

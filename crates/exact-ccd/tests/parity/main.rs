@@ -10,7 +10,6 @@ mod definition;
 mod displacement;
 mod expected;
 mod flat_patch;
-mod integers;
 mod laws;
 mod plane;
 mod rays;
