@@ -1,0 +1,166 @@
+//! Interval arithmetic with outward rounding in software.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A closed interval of real numbers that contains what it stands for, whatever was rounded on the way.
+///
+/// Its ends may be infinite, after an overflow, but are never NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Interval {
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
+}
+
+const WHOLE: Interval = Interval {
+    lower: f64::NEG_INFINITY,
+    upper: f64::INFINITY,
+};
+
+impl Interval {
+    pub(crate) const ZERO: Self = Self {
+        lower: 0.0,
+        upper: 0.0,
+    };
+
+    pub(crate) fn new(lower: f64, upper: f64) -> Self {
+        Self { lower, upper }
+    }
+
+    /// The single number x.
+    pub(crate) fn exactly(x: f64) -> Self {
+        Self::new(x, x)
+    }
+
+    /// NaN, from infinities that cancel, stands for any number.
+    fn or_whole(self) -> Self {
+        if self.lower <= self.upper { self } else { WHOLE }
+    }
+
+    pub(crate) fn contains_zero(self) -> bool {
+        self.lower <= 0.0 && self.upper >= 0.0
+    }
+
+    /// The sign of all numbers in the interval, if it is the same.
+    pub(crate) fn sign(self) -> Option<Ordering> {
+        if self.lower > 0.0 {
+            Some(Ordering::Greater)
+        } else if self.upper < 0.0 {
+            Some(Ordering::Less)
+        } else if self == Self::ZERO {
+            Some(Ordering::Equal)
+        } else {
+            None
+        }
+    }
+
+    pub(crate) fn width(self) -> f64 {
+        self.upper - self.lower
+    }
+
+    /// The smallest interval that contains both.
+    pub(crate) fn hull(self, other: Self) -> Self {
+        Self::new(self.lower.min(other.lower), self.upper.max(other.upper))
+    }
+}
+
+/// fl(a + b) and whether it is the sum: what Knuth's error term leaves out is zero. The sum of two f64 never underflows.
+fn sum(a: f64, b: f64) -> (f64, bool) {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b) == 0.0)
+}
+
+impl Add for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let ((lower, lower_is_exact), (upper, upper_is_exact)) =
+            (sum(self.lower, other.lower), sum(self.upper, other.upper));
+        Self {
+            lower: if lower_is_exact { lower } else { lower.next_down() },
+            upper: if upper_is_exact { upper } else { upper.next_up() },
+        }
+        .or_whole()
+    }
+}
+
+impl Neg for Interval {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self::new(-self.upper, -self.lower)
+    }
+}
+
+impl Sub for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+/// fl(a · b), moved by one ulp unless a factor is zero; the ends of an interval may be infinite, and stand for large numbers.
+fn product(a: f64, b: f64, outward: impl Fn(f64) -> f64) -> f64 {
+    if a == 0.0 || b == 0.0 { 0.0 } else { outward(a * b) }
+}
+
+impl Mul for Interval {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        let factors = [
+            (self.lower, other.lower),
+            (self.lower, other.upper),
+            (self.upper, other.lower),
+            (self.upper, other.upper),
+        ];
+        let lower = factors.map(|(a, b)| product(a, b, f64::next_down));
+        let upper = factors.map(|(a, b)| product(a, b, f64::next_up));
+        Self {
+            lower: lower.into_iter().fold(f64::INFINITY, f64::min),
+            upper: upper.into_iter().fold(f64::NEG_INFINITY, f64::max),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn interval() -> impl Strategy<Value = (Interval, f64)> {
+        (any::<f64>(), any::<f64>(), 0.0..=1.0).prop_filter_map("finite", |(a, b, s): (f64, f64, f64)| {
+            let (lower, upper) = (a.min(b), a.max(b));
+            let inside = (lower + s * (upper - lower)).clamp(lower, upper);
+            inside.is_finite().then(|| (Interval::new(lower, upper), inside))
+        })
+    }
+
+    proptest! {
+        /// The rounded result of two members is in the result or just outside of it: the exact one is inside.
+        #[test]
+        fn results_contain_the_results_of_members((x, a) in interval(), (y, b) in interval()) {
+            for (result, member) in [(x + y, a + b), (x - y, a - b), (x * y, a * b)] {
+                prop_assert!(result.lower <= member && member <= result.upper);
+            }
+        }
+
+        #[test]
+        fn exact_sums_are_not_widened(a in -1000..1000i32, b in -1000..1000i32) {
+            let [x, y] = [a, b].map(|x: i32| Interval::exactly(x.into()));
+            prop_assert_eq!(x + y, Interval::exactly((a + b).into()));
+        }
+    }
+
+    #[test]
+    fn zero_times_infinity_is_zero() {
+        assert_eq!(Interval::ZERO * WHOLE, Interval::ZERO);
+        assert_eq!((WHOLE - WHOLE), WHOLE);
+    }
+}
