@@ -27,6 +27,12 @@ pub(super) trait Corner: Sized {
         (0..3).all(|axis| !self.is_positive(axis) && !self.is_negative(axis))
     }
 
+    /// Whether two corners whose turn is zero are on the same side of an axis, as seen along it, and off it.
+    fn are_on_one_ray(axis: usize, a: &Self, b: &Self) -> bool {
+        let signs = |c: &Self| seen_along(axis).map(|k| (c.is_positive(k), c.is_negative(k)));
+        signs(a) == signs(b) && signs(a) != [(false, false); 2]
+    }
+
     /// The sign of a component of a × b: on which side of that axis the line from a to b passes.
     fn turn(axis: usize, a: &Self, b: &Self) -> Ordering;
 
@@ -40,9 +46,15 @@ pub(super) trait Corner: Sized {
     fn integers(corners: [&Self; 4]) -> [Integers; 4];
 }
 
+/// The axes that are seen along another one, in the order of their turn.
+pub(super) fn seen_along(axis: usize) -> [usize; 2] {
+    [(axis + 1) % 3, (axis + 2) % 3]
+}
+
 /// A vector in integers.
 pub(super) type Integers = [IBig; 3];
 
+#[inline]
 fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
     a[0] * (b[1] * c[2] - b[2] * c[1])
         + a[1] * (b[2] * c[0] - b[0] * c[2])
@@ -50,6 +62,7 @@ fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
 }
 
 /// The determinant of magnitudes, with sums in place of differences.
+#[inline]
 fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
     let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
     a[0] * (b[1] * c[2] + b[2] * c[1])
@@ -85,16 +98,16 @@ impl Corner for Point {
     /// Rounding is monotone: if the rounded products differ, so do the exact ones, in the same sense.
     #[inline]
     fn turn(axis: usize, a: &Self, b: &Self) -> Ordering {
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        let [next, last] = seen_along(axis);
         let (p, q) = (a[next] * b[last], a[last] * b[next]);
-        if p > q {
-            return Ordering::Greater;
+        // Without a branch for the sign, which nobody could predict.
+        if p != q {
+            return if p > q { Ordering::Greater } else { Ordering::Less };
         }
-        if p < q {
-            return Ordering::Less;
-        }
-        let vanishes = |x: f64, y: f64| x == 0.0 || y == 0.0;
-        if vanishes(a[next], b[last]) && vanishes(a[last], b[next]) {
+        // Most zeros are plain: a point at rest makes corners coincide, motion in a plane makes them vanish on its axis.
+        let coincide = (a[next] == b[next]) & (a[last] == b[last]);
+        let vanish = |x: f64, y: f64| (x == 0.0) | (y == 0.0);
+        if coincide | (vanish(a[next], b[last]) & vanish(a[last], b[next])) {
             return Ordering::Equal;
         }
         let mut along = [0.0; 3];
@@ -130,12 +143,16 @@ impl Corner for Point {
 
 #[cold]
 fn orientation_near_zero(a: &Point, b: &Point, c: &Point) -> Ordering {
-    // Most zeros are plain: a point at rest makes corners coincide, motion in a plane makes them vanish on its axis.
-    let vanish_on = |axis: usize| a[axis] == 0.0 && b[axis] == 0.0 && c[axis] == 0.0;
-    if a == b || b == c || c == a || (0..3).any(vanish_on) {
+    let coincide = |a: &Point, b: &Point| (a[0] == b[0]) & (a[1] == b[1]) & (a[2] == b[2]);
+    let vanish_on = |axis: usize| (a[axis] == 0.0) & (b[axis] == 0.0) & (c[axis] == 0.0);
+    if coincide(a, b) | coincide(b, c) | coincide(c, a) | vanish_on(0) | vanish_on(1) | vanish_on(2) {
         return Ordering::Equal;
     }
-    if [a, b, c].into_iter().flatten().all(|&x| is_safe(x)) {
+    if [*a, *b, *c]
+        .as_flattened()
+        .iter()
+        .fold(true, |all, &x| all & is_safe(x))
+    {
         let [a, b, c] = [a, b, c].map(|&[x, y, z]| robust::Coord3D { x, y, z });
         let origin = robust::Coord3D {
             x: 0.0,
@@ -154,7 +171,7 @@ fn orientation_near_zero(a: &Point, b: &Point, c: &Point) -> Ordering {
 fn is_safe(x: f64) -> bool {
     const SMALLEST: f64 = f64::from_bits((1023 - 300) << 52);
     const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
-    x == 0.0 || (SMALLEST..=LARGEST).contains(&x.abs())
+    (x == 0.0) | ((x.abs() >= SMALLEST) & (x.abs() <= LARGEST))
 }
 
 /// The sign of φ, where it is certain in the arithmetic of T. Five operations lead to a volume of which m is a bound; it
@@ -190,7 +207,7 @@ impl Corner for Integers {
     }
 
     fn turn(axis: usize, a: &Self, b: &Self) -> Ordering {
-        let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+        let [next, last] = seen_along(axis);
         (&a[next] * &b[last]).cmp(&(&a[last] * &b[next]))
     }
 

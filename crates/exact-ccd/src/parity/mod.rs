@@ -92,7 +92,7 @@ fn parity<K: Kind, C: Corner>(corners: &[C; 8]) -> Parity {
 fn cast<K: Kind, C: Corner>(ray: &Ray<C>, corners: &[C; 8], signs: &Signs) -> Option<Parity> {
     let mut parity = Some(false);
     for patch in K::PATCHES {
-        let mask = mask(patch);
+        let mask = mask(*patch);
         if signs.exclude_ray(ray.is_axis(), mask) {
             continue;
         }
@@ -117,8 +117,10 @@ struct Signs {
     negative: [u8; 3],
 }
 
-fn mask(corners: &[usize]) -> u8 {
-    corners.iter().fold(0, |mask, corner| mask | 1 << corner)
+/// Four of the corners as a set of bits.
+#[inline]
+fn mask([a, b, c, d]: [usize; 4]) -> u8 {
+    1 << a | 1 << b | 1 << c | 1 << d
 }
 
 impl Signs {
@@ -138,15 +140,19 @@ impl Signs {
     }
 
     /// Whether the bounding box of some corners leaves out the origin.
+    #[inline]
     fn exclude_origin(&self, mask: u8) -> bool {
-        (0..3).any(|axis| self.positive[axis] & mask == mask || self.negative[axis] & mask == mask)
+        (0..3).fold(false, |excluded, axis| {
+            excluded | (self.positive[axis] & mask == mask) | (self.negative[axis] & mask == mask)
+        })
     }
 
     /// Whether it leaves out a ray of which no coordinate is negative and, if it is the x axis, none but x is positive.
+    #[inline]
     fn exclude_ray(&self, is_axis: bool, mask: u8) -> bool {
-        (0..3).any(|axis| {
-            self.negative[axis] & mask == mask || (is_axis && axis > 0 && self.positive[axis] & mask == mask)
-        })
+        let [_, y, z] = self.positive.map(|positive| positive & mask == mask);
+        let is_behind = self.negative.map(|negative| negative & mask == mask) != [false; 3];
+        is_behind | (is_axis & (y | z))
     }
 }
 

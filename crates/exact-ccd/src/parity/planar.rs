@@ -1,9 +1,9 @@
 //! A bilinear patch in a plane through the origin, or on a line through it.
 
 use alloc::vec;
-use core::cmp::Ordering;
 
-use super::corner::{Corner, Integers};
+use super::corner::{Corner, Integers, seen_along};
+use super::ray::Passage;
 use crate::exact::{Polynomial, Vector, cross, dot, roots};
 
 /// Whether a patch, all of whose corners and the origin lie in one plane, contains the origin.
@@ -11,42 +11,18 @@ use crate::exact::{Polynomial, Vector, cross, dot, roots};
 /// If the closed curve q₀ q₁ q₂ q₃ winds around the origin an odd number of times, the patch, which fills it, covers the
 /// origin. It cannot if the origin is outside of the corners' hull. What is left are patches that fold over.
 pub(super) fn contains_origin<C: Corner>(corners: [&C; 4]) -> bool {
-    let turns = |axis: usize| {
-        corners
-            .iter()
-            .any(|a| corners.iter().any(|b| C::turn(axis, a, b).is_ne()))
-    };
-    // Seen along such an axis, different points of the plane look different.
-    match (0..3).find(|&axis| turns(axis)) {
-        Some(axis) if is_outside_of_hull(corners, axis) => false,
-        Some(axis) => winds_around_origin(corners, axis) || folds_over_origin(corners),
-        // The corners lie on a line through the origin.
-        None => (0..3).all(|axis| !is_outside_of_hull(corners, axis)),
+    let mut open = None;
+    for axis in 0..3 {
+        let Some(passage) = Passage::of_axis(axis, corners) else {
+            return false;
+        };
+        if open.is_none() && passage.turns() {
+            open = Some(axis);
+        }
     }
-}
-
-/// The axes that are seen along another one, in the order of their turn.
-fn seen_along(axis: usize) -> [usize; 2] {
-    [(axis + 1) % 3, (axis + 2) % 3]
-}
-
-/// Whether the origin is outside of the corners' hull, as seen along an axis: then all of it is on one side of the line from
-/// the origin through some corner, or on the ray to that corner.
-fn is_outside_of_hull<C: Corner>(corners: [&C; 4], axis: usize) -> bool {
-    let is_outermost = |a: &C| {
-        corners.iter().all(|b| match C::turn(axis, a, b) {
-            Ordering::Greater => true,
-            Ordering::Equal => are_on_one_ray(a, b, axis),
-            Ordering::Less => false,
-        })
-    };
-    corners.into_iter().any(is_outermost)
-}
-
-/// Whether two corners on a line through the origin, as seen along an axis, are strictly on the same side of it.
-fn are_on_one_ray<C: Corner>(a: &C, b: &C, axis: usize) -> bool {
-    let signs = |c: &C| seen_along(axis).map(|k| (c.is_positive(k), c.is_negative(k)));
-    signs(a) == signs(b) && signs(a) != [(false, false); 2]
+    // Seen along such an axis, different points of the plane look different. If there is none, the corners lie on a line
+    // through the origin, on both sides of it.
+    open.is_none_or(|axis| winds_around_origin(corners, axis) || folds_over_origin(corners))
 }
 
 /// Whether the closed curve through the corners passes through the origin, or winds around it an odd number of times, as
@@ -56,7 +32,7 @@ fn winds_around_origin<C: Corner>([q0, q1, q2, q3]: [&C; 4], axis: usize) -> boo
     let mut is_odd = false;
     for [a, b] in [[q0, q1], [q1, q2], [q2, q3], [q3, q0]] {
         let turn = C::turn(axis, a, b);
-        if turn.is_eq() && !are_on_one_ray(a, b, axis) {
+        if turn.is_eq() && !C::are_on_one_ray(axis, a, b) {
             return true;
         }
         let (from_below, to_below) = (a.is_negative(up), b.is_negative(up));

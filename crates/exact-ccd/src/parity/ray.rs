@@ -16,26 +16,65 @@ pub(super) struct Ray<C> {
     is_axis: bool,
 }
 
-/// Where a ray passes a patch: on which side of the line through each two corners, as a table.
-pub(super) struct Passage([[Ordering; 4]; 4]);
+/// Where a line through the origin passes a patch: on which side of it the line through each two corners passes.
+pub(super) struct Passage {
+    /// For each corner, those to its left and to its right, seen along the line, as sets of bits.
+    left: [u8; 4],
+    right: [u8; 4],
+}
 
 impl Passage {
-    /// The passage of a line, given the side of it on which the line through two corners passes; `None` if all of them
-    /// are strictly on one side of a plane through the line.
+    /// The passage of a line; `None` if it misses the hull of the corners.
+    ///
+    /// It does if, seen along the line, one corner is the outermost in either sense of rotation: if all others are strictly on one
+    /// side of it, or behind it or in front of it in the same direction.
     #[inline]
-    pub(super) fn new<C>(corners: [&C; 4], side: impl Fn(&C, &C) -> Ordering) -> Option<Self> {
-        let mut table = [[Ordering::Equal; 4]; 4];
+    pub(super) fn new<C>(
+        corners: [&C; 4],
+        side: impl Fn(&C, &C) -> Ordering,
+        are_aligned: impl Fn(&C, &C) -> bool,
+    ) -> Option<Self> {
+        let (mut left, mut right, mut aligned) = ([0; 4], [0; 4], [0; 4]);
         for i in 0..3 {
             for j in i + 1..4 {
                 let side = side(corners[i], corners[j]);
-                table[i][j] = side;
-                table[j][i] = side.reverse();
+                let (is_left, is_right) = (u8::from(side.is_gt()), u8::from(side.is_lt()));
+                left[i] |= is_left << j;
+                right[i] |= is_right << j;
+                left[j] |= is_right << i;
+                right[j] |= is_left << i;
+                if side.is_eq() && are_aligned(corners[i], corners[j]) {
+                    aligned[i] |= 1 << j;
+                    aligned[j] |= 1 << i;
+                }
             }
         }
-        // Then, seen along the line, one corner is the outermost in either sense of rotation: all others are on one side.
-        let is_outermost = |i: usize, side: Ordering| (0..4).all(|j| j == i || table[i][j] == side);
-        let misses = (0..4).any(|i| is_outermost(i, Ordering::Greater) || is_outermost(i, Ordering::Less));
-        (!misses).then_some(Self(table))
+        let misses = (0..4).fold(false, |misses, i| {
+            let others = 0b1111 & !(1 << i);
+            misses | (left[i] | aligned[i] == others) | (right[i] | aligned[i] == others)
+        });
+        (!misses).then_some(Self { left, right })
+    }
+
+    /// The passage of an axis.
+    #[inline]
+    pub(super) fn of_axis<C: Corner>(axis: usize, corners: [&C; 4]) -> Option<Self> {
+        Self::new(
+            corners,
+            |a, b| C::turn(axis, a, b),
+            |a, b| C::are_on_one_ray(axis, a, b),
+        )
+    }
+
+    /// Whether some two corners are not on one line through the origin, seen along the line.
+    pub(super) fn turns(&self) -> bool {
+        self.left != [0; 4]
+    }
+
+    /// The side on which the line from one corner to another passes.
+    fn side(&self, from: usize, to: usize) -> Ordering {
+        let is_in = |set: u8| set >> to & 1;
+        is_in(self.left[from]).cmp(&is_in(self.right[from]))
     }
 }
 
@@ -53,13 +92,14 @@ impl<C: Corner> Ray<C> {
         self.is_axis
     }
 
-    /// How the ray passes four corners, or `None` if the whole line through it passes them on one side.
+    /// How the line of the ray passes four corners, or `None` if it misses their hull for certain.
     #[inline]
     pub(super) fn pass(&self, corners: [&C; 4]) -> Option<Passage> {
         if self.is_axis {
-            Passage::new(corners, |a, b| C::turn(0, a, b))
+            Passage::of_axis(0, corners)
         } else {
-            Passage::new(corners, |a, b| C::orientation(&self.direction, a, b))
+            let side = |a: &C, b: &C| C::orientation(&self.direction, a, b);
+            Passage::new(corners, side, |_, _| false)
         }
     }
 
@@ -67,7 +107,7 @@ impl<C: Corner> Ray<C> {
     /// triangle at its boundary, or may.
     pub(super) fn crosses(&self, passage: &Passage, corners: [&C; 4], triangle: [usize; 3]) -> Option<bool> {
         let [i, j, k] = triangle;
-        let sides = [passage.0[i][j], passage.0[j][k], passage.0[k][i]];
+        let sides = [passage.side(i, j), passage.side(j, k), passage.side(k, i)];
         if sides.contains(&Ordering::Less) && sides.contains(&Ordering::Greater) {
             return Some(false);
         }

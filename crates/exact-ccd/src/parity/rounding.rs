@@ -32,7 +32,7 @@ fn round_up_difference(a: f64, b: f64) -> f64 {
     }
 }
 
-/// a + b as fl(a + b) and what that leaves out (Knuth).
+/// a + b as fl(a + b) and what that leaves out (Knuth). Unless the sum overflows, nothing does on the way if |a| ≥ |b|.
 #[inline]
 fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -103,7 +103,7 @@ impl Displacement {
     /// How far rounding moves a point along each axis: |x + e − fl(x + e)|, exactly. NaN where the shift overflows.
     #[must_use]
     pub fn error(self, point: Point) -> Point {
-        [0, 1, 2].map(|axis: usize| exact_sum(point[axis], self.0[axis]).1.abs())
+        [0, 1, 2].map(|axis: usize| exact_sum(self.0[axis], point[axis]).1.abs())
     }
 }
 

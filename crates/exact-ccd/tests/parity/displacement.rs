@@ -147,3 +147,15 @@ fn knows_its_error() {
         }
     });
 }
+
+/// The sum x + e stays in range, and so does what it leaves out, though x + e − x would not.
+#[test]
+fn knows_its_error_at_the_end_of_the_range() {
+    let displacement = Displacement::of_pairs(&[[[-f64::MAX / 2.0; 3], [0.0; 3]]]);
+    assert_eq!(displacement.along_axes(), [f64::MAX; 3]);
+    let half_unit = 2f64.powi(970);
+    assert_eq!(
+        displacement.error([-half_unit, -3.0 * half_unit, -4.0 * half_unit]),
+        [half_unit, half_unit, 0.0]
+    );
+}
