@@ -1,4 +1,4 @@
-//! Queries of both kinds: the fast path answers as the exact one, and as its symmetries say.
+//! Queries of both kinds: the fast path answers as the exact one, and as its symmetries say; so does the parity counter.
 
 #![no_main]
 
@@ -6,8 +6,13 @@
 mod changes;
 #[path = "../../crates/exact-ccd/tests/queries/generators/contacts.rs"]
 mod contacts;
+#[path = "../../crates/exact-ccd/tests/parity/expected/mod.rs"]
+mod expected;
 #[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
 mod laws;
+#[path = "../../crates/exact-ccd/tests/parity/laws.rs"]
+#[allow(dead_code, reason = "the tests in which it stands need more of it")]
+mod parity_laws;
 #[path = "../../crates/exact-ccd/tests/queries/primitives.rs"]
 #[allow(dead_code, reason = "the oracles in the tests need more of it")]
 mod primitives;
@@ -15,12 +20,14 @@ mod primitives;
 mod symmetry;
 
 use arbitrary::{Result, Unstructured};
+use exact_ccd::parity::Rounded;
 use exact_ccd::{PointTriangle, SegmentSegment};
 use exact_ccd_fuzz::coordinate;
 use libfuzzer_sys::fuzz_target;
 
 use changes::{Change, nudge, scaled};
 use contacts::{grazing, touching};
+use expected::Rim;
 use primitives::{Points, Primitives};
 use symmetry::Symmetry;
 
@@ -52,7 +59,7 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     Ok(())
 }
 
-fn check_kind<K: Primitives>(recipe: &Recipe, symmetry: &Symmetry, mut points: Points) {
+fn check_kind<K: Primitives + Rim>(recipe: &Recipe, symmetry: &Symmetry, mut points: Points) {
     recipe.changes.iter().for_each(|change| change.apply(&mut points));
     let points = match recipe.contact {
         Contact::None => points,
@@ -61,7 +68,11 @@ fn check_kind<K: Primitives>(recipe: &Recipe, symmetry: &Symmetry, mut points: P
     };
     let points = nudge(points, &recipe.nudges);
     if points.as_flattened().as_flattened().iter().all(|x| x.is_finite()) {
-        laws::checked_times(&laws::query::<K>(&points));
+        let query = laws::query::<K>(&points);
+        laws::checked_times(&query);
+        if let Ok(rounded) = Rounded::shift(&query) {
+            parity_laws::assert_defined(&rounded);
+        }
         laws::assert_symmetric::<K>(&points, symmetry);
         laws::assert_reversible::<K>(&points);
     }
