@@ -83,12 +83,13 @@ pub enum LineSearchError {
 /// How large a step along a direction may be: the positions `start` + α `direction`, rounded, can be reached from `start`
 /// without contact.
 ///
-/// The result is in [0, 1]; 1 if the full step is free, 0 if the mesh touches itself already. With
+/// The result is in [0, 1]; 1 if the full step is free, 0 if the mesh touches itself already. Unless it is 0, with
 /// [`LineSearch::Exact`] and with [`ExactDecision`] the step from `start` to [`advance`]`(start, direction, α)` has been
 /// checked to be free of contact, exactly, with the rounding of the positions at its end.
 ///
 /// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two, four, … units in its last
-/// place: the first for which this is so. A bisection returns a step that is smaller by up to its tolerance.
+/// place: the first for which this is so. A bisection returns a step that is smaller by up to its tolerance. Either is
+/// so up to the rounding of the positions: where that decides, a larger step can be free again.
 ///
 /// # Errors
 /// [`LineSearchError`] says which positions or parts of the direction are too many, too few or not finite.

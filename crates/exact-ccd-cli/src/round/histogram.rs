@@ -16,6 +16,7 @@ pub(super) struct Histogram {
 
 impl Histogram {
     pub(super) fn add(&mut self, error: f64) {
+        debug_assert!(error >= 0.0, "{error}");
         *self.counts.entry(decade(error)).or_default() += 1;
         self.largest = self.largest.max(error);
     }

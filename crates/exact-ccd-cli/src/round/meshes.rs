@@ -23,6 +23,9 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
         Ok::<_, Failure>(bounds.union(&read(input)?.bounds()))
     })?;
     let displacement = shared_displacement(&bounds)?;
+    if let (Some(folder), 2..) = (&arguments.output, inputs.len()) {
+        fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))?;
+    }
     let mut report = Report::shared(displacement);
     for (index, input) in inputs.iter().enumerate() {
         let frame = read(input)?;
@@ -42,7 +45,7 @@ fn read(file: &Path) -> Result<Frame, Failure> {
     Ok(Frame::read(file)?)
 }
 
-/// Where each mesh goes: the only one to `output` itself, several to their names in that folder, which is made.
+/// Where each mesh goes: the only one to `output` itself, several to their names in that folder.
 fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failure> {
     if inputs.len() == 1 {
         return Ok(vec![output.to_owned()]);
@@ -53,6 +56,5 @@ fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failu
     if let Some(file) = files.iter().find(|file| !distinct.insert(*file)) {
         return Err(Failure::SameOutput(file.clone()));
     }
-    fs::create_dir_all(output).map_err(|source| Failure::write(output, source))?;
     Ok(files)
 }

@@ -71,11 +71,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The displacement for all points in a box.
+/// The displacement for all points in a box, which all of them can bear: rounding is monotone, and its corners can.
 fn shared_displacement(bounds: &Bounds) -> Result<Displacement, RoundingError> {
     let displacement = bounds.displacement();
-    let is_infinite = |e: &f64| !e.is_finite();
-    match displacement.along_axes().iter().position(is_infinite) {
+    let [lower, upper] = [bounds.lower, bounds.upper].map(|corner| displacement.apply(corner));
+    let overflows = |axis: &usize| *bounds != Bounds::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
+    match (0..3).find(overflows) {
         None => Ok(displacement),
         Some(axis) => Err(RoundingError::OutOfRange { axis }),
     }

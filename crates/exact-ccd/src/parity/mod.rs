@@ -6,8 +6,9 @@
 //! from the origin has crossings with the faces. All that it takes are signs of determinants of corners of the solid, if
 //! these are exact: for that, the input is rounded first ([`Rounded`]).
 //!
-//! Zero contacts and two look the same, and so does a contact that only grazes. [`Query::collides`] and [`Query::contact_times`] tell them apart, without rounding,
-//! and faster; this module is for comparison, and for who wants the paper's answer.
+//! Zero contacts and two look the same, and so does a contact that only grazes. [`Query::collides`] and
+//! [`Query::contact_times`] tell them apart, without rounding; this module is for comparison, and for those who want the
+//! paper's answer. The chapter `docs/parity.md` of the repository explains the method.
 //!
 //! ```
 //! use exact_ccd::VertexFace;
@@ -38,9 +39,9 @@ use ray::Ray;
 /// The number of contacts, mod 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parity {
-    /// No contact, or an even number of them.
+    /// No contact, or an even number of them, counted with multiplicity: one that only grazes counts as two.
     Even,
-    /// An odd number of contacts, hence one at least.
+    /// An odd number of contacts, counted with multiplicity, hence one at least.
     Odd,
     /// There is a contact on the boundary of the domain: at t = 0 or t = 1, or with an edge of the face or an end of an
     /// edge. Other contacts are not counted.
@@ -82,10 +83,10 @@ fn parity<K: Kind, C: Corner>(corners: &[C; 8]) -> Parity {
     if signs.exclude_origin(u8::MAX) {
         return Parity::Even;
     }
-    // One of the first rays serves; see `ray`.
-    (0..)
-        .find_map(|k| cast::<K, C>(&Ray::new(k), corners, &signs))
-        .unwrap_or(Parity::Even)
+    // One of them serves; see `ray`.
+    let parity = (0..ray::COUNT).find_map(|k| cast::<K, C>(&Ray::new(k), corners, &signs));
+    debug_assert!(parity.is_some(), "no ray serves");
+    parity.unwrap_or(Parity::Even)
 }
 
 /// The parity that a ray tells, or `None` if it meets the boundary of a face.
@@ -176,7 +177,7 @@ mod tests {
         if signs.exclude_origin(u8::MAX) {
             return 0;
         }
-        (0..)
+        (0..ray::COUNT)
             .take_while(|&k| cast::<K, _>(&Ray::new(k), corners, &signs).is_none())
             .count() as u32
     }

@@ -10,6 +10,9 @@ use core::cmp::Ordering;
 
 use super::corner::Corner;
 
+/// How many rays there are to try.
+pub(super) const COUNT: u32 = 2 * 24 + 1;
+
 /// A ray from the origin.
 pub(super) struct Ray<C> {
     direction: C,

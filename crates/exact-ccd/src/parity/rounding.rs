@@ -20,24 +20,35 @@ fn is_near(a: f64, b: f64) -> bool {
     ((b <= 2.0 * a) & (a <= 2.0 * b)) | ((b >= 2.0 * a) & (a >= 2.0 * b))
 }
 
+/// b − 2a, rounded up; infinite if it overflows.
+#[inline]
+fn least_shift(a: f64, b: f64) -> f64 {
+    let doubled = 2.0 * a;
+    if doubled.is_finite() {
+        round_up_difference(b, doubled)
+    } else {
+        // Unless b − 2a overflows too, b is so large that half of it is exact.
+        2.0 * round_up_difference(0.5 * b, a)
+    }
+}
+
 /// a − b, rounded up; infinite if it overflows.
 #[inline]
 fn round_up_difference(a: f64, b: f64) -> f64 {
     let (difference, error) = exact_sum(a, -b);
-    // Written so that a NaN, from an overflow on the way, rounds up too.
-    if error <= 0.0 {
-        difference
-    } else {
+    if error > 0.0 {
         difference.next_up()
+    } else {
+        difference
     }
 }
 
-/// a + b as fl(a + b) and what that leaves out (Knuth). Unless the sum overflows, nothing does on the way if |a| ≥ |b|.
+/// a + b as fl(a + b) and what that leaves out (Dekker). Unless the sum overflows, nothing does on the way.
 #[inline]
 fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
-    let of_b = sum - a;
-    (sum, (a - (sum - of_b)) + (b - of_b))
+    let (large, small) = if a.abs() < b.abs() { (b, a) } else { (a, b) };
+    (sum, small - (sum - large))
 }
 
 /// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by enough for each.
@@ -49,7 +60,7 @@ fn displacement(a: &[f64], b: &[f64]) -> f64 {
     }
     let shift = |(&a, &b): (&f64, &f64)| {
         let (lower, upper) = if a < b { (a, b) } else { (b, a) };
-        round_up_difference(upper, 2.0 * lower)
+        least_shift(lower, upper)
     };
     pairs.map(shift).fold(
         f64::NEG_INFINITY,
@@ -58,14 +69,14 @@ fn displacement(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl Displacement {
-    /// For pairs of points whose differences are to be exact.
+    /// For pairs of finite points whose differences are to be exact.
     #[must_use]
     pub fn of_pairs(pairs: &[[Point; 2]]) -> Self {
         let column = |end: usize, axis: usize| pairs.iter().map(|pair| pair[end][axis]).collect::<Vec<_>>();
         Self([0, 1, 2].map(|axis| displacement(&column(0, axis), &column(1, axis))))
     }
 
-    /// For all pairs of points in the box between two corners, as that of a whole simulation.
+    /// For all pairs of points in the box between two finite corners, as that of a whole simulation.
     #[must_use]
     pub fn of_box(lower: Point, upper: Point) -> Self {
         Self::of_pairs(&[[lower, upper]])
@@ -100,10 +111,10 @@ impl Displacement {
         [0, 1, 2].map(|axis: usize| point[axis] + self.0[axis])
     }
 
-    /// How far rounding moves a point along each axis: |x + e − fl(x + e)|, exactly. NaN where the shift overflows.
+    /// How far rounding moves a point along each axis: |x + e − fl(x + e)|, exactly. Not finite where the shift overflows.
     #[must_use]
     pub fn error(self, point: Point) -> Point {
-        [0, 1, 2].map(|axis: usize| exact_sum(self.0[axis], point[axis]).1.abs())
+        [0, 1, 2].map(|axis: usize| exact_sum(point[axis], self.0[axis]).1.abs())
     }
 }
 

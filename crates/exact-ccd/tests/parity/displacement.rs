@@ -1,4 +1,5 @@
-//! The shift moves coordinates by as little as makes their differences exact, and says how far it rounded them.
+//! The shift moves coordinates to the right by as little as makes their differences exact, and says how far it rounded
+//! them.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
@@ -139,7 +140,7 @@ fn knows_its_error() {
         for axis in 0..3 {
             let e = displacement.along_axes()[axis];
             if !moved[axis].is_finite() {
-                assert!(error[axis].is_nan(), "{pair:?}, {point:?}");
+                assert!(!error[axis].is_finite(), "{pair:?}, {point:?}");
                 continue;
             }
             let off: IBig = exactly(point[axis]) + exactly(e) - exactly(moved[axis]);
@@ -158,4 +159,14 @@ fn knows_its_error_at_the_end_of_the_range() {
         displacement.error([-half_unit, -3.0 * half_unit, -4.0 * half_unit]),
         [half_unit, half_unit, 0.0]
     );
+}
+
+/// Even where 2a is out of range, and where a + b is a tie with the end of the range.
+#[test]
+fn is_the_least_at_the_end_of_the_range() {
+    let e = |a: f64, b: f64| Displacement::of_pairs(&[[[a; 3], [b; 3]]]).along_axes()[0];
+    assert_eq!(e(-2f64.powi(1023), -2f64.powi(1021)), 7.0 * 2f64.powi(1021));
+    assert_eq!(e(-f64::MAX, 0.0), f64::INFINITY);
+    let unit = 2f64.powi(971);
+    assert_eq!(e(-f64::MAX / 2.0, -1.5 * unit), f64::MAX - unit);
 }

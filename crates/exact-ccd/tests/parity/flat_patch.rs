@@ -2,12 +2,16 @@
 //! folds back. Whatever the shape, it passes a point as often as two triangles contain it, mod 2. How often, that is
 //! told by a quadratic equation.
 
+use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use exact_ccd::parity::{Parity, Rounded};
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, SegmentSegment, VertexFace};
 
+use crate::generators::small_integers;
+use crate::laws::{assert_defined, query};
 use crate::plane::{Flat, area, is_in_triangle, is_on_segment, passages};
+use crate::runner::for_all;
 
 /// The signs of (−1)ⁱ Vᵢ, where Vᵢ is the determinant of the corners but the i-th.
 type Signs = [i64; 4];
@@ -157,4 +161,33 @@ fn is_passed_by_the_edge_of_a_face() {
 #[test]
 fn is_passed_by_an_edge() {
     are_passed(|[q0, q1, q2, q3]| EdgeEdge::new([FRONT, BACK, q0, q3], [FRONT, BACK, q1, q2]).unwrap());
+}
+
+/// The parity is the same in the definition for edges among small integers, and the side of the domain along which the first
+/// ends of both move is then a patch with every combination of signs, flat or not.
+#[test]
+fn has_all_signs() {
+    let found = RefCell::new(BTreeMap::<Signs, u32>::new());
+    for_all(60_000, small_integers(1), |points| {
+        let rounded = Rounded::check(query::<SegmentSegment>(&points)).unwrap();
+        assert_defined(&rounded);
+        let corner = |time: usize, b: usize| {
+            [0, 1, 2].map(|axis| (points[time][0][axis] - points[time][b][axis]) as i64)
+        };
+        let corners = [corner(0, 2), corner(0, 3), corner(1, 3), corner(1, 2)];
+        *found.borrow_mut().entry(signs_in_space(corners)).or_default() += 1;
+    });
+    let found = found.into_inner();
+    assert_eq!(found.len(), 81);
+    assert!(found.values().all(|&count| count >= 10), "{found:?}");
+}
+
+/// The signs of V₀, −V₁, V₂ and −V₃.
+fn signs_in_space([q0, q1, q2, q3]: [[i64; 3]; 4]) -> Signs {
+    let determinant = |[a, b, c]: [[i64; 3]; 3]| {
+        a[0] * (b[1] * c[2] - b[2] * c[1])
+            + a[1] * (b[2] * c[0] - b[0] * c[2])
+            + a[2] * (b[0] * c[1] - b[1] * c[0])
+    };
+    [[q1, q2, q3], [q0, q3, q2], [q0, q1, q3], [q0, q2, q1]].map(|corners| determinant(corners).signum())
 }
