@@ -4,6 +4,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use ccd_mesh::ReadMotionError;
+use exact_ccd::NonFinite;
+use parquet::errors::ParquetError;
 
 use crate::rational::CoordinateError;
 
@@ -18,6 +20,9 @@ pub enum DataError {
         /// What the system says.
         source: io::Error,
     },
+    /// The two frames of a scene are no step.
+    #[error(transparent)]
+    Step(#[from] ccd_mesh::StepError),
     /// A line of a CSV file is wrong.
     #[error("{}, line {line}: {problem}", file.display())]
     Line {
@@ -27,6 +32,24 @@ pub enum DataError {
         line: u64,
         /// What is wrong.
         problem: Problem,
+    },
+    /// A Parquet file is wrong.
+    #[error("{}: expected a Parquet file of queries: {problem}", file.display())]
+    Columns {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        problem: ColumnProblem,
+    },
+    /// A row of a Parquet file is wrong.
+    #[error("{}, query {query}: {problem}", file.display())]
+    Record {
+        /// The file.
+        file: PathBuf,
+        /// The index of the row, from 0.
+        query: usize,
+        /// What is wrong.
+        problem: RecordProblem,
     },
     /// A JSON file has another shape than expected; the source names line and column.
     #[error("{}: expected {expected}: {source}", file.display())]
@@ -59,6 +82,16 @@ pub enum DataError {
         expected: usize,
         /// How many verdicts there are.
         found: usize,
+    },
+    /// A root file names a query that the scene does not have.
+    #[error("{}: there is no query {query} among {queries}", file.display())]
+    NoQuery {
+        /// The root file.
+        file: PathBuf,
+        /// The index of the query, from 0.
+        query: usize,
+        /// How many queries the scene has.
+        queries: usize,
     },
     /// A mesh file is wrong.
     #[error(transparent)]
@@ -101,13 +134,16 @@ pub enum Problem {
     /// The ground truth is neither 0 nor 1.
     #[error("expected 0 or 1 as the ground truth, found \"{0}\"")]
     Truth(String),
+    /// The number of contacts is none.
+    #[error("expected a number of contacts, or -1 for infinitely many, found \"{0}\"")]
+    Count(String),
     /// The ground truth differs between the rows of a query.
     #[error("the ground truth is {found}, but {expected} in the rows of the same query before")]
     TruthDiffers {
-        /// The truth in the first row of the query, 0 or 1.
-        expected: u8,
+        /// The truth in the first row of the query: 0 or 1, or a number of contacts.
+        expected: i64,
         /// The truth in this row.
-        found: u8,
+        found: i64,
     },
     /// The file ends before the query does.
     #[error("the file ends after {0} of the 8 rows of a query")]
@@ -124,7 +160,80 @@ pub enum Problem {
     },
 }
 
+/// What is wrong with a Parquet file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ColumnProblem {
+    /// It is damaged, or no Parquet file at all.
+    #[error("{0}")]
+    Parquet(String),
+    /// A column is missing or has another type.
+    #[error("column {column} should have {expected}, found {found}")]
+    Column {
+        /// The name of the column.
+        column: &'static str,
+        /// The right type.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
+    /// The compression is unknown here.
+    #[error("columns should be plain or compressed with GZIP or SNAPPY, found {0}")]
+    Compression(String),
+}
+
+/// What is wrong with a row of a Parquet file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RecordProblem {
+    /// A field is not what it should be.
+    #[error("expected {expected} as {column}, found {found}")]
+    Field {
+        /// The name of the column.
+        column: &'static str,
+        /// What should be there.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
+    /// A coordinate is infinite or not a number.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
+}
+
+impl ColumnProblem {
+    pub(crate) fn parquet(problem: impl Into<String>) -> Self {
+        Self::Parquet(problem.into())
+    }
+}
+
+impl From<ParquetError> for ColumnProblem {
+    fn from(error: ParquetError) -> Self {
+        Self::Parquet(match error {
+            ParquetError::General(text) | ParquetError::EOF(text) | ParquetError::NYI(text) => text,
+            ParquetError::External(source) => source.to_string(),
+            error => error.to_string(),
+        })
+    }
+}
+
+impl RecordProblem {
+    pub(crate) fn field(column: &'static str, expected: &'static str, found: impl ToString) -> Self {
+        let found = found.to_string();
+        Self::Field {
+            column,
+            expected,
+            found,
+        }
+    }
+}
+
 impl DataError {
+    pub(crate) fn columns(file: &Path, problem: ColumnProblem) -> Self {
+        Self::Columns {
+            file: file.to_owned(),
+            problem,
+        }
+    }
+
     pub(crate) fn io(file: &Path, source: io::Error) -> Self {
         Self::Io {
             file: file.to_owned(),

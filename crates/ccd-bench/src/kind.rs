@@ -1,6 +1,7 @@
 //! How the data sets name and number the two kinds of query.
 
-use ccd_mesh::{Step, TriangleMesh};
+use ccd_mesh::{Candidates, Step, TriangleMesh};
+use ccd_methods::{Answer, Method};
 use exact_ccd::{Kind, PointTriangle, Query, SegmentSegment};
 
 /// A kind of query, as the data sets know it.
@@ -16,11 +17,20 @@ pub trait DataKind: Kind + Send + Sync {
     /// this kind. Ids count the vertices, then the edges, then the faces.
     fn indices(ids: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]>;
 
+    /// The pair of global ids that names two primitives of a mesh, the inverse of [`indices`](Self::indices).
+    fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2];
+
     /// The query of two primitives of a moving mesh.
     ///
     /// # Panics
     /// If the mesh has no such primitives.
     fn query(step: &Step<'_>, indices: [u32; 2]) -> Query<Self>;
+
+    /// The candidates of this kind.
+    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]];
+
+    /// What a method says of a query of this kind.
+    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer;
 }
 
 impl DataKind for PointTriangle {
@@ -36,8 +46,21 @@ impl DataKind for PointTriangle {
         ])
     }
 
+    fn ids([vertex, face]: [u32; 2], mesh: &TriangleMesh) -> [u64; 2] {
+        let first_face = mesh.vertex_count() + mesh.edges().len();
+        [vertex.into(), u64::from(face) + first_face as u64]
+    }
+
     fn query(step: &Step<'_>, [vertex, face]: [u32; 2]) -> Query<Self> {
         step.vertex_face(vertex, face).expect("the mesh has both")
+    }
+
+    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
+        candidates.vertex_face()
+    }
+
+    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
+        method.vertex_face(query)
     }
 }
 
@@ -51,8 +74,20 @@ impl DataKind for SegmentSegment {
         Some([edge(a)?, edge(b)?])
     }
 
+    fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2] {
+        indices.map(|edge| u64::from(edge) + mesh.vertex_count() as u64)
+    }
+
     fn query(step: &Step<'_>, [a, b]: [u32; 2]) -> Query<Self> {
         step.edge_edge(a, b).expect("the mesh has both")
+    }
+
+    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
+        candidates.edge_edge()
+    }
+
+    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
+        method.edge_edge(query)
     }
 }
 
@@ -71,6 +106,8 @@ mod tests {
         assert_eq!(PointTriangle::indices([3, 9], &mesh), Some([3, 0]));
         assert_eq!(PointTriangle::indices([0, 10], &mesh), Some([0, 1]));
         assert_eq!(SegmentSegment::indices([4, 8], &mesh), Some([0, 4]));
+        assert_eq!(PointTriangle::ids([3, 0], &mesh), [3, 9]);
+        assert_eq!(SegmentSegment::ids([0, 4], &mesh), [4, 8]);
         for ids in [[4, 9], [0, 8], [0, 11], [9, 0]] {
             assert_eq!(PointTriangle::indices(ids, &mesh), None, "{ids:?}");
         }

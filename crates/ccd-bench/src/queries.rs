@@ -12,6 +12,7 @@ use crate::error::{DataError, Problem};
 use crate::excerpt::excerpt;
 use crate::kind::DataKind;
 use crate::rational::{self, Rounding};
+use crate::record::Record;
 
 /// A query from a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,16 @@ pub struct Sample<K> {
     pub query: Query<K>,
     /// Whether its primitives collide, if the file says so.
     pub truth: Option<bool>,
+}
+
+/// What the seventh column of a query file says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Seventh {
+    /// Whether the primitives collide: 0 or 1.
+    #[default]
+    Contact,
+    /// How many contact times there are: 0 or more, or −1 for infinitely many.
+    Count,
 }
 
 /// Reads queries one after the other, from files of any size. It ends after the first error.
@@ -33,6 +44,7 @@ pub struct QueryReader<K, R> {
     csv: csv::Reader<io::Chain<R, &'static [u8]>>,
     record: ByteRecord,
     rounding: Rounding,
+    seventh: Seventh,
     /// The number of fields in the first row.
     fields: Option<usize>,
     done: bool,
@@ -42,7 +54,8 @@ pub struct QueryReader<K, R> {
 /// A point, the ground truth, and the line that they stand in.
 struct Row {
     point: Point,
-    truth: Option<u8>,
+    /// What is in the seventh column.
+    truth: Option<i64>,
     line: u64,
 }
 
@@ -74,13 +87,35 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
             csv,
             record: ByteRecord::new(),
             rounding,
+            seventh: Seventh::Contact,
             fields: None,
             done: false,
             kind: PhantomData,
         }
     }
 
-    fn sample(&mut self) -> Result<Option<Sample<K>>, DataError> {
+    /// The reader of a file whose seventh column says this.
+    #[must_use]
+    pub fn with_seventh(mut self, seventh: Seventh) -> Self {
+        self.seventh = seventh;
+        self
+    }
+
+    /// The queries with all that the file says of them.
+    pub fn records(mut self) -> impl Iterator<Item = Result<Record<K>, DataError>> {
+        std::iter::from_fn(move || self.next_record())
+    }
+
+    fn next_record(&mut self) -> Option<Result<Record<K>, DataError>> {
+        if self.done {
+            return None;
+        }
+        let record = self.record().transpose();
+        self.done = !matches!(record, Some(Ok(_)));
+        record
+    }
+
+    fn record(&mut self) -> Result<Option<Record<K>>, DataError> {
         let mut points = [[[0.0; 3]; 4]; 2];
         let mut first_truth = None;
         let mut last_line = 0;
@@ -106,9 +141,13 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
             }
         }
         let query = Query::new(points[0], points[1]).expect("coordinates were checked to be finite");
-        Ok(Some(Sample {
+        let sample = Sample {
             query,
-            truth: first_truth.map(|truth| truth == 1),
+            truth: first_truth.map(|truth| truth != 0),
+        };
+        Ok(Some(Record {
+            count: first_truth.filter(|_| self.seventh == Seventh::Count),
+            ..sample.into()
         }))
     }
 
@@ -132,7 +171,7 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
             .map_err(|problem| DataError::line(&self.file, line, problem))
     }
 
-    fn parse(&mut self, index: usize) -> Result<(Point, Option<u8>), Problem> {
+    fn parse(&mut self, index: usize) -> Result<(Point, Option<i64>), Problem> {
         let found = self.record.len();
         let expected = match self.fields {
             Some(6) => "6 fields, as in the first row",
@@ -155,13 +194,21 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
                 }
             })?;
         }
-        let truth = match self.record.get(6) {
-            None => None,
-            Some(b"0") => Some(0),
-            Some(b"1") => Some(1),
-            Some(other) => return Err(Problem::Truth(excerpt(other))),
-        };
+        let truth = self.record.get(6).map(|field| self.truth(field)).transpose()?;
         Ok((point, truth))
+    }
+
+    fn truth(&self, field: &[u8]) -> Result<i64, Problem> {
+        match (self.seventh, field) {
+            (Seventh::Contact, b"0") => Ok(0),
+            (Seventh::Contact, b"1") => Ok(1),
+            (Seventh::Contact, other) => Err(Problem::Truth(excerpt(other))),
+            (Seventh::Count, field) => str::from_utf8(field)
+                .ok()
+                .and_then(|text| text.parse().ok())
+                .filter(|&count| count >= -1)
+                .ok_or_else(|| Problem::Count(excerpt(field))),
+        }
     }
 
     fn io(&self, error: csv::Error) -> DataError {
@@ -173,12 +220,8 @@ impl<K: DataKind, R: Read> Iterator for QueryReader<K, R> {
     type Item = Result<Sample<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        if self.done {
-            return None;
-        }
-        let sample = self.sample().transpose();
-        self.done = !matches!(sample, Some(Ok(_)));
-        sample
+        self.next_record()
+            .map(|record| record.map(|record| record.sample))
     }
 }
 

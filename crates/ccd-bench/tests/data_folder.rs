@@ -232,3 +232,30 @@ fn roots_that_are_none_are_an_error() {
         );
     }
 }
+
+/// With more than two frames, each file belongs to the step that starts at the frame of its number.
+#[test]
+fn a_scene_may_have_many_steps() {
+    let folder = folder();
+    assert_eq!(
+        Scene::steps(&folder.path().join("scenes/fall")).unwrap(),
+        [scene(&folder)]
+    );
+
+    let path = |name: &str| folder.path().join("scenes/fall").join(name);
+    fs::copy(path("frames/10.ply"), path("frames/fall109.ply")).unwrap();
+    fs::copy(path("frames/9.ply"), path("frames/fall110.ply")).unwrap();
+    fs::write(path("boxes/109vf.json"), "[[3, 12]]").unwrap();
+    fs::write(path("mma_bool/109vf_mma_bool.json"), "[false]").unwrap();
+    let steps = Scene::steps(&folder.path().join("scenes/fall")).unwrap();
+    let names: Vec<_> = steps.iter().map(Scene::name).collect();
+    assert_eq!(names, ["fall 9", "fall 10", "fall 109"]);
+    assert_eq!(samples::<PointTriangle>(&steps[0]).unwrap().len(), 2);
+    assert_eq!(samples::<PointTriangle>(&steps[2]).unwrap().len(), 1);
+    assert_eq!(
+        steps[2].frames().unwrap(),
+        [path("frames/fall109.ply"), path("frames/fall110.ply")]
+    );
+    let have_pairs: Vec<_> = steps.iter().map(Scene::has_pairs).collect();
+    assert_eq!(have_pairs, [true, false, false]);
+}

@@ -53,14 +53,12 @@ impl Interval {
             None
         }
     }
+}
 
-    pub(crate) fn width(self) -> f64 {
-        self.upper - self.lower
-    }
-
-    /// The smallest interval that contains both.
-    pub(crate) fn hull(self, other: Self) -> Self {
-        Self::new(self.lower.min(other.lower), self.upper.max(other.upper))
+/// The single number x.
+impl From<f64> for Interval {
+    fn from(x: f64) -> Self {
+        Self::exactly(x)
     }
 }
 
@@ -113,6 +111,26 @@ impl Mul for Interval {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
+        // Half as many products, for a factor like t, u or v.
+        if other.lower >= 0.0 {
+            let of_lower = if self.lower < 0.0 {
+                other.upper
+            } else {
+                other.lower
+            };
+            let of_upper = if self.upper < 0.0 {
+                other.lower
+            } else {
+                other.upper
+            };
+            return Self {
+                lower: product(self.lower, of_lower, f64::next_down),
+                upper: product(self.upper, of_upper, f64::next_up),
+            };
+        }
+        if self.lower >= 0.0 {
+            return other * self;
+        }
         let factors = [
             (self.lower, other.lower),
             (self.lower, other.upper),

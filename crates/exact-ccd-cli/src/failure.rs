@@ -4,6 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use ccd_bench::DataError;
+use ccd_bench::comparison::PeerError;
 use ccd_mesh::{ReadError, ReadMotionError, StepError};
 use exact_ccd::parity::RoundingError;
 
@@ -31,6 +32,12 @@ pub(crate) enum Failure {
     KindMissing(PathBuf),
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),
+    #[error(transparent)]
+    Peer(#[from] PeerError),
+    #[error("there is no method {name}; there are {}", .known.join(", "))]
+    Method { name: String, known: Vec<String> },
+    #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
+    NoDataSet(PathBuf),
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("cannot write {}: {source}", file.display())]

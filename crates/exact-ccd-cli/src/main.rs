@@ -2,6 +2,8 @@
 //!
 //! Status 0 is success, 1 a step with contact, 2 an error, which is told in one line on standard error.
 
+mod bench;
+mod convert;
 mod failure;
 mod kind;
 mod method;
@@ -38,6 +40,8 @@ enum Command {
     Step(step::Arguments),
     Queries(queries::Arguments),
     Round(round::Arguments),
+    Convert(convert::Arguments),
+    Bench(bench::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -59,5 +63,7 @@ fn run(program: &Program) -> Result<ExitCode, Failure> {
         Command::Step(arguments) => step::run(arguments),
         Command::Queries(arguments) => queries::run(arguments),
         Command::Round(arguments) => round::run(arguments),
+        Command::Convert(arguments) => convert::run(arguments),
+        Command::Bench(arguments) => bench::run(arguments),
     }
 }

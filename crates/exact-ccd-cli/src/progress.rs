@@ -25,6 +25,11 @@ pub(crate) fn queries() -> ProgressBar {
     ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} queries"))
 }
 
+/// A bar that is full when this many thousandths of data sets are done.
+pub(crate) fn thousandths(total: u64) -> ProgressBar {
+    ProgressBar::new(total).with_style(style("{wide_bar} {percent} %, {eta} left"))
+}
+
 /// Work whose steps cannot be counted.
 pub(crate) fn stage(name: &'static str) -> ProgressBar {
     ProgressBar::new_spinner()

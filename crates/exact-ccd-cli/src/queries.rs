@@ -1,4 +1,4 @@
-//! `exact-ccd queries`: the contact times of the queries in CSV files, or the parity of their number.
+//! `exact-ccd queries`: the contact times of the queries in files, or the parity of their number.
 
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
@@ -19,13 +19,14 @@ use crate::tally::Tally;
 /// How many queries are read before they are answered, all at once.
 const BATCH: usize = 4096;
 
-/// The contact times of the queries in CSV files, or the parity of their number
+/// The contact times of the queries in files, or the parity of their number
 ///
 /// A query is eight rows: its four points at t = 0, then the same at t = 1.
 /// These are the vertex and the corners of the face, or the ends of the first
 /// edge and those of the second. A row is the numerators and denominators of
 /// x, y and z. In all rows or in none, a seventh column is the ground truth,
-/// 1 for contact and 0 for none.
+/// 1 for contact and 0 for none. Files whose names end in .parquet have the
+/// columns of `exact-ccd convert` instead.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    its number, from 0, which runs on from one file to the next

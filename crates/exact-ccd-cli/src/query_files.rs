@@ -1,19 +1,72 @@
-//! Query files, and queries on standard input.
+//! Query files, in rows or in columns, and queries on standard input.
 
 use std::io;
 use std::path::Path;
 
-use ccd_bench::{DataError, DataKind, QueryReader, Rounding, Sample};
+use ccd_bench::{
+    ColumnReader, ColumnWriter, DataError, DataKind, QueryReader, QueryWriter, Record, Rounding, Sample,
+    Seventh,
+};
+
+use crate::failure::Failure;
+use crate::output::replace_file;
 
 /// Queries as they come out of a file.
-pub(crate) type Samples<K> = Box<dyn Iterator<Item = Result<Sample<K>, DataError>>>;
+pub(crate) type Samples<K> = Box<dyn Iterator<Item = Result<Sample<K>, Failure>>>;
+
+/// Queries as they come out of a file, with all that it says of them.
+pub(crate) type Records<K> = Box<dyn Iterator<Item = Result<Record<K>, Failure>>>;
+
+/// What `--roots` makes of the seventh column.
+pub(crate) fn seventh(roots: bool) -> Seventh {
+    if roots { Seventh::Count } else { Seventh::Contact }
+}
 
 /// The queries in a file; - is standard input.
-pub(crate) fn open<K: DataKind + 'static>(file: &Path, rounding: Rounding) -> Result<Samples<K>, DataError> {
-    Ok(if is_standard_input(file) {
-        Box::new(QueryReader::new(name(file), io::stdin().lock(), rounding))
+pub(crate) fn open<K: DataKind + 'static>(file: &Path, rounding: Rounding) -> Result<Samples<K>, Failure> {
+    let records = records(file, rounding, Seventh::Contact)?;
+    Ok(Box::new(
+        records.map(|record| record.map(|record: Record<K>| record.sample)),
+    ))
+}
+
+/// The queries in a file, with all that it says of them; - is standard input.
+pub(crate) fn records<K: DataKind + 'static>(
+    file: &Path,
+    rounding: Rounding,
+    seventh: Seventh,
+) -> Result<Records<K>, Failure> {
+    Ok(if is_parquet(file) {
+        failing(ColumnReader::open(file)?.records())
+    } else if is_standard_input(file) {
+        let reader = QueryReader::new(name(file), io::stdin().lock(), rounding);
+        failing(reader.with_seventh(seventh).records())
     } else {
-        Box::new(QueryReader::open(file, rounding)?)
+        let reader = QueryReader::open(file, rounding)?;
+        failing(reader.with_seventh(seventh).records())
+    })
+}
+
+fn failing<K: 'static>(records: impl Iterator<Item = Result<Record<K>, DataError>> + 'static) -> Records<K> {
+    Box::new(records.map(|record| record.map_err(Failure::from)))
+}
+
+/// Writes queries, in place of what was in the file.
+pub(crate) fn write<K: DataKind>(
+    file: &Path,
+    seventh: Seventh,
+    mut records: impl Iterator<Item = Result<Record<K>, Failure>>,
+) -> Result<(), Failure> {
+    let failed = |source| Failure::write(file, source);
+    replace_file(file, |writer| {
+        if is_parquet(file) {
+            let mut columns = ColumnWriter::new(writer).map_err(failed)?;
+            records.try_for_each(|record| columns.write(record?).map_err(failed))?;
+            columns.finish().map(|_| ()).map_err(failed)
+        } else {
+            let mut rows = QueryWriter::new(writer, seventh);
+            records.try_for_each(|record| rows.write(&record?).map_err(failed))
+        }
     })
 }
 
@@ -28,4 +81,9 @@ pub(crate) fn name(file: &Path) -> &Path {
 
 fn is_standard_input(file: &Path) -> bool {
     file == Path::new("-")
+}
+
+fn is_parquet(file: &Path) -> bool {
+    file.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"))
 }

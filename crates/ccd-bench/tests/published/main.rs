@@ -5,6 +5,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod candidates;
+mod columns;
 mod frames;
 mod ground_truth;
 mod parity;

@@ -46,9 +46,14 @@ pub(crate) struct Arguments {
     #[arg(long, requires = "kind")]
     per_query: bool,
     /// Write what was rounded: all queries as one query file, a mesh as a PLY file, several meshes as PLY files of
-    /// the same names in this folder. The ground truth of the queries is left out, for rounding can change it.
+    /// the same names in this folder. The ground truth of the queries is left out, for rounding can change it. A query
+    /// file whose name ends in .parquet has the columns of `exact-ccd convert`.
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
+    /// Write how many contact times each rounded query has, -1 for an interval, as the seventh column of the query
+    /// file, where the ground truth would be.
+    #[arg(long, requires = "kind", requires = "output")]
+    roots: bool,
     /// Draw the histogram as an SVG file.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -75,7 +80,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 fn shared_displacement(bounds: &Bounds) -> Result<Displacement, RoundingError> {
     let displacement = bounds.displacement();
     let [lower, upper] = [bounds.lower, bounds.upper].map(|corner| displacement.apply(corner));
-    let overflows = |axis: &usize| *bounds != Bounds::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
+    let overflows =
+        |axis: &usize| *bounds != Bounds::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
     match (0..3).find(overflows) {
         None => Ok(displacement),
         Some(axis) => Err(RoundingError::OutOfRange { axis }),

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use ccd_bench::{DataKind, Rounding, write_query};
+use ccd_bench::{DataKind, Record, Rounding, Seventh};
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
 use exact_ccd::{Kind, NonFinite, Query};
+use rayon::prelude::*;
 
 use super::report::Report;
 use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
-use crate::output::write_file;
 use crate::query_files;
 
 pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Report, Failure> {
@@ -20,15 +20,14 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
     let shared = if arguments.per_query {
         None
     } else {
-        let points = files
-            .iter()
-            .flatten()
-            .flat_map(|query| query.points().as_flattened());
+        let records = files.iter().flatten();
+        let points = records.flat_map(|record| record.sample.query.points().as_flattened());
         Some(shared_displacement(&points.copied().collect())?)
     };
     let mut report = shared.map_or_else(Report::per_query, Report::shared);
-    for (file, queries) in arguments.inputs.iter().zip(&mut files) {
-        for (number, query) in queries.iter_mut().enumerate() {
+    for (file, records) in arguments.inputs.iter().zip(&mut files) {
+        for (number, record) in records.iter_mut().enumerate() {
+            let query = &mut record.sample.query;
             let displacement = shared.unwrap_or_else(|| Displacement::of_query(query));
             let rounded = shift(query, displacement)
                 .map_err(|source| Failure::query(query_files::name(file), number, source))?;
@@ -37,17 +36,25 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
         }
     }
     if let Some(output) = &arguments.output {
-        let mut queries = files.iter().flatten();
-        write_file(output, |writer| {
-            queries.try_for_each(|query| write_query(writer, query))
-        })?;
+        let mut records: Vec<_> = files.into_iter().flatten().collect();
+        if arguments.roots {
+            records = records.into_par_iter().map(Record::answered).collect();
+        }
+        let seventh = query_files::seventh(arguments.roots);
+        query_files::write(output, seventh, records.into_iter().map(Ok))?;
     }
     Ok(report)
 }
 
-fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Query<K>>, Failure> {
-    let queries = query_files::open::<K>(file, Rounding::Refuse)?.map(|sample| Ok(sample?.query));
-    queries.collect()
+/// The queries in a file, without the answers in it: they are not those of the rounded queries.
+fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
+    let records = query_files::records(file, Rounding::Refuse, Seventh::Contact)?;
+    let without_answers = |record: Result<Record<K>, _>| {
+        let mut record = record?;
+        (record.sample.truth, record.count, record.toi) = (None, None, None);
+        Ok(record)
+    };
+    records.map(without_answers).collect()
 }
 
 /// The query, moved and rounded. That its corner differences are exact is checked, not only proved.

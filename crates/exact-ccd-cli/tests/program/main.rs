@@ -2,6 +2,8 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+mod bench;
+mod convert;
 mod examples;
 mod folder;
 mod meshes;

@@ -21,9 +21,18 @@ fn wrong_usage_has_status_2() {
         &["queries", "--kind", "vf"],
         &["queries", "--kind", "fv", "vf.csv"],
         &["queries", "--kind", "vf", "--method", "odd", "vf.csv"],
+        &["bench"],
+        &["bench", "data", "--budget", "0"],
+        &["bench", "data", "--budget", "long"],
+        &["bench", "data", "--sample", "-1"],
         &["round"],
         &["round", "--kind", "vf"],
         &["round", "--per-query", "mesh.ply"],
+        &["round", "--roots", "mesh.ply"],
+        &["round", "--kind", "vf", "--roots", "vf.csv"],
+        &["convert", "--kind", "vf", "vf.csv"],
+        &["convert", "vf.csv", "--output", "vf.parquet"],
+        &["convert", "--kind", "vf", "--output", "vf.parquet"],
     ] {
         let run = Folder::new().run(arguments);
         assert_eq!((run.status, run.stdout.as_str()), (2, ""), "{arguments:?}");
@@ -36,7 +45,7 @@ fn wrong_usage_has_status_2() {
 
 #[test]
 fn help_tells_the_exit_status() {
-    for command in ["step", "queries", "round"] {
+    for command in ["step", "queries", "round", "convert"] {
         let run = Folder::new().run(&[command, "--help"]);
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
         assert!(run.stdout.contains("Exit status"), "{command}");

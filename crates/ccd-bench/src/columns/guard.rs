@@ -1,0 +1,205 @@
+//! What stands between a damaged or forged file and the memory of the machine.
+//!
+//! A file of a few bytes can announce pages of gigabytes. All that is announced is checked against what can be before the
+//! library makes room for it.
+
+use std::cell::Cell;
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Once;
+
+use bytes::Bytes;
+use parquet::basic::Encoding;
+use parquet::column::page::{Page, PageMetadata, PageReader};
+use parquet::errors::{ParquetError, Result};
+use parquet::file::metadata::ColumnChunkMetaData;
+use parquet::file::reader::{ChunkReader, Length};
+
+/// How many bytes a page may have, uncompressed. Writers aim at one megabyte; a dictionary can have more.
+const PAGE: u64 = 1 << 28;
+
+thread_local! {
+    /// Whether a panic on this thread is told by [`catch`].
+    static CAUGHT: Cell<bool> = const { Cell::new(false) };
+}
+
+/// What the library answers; that it panics is an error, and nothing on standard error.
+pub(super) fn catch<T>(ask: impl FnOnce() -> Result<T>) -> Result<T> {
+    static QUIET: Once = Once::new();
+    QUIET.call_once(|| {
+        let loud = panic::take_hook();
+        panic::set_hook(Box::new(move |info| {
+            if !CAUGHT.get() {
+                loud(info);
+            }
+        }));
+    });
+    CAUGHT.set(true);
+    let answer = panic::catch_unwind(AssertUnwindSafe(ask));
+    CAUGHT.set(false);
+    answer.unwrap_or_else(|_| {
+        Err(ParquetError::General(
+            "what it says of itself is contradictory".into(),
+        ))
+    })
+}
+
+/// The bytes of a file, without pages that are too large.
+pub(super) struct GuardedFile(pub(super) File);
+
+impl GuardedFile {
+    /// Whether a column chunk lies in the file.
+    pub(super) fn holds(&self, chunk: &ColumnChunkMetaData) -> bool {
+        let start = chunk.dictionary_page_offset().unwrap_or(chunk.data_page_offset());
+        let [start, length] = [start, chunk.compressed_size()].map(u64::try_from);
+        start.is_ok_and(|start| {
+            length.is_ok_and(|length| start.checked_add(length).is_some_and(|end| end <= self.len()))
+        })
+    }
+}
+
+impl Length for GuardedFile {
+    fn len(&self) -> u64 {
+        self.0.len()
+    }
+}
+
+impl ChunkReader for GuardedFile {
+    type T = BufReader<File>;
+
+    /// The library asks for this to read the header of a page.
+    fn get_read(&self, start: u64) -> Result<Self::T> {
+        let mut reader = self.0.get_read(start)?;
+        match page_size(reader.fill_buf()?) {
+            Some(size) if size > PAGE => Err(ParquetError::General(format!("a page of {size} bytes"))),
+            _ => Ok(reader),
+        }
+    }
+
+    fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
+        if start
+            .checked_add(length as u64)
+            .is_none_or(|end| end > self.len())
+        {
+            return Err(ParquetError::EOF(
+                "the file is too short for what it announces".into(),
+            ));
+        }
+        self.0.get_bytes(start, length)
+    }
+}
+
+/// The uncompressed size in the header of a page: its second field, after the type, both i32 in Thrift's compact protocol,
+/// where 0x15 begins an i32 with the next number. Another form is left to the library.
+fn page_size(header: &[u8]) -> Option<u64> {
+    let after_type = varint(header.strip_prefix(&[0x15])?)?.1;
+    let (zigzag, _) = varint(after_type.strip_prefix(&[0x15])?)?;
+    Some(zigzag / 2)
+}
+
+/// A number in groups of seven bits, the lowest first, and what comes after it.
+fn varint(bytes: &[u8]) -> Option<(u64, &[u8])> {
+    let last = bytes.iter().take(9).position(|byte| byte & 0x80 == 0)?;
+    let (groups, rest) = bytes.split_at(last + 1);
+    let number = groups
+        .iter()
+        .rev()
+        .fold(0, |number, group| number << 7 | u64::from(group & 0x7f));
+    Some((number, rest))
+}
+
+/// The pages of a column chunk, which together have no more values than there can be, and a dictionary before it is used.
+pub(super) struct GuardedPages<P> {
+    pages: P,
+    /// How many values are yet to come, at most.
+    left: usize,
+    has_dictionary: bool,
+}
+
+impl<P: PageReader> GuardedPages<P> {
+    pub(super) fn new(pages: P, values: usize) -> Self {
+        Self {
+            pages,
+            left: values,
+            has_dictionary: false,
+        }
+    }
+}
+
+impl<P: PageReader> PageReader for GuardedPages<P> {
+    fn get_next_page(&mut self) -> Result<Option<Page>> {
+        let page = self.pages.get_next_page()?;
+        let too_many = match &page {
+            None => false,
+            Some(Page::DictionaryPage { buf, num_values, .. }) => {
+                self.has_dictionary = true;
+                // A value in a dictionary has a byte at least.
+                *num_values as usize > buf.len()
+            }
+            Some(page) => {
+                let is_dictionary = matches!(
+                    page.encoding(),
+                    Encoding::RLE_DICTIONARY | Encoding::PLAIN_DICTIONARY
+                );
+                if is_dictionary && !self.has_dictionary {
+                    return Err(ParquetError::General("a dictionary is missing".into()));
+                }
+                let left = self.left.checked_sub(page.num_values() as usize);
+                self.left = left.unwrap_or(0);
+                left.is_none()
+            }
+        };
+        if too_many {
+            Err(ParquetError::General(
+                "a page has more values than there are rows for".into(),
+            ))
+        } else {
+            Ok(page)
+        }
+    }
+
+    fn peek_next_page(&mut self) -> Result<Option<PageMetadata>> {
+        self.pages.peek_next_page()
+    }
+
+    fn skip_next_page(&mut self) -> Result<()> {
+        self.pages.skip_next_page()
+    }
+
+    fn at_record_boundary(&mut self) -> Result<bool> {
+        self.pages.at_record_boundary()
+    }
+}
+
+impl<P: PageReader> Iterator for GuardedPages<P> {
+    type Item = Result<Page>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.get_next_page().transpose()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_size_of_a_page_is_the_second_field_of_its_header() {
+        // 0xd8 0x04 is 600 in groups of seven bits, which is 300 as a signed number.
+        assert_eq!(page_size(&[0x15, 0x04, 0x15, 0xd8, 0x04, 0x15]), Some(300));
+        assert_eq!(
+            page_size(&[0x15, 0x04, 0x15, 0xff, 0xff, 0xff, 0xff, 0x0f]),
+            Some((1 << 31) - 1)
+        );
+        for other in [
+            &[][..],
+            &[0x15],
+            &[0x15, 0x04, 0x25, 0x00],
+            &[0x15, 0xff, 0xff],
+            &[0x15, 0x04, 0x15, 0x80],
+        ] {
+            assert_eq!(page_size(other), None);
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! One column of a row group.
+
+use std::sync::Arc;
+
+use parquet::basic::Compression;
+use parquet::column::reader::ColumnReaderImpl;
+use parquet::data_type::DataType;
+use parquet::file::metadata::RowGroupMetaData;
+use parquet::file::serialized_reader::SerializedPageReader;
+use parquet::schema::types::ColumnDescriptor;
+
+use super::COORDINATES;
+use super::guard::{GuardedFile, GuardedPages, catch};
+use crate::error::ColumnProblem;
+
+/// Where a column is, and what it should be.
+#[derive(Clone, Copy)]
+pub(super) struct Leaf {
+    pub(super) index: usize,
+    name: &'static str,
+}
+
+/// What is asked of a column.
+pub(super) struct Expected {
+    pub(super) name: &'static str,
+    /// In words.
+    pub(super) type_name: &'static str,
+    pub(super) is_list: bool,
+}
+
+impl Leaf {
+    /// The column of this name among all that there are.
+    pub(super) fn find<T: DataType>(
+        columns: &[Arc<ColumnDescriptor>],
+        expected: &Expected,
+    ) -> Result<Self, ColumnProblem> {
+        let named = |column: &Arc<ColumnDescriptor>| column.path().parts()[0] == expected.name;
+        let problem = |found: String| ColumnProblem::Column {
+            column: expected.name,
+            expected: expected.type_name,
+            found,
+        };
+        let index = columns
+            .iter()
+            .position(named)
+            .ok_or_else(|| problem("none".into()))?;
+        let column = &columns[index];
+        let depth = usize::from(column.max_rep_level() > 0);
+        let is_alone = columns.iter().filter(|column| named(column)).count() == 1;
+        if column.physical_type() != T::get_physical_type()
+            || column.max_rep_level() > 1
+            || (depth == 1) != expected.is_list
+            || !is_alone
+        {
+            let list = ["", "lists of "][depth];
+            let found = if is_alone {
+                format!("{list}{}", column.physical_type())
+            } else {
+                "a group of columns".into()
+            };
+            return Err(problem(found));
+        }
+        let name = expected.name;
+        Ok(Self { index, name })
+    }
+}
+
+/// The values of a column in a row group that were not read yet.
+pub(super) struct Column<T: DataType> {
+    reader: ColumnReaderImpl<T>,
+    name: &'static str,
+    max_definition: i16,
+}
+
+impl<T: DataType> Column<T> {
+    /// The column of a row group that has so many rows and up to so many values in each.
+    pub(super) fn open(
+        file: &Arc<GuardedFile>,
+        group: &RowGroupMetaData,
+        leaf: Leaf,
+        rows: usize,
+        values: usize,
+    ) -> Result<Self, ColumnProblem> {
+        let chunk = group.column(leaf.index);
+        match chunk.compression() {
+            Compression::UNCOMPRESSED | Compression::GZIP(_) | Compression::SNAPPY => {}
+            other => return Err(ColumnProblem::Compression(other.to_string())),
+        }
+        if !file.holds(chunk) {
+            return Err(ColumnProblem::parquet("a column is not within the file"));
+        }
+        let pages = catch(|| SerializedPageReader::new(file.clone(), chunk, rows, None))?;
+        let descriptor = chunk.column_descr_ptr();
+        Ok(Self {
+            max_definition: descriptor.max_def_level(),
+            reader: ColumnReaderImpl::new(descriptor, Box::new(GuardedPages::new(pages, rows * values))),
+            name: leaf.name,
+        })
+    }
+
+    /// The next values, of which there are so many.
+    pub(super) fn values(&mut self, rows: usize) -> Result<Vec<Option<T::T>>, ColumnProblem> {
+        let (definition, _, values) = self.levels(rows)?;
+        let mut values = values.into_iter();
+        if self.max_definition == 0 {
+            return Ok(values.map(Some).collect());
+        }
+        Ok(definition
+            .into_iter()
+            .map(|level| {
+                if level == self.max_definition {
+                    values.next()
+                } else {
+                    None
+                }
+            })
+            .collect())
+    }
+
+    /// Levels of definition and of repetition, and values.
+    #[expect(clippy::type_complexity, reason = "three lists, used once each")]
+    fn levels(&mut self, rows: usize) -> Result<(Vec<i16>, Vec<i16>, Vec<T::T>), ColumnProblem> {
+        let (mut definition, mut repetition, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        let mut read = 0;
+        while read < rows {
+            let (records, ..) = catch(|| {
+                let (definition, repetition) = (Some(&mut definition), Some(&mut repetition));
+                self.reader
+                    .read_records(rows - read, definition, repetition, &mut values)
+            })?;
+            if records == 0 {
+                return Err(ColumnProblem::parquet(format!(
+                    "column {} is cut short",
+                    self.name
+                )));
+            }
+            read += records;
+        }
+        Ok((definition, repetition, values))
+    }
+
+    /// There is nothing left to read.
+    pub(super) fn end(&mut self) -> Result<(), ColumnProblem> {
+        let (mut definition, mut repetition, mut values) = (Vec::new(), Vec::new(), Vec::new());
+        let (records, ..) = catch(|| {
+            let (definition, repetition) = (Some(&mut definition), Some(&mut repetition));
+            self.reader.read_records(1, definition, repetition, &mut values)
+        })?;
+        match records {
+            0 => Ok(()),
+            _ => Err(ColumnProblem::parquet(format!(
+                "column {} has too many values",
+                self.name
+            ))),
+        }
+    }
+}
+
+impl<T: DataType<T = f64>> Column<T> {
+    /// The next lists of coordinates; `None` is one of another length or with a null in it.
+    pub(super) fn lists(&mut self, rows: usize) -> Result<Vec<Option<[f64; COORDINATES]>>, ColumnProblem> {
+        let (definition, repetition, values) = self.levels(rows)?;
+        let starts = (0..repetition.len()).filter(|&index| repetition[index] == 0);
+        let ends = starts.clone().skip(1).chain([repetition.len()]);
+        let mut values = values.into_iter();
+        let list = |(start, end): (usize, usize)| {
+            let is_value = |level: &&i16| **level == self.max_definition;
+            let present = definition[start..end].iter().filter(is_value).count();
+            let list: Vec<f64> = values.by_ref().take(present).collect();
+            list.try_into().ok().filter(|_| end - start == COORDINATES)
+        };
+        Ok(starts.zip(ends).map(list).collect())
+    }
+}

@@ -1,0 +1,32 @@
+//! Queries in columns: a Parquet file, a row for each query.
+//!
+//! The coordinates are one column of lists, not 24 columns, so that one dictionary holds what the points of neighbours
+//! share: half the bytes on most data sets. Compression is gzip: every reader of Parquet knows it, it needs no C
+//! library, and its checksum finds damaged data.
+
+mod guard;
+mod leaf;
+mod read;
+mod write;
+
+pub use read::ColumnReader;
+pub use write::ColumnWriter;
+
+/// The columns, as [`ColumnWriter`] writes them. [`ColumnReader`] knows them by their names and physical types.
+const SCHEMA: &str = "message queries {
+    required binary kind (STRING);
+    required group points (LIST) {
+        repeated group list {
+            required double element;
+        }
+    }
+    optional boolean truth;
+    optional int64 count;
+    optional double toi;
+    optional binary scene (STRING);
+    optional int64 id_a;
+    optional int64 id_b;
+}";
+
+/// How many coordinates a query has: x, y, z of its four points at t = 0, then at t = 1.
+const COORDINATES: usize = 24;

@@ -1,0 +1,166 @@
+//! Columns out of queries.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use parquet::basic::{Compression, Encoding, GzipLevel};
+use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::errors::ParquetError;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
+use parquet::schema::parser::parse_message_type;
+use parquet::schema::types::ColumnPath;
+
+use super::{COORDINATES, SCHEMA};
+use crate::kind::DataKind;
+use crate::record::Record;
+
+/// How many queries a row group has, except the last. So many are in memory.
+const GROUP: usize = 1 << 16;
+
+/// Writes queries as a Parquet file, row group by row group, so that a file of any size needs little memory.
+///
+/// Its columns are
+/// - `kind`: `vf` or `ee`;
+/// - `points`: a list of 24 f64, which are x, y and z of the four points at t = 0, then the same at t = 1, in the order of
+///   [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge);
+/// - and those that can be null, with the meaning of [`Record`]: `truth`, `count`, `toi`, `scene`, and the ids of the
+///   pair, `id_a` and `id_b`.
+///
+/// Every f64 keeps its bits.
+pub struct ColumnWriter<K, W: Write + Send> {
+    file: SerializedFileWriter<W>,
+    group: Vec<Record<K>>,
+}
+
+impl<K: DataKind, W: Write + Send> ColumnWriter<K, W> {
+    /// Begins a file.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn new(writer: W) -> io::Result<Self> {
+        let schema = parse_message_type(SCHEMA).expect("the schema is well-formed");
+        let file =
+            SerializedFileWriter::new(writer, Arc::new(schema), Arc::new(properties())).map_err(other)?;
+        Ok(Self {
+            file,
+            group: Vec::new(),
+        })
+    }
+
+    /// Adds a query.
+    ///
+    /// # Errors
+    /// Those of the writer; and if an id is too large for an i64.
+    pub fn write(&mut self, record: Record<K>) -> io::Result<()> {
+        let is_large = |id: &u64| i64::try_from(*id).is_err();
+        if let Some(id) = record.ids.and_then(|ids| ids.into_iter().find(is_large)) {
+            let message = format!("the id {id} is out of the range of int64");
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        }
+        self.group.push(record);
+        if self.group.len() == GROUP {
+            self.end_group()
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Ends the file, and returns the writer.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn finish(mut self) -> io::Result<W> {
+        if !self.group.is_empty() {
+            self.end_group()?;
+        }
+        self.file.into_inner().map_err(other)
+    }
+
+    fn end_group(&mut self) -> io::Result<()> {
+        let mut group = self.file.next_row_group().map_err(other)?;
+        write_group(&mut group, &self.group)
+            .and_then(|()| group.close())
+            .map_err(other)?;
+        self.group.clear();
+        Ok(())
+    }
+}
+
+fn properties() -> WriterProperties {
+    let mut properties = WriterProperties::builder()
+        .set_compression(Compression::GZIP(GzipLevel::default()))
+        // Enough for all coordinates of a row group.
+        .set_dictionary_page_size_limit(GROUP * COORDINATES * size_of::<f64>())
+        .set_statistics_enabled(EnabledStatistics::Chunk);
+    for id in ["id_a", "id_b"].map(ColumnPath::from) {
+        properties = properties
+            .set_column_dictionary_enabled(id.clone(), false)
+            .set_column_encoding(id, Encoding::DELTA_BINARY_PACKED);
+    }
+    properties
+        .set_column_dictionary_enabled("toi".into(), false)
+        .build()
+}
+
+/// The columns, in the order of the schema.
+fn write_group<K: DataKind, W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    records: &[Record<K>],
+) -> Result<(), ParquetError> {
+    let kinds = vec![ByteArray::from(K::SHORT); records.len()];
+    column::<ByteArrayType, _>(group, &kinds, None, None)?;
+
+    let coordinates: Vec<f64> = records
+        .iter()
+        .flat_map(|record| record.sample.query.points().as_flattened().as_flattened())
+        .copied()
+        .collect();
+    // A list begins where the repetition level is 0.
+    let repetition: Vec<i16> = (0..coordinates.len())
+        .map(|index| (index % COORDINATES != 0).into())
+        .collect();
+    let definition = vec![1; coordinates.len()];
+    column::<DoubleType, _>(group, &coordinates, Some(&definition), Some(&repetition))?;
+
+    let scene = |record: &Record<K>| record.scene.as_deref().map(ByteArray::from);
+    let id = |index: usize| move |record: &Record<K>| record.ids.map(|ids| ids[index] as i64);
+    nullable::<BoolType, _, _>(group, records, |record| record.sample.truth)?;
+    nullable::<Int64Type, _, _>(group, records, |record| record.count)?;
+    nullable::<DoubleType, _, _>(group, records, |record| record.toi)?;
+    nullable::<ByteArrayType, _, _>(group, records, scene)?;
+    nullable::<Int64Type, _, _>(group, records, id(0))?;
+    nullable::<Int64Type, _, _>(group, records, id(1))
+}
+
+fn nullable<T: DataType, R, W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    records: &[R],
+    value: impl Fn(&R) -> Option<T::T>,
+) -> Result<(), ParquetError> {
+    let values: Vec<Option<T::T>> = records.iter().map(value).collect();
+    let definition: Vec<i16> = values.iter().map(|value| value.is_some().into()).collect();
+    let values: Vec<T::T> = values.into_iter().flatten().collect();
+    column::<T, _>(group, &values, Some(&definition), None)
+}
+
+fn column<T: DataType, W: Write + Send>(
+    group: &mut SerializedRowGroupWriter<'_, W>,
+    values: &[T::T],
+    definition: Option<&[i16]>,
+    repetition: Option<&[i16]>,
+) -> Result<(), ParquetError> {
+    let mut column = group.next_column()?.expect("the schema has this column");
+    column.typed::<T>().write_batch(values, definition, repetition)?;
+    column.close()
+}
+
+fn other(error: ParquetError) -> io::Error {
+    match error {
+        ParquetError::External(source) => match source.downcast() {
+            Ok(error) => *error,
+            Err(source) => io::Error::other(source),
+        },
+        error => io::Error::other(error),
+    }
+}

@@ -1,0 +1,75 @@
+//! Where and how a comparison was run.
+
+use std::fmt;
+use std::fs;
+
+use serde::Serialize;
+
+/// The machine, and how the program was built.
+#[derive(Clone, Debug, Serialize, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Setting {
+    /// The name of the processor.
+    pub processor: String,
+    /// How many threads it runs at a time.
+    pub cores: usize,
+    /// How many threads answer queries.
+    pub threads: usize,
+    /// The compiler.
+    pub compiler: String,
+    /// What it compiled for.
+    pub target: String,
+    /// The level of optimisation.
+    pub optimisation: String,
+    /// Flags given to it.
+    pub flags: String,
+    /// The version of this program.
+    pub version: String,
+}
+
+impl Setting {
+    /// This machine and this program.
+    #[must_use]
+    pub fn here() -> Self {
+        Self {
+            processor: processor(),
+            cores: std::thread::available_parallelism().map_or(1, Into::into),
+            threads: 1,
+            compiler: env!("CCD_BENCH_COMPILER").to_owned(),
+            target: env!("CCD_BENCH_TARGET").to_owned(),
+            optimisation: env!("CCD_BENCH_OPTIMISATION").to_owned(),
+            flags: env!("CCD_BENCH_FLAGS").to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+        }
+    }
+}
+
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            processor,
+            cores,
+            threads,
+            compiler,
+            target,
+            optimisation,
+            flags,
+            version,
+        } = self;
+        let flags = if flags.is_empty() { "none" } else { flags };
+        write!(
+            f,
+            "exact-ccd {version}; {processor}, {cores} cores, {threads} thread; {compiler}, {target}, \
+             opt-level {optimisation}, flags: {flags}"
+        )
+    }
+}
+
+/// As Linux calls it; elsewhere, its architecture.
+fn processor() -> String {
+    let information = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = information
+        .lines()
+        .find_map(|line| line.strip_prefix("model name")?.trim_start().strip_prefix(':'));
+    name.map_or(std::env::consts::ARCH, str::trim).to_owned()
+}

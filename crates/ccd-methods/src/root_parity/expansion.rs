@@ -1,0 +1,128 @@
+//! Sums of f64 that are not added up.
+
+use std::cmp::Ordering;
+use std::ops::{Add, Mul, Neg, Sub};
+
+use geometry_predicates::predicates::{fast_expansion_sum_zeroelim, scale_expansion_zeroelim};
+
+use super::number::Number;
+
+/// The sum of numbers of increasing magnitude that have no bits in common: exact, as long as nothing overflows or
+/// underflows.
+///
+/// J. R. Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*, Discrete &
+/// Computational Geometry 18, 1997. There is at least one component, and none is zero but that of zero.
+#[derive(Clone)]
+pub(super) struct Expansion(Vec<f64>);
+
+/// Between these magnitudes, polynomials of degree six in differences of f64 neither overflow nor underflow: the last bit
+/// of a coordinate is worth 2⁻¹²⁰⁻⁵² at least, that of a product of six 2⁻¹⁰³²; and the largest such product is that of two
+/// determinants, less than 2 · (48 · 2¹⁶⁰ · 2¹⁶⁰ · 2¹⁶⁰)² < 2⁹⁷³.
+const RANGE: [f64; 2] = [7.6e-37, 1.4e48];
+
+impl Expansion {
+    /// Whether predicates of such coordinates are exact.
+    pub(super) fn can_hold(x: f64) -> bool {
+        x == 0.0 || (RANGE[0]..RANGE[1]).contains(&x.abs())
+    }
+
+    fn of_length(bound: usize, fill: impl FnOnce(&mut [f64]) -> usize) -> Self {
+        let mut components = vec![0.0; bound];
+        let length = fill(&mut components);
+        components.truncate(length);
+        Self(components)
+    }
+}
+
+impl Number for Expansion {
+    fn exactly(x: f64) -> Self {
+        Self(vec![x])
+    }
+
+    fn certain_sign(&self) -> Option<Ordering> {
+        self.0.last()?.partial_cmp(&0.0)
+    }
+}
+
+impl Add for Expansion {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self::of_length(self.0.len() + other.0.len(), |sum| {
+            fast_expansion_sum_zeroelim(&self.0, &other.0, sum)
+        })
+    }
+}
+
+impl Neg for Expansion {
+    type Output = Self;
+
+    fn neg(mut self) -> Self {
+        self.0.iter_mut().for_each(|component| *component = -*component);
+        self
+    }
+}
+
+impl Sub for Expansion {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        self.add(-other)
+    }
+}
+
+impl Mul for Expansion {
+    type Output = Self;
+
+    fn mul(self, other: Self) -> Self {
+        let scaled = |factor: &f64| {
+            Self::of_length(2 * self.0.len(), |product| {
+                scale_expansion_zeroelim(&self.0, *factor, product)
+            })
+        };
+        other.0.iter().map(scaled).fold(Self::exactly(0.0), Self::add)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use dashu_ratio::Relaxed;
+    use proptest::array::{uniform2, uniform3, uniform9};
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    use super::*;
+    use crate::root_parity::image::{Predicate, vectors};
+
+    fn coordinate() -> impl Strategy<Value = f64> {
+        let magnitude = prop_oneof![
+            Just(RANGE[0]),
+            Just(RANGE[1].next_down()),
+            RANGE[0]..1.0,
+            1.0..RANGE[1]
+        ];
+        (magnitude, -1..=1i8).prop_map(|(magnitude, sign)| magnitude * f64::from(sign))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 500,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..ProptestConfig::default()
+        })]
+
+        /// To the last bit, and the last component has the sign.
+        #[test]
+        fn predicates_are_exact_within_the_range(differences in uniform9(uniform2(uniform3(coordinate())))) {
+            prop_assert!(differences.as_flattened().as_flattened().iter().all(|&x| Expansion::can_hold(x)));
+            let (expansions, rationals) = (vectors::<Expansion>(&differences), vectors::<Relaxed>(&differences));
+            for predicate in [Predicate::Phi([0, 1, 2, 3]), Predicate::Volume([4, 5, 6]), Predicate::Dot([7, 8])] {
+                let (expansion, rational) = (predicate.value(&expansions), predicate.value(&rationals));
+                let sum = expansion.0.iter().map(|&x| Relaxed::exactly(x)).fold(Relaxed::ZERO, |sum, x| sum + x);
+                prop_assert_eq!(&sum, &rational);
+                prop_assert_eq!(expansion.certain_sign(), rational.certain_sign());
+            }
+        }
+    }
+}

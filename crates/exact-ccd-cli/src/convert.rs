@@ -1,0 +1,106 @@
+//! `exact-ccd convert`: query files from rows to columns and back.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use ccd_bench::{DataKind, Record, Rounding, Scene, Seventh};
+use exact_ccd::{PointTriangle, SegmentSegment};
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+use crate::kind::Kind;
+use crate::progress::{self, during};
+use crate::query_files::{self, Records};
+
+/// How many queries are answered at once.
+const BATCH: usize = 4096;
+
+/// Query files from rows to columns and back, losing nothing
+///
+/// An input is a CSV file as of `exact-ccd queries`, a file whose name ends in
+/// .parquet, or the folder of a scene of the published data sets. All queries
+/// go to one file, which is Parquet if its name ends in .parquet, else CSV.
+///
+/// Parquet has a row for each query, with these columns:
+///   kind        vf or ee
+///   points      24 f64: x, y, z of the four points at t = 0, then at t = 1
+///   truth       the ground truth: whether the primitives collide
+///   count       how many distinct contact times there are, -1 for an interval
+///   toi         the earliest, rounded down to f64
+///   scene       the name of the scene
+///   id_a, id_b  the ids of the two primitives in the scene, which count its
+///               vertices, then its edges, then its faces
+/// All but kind and points may be null. CSV files fill in truth only. A scene
+/// fills in truth, scene and ids, and, if it has a folder `roots`, count and toi.
+///
+/// Every f64 keeps its bits on the way to Parquet. On the way back, a CSV file
+/// has the same bytes again if it was as this program and the published data
+/// sets write it: fractions in lowest terms with positive denominators, no
+/// blanks, LF at the end of each row. CSV has no -0, which becomes 0, and none
+/// of the columns from count on.
+///
+/// Exit status: 0 success, 2 error. After an error the output is as it was.
+#[derive(clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// A vertex against a face, or an edge against an edge.
+    #[arg(long)]
+    kind: Kind,
+    /// Fill in count and toi of all queries, as computed by the exact method.
+    #[arg(long)]
+    answers: bool,
+    /// The seventh column of CSV files, read or written, is the number of contact times instead of the ground truth:
+    /// 0 or more, or -1 for infinitely many.
+    #[arg(long)]
+    roots: bool,
+    /// The file to write.
+    #[arg(long, short, value_name = "FILE")]
+    output: PathBuf,
+    /// Query files, of which - is CSV on standard input, or folders of scenes.
+    #[arg(required = true, value_name = "INPUT")]
+    inputs: Vec<PathBuf>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    during(progress::queries(), |progress| match arguments.kind {
+        Kind::Vf => convert::<PointTriangle>(arguments, progress),
+        Kind::Ee => convert::<SegmentSegment>(arguments, progress),
+    })?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn convert<K: DataKind + 'static>(
+    arguments: &Arguments,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(), Failure> {
+    let seventh = query_files::seventh(arguments.roots);
+    let open = |input: &PathBuf| {
+        open(input, seventh).unwrap_or_else(|failure| Box::new(std::iter::once(Err(failure))))
+    };
+    let mut records = arguments.inputs.iter().flat_map(open);
+    let batches = std::iter::from_fn(|| {
+        let batch: Vec<Result<Record<K>, Failure>> = records.by_ref().take(BATCH).collect();
+        progress(batch.len());
+        (!batch.is_empty()).then_some(batch)
+    });
+    let answered = batches.flat_map(|batch| {
+        if arguments.answers {
+            let answer = |record: Result<Record<K>, _>| record.map(Record::answered);
+            batch.into_par_iter().map(answer).collect()
+        } else {
+            batch
+        }
+    });
+    query_files::write(&arguments.output, seventh, answered)
+}
+
+/// The queries of a file or of a scene.
+fn open<K: DataKind + 'static>(input: &Path, seventh: Seventh) -> Result<Records<K>, Failure> {
+    if !input.is_dir() {
+        return query_files::records(input, Rounding::Refuse, seventh);
+    }
+    let scene = Scene::new(input.to_owned());
+    let motion = scene.motion()?;
+    let records = scene.records(&motion.step()?)?;
+    Ok(Box::new(records.into_iter().map(Ok)))
+}
