@@ -73,8 +73,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let contestants = contestants(arguments)?;
     let mut report = Report::new(&contestants);
     let mut comparison = Comparison::new(contestants, Duration::from_secs_f64(arguments.budget));
-    print(&format!("{}
-", report.markdown().trim_end()))?;
+    print(&format!("{}\n", report.markdown().trim_end()))?;
 
     let bar = progress::thousandths(2 * 1000 * sources.len() as u64);
     during(bar, |progress| {

@@ -143,15 +143,22 @@ fn draw_tails<B: DrawingBackend>(table: &Table, backend: B) -> Drawn<B> {
     root.present()
 }
 
+/// Steps of less than this, in powers of ten, are narrower than the line.
+const VISIBLE: f64 = 0.005;
+
 /// The stairs of the share of queries that take longer, from all of them on.
 fn exceedance(row: &Row, first: f64, least_share: f64) -> Vec<(f64, f64)> {
-    let mut longer = 1.0;
+    let mut longer: f64 = 1.0;
     let mut line = vec![(first, 1.0)];
-    for &(time, weight) in &row.distribution {
-        let time = time.max(first);
-        line.push((time, longer));
-        longer = f64::max(longer - weight, least_share);
-        line.push((time, longer));
+    for (index, &(time, weight)) in row.distribution.iter().enumerate() {
+        let (corner, above) = (time.max(first), longer.max(least_share));
+        longer -= weight;
+        let below = longer.max(least_share);
+        let (drawn_time, drawn_share) = line[line.len() - 1];
+        let is_visible = (corner / drawn_time).log10() > VISIBLE || (drawn_share / below).log10() > VISIBLE;
+        if is_visible || index + 1 == row.distribution.len() {
+            line.extend([(corner, above), (corner, below)]);
+        }
     }
     line
 }

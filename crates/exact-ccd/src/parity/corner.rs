@@ -17,6 +17,11 @@ pub(super) trait Corner: Sized {
 
     fn is_negative(&self, axis: usize) -> bool;
 
+    /// Whether a cheap filter proves that the origin is not in the hull of the corners.
+    fn leave_out_origin(_corners: &[Self; 8]) -> bool {
+        false
+    }
+
     /// Whether both lie on one line through the origin.
     fn are_parallel(a: &Self, b: &Self) -> bool {
         (0..3).all(|axis| Self::turn(axis, a, b).is_eq())
@@ -54,7 +59,7 @@ pub(super) fn seen_along(axis: usize) -> [usize; 2] {
 /// A vector in integers.
 pub(super) type Integers = [IBig; 3];
 
-#[inline]
+#[inline(always)]
 fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
     a[0] * (b[1] * c[2] - b[2] * c[1])
         + a[1] * (b[2] * c[0] - b[0] * c[2])
@@ -62,7 +67,7 @@ fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
 }
 
 /// The determinant of magnitudes, with sums in place of differences.
-#[inline]
+#[inline(always)]
 fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
     let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
     a[0] * (b[1] * c[2] + b[2] * c[1])
@@ -83,6 +88,22 @@ fn certain_sign(value: f64, error: f64) -> Option<Ordering> {
 impl Corner for Point {
     fn small(coordinates: [u32; 3]) -> Self {
         coordinates.map(f64::from)
+    }
+
+    /// All are strictly on one side of a plane x = ±y, y = ±z or z = ±x. It takes comparisons only, which are exact.
+    #[inline]
+    fn leave_out_origin(corners: &[Self; 8]) -> bool {
+        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
+            let mut sides = [true; 4];
+            for corner in corners {
+                let (x, y) = (corner[i], corner[j]);
+                sides[0] &= x > y;
+                sides[1] &= x < y;
+                sides[2] &= x > -y;
+                sides[3] &= x < -y;
+            }
+            sides != [false; 4]
+        })
     }
 
     #[inline]
@@ -120,7 +141,7 @@ impl Corner for Point {
     ///
     /// What underflows is off by up to 2⁻¹⁰⁷⁵, and only a coordinate of `a` can enlarge that: by far less than 2⁻¹⁰⁰⁰ times
     /// one plus their sum. An overflow makes the bound infinite, and nothing certain.
-    #[inline]
+    #[inline(always)]
     fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {
         const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
         let enlarged = 1.0 + a[0].abs() + a[1].abs() + a[2].abs();

@@ -5,8 +5,6 @@
 //! doubling, the same holds for the rounded coordinates fl(a + e) and fl(b + e). The shift is the only place where
 //! input is changed, by at most half a unit in the last place of the shifted coordinate.
 
-use alloc::vec::Vec;
-
 use crate::kind::Kind;
 use crate::query::{NonFinite, Point, Query};
 
@@ -53,27 +51,43 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by enough for each.
 #[inline]
-fn displacement(a: &[f64], b: &[f64]) -> f64 {
-    let pairs = a.iter().zip(b);
-    if pairs.clone().fold(true, |all, (&a, &b)| all & is_near(a, b)) {
+fn displacement(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
+    if pairs.clone().fold(true, |all, [a, b]| all & is_near(a, b)) {
         return 0.0;
     }
-    let shift = |(&a, &b): (&f64, &f64)| {
-        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
-        least_shift(lower, upper)
-    };
-    pairs.map(shift).fold(
-        f64::NEG_INFINITY,
-        |most, shift| if shift > most { shift } else { most },
-    )
+    let ordered = pairs.map(|[a, b]| if a < b { (a, b) } else { (b, a) });
+    let greater = |a: f64, b: f64| if b > a { b } else { a };
+    // Rounding is monotone: the largest shift is the largest one to nearest, or the next f64, if that is too small for one
+    // of those for which it is the largest.
+    let shift = ordered
+        .clone()
+        .map(|(lower, upper)| upper - 2.0 * lower)
+        .fold(f64::NEG_INFINITY, greater);
+    if !shift.is_finite() {
+        return largest_shift(ordered);
+    }
+    let is_short = ordered.fold(false, |short, (lower, upper)| {
+        let (difference, error) = exact_sum(upper, -2.0 * lower);
+        short | ((difference == shift) & (error > 0.0))
+    });
+    if is_short { shift.next_up() } else { shift }
+}
+
+/// The largest of the shifts, where some of them are out of range, or perhaps not: 2a is.
+#[cold]
+fn largest_shift(ordered: impl Iterator<Item = (f64, f64)>) -> f64 {
+    ordered
+        .map(|(lower, upper)| least_shift(lower, upper))
+        .fold(f64::NEG_INFINITY, f64::max)
 }
 
 impl Displacement {
     /// For pairs of finite points whose differences are to be exact.
     #[must_use]
     pub fn of_pairs(pairs: &[[Point; 2]]) -> Self {
-        let column = |end: usize, axis: usize| pairs.iter().map(|pair| pair[end][axis]).collect::<Vec<_>>();
-        Self([0, 1, 2].map(|axis| displacement(&column(0, axis), &column(1, axis))))
+        Self(
+            [0, 1, 2].map(|axis: usize| displacement(pairs.iter().map(|pair| pair.map(|point| point[axis])))),
+        )
     }
 
     /// For all pairs of points in the box between two finite corners, as that of a whole simulation.
@@ -86,16 +100,11 @@ impl Displacement {
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind>(query: &Query<K>) -> Self {
-        let mut displacements = [0.0; 3];
-        for (axis, shift) in displacements.iter_mut().enumerate() {
-            let (mut a, mut b) = ([0.0; 8], [0.0; 8]);
-            for corner in 0..8 {
-                let (points, (i, j)) = (&query.points()[corner / 4], K::CORNERS[corner % 4]);
-                (a[corner], b[corner]) = (points[i][axis], points[j][axis]);
-            }
-            *shift = displacement(&a, &b);
-        }
-        Self(displacements)
+        let pair = |corner: usize, axis: usize| {
+            let (points, (i, j)) = (&query.points()[corner / 4], K::CORNERS[corner % 4]);
+            [points[i][axis], points[j][axis]]
+        };
+        Self([0, 1, 2].map(|axis| displacement((0..8).map(|corner| pair(corner, axis)))))
     }
 
     /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
