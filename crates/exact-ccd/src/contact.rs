@@ -12,8 +12,8 @@ use crate::{exact, filter};
 pub enum Stage {
     /// The bounding box of F at the corners of its domain leaves out the origin.
     BoundingBox,
-    /// The direction of the corners' centroid separates them from the origin.
-    Centroid,
+    /// A plane through the origin and an axis, at 45° to the other two, separates.
+    Diagonals,
     /// The normal of the primitives' plane at t = 0 or t = 1 separates.
     Normals,
     /// The coplanarity cubic has no root in the step.
@@ -32,7 +32,7 @@ impl Stage {
     /// All stages, in order.
     pub const ALL: [Self; 8] = [
         Self::BoundingBox,
-        Self::Centroid,
+        Self::Diagonals,
         Self::Normals,
         Self::Coplanarity,
         Self::Direction,

@@ -38,6 +38,22 @@ impl Hull {
         (0..3).any(|axis| self.low[axis] > 0.0 || self.high[axis] < 0.0)
     }
 
+    /// Whether all corners are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Exact: rounding is monotone, so
+    /// that what is less after it was less before.
+    #[inline]
+    pub(super) fn is_beyond_diagonal(&self) -> bool {
+        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
+            let mut sides = [true; 4];
+            for (&x, &y) in self.corners[i].iter().zip(&self.corners[j]) {
+                sides[0] &= x > y;
+                sides[1] &= x < y;
+                sides[2] &= x > -y;
+                sides[3] &= x < -y;
+            }
+            sides != [false; 4]
+        })
+    }
+
     /// The largest magnitude of the corners along an axis.
     #[inline]
     fn reach(&self, axis: usize) -> f64 {
@@ -54,10 +70,9 @@ impl Hull {
         (0..3).all(|axis| self.reach(axis) <= LARGEST)
     }
 
-    /// The sum of the corners, to within rounding: as a direction it needs no accuracy.
-    #[inline]
-    pub(super) fn centroid(&self) -> Point {
-        [0, 1, 2].map(|axis: usize| self.corners[axis].iter().sum())
+    /// The mean of the corners, to within rounding: as a direction it needs no accuracy.
+    fn centroid(&self) -> Point {
+        [0, 1, 2].map(|axis: usize| self.corners[axis].iter().sum::<f64>() / 8.0)
     }
 
     #[inline]
@@ -84,10 +99,10 @@ impl Hull {
     }
 
     /// Whether a few steps of Gilbert's iteration (An iterative procedure for computing the minimum of a quadratic form
-    /// on a convex set, 1966) towards the point of the hull next to the origin find a separating direction.
-    pub(super) fn is_beyond_some_direction(&self, start: Point) -> bool {
+    /// on a convex set, 1966), from the centroid towards the point of the hull next to the origin, find a separating direction.
+    pub(super) fn is_beyond_some_direction(&self) -> bool {
         const STEPS: usize = 6;
-        let mut nearest = start.map(|sum| sum / 8.0);
+        let mut nearest = self.centroid();
         for _ in 0..STEPS {
             if self.is_beyond(nearest) {
                 return true;

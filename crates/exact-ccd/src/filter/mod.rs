@@ -36,7 +36,7 @@ use sides::Position;
 use crate::contact::Stage;
 use crate::impact::Impact;
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::query::Query;
 use crate::time::{ContactTimes, Times};
 
 /// The unit roundoff u.
@@ -76,12 +76,11 @@ fn screen<K: Kind>(query: &Query<K>) -> Screening {
     if hull.box_excludes_origin() {
         return Screening::Free(Stage::BoundingBox);
     }
+    if hull.is_beyond_diagonal() {
+        return Screening::Free(Stage::Diagonals);
+    }
     if !hull.is_in_range() {
         return Screening::Unknown;
-    }
-    let centroid = hull.centroid();
-    if hull.is_beyond(centroid) {
-        return Screening::Free(Stage::Centroid);
     }
     let coplanarity = Coplanarity::new(query);
     if hull.is_beyond(coplanarity.normals[0]) || hull.is_beyond(coplanarity.normals[1]) {
@@ -90,7 +89,7 @@ fn screen<K: Kind>(query: &Query<K>) -> Screening {
     if coplanarity.cubic.constant_sign().is_some() {
         return Screening::Free(Stage::Coplanarity);
     }
-    screen_rest(query, &hull, centroid, &coplanarity)
+    screen_rest(query, &hull, &coplanarity)
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.
@@ -98,10 +97,9 @@ fn screen<K: Kind>(query: &Query<K>) -> Screening {
 fn screen_rest<K: Kind>(
     query: &Query<K>,
     hull: &Hull,
-    centroid: Point,
     coplanarity: &Coplanarity,
 ) -> Screening {
-    if hull.is_beyond_some_direction(centroid) {
+    if hull.is_beyond_some_direction() {
         return Screening::Free(Stage::Direction);
     }
     if let Some(roots) = coplanarity.cubic.roots() {
