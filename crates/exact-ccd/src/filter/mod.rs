@@ -94,11 +94,7 @@ fn screen<K: Kind>(query: &Query<K>) -> Screening {
 
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn screen_rest<K: Kind>(
-    query: &Query<K>,
-    hull: &Hull,
-    coplanarity: &Coplanarity,
-) -> Screening {
+fn screen_rest<K: Kind>(query: &Query<K>, hull: &Hull, coplanarity: &Coplanarity) -> Screening {
     if hull.is_beyond_some_direction() {
         return Screening::Free(Stage::Direction);
     }
