@@ -1,6 +1,8 @@
 //! The contacts among the candidates of a step.
 
-use exact_ccd::{Impact, Kind, Query};
+use std::cmp::Ordering;
+
+use exact_ccd::{ContactTime, Impact, Kind, Query};
 use rayon::prelude::*;
 
 use crate::candidates::Candidates;
@@ -25,7 +27,7 @@ pub struct StepReport {
 
 /// The earliest contact of a step.
 ///
-/// Among contacts whose times of impact round down to the same f64 it is that of the least [`Pair`].
+/// Among contacts whose times lie between the same two adjacent f64, or are the same f64, it is that of the least [`Pair`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EarliestContact {
     /// What touches.
@@ -84,7 +86,7 @@ impl StepReport {
 struct Contacts {
     colliding: usize,
     touching: usize,
-    earliest: Option<(f64, Pair)>,
+    earliest: Option<(ContactTime, Pair)>,
 }
 
 impl Contacts {
@@ -106,7 +108,7 @@ impl Contacts {
                     contacts.colliding += 1;
                     if let Some(time) = query.contact_times().first() {
                         contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
-                        contacts.earliest = earlier(contacts.earliest, Some((time.lower(), pair(ids))));
+                        contacts.earliest = earlier(contacts.earliest, Some((time, pair(ids))));
                     }
                 }
                 progress(chunk.len());
@@ -124,10 +126,10 @@ impl Contacts {
     }
 }
 
-fn earlier(a: Option<(f64, Pair)>, b: Option<(f64, Pair)>) -> Option<(f64, Pair)> {
+fn earlier(a: Option<(ContactTime, Pair)>, b: Option<(ContactTime, Pair)>) -> Option<(ContactTime, Pair)> {
     a.into_iter()
         .chain(b)
-        .min_by(|(s, p), (t, q)| s.total_cmp(t).then(p.cmp(q)))
+        .min_by(|(s, p), (t, q)| s.partial_cmp(t).unwrap_or(Ordering::Equal).then(p.cmp(q)))
 }
 
 fn impact(step: &Step<'_>, pair: Pair) -> Option<Impact> {

@@ -77,7 +77,8 @@ impl Truth {
         };
         let impact = query.impact().unwrap();
         assert_eq!(impact.time, time);
-        let key = |(pair, impact): &(Pair, Impact)| (impact.time.lower().to_bits(), *pair);
+        let key =
+            |(pair, impact): &(Pair, Impact)| (impact.time.lower().to_bits(), !impact.time.is_exact(), *pair);
         let earlier = self
             .earliest
             .is_none_or(|earliest| key(&(pair, impact)) < key(&earliest));
@@ -312,4 +313,28 @@ impl BroadPhase for Nonsense {
 #[test]
 fn nonsense_from_a_broad_phase_is_no_contact() {
     assert!(report(&falling_sheet(), &Nonsense).is_free());
+}
+
+/// Vertex 3 reaches the face just after t = 1/2, vertex 4 just then: both times round down to 1/2.
+#[test]
+fn exactly_a_time_is_before_just_above_it() {
+    let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let vertices = |late: f64, punctual: f64| vec![[1.0, 1.0, late], [1.0, 2.0, punctual]];
+    let motion = motion(
+        [face.to_vec(), vertices(1.0, 1.0)].concat(),
+        [face.to_vec(), vertices((-1f64).next_up(), -1.0)].concat(),
+        vec![[0, 1, 2]],
+    );
+    for vertex in [3, 4] {
+        let time = motion
+            .step()
+            .unwrap()
+            .vertex_face(vertex, 0)
+            .unwrap()
+            .time_of_impact();
+        assert_eq!(time, Some(0.5));
+    }
+    let earliest = report(&motion, &Bvh).earliest.unwrap();
+    assert_eq!(earliest.pair, Pair::VertexFace { vertex: 4, face: 0 });
+    assert!(earliest.impact.time.is_exact());
 }

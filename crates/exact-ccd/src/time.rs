@@ -5,23 +5,29 @@ use core::ops::Deref;
 use arrayvec::ArrayVec;
 
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
-#[derive(Clone, Copy, Debug, PartialEq)]
+///
+/// Times compare as far as they are known: two different ones between the same two f64 are equal.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct ContactTime {
     lower: f64,
-    exact: bool,
+    /// Whether the time is above `lower`, hence after the one that is exactly that.
+    is_above: bool,
 }
 
 impl ContactTime {
     pub(crate) fn exactly(time: f64) -> Self {
         Self {
             lower: time,
-            exact: true,
+            is_above: false,
         }
     }
 
     /// A time strictly between `lower` and the next larger f64.
     pub(crate) fn just_above(lower: f64) -> Self {
-        Self { lower, exact: false }
+        Self {
+            lower,
+            is_above: true,
+        }
     }
 
     /// The largest f64 that is not above the time.
@@ -33,17 +39,17 @@ impl ContactTime {
     /// The smallest f64 that is not below the time.
     #[must_use]
     pub fn upper(self) -> f64 {
-        if self.exact {
-            self.lower
-        } else {
+        if self.is_above {
             self.lower.next_up()
+        } else {
+            self.lower
         }
     }
 
     /// Whether the time is exactly [`lower`](Self::lower).
     #[must_use]
     pub fn is_exact(self) -> bool {
-        self.exact
+        !self.is_above
     }
 }
 

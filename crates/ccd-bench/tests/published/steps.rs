@@ -12,10 +12,10 @@ use crate::scenes;
 struct Contact {
     /// The bits of the time of impact: times are not negative, so that these are in the same order.
     toi: u64,
+    is_above: bool,
     /// 0 for a vertex and a face, 1 for two edges.
     kind: u8,
     ids: [u32; 2],
-    is_exact: bool,
 }
 
 fn contacts<K: DataKind>(kind: u8, step: &Step<'_>, candidates: &[[u32; 2]]) -> Vec<Contact> {
@@ -23,9 +23,9 @@ fn contacts<K: DataKind>(kind: u8, step: &Step<'_>, candidates: &[[u32; 2]]) -> 
         let time = K::query(step, ids).contact_times().first()?;
         Some(Contact {
             toi: time.lower().to_bits(),
+            is_above: !time.is_exact(),
             kind,
             ids,
-            is_exact: time.is_exact(),
         })
     };
     candidates.iter().filter_map(contact).collect()
@@ -39,9 +39,9 @@ fn earliest(report: &StepReport) -> Option<Contact> {
         };
         Contact {
             toi: earliest.impact.time.lower().to_bits(),
+            is_above: !earliest.impact.time.is_exact(),
             kind,
             ids,
-            is_exact: earliest.impact.time.is_exact(),
         }
     })
 }
@@ -67,7 +67,7 @@ fn a_step_reports_what_a_loop_over_all_candidates_finds() {
         assert_eq!(report.colliding, counts(|_| true), "{name}");
         assert_eq!(
             report.touching,
-            counts(|contact| contact.toi == 0 && contact.is_exact),
+            counts(|contact| contact.toi == 0 && !contact.is_above),
             "{name}"
         );
         assert_eq!(
