@@ -57,3 +57,8 @@ pub use pair::{Pair, PairCounts};
 pub use positions::PositionsError;
 pub use read::{Fault, Format, ParseError, Place, ReadError};
 pub use step::{Step, StepError, step};
+
+/// The examples in the README of the repository, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
