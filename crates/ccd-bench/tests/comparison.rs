@@ -206,6 +206,14 @@ fn query_files_are_found_as_the_published_sets_lie() {
         write_queries::<PointTriangle>(&folder.path().join("published").join(scene), true);
         write_queries::<SegmentSegment>(&folder.path().join("published").join(scene), false);
     }
+    let names = |start: &Path| -> Vec<String> {
+        let sources = Source::all(start).unwrap();
+        sources.iter().map(|source| source.name().to_owned()).collect()
+    };
+    assert_eq!(
+        names(&folder.path().join("published/spike")),
+        ["spike", "spike, rounded"]
+    );
     for start in [folder.path().to_owned(), folder.path().join("published")] {
         let tables = run_all(&start);
         let names: Vec<_> = tables

@@ -15,22 +15,24 @@ use exact_ccd::{EdgeEdge, Kind, Point, PointTriangle, Query, SegmentSegment, Ver
 fn main() {
     // Libtest's arguments, of which there may be some, do not matter here.
     match std::env::args().nth(1).as_deref() {
-        Some("peer") => answer_all(false),
+        Some("peer") => answer_all(None),
         Some("mute") => {}
         Some("babbling") => println!("no JSON at all"),
-        Some("truncating") => answer_all(true),
+        Some(fault @ ("truncating" | "endless" | "undecided" | "late")) => answer_all(Some(fault)),
         _ => test_all(),
     }
 }
 
 /// The peer: the exact method by two names, of which one stops after the first query.
-fn answer_all(truncate: bool) {
+fn answer_all(fault: Option<&str>) {
     let (mut reader, mut writer) = (io::stdin().lock(), io::stdout().lock());
     let describe = |name: &str, time: &str| {
-        format!(r#"{{"name": "{name}", "may_miss": false, "may_invent": false, "time": "{time}"}}"#)
+        format!(
+            r#"{{"name": "{name}", "may_miss": false, "may_invent": false, "time": "{time}", "call_ns": 250.0}}"#
+        )
     };
     let methods = [describe("twin", "exact"), describe("lazy", "absent")].join(", ");
-    writeln!(writer, r#"{{"methods": [{methods}], "call_ns": 250.0}}"#).unwrap();
+    writeln!(writer, r#"{{"methods": [{methods}]}}"#).unwrap();
     writer.flush().unwrap();
     let mut line = String::new();
     while reader.read_line(&mut line).unwrap() > 0 {
@@ -58,9 +60,13 @@ fn answer_all(truncate: bool) {
                 f64::from(u8::from(time.is_some())),
                 told.unwrap_or(f64::NAN),
             ];
-            if truncate {
-                return;
-            }
+            let answer = match fault {
+                None => answer,
+                Some("truncating") => return,
+                Some("endless") => [f64::INFINITY, 1.0, 0.5],
+                Some("undecided") => [1.0, f64::NAN, 0.5],
+                Some(_) => [1.0, 1.0, 1.5],
+            };
             writer
                 .write_all(answer.map(f64::to_le_bytes).as_flattened())
                 .unwrap();
@@ -165,8 +171,19 @@ fn what_a_program_does_wrong_is_an_error() {
     assert!(message(Peer::start("no-such-program")).starts_with("no-such-program: "));
     assert!(message(Peer::start("an 'open quote")).contains("cannot be split into words"));
     assert!(message(Peer::start("")).contains("cannot be split into words"));
-    assert!(message(start("mute")).ends_with(r#"expected a line with its methods, found """#));
+    assert!(message(start("mute")).ends_with("it has ended"));
     assert!(message(start("babbling")).contains(r#"expected a line with its methods, found "no JSON"#));
     let error = compare(start("truncating").unwrap(), falling).unwrap_err();
     assert!(matches!(error, PeerError::Io { .. }), "{error}");
+    for (role, found) in [
+        ("endless", "inf 1 0.5"),
+        ("undecided", "1 NaN 0.5"),
+        ("late", "1 1 1.5"),
+    ] {
+        let error = compare(start(role).unwrap(), falling).unwrap_err().to_string();
+        assert!(
+            error.contains("expected nanoseconds from 0") && error.contains(found),
+            "{error}"
+        );
+    }
 }

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use ccd_bench::DataKind;
 use ccd_bench::comparison::{Comparison, Contestant, Peer, Report, Source, Table};
+use clap::value_parser;
 use exact_ccd::{PointTriangle, SegmentSegment};
 
 use crate::failure::Failure;
@@ -47,8 +48,8 @@ pub(crate) struct Arguments {
     methods: Vec<String>,
     /// Ask a random sample of at most this many queries of each data set and kind, half of them in contact if there are
     /// as many.
-    #[arg(long, value_name = "N", default_value_t = 10_000)]
-    sample: usize,
+    #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(2..))]
+    sample: u32,
     /// How long a method may take for each data set and kind, in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = budget)]
     budget: f64,
@@ -101,6 +102,15 @@ fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
     for command in &arguments.peers {
         contestants.extend(Peer::start(command)?.into_iter().map(Contestant::Peer));
     }
+    for (index, contestant) in contestants.iter().enumerate() {
+        let name = contestant.name();
+        if contestants[..index]
+            .iter()
+            .any(|other| other.name().eq_ignore_ascii_case(name))
+        {
+            return Err(Failure::SameMethod(name.to_owned()));
+        }
+    }
     if arguments.methods.is_empty() {
         return Ok(contestants);
     }
@@ -124,7 +134,7 @@ fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
 fn compare<K: DataKind>(
     comparison: &mut Comparison,
     source: &Source,
-    sample: usize,
+    sample: u32,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Option<Table>, Failure> {
     let told = Cell::new(0);
@@ -133,7 +143,7 @@ fn compare<K: DataKind>(
         progress(thousandths.saturating_sub(told.get()));
         told.set(told.get().max(thousandths));
     };
-    let subjects = source.read::<K>(sample.div_ceil(2))?;
+    let subjects = source.read::<K>(sample as usize / 2)?;
     let table = if subjects.population() == [0, 0] {
         None
     } else {

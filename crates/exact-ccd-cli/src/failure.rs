@@ -34,6 +34,8 @@ pub(crate) enum Failure {
     SameOutput(PathBuf),
     #[error(transparent)]
     Peer(#[from] PeerError),
+    #[error("there are two methods called {0}")]
+    SameMethod(String),
     #[error("there is no method {name}; there are {}", .known.join(", "))]
     Method { name: String, known: Vec<String> },
     #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]

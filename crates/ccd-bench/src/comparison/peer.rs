@@ -3,11 +3,11 @@
 //! A peer is a command. It writes a line of JSON, its methods:
 //!
 //! ```json
-//! {"methods": [{"name": "TI", "may_miss": false, "may_invent": true, "time": "conservative"}], "call_ns": 700.0}
+//! {"methods": [{"name": "TI", "may_miss": false, "may_invent": true, "time": "conservative", "call_ns": 700.0}]}
 //! ```
 //!
-//! where `time` is `absent`, `approximate`, `conservative` or `exact`, and `call_ns` is what a call of the library takes if it does
-//! nothing. Then, again and again, it reads a line such as
+//! where `time` is `absent`, `approximate`, `conservative` or `exact`, and `call_ns` is what a call takes that has nothing
+//! to do. Then, again and again, it reads a line such as
 //!
 //! ```json
 //! {"method": "TI", "kind": "vf", "queries": 128, "limit_ns": 1000000}
@@ -75,10 +75,12 @@ pub enum PeerError {
     },
 }
 
+/// A day.
+const MOST_NANOSECONDS: f64 = 24.0 * 3600.0 * 1e9;
+
 #[derive(Deserialize)]
 struct Greeting {
     methods: Vec<Description>,
-    call_ns: f64,
 }
 
 #[derive(Deserialize)]
@@ -87,6 +89,7 @@ struct Description {
     may_miss: bool,
     may_invent: bool,
     time: TimeName,
+    call_ns: f64,
 }
 
 #[derive(Deserialize)]
@@ -154,7 +157,7 @@ impl Peer {
                     TimeName::Exact => Time::Exact,
                 },
             },
-            call_nanoseconds: greeting.call_ns,
+            call_nanoseconds: description.call_ns,
             process: Rc::clone(&process),
         };
         Ok(greeting.methods.into_iter().map(peer).collect())
@@ -220,10 +223,11 @@ impl Process {
 
     fn line(&mut self) -> Result<String, PeerError> {
         let mut line = String::new();
-        self.answers
-            .read_line(&mut line)
-            .map_err(|source| self.io(source))?;
-        Ok(line)
+        let read = self.answers.read_line(&mut line);
+        match read.map_err(|source| self.io(source))? {
+            0 => Err(self.io(io::Error::new(io::ErrorKind::UnexpectedEof, "it has ended"))),
+            _ => Ok(line),
+        }
     }
 
     fn ask<K: DataKind>(&mut self, request: &Request<'_>, queries: &[Query<K>]) -> io::Result<()> {
@@ -244,13 +248,17 @@ impl Process {
             .read_exact(bytes.as_flattened_mut())
             .map_err(|source| self.io(source))?;
         let [nanoseconds, contact, time] = bytes.map(f64::from_le_bytes);
-        let answer = if contact == 0.0 {
-            Answer::Free
-        } else {
-            Answer::Contact {
-                time: (!time.is_nan()).then_some(time),
-            }
+        let answer = match (contact, time) {
+            (0.0, _) => Some(Answer::Free),
+            (1.0, time) if time.is_nan() => Some(Answer::Contact { time: None }),
+            (1.0, 0.0..=1.0) => Some(Answer::Contact { time: Some(time) }),
+            _ => None,
         };
+        let answer = answer.filter(|_| (0.0..=MOST_NANOSECONDS).contains(&nanoseconds));
+        let answer = answer.ok_or_else(|| {
+            let expected = "nanoseconds from 0, contact 0 or 1, and a time from 0 to 1 or NaN";
+            self.unexpected(expected, &format!("{nanoseconds} {contact} {time}"))
+        })?;
         Ok(Timed { answer, nanoseconds })
     }
 }

@@ -55,7 +55,7 @@ impl Report {
         let json = serde_json::to_string_pretty(self)?;
         for (name, text) in [
             ("report.md", self.markdown()),
-            ("report.csv", self.csv()),
+            ("report.csv", self.csv()?),
             ("report.json", json + "\n"),
         ] {
             replace(&folder.join(name), &text)?;
@@ -88,41 +88,65 @@ impl Report {
         text
     }
 
-    fn csv(&self) -> String {
-        let mut text = "data_set,kind,queries,colliding,method,answered_colliding,answered_free,mean_us,mean_colliding_us,\
-                        mean_free_us,median_us,percentile_99_us,worst_us,false_positives,false_negatives,\
-                        time_error_median,time_error_worst,late\n"
-            .to_owned();
-        for table in &self.tables {
-            for row in &table.rows {
-                let times = [
-                    row.mean,
-                    row.mean_colliding,
-                    row.mean_free,
-                    row.median,
-                    row.percentile_99,
-                    row.worst,
-                ];
-                let times = times.map(|time| time.map_or(String::new(), |time| format!("{time:.3}")));
-                let error = row.time_error.map_or(",,".to_owned(), |error| {
-                    format!("{},{},{}", error.median, error.worst, error.late)
-                });
-                let Sizes { colliding, free } = row.answered;
-                let _ = writeln!(
-                    text,
-                    "{:?},{},{},{},{},{colliding},{free},{},{},{},{error}",
-                    table.data_set,
-                    table.kind,
-                    table.queries,
-                    table.colliding,
-                    row.method,
-                    times.join(","),
-                    row.false_positives,
-                    row.false_negatives,
-                );
-            }
+    fn csv(&self) -> io::Result<String> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record([
+            "data_set",
+            "kind",
+            "queries",
+            "colliding",
+            "method",
+            "answered_colliding",
+            "answered_free",
+            "mean_us",
+            "mean_colliding_us",
+            "mean_free_us",
+            "median_us",
+            "percentile_99_us",
+            "worst_us",
+            "false_positives",
+            "false_negatives",
+            "time_error_median",
+            "time_error_worst",
+            "late",
+        ])?;
+        for (table, row) in self
+            .tables
+            .iter()
+            .flat_map(|table| table.rows.iter().map(move |row| (table, row)))
+        {
+            let mut record = vec![
+                table.data_set.clone(),
+                table.kind.to_owned(),
+                table.queries.to_string(),
+                table.colliding.to_string(),
+                row.method.clone(),
+                row.answered.colliding.to_string(),
+                row.answered.free.to_string(),
+            ];
+            let times = [
+                row.mean,
+                row.mean_colliding,
+                row.mean_free,
+                row.median,
+                row.percentile_99,
+                row.worst,
+            ];
+            record.extend(times.map(|time| time.map_or(String::new(), |time| format!("{time:.3}"))));
+            record.extend([row.false_positives, row.false_negatives].map(|count| count.to_string()));
+            record.extend(row.time_error.map_or([const { String::new() }; 3], |error| {
+                [
+                    error.median.to_string(),
+                    error.worst.to_string(),
+                    error.late.to_string(),
+                ]
+            }));
+            writer.write_record(record)?;
         }
-        text
+        let bytes = writer
+            .into_inner()
+            .map_err(|error| io::Error::other(error.to_string()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 }
 
@@ -157,10 +181,11 @@ impl Table {
 }
 
 fn markdown_row(row: &Row, sample: Sizes) -> String {
-    let answered = if row.answered == sample {
-        "all".to_owned()
+    let (answered, about) = if row.answered == sample {
+        ("all".to_owned(), "")
     } else {
-        format!("{} + {}", row.answered.colliding, row.answered.free)
+        let Sizes { colliding, free } = row.answered;
+        (format!("{colliding} + {free}"), "≈ ")
     };
     let [mean, colliding, free, tail, worst] = [
         row.mean,
@@ -179,17 +204,23 @@ fn markdown_row(row: &Row, sample: Sizes) -> String {
         )
     });
     format!(
-        "| {} | {answered} | {mean} | {colliding} | {free} | {tail} | {worst} | {} | {} | {error} |\n",
-        row.method, row.false_positives, row.false_negatives,
+        "| {} | {answered} | {about}{mean} | {about}{colliding} | {about}{free} | {tail} | {worst} | {} | {} | {error} |\n",
+        row.method.replace('|', "\\|"),
+        row.false_positives,
+        row.false_negatives,
     )
 }
 
-/// Three significant digits.
+/// Three significant digits, as far as the clock has them.
 fn microseconds(time: Option<f64>) -> String {
     time.map_or("–".to_owned(), |time| match time {
         ..10.0 => format!("{time:.2}"),
         10.0..100.0 => format!("{time:.1}"),
-        _ => format!("{time:.0}"),
+        100.0..1000.0 => format!("{time:.0}"),
+        _ => {
+            let unit = 10f64.powi(time.log10().floor() as i32 - 2);
+            format!("{:.0}", (time / unit).round() * unit)
+        }
     })
 }
 

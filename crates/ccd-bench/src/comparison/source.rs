@@ -46,6 +46,18 @@ impl Source {
     pub fn all(folder: &Path) -> Result<Vec<Self>, DataError> {
         let mut sources = Vec::new();
         collect(folder, DEPTH, &mut sources)?;
+        for index in 1..sources.len() {
+            let (earlier, [source, ..]) = sources.split_at_mut(index) else {
+                break;
+            };
+            let name = source.name.clone();
+            let is_taken = |name: &str| earlier.iter().any(|other| other.name == name);
+            let mut number = 2;
+            while is_taken(&source.name) {
+                source.name = format!("{name} ({number})");
+                number += 1;
+            }
+        }
         Ok(sources)
     }
 
@@ -97,7 +109,8 @@ impl Source {
 
 fn collect(folder: &Path, depth: usize, sources: &mut Vec<Source>) -> Result<(), DataError> {
     if folder.join("frames").is_dir() {
-        for scene in Scene::steps(folder)? {
+        let folder = fs::canonicalize(folder).map_err(|source| DataError::io(folder, source))?;
+        for scene in Scene::steps(&folder)? {
             let name = scene.name();
             if scene.has_pairs() {
                 sources.push(Source {
@@ -112,19 +125,14 @@ fn collect(folder: &Path, depth: usize, sources: &mut Vec<Source>) -> Result<(),
         }
         return Ok(());
     }
+    if has_query_files(folder) {
+        sources.extend(query_sources(folder, vec![folder.to_owned()]));
+        return Ok(());
+    }
     let inner: Vec<PathBuf> = list(folder)?.into_iter().filter(|path| path.is_dir()).collect();
     let (folders, others): (Vec<_>, Vec<_>) = inner.into_iter().partition(|path| has_query_files(path));
     if !folders.is_empty() {
-        let name = name_of(folder);
-        for rounded in [false, true] {
-            sources.push(Source {
-                name: format!("{name}{}", if rounded { ", rounded" } else { "" }),
-                queries: Queries::Files {
-                    folders: folders.clone(),
-                    rounded,
-                },
-            });
-        }
+        sources.extend(query_sources(folder, folders));
     }
     if depth > 0 {
         for other in others {
@@ -132,6 +140,18 @@ fn collect(folder: &Path, depth: usize, sources: &mut Vec<Source>) -> Result<(),
         }
     }
     Ok(())
+}
+
+/// The query files in some folders, as they are and rounded.
+fn query_sources(parent: &Path, folders: Vec<PathBuf>) -> [Source; 2] {
+    let name = name_of(parent);
+    [(false, name.clone()), (true, format!("{name}, rounded"))].map(|(rounded, name)| Source {
+        name,
+        queries: Queries::Files {
+            folders: folders.clone(),
+            rounded,
+        },
+    })
 }
 
 fn has_query_files(folder: &Path) -> bool {

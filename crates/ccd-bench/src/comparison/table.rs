@@ -139,7 +139,7 @@ impl Row {
             mean_free,
             median: quantile(&distribution, 0.5),
             percentile_99: quantile(&distribution, 0.99),
-            worst: distribution.last().map(|(time, _)| *time),
+            worst: times.iter().flatten().copied().reduce(f64::max),
             false_positives: wrong(false),
             false_negatives: wrong(true),
             time_error: time_error(judged().map(|(subject, timed)| (subject.first, timed.answer))),
@@ -152,18 +152,27 @@ fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
+/// The mean over the data set; `None` if no query was answered of a class of which it has some.
 fn weighted_mean(population: [usize; 2], means: [Option<f64>; 2]) -> Option<f64> {
-    let [free, colliding] = population.map(|count| count as f64);
-    match means {
-        [Some(of_free), Some(of_colliding)] => {
-            Some((free * of_free + colliding * of_colliding) / (free + colliding))
+    let total: usize = population.iter().sum();
+    let mut weighted = 0.0;
+    for (count, mean) in population.into_iter().zip(means) {
+        if count > 0 {
+            weighted += mean? * count as f64 / total as f64;
         }
-        [of_free, of_colliding] => of_free.or(of_colliding),
     }
+    (total > 0).then_some(weighted)
 }
 
-/// The times of both classes in order, each with its share of the data set.
+/// The times of both classes in order, each with its share of the data set; none if a class was not answered.
 fn distribution(population: [usize; 2], times: &[Vec<f64>; 2]) -> Vec<(f64, f64)> {
+    if population
+        .iter()
+        .zip(times)
+        .any(|(&count, times)| count > 0 && times.is_empty())
+    {
+        return Vec::new();
+    }
     let mut all: Vec<_> = population
         .iter()
         .zip(times)
@@ -222,7 +231,8 @@ mod tests {
         assert_eq!(quantile(&distribution, 0.99), Some(100.0));
         assert_eq!(quantile(&[], 0.5), None);
         assert_eq!(weighted_mean([90, 10], [Some(2.0), Some(100.0)]), Some(11.8));
-        assert_eq!(weighted_mean([90, 10], [Some(2.0), None]), Some(2.0));
+        assert_eq!(weighted_mean([90, 10], [Some(2.0), None]), None);
+        assert_eq!(weighted_mean([90, 0], [Some(2.0), None]), Some(2.0));
     }
 
     #[test]

@@ -25,6 +25,7 @@ fn wrong_usage_has_status_2() {
         &["bench", "data", "--budget", "0"],
         &["bench", "data", "--budget", "long"],
         &["bench", "data", "--sample", "-1"],
+        &["bench", "data", "--sample", "1"],
         &["round"],
         &["round", "--kind", "vf"],
         &["round", "--per-query", "mesh.ply"],

@@ -42,16 +42,9 @@ impl Hull {
     /// that what is less after it was less before.
     #[inline]
     pub(super) fn is_beyond_diagonal(&self) -> bool {
-        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
-            let mut sides = [true; 4];
-            for (&x, &y) in self.corners[i].iter().zip(&self.corners[j]) {
-                sides[0] &= x > y;
-                sides[1] &= x < y;
-                sides[2] &= x > -y;
-                sides[3] &= x < -y;
-            }
-            sides != [false; 4]
-        })
+        [[0, 1], [1, 2], [2, 0]]
+            .into_iter()
+            .any(|[i, j]| are_beyond_diagonal(self.corners[i].into_iter().zip(self.corners[j])))
     }
 
     /// The largest magnitude of the corners along an axis.
@@ -120,6 +113,19 @@ impl Hull {
         }
         false
     }
+}
+
+/// Whether some points of a plane are all strictly on one side of one of its diagonals, x = y or x = −y.
+#[inline]
+pub(crate) fn are_beyond_diagonal(points: impl Iterator<Item = (f64, f64)>) -> bool {
+    let mut sides = [true; 4];
+    for (x, y) in points {
+        sides[0] &= x > y;
+        sides[1] &= x < y;
+        sides[2] &= x > -y;
+        sides[3] &= x < -y;
+    }
+    sides != [false; 4]
 }
 
 fn dot(a: Point, b: Point) -> f64 {

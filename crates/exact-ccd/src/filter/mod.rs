@@ -25,6 +25,7 @@ mod sides;
 use arrayvec::ArrayVec;
 
 pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
+pub(crate) use hull::are_beyond_diagonal;
 pub(crate) use number::Number;
 
 use coplanarity::Coplanarity;

@@ -5,7 +5,7 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 
 use crate::exact::to_integers;
-use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT};
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, are_beyond_diagonal};
 use crate::query::Point;
 
 /// A vector from the origin to a corner, in exact coordinates.
@@ -18,7 +18,7 @@ pub(super) trait Corner: Sized {
     fn is_negative(&self, axis: usize) -> bool;
 
     /// Whether a cheap filter proves that the origin is not in the hull of the corners.
-    fn leave_out_origin(_corners: &[Self; 8]) -> bool {
+    fn certainly_exclude_origin(_corners: &[Self; 8]) -> bool {
         false
     }
 
@@ -92,18 +92,10 @@ impl Corner for Point {
 
     /// All are strictly on one side of a plane x = ±y, y = ±z or z = ±x. It takes comparisons only, which are exact.
     #[inline]
-    fn leave_out_origin(corners: &[Self; 8]) -> bool {
-        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
-            let mut sides = [true; 4];
-            for corner in corners {
-                let (x, y) = (corner[i], corner[j]);
-                sides[0] &= x > y;
-                sides[1] &= x < y;
-                sides[2] &= x > -y;
-                sides[3] &= x < -y;
-            }
-            sides != [false; 4]
-        })
+    fn certainly_exclude_origin(corners: &[Self; 8]) -> bool {
+        [[0, 1], [1, 2], [2, 0]]
+            .into_iter()
+            .any(|[i, j]| are_beyond_diagonal(corners.iter().map(|corner| (corner[i], corner[j]))))
     }
 
     #[inline]

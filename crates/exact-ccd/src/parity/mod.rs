@@ -80,7 +80,7 @@ pub fn rational<K: Kind>(query: &Query<K>) -> Parity {
 
 fn parity<K: Kind, C: Corner>(corners: &[C; 8]) -> Parity {
     let signs = Signs::new(corners);
-    if signs.exclude_origin(u8::MAX) || C::leave_out_origin(corners) {
+    if signs.exclude_origin(u8::MAX) || C::certainly_exclude_origin(corners) {
         return Parity::Even;
     }
     // One of them serves; see `ray`.
