@@ -23,6 +23,8 @@
 //! # Ok::<(), exact_ccd::NonFinite>(())
 //! ```
 //!
+//! For a mesh at rest, [`EdgeFace::intersects`] tells whether an edge meets a face, as exactly.
+//!
 //! *Contact* is a common point of the closed primitives at a time of the closed step: touching counts, at
 //! t = 0 and t = 1 too. The integers of [`exact`] define every answer; floating-point filters answer first
 //! where their error bounds prove the same.
@@ -37,13 +39,17 @@ mod contact;
 pub mod exact;
 mod filter;
 mod impact;
+mod intersection;
 mod kind;
+mod orientation;
 pub mod parity;
 mod query;
 mod time;
 
 pub use contact::Stage;
 pub use impact::Impact;
+pub use intersection::EdgeFace;
 pub use kind::{Kind, PointTriangle, SegmentSegment};
+pub use orientation::orientation;
 pub use query::{EdgeEdge, NonFinite, Point, Query, VertexFace};
 pub use time::{ContactTime, ContactTimes, Times};

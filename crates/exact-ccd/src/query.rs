@@ -32,7 +32,7 @@ pub type EdgeEdge = Query<SegmentSegment>;
 pub struct NonFinite {
     /// The end of the time step, 0 or 1.
     pub time: usize,
-    /// The index of the point among the four, from 0.
+    /// The index of the point among those given, from 0.
     pub point: usize,
     /// The index of the coordinate, from 0.
     pub axis: usize,
@@ -41,6 +41,21 @@ pub struct NonFinite {
 }
 
 impl NonFinite {
+    /// Checks points that do not move: their time is 0.
+    pub(crate) fn check(points: &[Point]) -> Result<(), Self> {
+        let Some(index) = points.as_flattened().iter().position(|x| !x.is_finite()) else {
+            return Ok(());
+        };
+        let (point, axis) = (index / 3, index % 3);
+        let value = points[point][axis];
+        Err(Self {
+            time: 0,
+            point,
+            axis,
+            value,
+        })
+    }
+
     #[cold]
     fn first_in(points: &[[Point; 4]; 2]) -> Self {
         let coordinates = points.as_flattened().as_flattened();

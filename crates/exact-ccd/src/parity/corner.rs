@@ -57,10 +57,10 @@ pub(super) fn seen_along(axis: usize) -> [usize; 2] {
 }
 
 /// A vector in integers.
-pub(super) type Integers = [IBig; 3];
+pub(crate) type Integers = [IBig; 3];
 
 #[inline(always)]
-fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+pub(crate) fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
     a[0] * (b[1] * c[2] - b[2] * c[1])
         + a[1] * (b[2] * c[0] - b[0] * c[2])
         + a[2] * (b[0] * c[1] - b[1] * c[0])
@@ -68,7 +68,7 @@ fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
 
 /// The determinant of magnitudes, with sums in place of differences.
 #[inline(always)]
-fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
+pub(crate) fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
     let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
     a[0] * (b[1] * c[2] + b[2] * c[1])
         + a[1] * (b[2] * c[0] + b[0] * c[2])
@@ -81,7 +81,7 @@ fn faces<T: Copy>([q0, q1, q2, q3]: [T; 4]) -> [[T; 3]; 4] {
 }
 
 /// The sign of a number that is known to within an error.
-fn certain_sign(value: f64, error: f64) -> Option<Ordering> {
+pub(crate) fn certain_sign(value: f64, error: f64) -> Option<Ordering> {
     (value.abs() > error).then(|| value.total_cmp(&0.0))
 }
 
@@ -181,7 +181,7 @@ fn orientation_near_zero(a: &Point, b: &Point, c: &Point) -> Ordering {
 
 /// Whether products of three such numbers, split as Shewchuk splits them, stay within the range of f64: their last bits
 /// are multiples of 2⁻³⁵³⁻³⁵³⁻³⁵³ > 2⁻¹⁰⁷⁴, and the sum of six is at most 2⁹⁰³.
-fn is_safe(x: f64) -> bool {
+pub(crate) fn is_safe(x: f64) -> bool {
     const SMALLEST: f64 = f64::from_bits((1023 - 300) << 52);
     const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
     (x == 0.0) | ((x.abs() >= SMALLEST) & (x.abs() <= LARGEST))
@@ -238,7 +238,7 @@ impl Corner for Integers {
     }
 }
 
-fn volume([a, b, c]: [&Integers; 3]) -> IBig {
+pub(crate) fn volume([a, b, c]: [&Integers; 3]) -> IBig {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
 }

@@ -28,12 +28,13 @@ mod planar;
 mod ray;
 mod rounding;
 
+pub(crate) use corner::{Integers, certain_sign, determinant, is_safe, permanent, volume};
 pub use rounding::{Displacement, Rounded, RoundingError};
 
 use crate::exact::to_integers;
 use crate::kind::Kind;
 use crate::query::Query;
-use corner::{Corner, Integers};
+use corner::Corner;
 use ray::Ray;
 
 /// The number of contacts, mod 2.
