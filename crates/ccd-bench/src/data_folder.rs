@@ -42,6 +42,14 @@ impl DataFolder {
         Ok(files)
     }
 
+    /// All meshes, of bodies at rest.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn meshes(&self) -> Result<Vec<PathBuf>, DataError> {
+        list(&self.0.join("meshes"))
+    }
+
     /// All scenes.
     ///
     /// # Errors

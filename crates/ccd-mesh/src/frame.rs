@@ -7,6 +7,8 @@ use exact_ccd::Point;
 use crate::mesh::{IndexOutOfRange, TriangleMesh};
 use crate::positions::{self, PositionsError};
 use crate::read::{self, Format, ParseError, ReadError};
+#[cfg(doc)]
+use crate::tet_mesh::TetMesh;
 
 /// A triangle mesh at one time: its connectivity and where its vertices are.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,7 +57,7 @@ impl Frame {
     ///
     /// Vertices and faces keep the numbers that they have in the file, counted from 0. Each coordinate is the `f64`
     /// nearest to the decimal text, or exactly the binary number. An STL file knows no shared vertices: it reads as
-    /// three vertices for each face.
+    /// three vertices for each face. Of a file of tetrahedra, it is the surface alone, see [`TetMesh::surface_frame`].
     ///
     /// # Errors
     /// [`ReadError`] names the file, the place in it, and what was expected there.

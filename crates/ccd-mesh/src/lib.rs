@@ -15,21 +15,25 @@
 //! The way from files to the answer:
 //!
 //! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh are a [`Motion`].
+//! - [`TetMesh`] is a body of tetrahedra at one time, whose surface is a frame.
 //! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a simulator keeps its own.
 //! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
 //! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
 //!   [`exact_ccd`].
+//! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a sequence of frames.
 //! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can be asked about it.
 //! - [`step_size`] is the line search of an optimiser: how far along a direction is free of contact.
 //!
 //! No result depends on the number of threads, and no input makes anything here panic.
 
+mod audit;
 mod bounds;
 mod broad_phase;
 mod bvh;
 mod candidates;
 mod contacts;
 mod frame;
+mod intersections;
 mod line_search;
 mod mesh;
 mod motion;
@@ -38,9 +42,11 @@ mod positions;
 mod read;
 mod shift;
 mod step;
+mod tet_mesh;
 mod weld;
 mod write;
 
+pub use audit::{Audit, Violation};
 pub use bounds::Bounds;
 pub use broad_phase::{AllPairs, BroadPhase};
 pub use bvh::Bvh;
@@ -48,6 +54,7 @@ pub use candidates::Candidates;
 pub use contacts::{EarliestContact, StepReport};
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
+pub use intersections::{Intersection, intersections};
 pub use line_search::{
     Decision, ExactDecision, LineSearch, LineSearchError, ParityDecision, advance, step_size,
 };
@@ -57,6 +64,8 @@ pub use pair::{Pair, PairCounts};
 pub use positions::PositionsError;
 pub use read::{Fault, Format, ParseError, Place, ReadError};
 pub use step::{Step, StepError, step};
+pub use tet_mesh::{TetMesh, TetMeshError};
+pub use weld::Welding;
 
 /// The examples in the README of the repository, as tests.
 #[cfg(doctest)]

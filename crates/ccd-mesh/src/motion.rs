@@ -125,7 +125,8 @@ impl Motion {
     }
 }
 
-fn same_connectivity(start: &TriangleMesh, end: &TriangleMesh) -> Result<(), MotionError> {
+/// Checks that two meshes have the same vertices and faces.
+pub(crate) fn same_connectivity(start: &TriangleMesh, end: &TriangleMesh) -> Result<(), MotionError> {
     if start.vertex_count() != end.vertex_count() {
         return Err(MotionError::VertexCount {
             start: start.vertex_count(),

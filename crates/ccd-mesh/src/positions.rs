@@ -29,7 +29,11 @@ pub enum PositionsError {
 
 /// Checks that there is one position for each vertex and that all coordinates are finite.
 pub(crate) fn check(mesh: &TriangleMesh, positions: &[Point]) -> Result<(), PositionsError> {
-    let vertex_count = mesh.vertex_count();
+    check_all(mesh.vertex_count(), positions)
+}
+
+/// [`check`] for any mesh of that many vertices.
+pub(crate) fn check_all(vertex_count: usize, positions: &[Point]) -> Result<(), PositionsError> {
     if positions.len() != vertex_count {
         return Err(PositionsError::Count {
             positions: positions.len(),

@@ -168,7 +168,8 @@ fn the_extension_tells_the_format_in_any_case() {
     assert_eq!(format("b.ply.stl"), Some(Format::Stl));
     assert_eq!(format("b.off"), Some(Format::Off));
     assert_eq!(format("ply"), None);
-    assert_eq!(format("b.msh"), None);
+    assert_eq!(format("b.msh"), Some(Format::Msh));
+    assert_eq!(format("b.vtk"), None);
 }
 
 /// Any finite number, most of them ordinary, some at the ends of the range.

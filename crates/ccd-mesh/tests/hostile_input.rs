@@ -7,7 +7,7 @@ mod encodings;
 use ccd_mesh::{Format, Frame};
 use proptest::prelude::*;
 
-const FORMATS: [Format; 4] = [Format::Ply, Format::Obj, Format::Stl, Format::Off];
+const FORMATS: [Format; 5] = [Format::Ply, Format::Obj, Format::Stl, Format::Off, Format::Msh];
 
 /// One file of each encoding, about two triangles.
 fn samples() -> Vec<encodings::File> {

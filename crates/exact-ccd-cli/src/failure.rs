@@ -28,7 +28,7 @@ pub(crate) enum Failure {
     },
     #[error(transparent)]
     Rounding(#[from] RoundingError),
-    #[error("{}: expected a .ply, .obj, .stl or .off file, or --kind for a query file", .0.display())]
+    #[error("{}: expected a .ply, .obj, .stl, .off or .msh file, or --kind for a query file", .0.display())]
     KindMissing(PathBuf),
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),

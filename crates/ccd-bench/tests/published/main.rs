@@ -8,6 +8,7 @@ mod candidates;
 mod columns;
 mod frames;
 mod ground_truth;
+mod meshes;
 mod parity;
 mod steps;
 

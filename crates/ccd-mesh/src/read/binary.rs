@@ -2,6 +2,13 @@
 
 use super::error::{Fault, ParseError, Place};
 
+/// Which byte of a number comes first.
+#[derive(Clone, Copy)]
+pub(super) enum ByteOrder {
+    LittleEndian,
+    BigEndian,
+}
+
 /// The bytes of a file from some offset on.
 pub(super) struct Bytes<'a> {
     file: &'a [u8],
@@ -48,6 +55,44 @@ impl<'a> Bytes<'a> {
             .ok_or_else(|| Fault::ends(expected()).at(self.place()))?;
         self.offset += N;
         Ok(array)
+    }
+
+    /// The bytes of the next number, the least significant first.
+    ///
+    /// # Errors
+    /// As [`Bytes::take`].
+    pub(super) fn number<const N: usize>(
+        &mut self,
+        order: ByteOrder,
+        expected: impl FnOnce() -> String,
+    ) -> Result<[u8; N], ParseError> {
+        let mut number = self.array(expected)?;
+        if let ByteOrder::BigEndian = order {
+            number.reverse();
+        }
+        Ok(number)
+    }
+
+    /// The text up to the end of the line, without white space around it.
+    pub(super) fn line(&mut self) -> &'a [u8] {
+        let rest = &self.file[self.offset..];
+        let length = rest.iter().position(|&byte| byte == b'\n');
+        let line = &rest[..length.unwrap_or(rest.len())];
+        self.offset += line.len() + usize::from(length.is_some());
+        line.trim_ascii()
+    }
+
+    /// Goes past white space.
+    pub(super) fn skip_blank(&mut self) {
+        let rest = &self.file[self.offset..];
+        self.offset += rest.len() - rest.trim_ascii_start().len();
+    }
+
+    /// Goes to the next place where this text stands, if there is one.
+    pub(super) fn skip_to(&mut self, text: &[u8]) -> Option<()> {
+        let rest = &self.file[self.offset..];
+        self.offset += rest.windows(text.len()).position(|window| window == text)?;
+        Some(())
     }
 
     /// Checks that nothing follows but white space, which some programs leave after the data.

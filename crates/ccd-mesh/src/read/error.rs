@@ -5,6 +5,7 @@ use std::io;
 use std::path::PathBuf;
 
 use crate::frame::FrameError;
+use crate::tet_mesh::TetMeshError;
 
 /// Why a mesh file could not be read.
 #[derive(Debug, thiserror::Error)]
@@ -18,7 +19,7 @@ pub enum ReadError {
         source: io::Error,
     },
     /// The extension tells no format.
-    #[error("{}: unknown extension, expected .ply, .obj, .stl or .off", path.display())]
+    #[error("{}: unknown extension, expected .ply, .obj, .stl, .off or .msh", path.display())]
     Extension {
         /// The file.
         path: PathBuf,
@@ -107,6 +108,15 @@ pub enum Fault {
     /// The contents read well and are not a sound frame.
     #[error(transparent)]
     Frame(FrameError),
+    /// The contents read well and are not a sound mesh of tetrahedra.
+    #[error(transparent)]
+    TetMesh(TetMeshError),
+    /// A file of tetrahedra has a triangle that is not a face of any.
+    #[error("triangle {triangle} is no face of a tetrahedron")]
+    Sheet {
+        /// The triangle.
+        triangle: usize,
+    },
 }
 
 impl Fault {

@@ -2,6 +2,7 @@
 
 mod binary;
 mod error;
+mod msh;
 mod obj;
 mod off;
 mod ply;
@@ -15,6 +16,7 @@ use exact_ccd::Point;
 pub use error::{Fault, ParseError, Place, ReadError};
 
 use crate::frame::Frame;
+use crate::tet_mesh::TetMesh;
 
 /// A format of mesh files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -27,6 +29,8 @@ pub enum Format {
     Stl,
     /// The Object File Format of Geomview, as text.
     Off,
+    /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Tetrahedra read as their surface.
+    Msh,
 }
 
 impl Format {
@@ -38,6 +42,7 @@ impl Format {
             "obj" => Some(Self::Obj),
             "stl" => Some(Self::Stl),
             "off" => Some(Self::Off),
+            "msh" => Some(Self::Msh),
             _ => None,
         }
     }
@@ -50,14 +55,26 @@ pub(crate) fn read(path: &Path) -> Result<Frame, ReadError> {
     let format = Format::of_path(path).ok_or_else(|| ReadError::Extension {
         path: path.to_owned(),
     })?;
+    parse_file(path, |bytes| parse(bytes, format))
+}
+
+pub(crate) fn read_tet_mesh(path: &Path) -> Result<TetMesh, ReadError> {
+    parse_file(path, parse_tet_mesh)
+}
+
+fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> Result<T, ReadError> {
     let bytes = std::fs::read(path).map_err(|source| ReadError::Io {
         path: path.to_owned(),
         source,
     })?;
-    parse(&bytes, format).map_err(|source| ReadError::Parse {
+    parse(&bytes).map_err(|source| ReadError::Parse {
         path: path.to_owned(),
         source,
     })
+}
+
+pub(crate) fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
+    msh::read_tet_mesh(bytes)
 }
 
 pub(crate) fn parse(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
@@ -66,6 +83,7 @@ pub(crate) fn parse(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
         Format::Obj => obj::read(bytes),
         Format::Stl => stl::read(bytes),
         Format::Off => off::read(bytes),
+        Format::Msh => return msh::read_frame(bytes),
     }?;
     Frame::new(positions, faces).map_err(|error| Fault::Frame(error).at(Place::File))
 }

@@ -131,6 +131,11 @@ impl<'a> Line<'a> {
         self.parse("a number")
     }
 
+    /// The next word as a number, the nearest `f64`, of which `expected` tells what it is.
+    pub(super) fn real(&mut self, expected: &str) -> Result<f64, ParseError> {
+        self.parse(expected)
+    }
+
     /// The next word as a whole number.
     pub(super) fn integer(&mut self, expected: &str) -> Result<i64, ParseError> {
         self.parse(expected)
@@ -169,6 +174,16 @@ impl<'a> Line<'a> {
     fn is_blank(&self, byte: u8) -> bool {
         byte.is_ascii_whitespace() || (byte == b'\\' && self.syntax == Syntax::CommentsAndContinuation)
     }
+}
+
+/// The next word of a line, which must be this one.
+pub(super) fn expect(line: &mut Line, expected: &str) -> Result<(), ParseError> {
+    let expected_quoted = quoted(expected.as_bytes());
+    let word = line.expect_word(&expected_quoted)?;
+    if word == expected.as_bytes() {
+        return Ok(());
+    }
+    Err(line.unexpected(expected_quoted, word))
 }
 
 /// A word as a number.

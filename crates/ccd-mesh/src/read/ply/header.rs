@@ -2,8 +2,9 @@
 
 use std::collections::HashSet;
 
-use super::super::error::{ParseError, Place, quoted};
-use super::super::text::{Line, Lines};
+use super::super::binary::ByteOrder;
+use super::super::error::{ParseError, Place};
+use super::super::text::{Line, Lines, expect};
 
 pub(super) struct Header<'a> {
     pub(super) encoding: Encoding,
@@ -14,12 +15,6 @@ pub(super) struct Header<'a> {
 pub(super) enum Encoding {
     Text,
     Binary(ByteOrder),
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum ByteOrder {
-    LittleEndian,
-    BigEndian,
 }
 
 /// A table: `count` rows of these properties.
@@ -172,13 +167,4 @@ fn scalar(line: &Line, word: &[u8]) -> Result<Scalar, ParseError> {
         b"double" | b"float64" => Scalar::Float64,
         other => return Err(line.unexpected(TYPE, other)),
     })
-}
-
-fn expect(line: &mut Line, expected: &str) -> Result<(), ParseError> {
-    let expected_quoted = quoted(expected.as_bytes());
-    let word = line.expect_word(&expected_quoted)?;
-    if word == expected.as_bytes() {
-        return Ok(());
-    }
-    Err(line.unexpected(expected_quoted, word))
 }

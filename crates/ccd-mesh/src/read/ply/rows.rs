@@ -1,9 +1,9 @@
 //! The values in the rows of a PLY file, from text or from binary data.
 
-use super::super::binary::Bytes;
+use super::super::binary::{ByteOrder, Bytes};
 use super::super::error::{ParseError, Place, quoted};
 use super::super::text::{Line, Lines};
-use super::header::{ByteOrder, Element, Integer, Scalar};
+use super::header::{Element, Integer, Scalar};
 
 /// Reads one row after the other, each value by value.
 pub(super) trait Rows<'a> {
@@ -99,11 +99,7 @@ impl<'a> BinaryRows<'a> {
     /// The bytes of the next value, the least significant first.
     fn value<const N: usize>(&mut self) -> Result<[u8; N], ParseError> {
         let row = self.row;
-        let mut bytes = self.bytes.array(|| expected(row))?;
-        if let ByteOrder::BigEndian = self.order {
-            bytes.reverse();
-        }
-        Ok(bytes)
+        self.bytes.number(self.order, || expected(row))
     }
 }
 

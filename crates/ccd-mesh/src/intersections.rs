@@ -1,0 +1,70 @@
+//! Where a mesh at rest passes through itself.
+
+use exact_ccd::{EdgeFace, Point};
+use rayon::prelude::*;
+
+use crate::bounds::Bounds;
+use crate::broad_phase::BroadPhase;
+use crate::bvh::Bvh;
+use crate::mesh::TriangleMesh;
+use crate::positions::{self, PositionsError};
+
+/// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Intersection {
+    /// The index of the edge in [`TriangleMesh::edges`].
+    pub edge: u32,
+    /// The index of the face in [`TriangleMesh::faces`].
+    pub face: u32,
+}
+
+/// All pairs of an edge and a face that have a common point and share no vertex, sorted.
+///
+/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. Two faces without a common
+/// vertex meet if and only if an edge of one meets the other. Of two faces that share a vertex, the sides across from it
+/// are examined; faces that share two, as when a fold closes, are not.
+///
+/// ```
+/// use ccd_mesh::{Intersection, TriangleMesh, intersections};
+///
+/// // The side 3 4 of the second face passes through the first face.
+/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
+/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+/// let wall = |x: f64| [[x, 1.0, -1.0], [x, 1.0, 1.0], [9.0, 1.0, 1.0]];
+/// let pierced = intersections(&mesh, &[floor, wall(1.0)].concat())?;
+/// assert_eq!(mesh.edges()[pierced[0].edge as usize], [1, 2]);
+/// assert_eq!(pierced[1], Intersection { edge: 3, face: 0 });
+/// assert_eq!(intersections(&mesh, &[floor, wall(8.0)].concat())?, []);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`PositionsError`] says which positions are too many, too few or not finite.
+pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Intersection>, PositionsError> {
+    positions::check(mesh, positions)?;
+    let meets = |&[edge, face]: &[u32; 2]| {
+        let point = |vertex: u32| positions[vertex as usize];
+        let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
+        // All positions are finite.
+        EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
+    };
+    Ok(candidates(mesh, positions)
+        .into_par_iter()
+        .filter(meets)
+        .map(|[edge, face]| Intersection { edge, face })
+        .collect())
+}
+
+/// The pairs of an edge and a face without a common vertex whose boxes overlap, sorted.
+fn candidates(mesh: &TriangleMesh, positions: &[Point]) -> Vec<[u32; 2]> {
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    let around = |vertices: &[u32]| -> Bounds { vertices.iter().map(|&v| positions[v as usize]).collect() };
+    let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
+    let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
+    Bvh.between(&edge_boxes, &face_boxes, |edge, face| {
+        let corners = faces[face as usize];
+        edges[edge as usize]
+            .iter()
+            .all(|vertex| !corners.contains(vertex))
+    })
+}

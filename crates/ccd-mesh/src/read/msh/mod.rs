@@ -1,0 +1,134 @@
+//! Gmsh's MSH, versions 2.2 and 4.1, as text and binary: nodes, triangles and tetrahedra.
+//!
+//! Gmsh reference manual, *MSH file format* and *MSH file format version 2 (Legacy)*.
+
+mod elements;
+mod nodes;
+mod values;
+
+use exact_ccd::Point;
+
+use super::binary::{ByteOrder, Bytes};
+use super::error::{Fault, ParseError, Place, quoted};
+use super::text::{Lines, Syntax, expect};
+use crate::frame::Frame;
+use crate::tet_mesh::TetMesh;
+use values::{BinaryValues, TextValues, Values};
+
+/// What the sections of a file hold.
+#[derive(Default)]
+pub(super) struct Contents {
+    positions: Vec<Point>,
+    triangles: Vec<[u32; 3]>,
+    tetrahedra: Vec<[u32; 4]>,
+}
+
+#[derive(Clone, Copy)]
+enum Version {
+    V2,
+    V4,
+}
+
+/// The surface of the tetrahedra, or, if there are none, the triangles as they are.
+pub(super) fn read_frame(bytes: &[u8]) -> Result<Frame, ParseError> {
+    let contents = read(bytes)?;
+    if contents.tetrahedra.is_empty() {
+        let frame = Frame::new(contents.positions, contents.triangles);
+        return frame.map_err(|error| Fault::Frame(error).at(Place::File));
+    }
+    Ok(contents.into_tet_mesh()?.surface_frame().0)
+}
+
+pub(super) fn read_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
+    read(bytes)?.into_tet_mesh()
+}
+
+impl Contents {
+    /// Triangles may be listed, but each must be a face of a tetrahedron: what else is it to be?
+    fn into_tet_mesh(self) -> Result<TetMesh, ParseError> {
+        let at_file = |fault: Fault| fault.at(Place::File);
+        let mesh =
+            TetMesh::new(self.positions, self.tetrahedra).map_err(|error| at_file(Fault::TetMesh(error)))?;
+        match mesh.find_no_face(&self.triangles) {
+            None => Ok(mesh),
+            Some(triangle) => Err(at_file(Fault::Sheet { triangle })),
+        }
+    }
+}
+
+fn read(bytes: &[u8]) -> Result<Contents, ParseError> {
+    const VERSION: &str = "`2.2` or `4.1`";
+    const ENCODING: &str = "`0` for text or `1` for binary";
+    const SIZE: &str = "`8`, the size of a number";
+    let mut lines = Lines::new(bytes, Syntax::Plain);
+    expect(&mut lines.expect(|| "`$MeshFormat`".to_owned())?, "$MeshFormat")?;
+    let line = &mut lines.expect(|| "the version, the encoding and the size of a number".to_owned())?;
+    let version = match line.expect_word(VERSION)? {
+        b"2.2" => Version::V2,
+        b"4.1" => Version::V4,
+        other => return Err(line.unexpected(VERSION, other)),
+    };
+    let is_binary = match line.expect_word(ENCODING)? {
+        b"0" => false,
+        b"1" => true,
+        other => return Err(line.unexpected(ENCODING, other)),
+    };
+    let size = line.expect_word(SIZE)?;
+    if is_binary && size != b"8" {
+        return Err(line.unexpected(SIZE, size));
+    }
+    line.expect_end()?;
+    if is_binary {
+        let mut body = Bytes::new(bytes, bytes.len() - lines.rest().len());
+        let order = byte_order(&mut body)?;
+        read_sections(version, BinaryValues::new(body, order))
+    } else {
+        read_sections(version, TextValues::new(lines))
+    }
+}
+
+/// The order of bytes in which the next number is 1.
+fn byte_order(bytes: &mut Bytes) -> Result<ByteOrder, ParseError> {
+    const ONE: &str = "the number 1 in four bytes";
+    let place = bytes.place();
+    match bytes.array(|| ONE.to_owned())? {
+        [1, 0, 0, 0] => Ok(ByteOrder::LittleEndian),
+        [0, 0, 0, 1] => Ok(ByteOrder::BigEndian),
+        other => Err(Fault::expected(ONE, format!("{other:?}")).at(place)),
+    }
+}
+
+/// What follows the version. Sections other than nodes and elements are skipped.
+fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Contents, ParseError> {
+    values.skip_to("$EndMeshFormat")?;
+    let mut contents = Contents::default();
+    let mut nodes = None;
+    let mut elements = false;
+    while let Some((place, section)) = values.section() {
+        let unexpected = |expected: &str| Err(Fault::expected(expected, quoted(section)).at(place));
+        match (section, &nodes) {
+            (b"$Nodes", None) => {
+                let read = nodes::read(version, &mut values)?;
+                contents.positions = read.positions;
+                nodes = Some(read.tags);
+            }
+            (b"$Elements", Some(tags)) if !elements => {
+                elements::read(version, &mut values, tags, &mut contents)?;
+                elements = true;
+            }
+            (b"$Elements", None) => return unexpected("`$Nodes` before the elements"),
+            (b"$Nodes" | b"$Elements", _) => return unexpected("a section of which there is no other"),
+            ([b'$', name @ ..], _) => {
+                let name = String::from_utf8_lossy(name);
+                values.skip_to(&format!("$End{name}"))?;
+            }
+            _ => return unexpected("a section such as `$Nodes`"),
+        }
+    }
+    for (is_there, section) in [(nodes.is_some(), "`$Nodes`"), (elements, "`$Elements`")] {
+        if !is_there {
+            return Err(Fault::ends(section).at(values.place()));
+        }
+    }
+    Ok(contents)
+}
