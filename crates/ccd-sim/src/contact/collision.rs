@@ -1,0 +1,167 @@
+//! Two primitives that are near each other.
+
+use arrayvec::ArrayVec;
+use nalgebra::{SMatrix, Vector3};
+
+use super::barrier::Barrier;
+use crate::distance::{Feature, FeatureKind, Mollifier, Separation};
+use crate::element::{Element, Matrix12, Vector12};
+use crate::psd;
+
+/// Two features that are within reach of the barrier.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Collision {
+    vertices: ArrayVec<u32, 4>,
+    feature: Feature,
+    mollifier: Option<Mollifier>,
+    /// How many pairs of primitives have these features in common.
+    multiplicity: f64,
+}
+
+impl Collision {
+    /// The collision of these vertices' features, in their shortest form: only the vertices on which the distance depends,
+    /// in an order that is the same whichever primitives they come from.
+    #[must_use]
+    pub fn new(vertices: [u32; 4], feature: Feature) -> Self {
+        let used = (0..4)
+            .filter(|&place| feature.uses(place))
+            .map(|place| vertices[place]);
+        let mut vertices: ArrayVec<u32, 4> = used.collect();
+        let feature = match feature.kind() {
+            FeatureKind::PointPoint => {
+                vertices.sort_unstable();
+                Feature::point_point(0, 1)
+            }
+            FeatureKind::PointLine => {
+                // The point is the one whose weight does not vary.
+                let point = feature.point();
+                let place = (0..point).filter(|&place| feature.uses(place)).count();
+                vertices[..=place].rotate_right(1);
+                vertices[1..].sort_unstable();
+                Feature::point_line(0, 1, 2)
+            }
+            FeatureKind::PointPlane | FeatureKind::LineLine => feature,
+        };
+        Self {
+            vertices,
+            feature,
+            mollifier: None,
+            multiplicity: 1.0,
+        }
+    }
+
+    /// The collision of two edges that are nearly parallel.
+    #[must_use]
+    pub fn mollified(vertices: [u32; 4], feature: Feature, mollifier: Mollifier) -> Self {
+        Self {
+            vertices: ArrayVec::from(vertices),
+            feature,
+            mollifier: Some(mollifier),
+            multiplicity: 1.0,
+        }
+    }
+
+    /// The vertices on which the barrier depends.
+    #[must_use]
+    pub fn vertices(&self) -> &ArrayVec<u32, 4> {
+        &self.vertices
+    }
+
+    /// Whether two collisions are between the same features.
+    #[must_use]
+    pub fn is_same(&self, other: &Self) -> bool {
+        self.vertices == other.vertices && self.feature == other.feature && self.mollifier == other.mollifier
+    }
+
+    /// Counts another pair of primitives with the same features.
+    pub fn merge(&mut self, other: &Self) {
+        self.multiplicity += other.multiplicity;
+    }
+
+    /// The closest points, with the vertices at these points.
+    #[must_use]
+    pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
+        self.feature.separation(points)
+    }
+
+    /// The barrier.
+    #[must_use]
+    pub fn value(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
+        let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
+        let value = barrier.value(self.separation(points).squared());
+        // What has faded out has, also where the barrier is infinite.
+        if fade == 0.0 {
+            0.0
+        } else {
+            self.multiplicity * fade * value
+        }
+    }
+
+    /// How much the barrier pushes: −b′ times the derivative of the squared distance by the distance.
+    #[must_use]
+    pub fn normal_force(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
+        let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
+        let squared = self.separation(points).squared();
+        -2.0 * self.multiplicity * fade * barrier.slope(squared) * squared.sqrt()
+    }
+
+    /// The gradient of the barrier.
+    #[must_use]
+    pub fn gradient(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> Vector12 {
+        let separation = self.separation(points);
+        let squared = separation.squared();
+        let distance = Vector12::from_fn(|row, _| {
+            2.0 * separation.weights[row / 3] * separation.vector[row % 3] * barrier.slope(squared)
+        });
+        let gradient = match self.mollifier {
+            None => distance,
+            Some(mollifier) => {
+                let (fade, _) = mollifier.derivatives(points);
+                distance * mollifier.value(points) + fade * barrier.value(squared)
+            }
+        };
+        gradient * self.multiplicity
+    }
+
+    /// The derivatives of the barrier; the Hessian is projected if asked for.
+    #[must_use]
+    pub fn derivatives(&self, points: &[Vector3<f64>; 4], barrier: &Barrier, projected: bool) -> Element {
+        let squared = self.separation(points).squared();
+        let (slope, curvature) = (barrier.slope(squared), barrier.curvature(squared));
+        let (distance1, distance2) = self.feature.derivatives(points);
+        let mut gradient = distance1 * slope;
+        let mut hessian = distance1 * distance1.transpose() * curvature + distance2 * slope;
+        if let Some(mollifier) = self.mollifier {
+            let (fade, value) = (mollifier.value(points), barrier.value(squared));
+            let (fade1, fade2) = mollifier.derivatives(points);
+            let mixed = fade1 * gradient.transpose();
+            hessian = hessian * fade + mixed + mixed.transpose() + fade2 * value;
+            gradient = gradient * fade + fade1 * value;
+        }
+        if projected {
+            hessian = self.project(&hessian);
+        }
+        Element {
+            vertices: self.vertices.clone(),
+            gradient: gradient * self.multiplicity,
+            hessian: hessian * self.multiplicity,
+        }
+    }
+
+    /// Projects the part that is not zero, whose size sets the cost.
+    fn project(&self, hessian: &Matrix12) -> Matrix12 {
+        let mut projected = Matrix12::zeros();
+        match self.vertices.len() {
+            2 => {
+                let block = psd::project(hessian.fixed_view::<6, 6>(0, 0).into_owned());
+                projected.fixed_view_mut::<6, 6>(0, 0).copy_from(&block);
+            }
+            3 => {
+                let block: SMatrix<f64, 9, 9> = psd::project(hessian.fixed_view::<9, 9>(0, 0).into_owned());
+                projected.fixed_view_mut::<9, 9>(0, 0).copy_from(&block);
+            }
+            _ => projected = psd::project(*hessian),
+        }
+        projected
+    }
+}

@@ -1,0 +1,121 @@
+//! The broad phase: the one place where this crate asks [`ccd_mesh`] which primitives are near each other.
+
+use ccd_mesh::{Bounds, BroadPhase, Bvh, Point, TriangleMesh};
+use rayon::prelude::*;
+
+/// The triangles that can touch, and which of their vertices cannot be helped.
+#[derive(Clone, Debug)]
+pub struct Surface {
+    mesh: TriangleMesh,
+    /// Vertices of faces, the others being inside a solid.
+    vertices: Vec<u32>,
+    driven: Vec<bool>,
+}
+
+impl Surface {
+    /// The surface of a mesh. `driven` tells of each vertex whether it only moves as a script says: of primitives
+    /// without any other vertex, contact is no concern.
+    #[must_use]
+    pub fn new(mesh: TriangleMesh, driven: Vec<bool>) -> Self {
+        let mut vertices: Vec<u32> = mesh.faces().iter().flatten().copied().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        Self {
+            mesh,
+            vertices,
+            driven,
+        }
+    }
+
+    /// The connectivity.
+    #[must_use]
+    pub fn mesh(&self) -> &TriangleMesh {
+        &self.mesh
+    }
+
+    /// The vertices of a pair of a vertex and a face.
+    #[must_use]
+    pub fn vertex_face(&self, [vertex, face]: [u32; 2]) -> [u32; 4] {
+        let [a, b, c] = self.mesh.faces()[face as usize];
+        [vertex, a, b, c]
+    }
+
+    /// The vertices of a pair of edges.
+    #[must_use]
+    pub fn edge_edge(&self, pair: [u32; 2]) -> [u32; 4] {
+        let [[a, b], [c, d]] = pair.map(|edge| self.mesh.edges()[edge as usize]);
+        [a, b, c, d]
+    }
+
+    fn is_driven(&self, vertices: &[u32]) -> bool {
+        vertices.iter().all(|&vertex| self.driven[vertex as usize])
+    }
+}
+
+/// Pairs of primitives without a common vertex, not all of whose vertices are driven; sorted.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Pairs {
+    /// Pairs of a vertex and a face.
+    pub vertex_face: Vec<[u32; 2]>,
+    /// Pairs of edges, the smaller index first.
+    pub edge_edge: Vec<[u32; 2]>,
+}
+
+impl Pairs {
+    /// All pairs that come within a distance of each other while the vertices move from `start` to `end`, and some more:
+    /// those whose boxes do.
+    #[must_use]
+    pub fn near(surface: &Surface, start: &[Point], end: &[Point], distance: f64) -> Self {
+        let (faces, edges) = (surface.mesh.faces(), surface.mesh.edges());
+        // Half on either side, and what rounding may take.
+        let margin = 0.5 * distance * (1.0 + 1e-9);
+        let boxes: Vec<Bounds> = (start, end)
+            .into_par_iter()
+            .map(|(a, b)| grown(*a, *b, margin))
+            .collect();
+        let around = |vertices: &[u32]| {
+            let boxes = vertices.iter().map(|&vertex| &boxes[vertex as usize]);
+            boxes.fold(Bounds::EMPTY, |all, bounds| all.union(bounds))
+        };
+
+        let vertex_boxes: Vec<Bounds> = surface.vertices.par_iter().map(|&v| boxes[v as usize]).collect();
+        let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
+        let mut vertex_face = Bvh.between(&vertex_boxes, &face_boxes, |place, face| {
+            let (vertex, face) = (surface.vertices[place as usize], &faces[face as usize]);
+            !face.contains(&vertex) && !(surface.driven[vertex as usize] && surface.is_driven(face))
+        });
+        for pair in &mut vertex_face {
+            pair[0] = surface.vertices[pair[0] as usize];
+        }
+
+        let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
+        let edge_edge = Bvh.within(&edge_boxes, |a, b| {
+            let (a, b) = (&edges[a as usize], &edges[b as usize]);
+            a.iter().all(|vertex| !b.contains(vertex)) && !(surface.is_driven(a) && surface.is_driven(b))
+        });
+        Self {
+            vertex_face,
+            edge_edge,
+        }
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.vertex_face.len() + self.edge_edge.len()
+    }
+
+    /// Whether there is none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+fn grown(a: Point, b: Point, margin: f64) -> Bounds {
+    let Bounds { lower, upper } = Bounds::of(a).union(&Bounds::of(b));
+    Bounds {
+        lower: lower.map(|x| x - margin),
+        upper: upper.map(|x| x + margin),
+    }
+}

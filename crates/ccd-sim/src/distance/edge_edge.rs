@@ -1,0 +1,50 @@
+//! Two edges.
+
+use nalgebra::Vector3;
+
+use super::feature::Feature;
+
+/// What of the first edge (the first two points) is closest to what of the second.
+///
+/// The interiors of both if their lines are closest there; else the nearest of the four pairs of an end and the other
+/// edge, which is also what there is of parallel edges.
+#[must_use]
+pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
+    let [a, b, c, d] = *points;
+    let (u, v, w) = (b - a, d - c, a - c);
+    let (uu, uv, vv) = (u.norm_squared(), u.dot(&v), v.norm_squared());
+    let (uw, vw) = (u.dot(&w), v.dot(&w));
+    let determinant = uu * vv - uv * uv;
+    let (s, t) = (uv * vw - vv * uw, uu * vw - uv * uw);
+    let inside = |x: f64| x > 0.0 && x < determinant;
+    // Of nearly parallel edges the determinant has no correct digit.
+    if determinant > PARALLEL * uu * vv && inside(s) && inside(t) {
+        return Feature::line_line();
+    }
+
+    let ends = [(0, 2, 3), (1, 2, 3), (2, 0, 1), (3, 0, 1)];
+    let mut nearest = (f64::INFINITY, Feature::point_point(0, 2));
+    for (point, from, to) in ends {
+        let feature = point_segment(points, point, from, to);
+        let squared = feature.separation(points).squared();
+        if squared < nearest.0 {
+            nearest = (squared, feature);
+        }
+    }
+    nearest.1
+}
+
+/// The squared sine of the angle below which edges count as parallel.
+const PARALLEL: f64 = 1e-14;
+
+fn point_segment(points: &[Vector3<f64>; 4], point: usize, from: usize, to: usize) -> Feature {
+    let edge = points[to] - points[from];
+    let foot = edge.dot(&(points[point] - points[from]));
+    if foot <= 0.0 {
+        Feature::point_point(point, from)
+    } else if foot >= edge.norm_squared() {
+        Feature::point_point(point, to)
+    } else {
+        Feature::point_line(point, from, to)
+    }
+}

@@ -1,0 +1,181 @@
+//! Two features of primitives, and the squared distance between them.
+
+use nalgebra::{Matrix2, Matrix2x3, SMatrix, Vector2, Vector3};
+
+use crate::element::{Matrix12, Vector12};
+
+/// What is closest to what.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum FeatureKind {
+    /// Two points.
+    PointPoint,
+    /// A point and the line of an edge.
+    PointLine,
+    /// A point and the plane of a triangle.
+    PointPlane,
+    /// The lines of two edges.
+    LineLine,
+}
+
+/// Two features, as the weights of four points that r combines: w + λ₁ d₁ + λ₂ d₂.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Feature {
+    kind: FeatureKind,
+    weights: [f64; 4],
+    along: [[f64; 4]; 2],
+}
+
+/// Where two features are closest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Separation {
+    /// The weights of the four points in the vector between the closest points.
+    pub weights: [f64; 4],
+    /// This vector.
+    pub vector: Vector3<f64>,
+}
+
+impl Separation {
+    /// The squared distance.
+    #[must_use]
+    pub fn squared(&self) -> f64 {
+        self.vector.norm_squared()
+    }
+}
+
+impl Feature {
+    /// The points at two places among the four.
+    #[must_use]
+    pub fn point_point(a: usize, b: usize) -> Self {
+        Self {
+            kind: FeatureKind::PointPoint,
+            weights: weights(&[(a, 1.0), (b, -1.0)]),
+            along: [[0.0; 4]; 2],
+        }
+    }
+
+    /// A point, and the line through two others.
+    #[must_use]
+    pub fn point_line(point: usize, a: usize, b: usize) -> Self {
+        Self {
+            kind: FeatureKind::PointLine,
+            weights: weights(&[(point, 1.0), (a, -1.0)]),
+            along: [weights(&[(a, 1.0), (b, -1.0)]), [0.0; 4]],
+        }
+    }
+
+    /// The first point, and the plane through the others.
+    #[must_use]
+    pub fn point_plane() -> Self {
+        Self {
+            kind: FeatureKind::PointPlane,
+            weights: [1.0, -1.0, 0.0, 0.0],
+            along: [[0.0, 1.0, -1.0, 0.0], [0.0, 1.0, 0.0, -1.0]],
+        }
+    }
+
+    /// The line through the first two points, and that through the others.
+    #[must_use]
+    pub fn line_line() -> Self {
+        Self {
+            kind: FeatureKind::LineLine,
+            weights: [1.0, 0.0, -1.0, 0.0],
+            along: [[-1.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, -1.0]],
+        }
+    }
+
+    /// Which features these are.
+    #[must_use]
+    pub fn kind(&self) -> FeatureKind {
+        self.kind
+    }
+
+    /// The place of the point among the four, of a point against something else: its weight is 1 wherever the closest
+    /// points are.
+    #[must_use]
+    pub fn point(&self) -> usize {
+        let is_point = |&place: &usize| self.weights[place] == 1.0 && self.along[0][place] == 0.0;
+        (0..4).find(is_point).unwrap_or(0)
+    }
+
+    /// Whether the distance depends on a point.
+    #[must_use]
+    pub fn uses(&self, point: usize) -> bool {
+        self.weights[point] != 0.0 || self.along.iter().any(|along| along[point] != 0.0)
+    }
+
+    /// The closest points. Where a line or a plane is degenerate, one of the closest.
+    #[must_use]
+    pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
+        let (parameters, ..) = self.closest(points);
+        let mut weights = self.weights;
+        for (along, parameter) in self.along.iter().zip(parameters.iter()) {
+            for (weight, change) in weights.iter_mut().zip(along) {
+                *weight += parameter * change;
+            }
+        }
+        let vector = combine(points, &weights);
+        Separation { weights, vector }
+    }
+
+    /// The gradient and the Hessian of the squared distance.
+    #[must_use]
+    pub fn derivatives(&self, points: &[Vector3<f64>; 4]) -> (Vector12, Matrix12) {
+        let (_, inverse, tangents) = self.closest(points);
+        let Separation { weights, vector } = self.separation(points);
+        let gradient = Vector12::from_fn(|row, _| 2.0 * weights[row / 3] * vector[row % 3]);
+        let mut hessian = Matrix12::from_fn(|row, column| {
+            if row % 3 == column % 3 {
+                2.0 * weights[row / 3] * weights[column / 3]
+            } else {
+                0.0
+            }
+        });
+        // ½ ∂²|r|²/∂x∂λₖ, with half of ∂²|r|²/∂λ² inverted.
+        let mixed = SMatrix::<f64, 12, 2>::from_fn(|row, k| {
+            let (point, axis) = (row / 3, row % 3);
+            self.along[k][point] * vector[axis] + weights[point] * tangents[(k, axis)]
+        });
+        hessian -= mixed * inverse * mixed.transpose() * 2.0;
+        (gradient, hessian)
+    }
+
+    /// The parameters of the closest points, the (pseudo-)inverse of the normal equations, and ∂r/∂λₖ as rows.
+    fn closest(&self, points: &[Vector3<f64>; 4]) -> (Vector2<f64>, Matrix2<f64>, Matrix2x3<f64>) {
+        let vector = combine(points, &self.weights);
+        let tangents = Matrix2x3::from_rows(&[
+            combine(points, &self.along[0]).transpose(),
+            combine(points, &self.along[1]).transpose(),
+        ]);
+        let inverse = pseudo_inverse(&(tangents * tangents.transpose()));
+        (-(inverse * (tangents * vector)), inverse, tangents)
+    }
+}
+
+fn weights(entries: &[(usize, f64)]) -> [f64; 4] {
+    let mut weights = [0.0; 4];
+    for &(place, weight) in entries {
+        weights[place] = weight;
+    }
+    weights
+}
+
+/// Σ wᵢ xᵢ where the weights sum to zero: from differences, so that it does not depend on where the origin is.
+fn combine(points: &[Vector3<f64>; 4], weights: &[f64; 4]) -> Vector3<f64> {
+    let origin = points[0];
+    let term = |place: usize| (points[place] - origin) * weights[place];
+    term(1) + term(2) + term(3)
+}
+
+/// The inverse of a Gram matrix, or that of its larger diagonal entry where the other direction adds nothing.
+fn pseudo_inverse(gram: &Matrix2<f64>) -> Matrix2<f64> {
+    let determinant = gram.determinant();
+    if determinant > f64::EPSILON * gram[(0, 0)] * gram[(1, 1)] {
+        return Matrix2::new(gram[(1, 1)], -gram[(0, 1)], -gram[(1, 0)], gram[(0, 0)]) / determinant;
+    }
+    let larger = usize::from(gram[(1, 1)] > gram[(0, 0)]);
+    let mut inverse = Matrix2::zeros();
+    if gram[(larger, larger)] > 0.0 {
+        inverse[(larger, larger)] = 1.0 / gram[(larger, larger)];
+    }
+    inverse
+}

@@ -1,0 +1,17 @@
+//! Elastic energies: solids of tetrahedra, shells of triangles.
+
+mod hinge;
+mod isotropic;
+mod lame;
+mod membrane;
+mod neo_hookean;
+mod stable_neo_hookean;
+mod tetrahedron;
+
+pub use hinge::Hinge;
+pub use isotropic::{Isotropic, Principal, hessian};
+pub use lame::{ElasticModuli, ModuliError};
+pub use membrane::Membrane;
+pub use neo_hookean::NeoHookean;
+pub use stable_neo_hookean::StableNeoHookean;
+pub use tetrahedron::{SolidMaterial, Tetrahedron};

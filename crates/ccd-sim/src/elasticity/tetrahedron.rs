@@ -1,0 +1,120 @@
+//! Linear tetrahedra.
+
+use arrayvec::ArrayVec;
+use nalgebra::{Matrix3, SMatrix, Vector3};
+use serde::{Deserialize, Serialize};
+
+use super::isotropic::{Isotropic, hessian};
+use super::lame::ElasticModuli;
+use super::neo_hookean::NeoHookean;
+use super::stable_neo_hookean::StableNeoHookean;
+use crate::element::{Element, Matrix12, Vector12};
+
+/// The energies that a solid can have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SolidMaterial {
+    /// [`NeoHookean`]: cannot be turned inside out.
+    #[default]
+    NeoHookean,
+    /// [`StableNeoHookean`]: finite for every deformation.
+    StableNeoHookean,
+}
+
+/// A tetrahedron with its shape at rest, and a linear displacement within.
+#[derive(Clone, Debug)]
+pub struct Tetrahedron {
+    vertices: [u32; 4],
+    /// Row i is the gradient of the barycentric coordinate of vertex i.
+    shape: SMatrix<f64, 4, 3>,
+    volume: f64,
+    energy: Energy,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Energy {
+    NeoHookean(NeoHookean),
+    Stable(StableNeoHookean),
+}
+
+impl Tetrahedron {
+    /// The tetrahedron of these vertices, at rest at these points; `None` if its volume there is not positive.
+    #[must_use]
+    pub fn new(
+        vertices: [u32; 4],
+        rest: &[Vector3<f64>; 4],
+        material: SolidMaterial,
+        moduli: ElasticModuli,
+    ) -> Option<Self> {
+        let edges = Matrix3::from_columns(&[rest[1] - rest[0], rest[2] - rest[0], rest[3] - rest[0]]);
+        let volume = edges.determinant() / 6.0;
+        let inverse = edges.try_inverse().filter(|_| volume > 0.0)?;
+        let mut shape = SMatrix::<f64, 4, 3>::zeros();
+        shape.fixed_view_mut::<3, 3>(1, 0).copy_from(&inverse);
+        shape.set_row(0, &-inverse.row_sum());
+        let energy = match material {
+            SolidMaterial::NeoHookean => Energy::NeoHookean(NeoHookean::new(moduli)),
+            SolidMaterial::StableNeoHookean => Energy::Stable(StableNeoHookean::new(moduli)),
+        };
+        Some(Self {
+            vertices,
+            shape,
+            volume,
+            energy,
+        })
+    }
+
+    /// The vertices.
+    #[must_use]
+    pub fn vertices(&self) -> [u32; 4] {
+        self.vertices
+    }
+
+    /// The volume at rest, in m³.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        self.volume
+    }
+
+    /// The energy with the vertices at these points, in J.
+    #[must_use]
+    pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
+        let f = self.deformation(points);
+        self.volume
+            * match &self.energy {
+                Energy::NeoHookean(energy) => energy.value(&f),
+                Energy::Stable(energy) => energy.value(&f),
+            }
+    }
+
+    /// The derivatives of the energy; the Hessian is projected if asked for.
+    #[must_use]
+    pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {
+        let f = self.deformation(points);
+        let (stress, second) = match &self.energy {
+            Energy::NeoHookean(energy) => (energy.stress(&f), hessian(energy, &f, projected)),
+            Energy::Stable(energy) => (energy.stress(&f), hessian(energy, &f, projected)),
+        };
+        // F is linear in the points: column c is Σᵢ xᵢ shape(i, c).
+        let forces = stress * self.shape.transpose() * self.volume;
+        let map = SMatrix::<f64, 9, 12>::from_fn(|row, column| {
+            if row % 3 == column % 3 {
+                self.shape[(column / 3, row / 3)]
+            } else {
+                0.0
+            }
+        });
+        let hessian: Matrix12 = map.tr_mul(&(second * map)) * self.volume;
+        Element {
+            vertices: ArrayVec::from(self.vertices),
+            gradient: Vector12::from_column_slice(forces.as_slice()),
+            hessian,
+        }
+    }
+
+    fn deformation(&self, points: &[Vector3<f64>; 4]) -> Matrix3<f64> {
+        let origin = points[0];
+        let edges = SMatrix::<f64, 3, 3>::from_columns(&[1, 2, 3].map(|i: usize| points[i] - origin));
+        edges * self.shape.fixed_view::<3, 3>(1, 0)
+    }
+}

@@ -1,0 +1,40 @@
+//! Coulomb's law, smoothed where things stick.
+
+/// f₀ and its derivatives: *Incremental Potential Contact*, section 5.2 and supplement. f₁ = f₀′ rises smoothly from 0 at
+/// rest to 1 at a slip of `threshold`, and stays there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Smoothing {
+    /// The slip, in m, below which friction counts as static.
+    pub threshold: f64,
+}
+
+impl Smoothing {
+    /// f₀, in m: the integral of f₁.
+    #[must_use]
+    pub fn potential(&self, slip: f64) -> f64 {
+        let e = self.threshold;
+        if slip < e {
+            slip * slip / e * (1.0 - slip / (3.0 * e)) + e / 3.0
+        } else {
+            slip
+        }
+    }
+
+    /// f₁(y) / y, in 1/m.
+    #[must_use]
+    pub fn force_over_slip(&self, slip: f64) -> f64 {
+        let e = self.threshold;
+        if slip < e {
+            (2.0 - slip / e) / e
+        } else {
+            slip.recip()
+        }
+    }
+
+    /// f₁′(y) = f₂, in 1/m.
+    #[must_use]
+    pub fn stiffness(&self, slip: f64) -> f64 {
+        let e = self.threshold;
+        if slip < e { 2.0 * (1.0 - slip / e) / e } else { 0.0 }
+    }
+}

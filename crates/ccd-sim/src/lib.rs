@@ -1,0 +1,45 @@
+//! Elastodynamics with contact that never passes through itself: incremental potential contact, with the line search filtered by
+//! [`exact_ccd`].
+//!
+//! The method is that of M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D. Kaufman,
+//! *Incremental Potential Contact: Intersection- and Inversion-free Large-Deformation Dynamics*, ACM Transactions on Graphics
+//! 39(4), 2020. Each time step minimises a potential of inertia, [`elasticity`], a barrier between what is near
+//! ([`contact`], [`distance`]) and lagged [`friction`], by projected Newton. How far each Newton step may go, a [`filter`]
+//! says: the exact one, or any method of [`ccd_methods`], to see what these let through.
+//!
+//! - [`Body`] is a mesh with its material; bodies and [`Script`]s make a [`System`].
+//! - [`Simulation`] takes the steps of a system, each with [`Statistics`].
+//! - [`State`] is all that it needs to go on, after it has been written and read.
+//!
+//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads.
+
+mod body;
+mod boundary;
+pub mod contact;
+pub mod distance;
+mod drive;
+pub mod elasticity;
+mod element;
+pub mod filter;
+pub mod friction;
+mod gather;
+mod integrator;
+pub mod psd;
+mod script;
+mod settings;
+pub mod shapes;
+mod simulation;
+mod solver;
+mod state;
+mod statistics;
+mod system;
+
+pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
+pub use element::{Element, Matrix12, Vector12, stack};
+pub use integrator::Integrator;
+pub use script::Script;
+pub use settings::{Friction, Length, Settings};
+pub use simulation::{Simulation, SimulationError};
+pub use state::{Earlier, State};
+pub use statistics::{Energies, Seconds, Statistics};
+pub use system::{System, SystemError};

@@ -1,0 +1,38 @@
+//! Projection of small symmetric matrices to positive semi-definite ones.
+
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, DimDiff, DimName, DimSub, OMatrix, OVector, SymmetricEigen, U1};
+
+/// More sweeps than any small symmetric matrix needs.
+const SWEEPS: usize = 1000;
+
+/// The positive semi-definite matrix nearest to a symmetric one: negative eigenvalues become zero, as in the projected
+/// Newton method (J. Teran, E. Sifakis, G. Irving, R. Fedkiw, *Robust quasistatic finite elements and flesh simulation*,
+/// 2005).
+///
+/// If the eigenvalues cannot be found, the diagonal matrix of the sums of the rows' magnitudes, which bounds it from
+/// above. What is not finite stays so.
+#[must_use]
+pub fn project<D>(matrix: OMatrix<f64, D, D>) -> OMatrix<f64, D, D>
+where
+    D: DimName + DimSub<U1>,
+    DefaultAllocator: Allocator<D, D> + Allocator<D> + Allocator<U1, D> + Allocator<DimDiff<D, U1>>,
+{
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return matrix;
+    }
+    let Some(eigen) = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS) else {
+        let sums = matrix.column_iter().map(|column| column.lp_norm(1));
+        return OMatrix::from_diagonal(&OVector::<f64, D>::from_iterator(sums));
+    };
+    if eigen.eigenvalues.iter().all(|&value| value >= 0.0) {
+        return matrix;
+    }
+    let mut projected = OMatrix::<f64, D, D>::zeros();
+    for (&value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if value > 0.0 {
+            projected.ger(value, &vector, &vector, 1.0);
+        }
+    }
+    projected
+}

@@ -1,0 +1,11 @@
+//! One time step: the minimum of an incremental potential, by projected Newton.
+
+mod linear;
+mod newton;
+mod pattern;
+mod potential;
+mod unknowns;
+
+pub(crate) use linear::LinearSolver;
+pub(crate) use newton::{Newton, Outcome};
+pub(crate) use potential::{Potential, Spring};

@@ -1,0 +1,258 @@
+//! Projected Newton with a line search that is filtered by continuous collision detection.
+
+use std::time::Instant;
+
+use ccd_mesh::Point;
+use nalgebra::Vector3;
+
+use super::linear::LinearSolver;
+use super::potential::Potential;
+use super::unknowns::Unknowns;
+use crate::contact::{Barrier, Collisions, Pairs, StiffnessRange};
+use crate::drive::Drive;
+use crate::filter::{Increment, StepFilter};
+use crate::friction::{FrictionContact, Smoothing};
+use crate::integrator::Scheme;
+use crate::simulation::SimulationError;
+use crate::statistics::Statistics;
+use crate::system::System;
+
+/// What stays the same while a potential is minimised.
+pub(crate) struct Newton<'a> {
+    pub(crate) system: &'a System,
+    pub(crate) scheme: &'a Scheme,
+    pub(crate) friction: &'a [FrictionContact],
+    pub(crate) smoothing: Smoothing,
+    pub(crate) barrier: Barrier,
+    pub(crate) range: StiffnessRange,
+    pub(crate) filter: &'a dyn StepFilter,
+    /// In m/s.
+    pub(crate) tolerance: f64,
+    pub(crate) max_iterations: usize,
+}
+
+/// What changes.
+pub(crate) struct Outcome {
+    pub(crate) positions: Vec<Point>,
+    pub(crate) collisions: Collisions,
+    /// κ.
+    pub(crate) stiffness: f64,
+    pub(crate) drive: Drive,
+}
+
+/// The part of the way to a contact that a step goes at most: what touches would have an infinite barrier.
+const SLACK: f64 = 0.9;
+
+/// How often a step is halved before it is given up.
+const HALVINGS: usize = 60;
+
+/// The farthest that a vertex goes in one iteration, in sizes of the scene. What goes farther is far from the minimum, and
+/// would sweep over too many pairs.
+const FARTHEST: f64 = 0.25;
+
+impl Newton<'_> {
+    /// Minimises the potential from where things are.
+    pub(crate) fn minimise(
+        &self,
+        solver: &mut LinearSolver,
+        now: &mut Outcome,
+        statistics: &mut Statistics,
+    ) -> Result<(), SimulationError> {
+        statistics.converged = false;
+        let mut plan: Option<(Unknowns, Vec<u64>)> = None;
+        for _ in 0..self.max_iterations {
+            let clock = Instant::now();
+            let springs = now.drive.springs();
+            let potential = Potential {
+                system: self.system,
+                scheme: self.scheme,
+                stiffness: now.stiffness,
+                friction: self.friction,
+                smoothing: self.smoothing,
+                springs: &springs,
+            };
+            let unknowns = self.unknowns(&now.drive);
+            if plan.as_ref().is_none_or(|(before, _)| *before != unknowns) {
+                let keys = potential.elastic_keys(&unknowns);
+                plan = Some((unknowns, keys));
+            }
+            let Some((unknowns, keys)) = &plan else { continue };
+
+            let given = self.given(now);
+            let quadratic = potential.quadratic(&now.positions, &now.collisions, unknowns, keys, &given);
+            let right: Vec<f64> = unknowns
+                .vertices()
+                .iter()
+                .flat_map(|&v| {
+                    <[f64; 3]>::from(-quadratic.gradient[v as usize] - quadratic.given[v as usize])
+                })
+                .collect();
+            statistics.seconds.assembly += clock.elapsed().as_secs_f64();
+
+            let clock = Instant::now();
+            let solution = solver.solve(quadratic.pattern, quadratic.values, &right);
+            let solution = solution.ok_or(SimulationError::Singular {
+                step: statistics.step,
+            })?;
+            statistics.seconds.solve += clock.elapsed().as_secs_f64();
+
+            let mut direction = given;
+            for (&vertex, part) in unknowns.vertices().iter().zip(solution.chunks_exact(3)) {
+                direction[vertex as usize] = Vector3::from_column_slice(part);
+            }
+            statistics.iterations += 1;
+            if now.drive.is_putting() {
+                self.put(now, &direction, &potential, statistics);
+                continue;
+            }
+            let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
+            let is_small = size <= self.tolerance * self.scheme.duration;
+            let moved = self.search(now, &direction, size, &potential, statistics)?;
+            if (is_small || !moved) && now.drive.is_pulling() {
+                now.drive.put();
+            } else if is_small || !moved {
+                statistics.converged = is_small;
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    fn unknowns(&self, drive: &Drive) -> Unknowns {
+        let mut unknown: Vec<bool> = (0..self.system.start.len())
+            .map(|v| self.system.is_free(v))
+            .collect();
+        if drive.is_pulling() {
+            for &(vertex, _) in drive.targets() {
+                unknown[vertex as usize] = true;
+            }
+        }
+        Unknowns::new(&unknown)
+    }
+
+    /// The displacements of the vertices that are put to their targets.
+    fn given(&self, now: &Outcome) -> Vec<Vector3<f64>> {
+        let mut given = vec![Vector3::zeros(); now.positions.len()];
+        if now.drive.is_putting() {
+            for &(vertex, target) in now.drive.targets() {
+                let vertex = vertex as usize;
+                given[vertex] = Vector3::from(target) - Vector3::from(now.positions[vertex]);
+            }
+        }
+        given
+    }
+
+    /// Puts the scripted vertices to their targets: with the rest going along as Newton's method says, or else alone. If
+    /// neither is free of contact, springs shall pull.
+    fn put(
+        &self,
+        now: &mut Outcome,
+        direction: &[Vector3<f64>],
+        potential: &Potential<'_>,
+        statistics: &mut Statistics,
+    ) {
+        let mut together = displaced(&now.positions, direction, 1.0);
+        let mut alone = now.positions.clone();
+        for &(vertex, target) in now.drive.targets() {
+            together[vertex as usize] = target;
+            alone[vertex as usize] = target;
+        }
+        let far = self.system.size() * FARTHEST;
+        for end in [together, alone] {
+            let pairs = zip(&now.positions, &end).map(|(a, b)| (b - a).amax());
+            if pairs.fold(0.0, f64::max) > far {
+                continue;
+            }
+            let clock = Instant::now();
+            let pairs = self.pairs(&now.positions, &end);
+            let increment = Increment::new(&self.system.surface, &pairs, &now.positions, &end);
+            let free = self.filter.is_free(&increment, &end);
+            statistics.seconds.ccd += clock.elapsed().as_secs_f64();
+            if !free {
+                continue;
+            }
+            let collisions = self.collisions(&pairs, &end);
+            if potential.value(&end, &collisions).is_finite() {
+                now.positions = end;
+                now.collisions = collisions;
+                now.drive.arrived();
+                statistics.step_sizes.push(1.0);
+                return;
+            }
+        }
+        statistics.step_sizes.push(0.0);
+        now.drive.pull(self.system);
+    }
+
+    /// Goes along a direction, as far as it is free and the potential falls. Whether it goes anywhere.
+    fn search(
+        &self,
+        now: &mut Outcome,
+        direction: &[Vector3<f64>],
+        size: f64,
+        potential: &Potential<'_>,
+        statistics: &mut Statistics,
+    ) -> Result<bool, SimulationError> {
+        let clock = Instant::now();
+        let longest = (FARTHEST * self.system.size() / size).min(1.0);
+        let end = displaced(&now.positions, direction, longest);
+        let pairs = self.pairs(&now.positions, &end);
+        let increment = Increment::new(&self.system.surface, &pairs, &now.positions, &end);
+        let free = self.filter.largest(&increment);
+        statistics.seconds.ccd += clock.elapsed().as_secs_f64();
+        if free <= 0.0 {
+            return Err(SimulationError::Blocked {
+                step: statistics.step,
+                filter: self.filter.name().to_owned(),
+            });
+        }
+
+        let before = potential.value(&now.positions, &now.collisions);
+        let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
+        for _ in 0..HALVINGS {
+            let clock = Instant::now();
+            let positions = increment.at(part);
+            let collisions = self.collisions(&pairs, &positions);
+            let after = potential.value(&positions, &collisions);
+            statistics.seconds.line_search += clock.elapsed().as_secs_f64();
+            // What rounding may add to the sum does not count.
+            let falls = after <= before + 4.0 * f64::EPSILON * before.abs();
+            if falls {
+                let clock = Instant::now();
+                let free = self.filter.is_free(&increment, &positions);
+                statistics.seconds.ccd += clock.elapsed().as_secs_f64();
+                if free {
+                    let least = [now.collisions.minimal_distance(), collisions.minimal_distance()];
+                    now.stiffness = self.range.adapt(now.stiffness, least[0], least[1]);
+                    now.positions = positions;
+                    now.collisions = collisions;
+                    statistics.step_sizes.push(part * longest);
+                    return Ok(true);
+                }
+            }
+            part *= 0.5;
+        }
+        statistics.step_sizes.push(0.0);
+        Ok(false)
+    }
+
+    fn pairs(&self, start: &[Point], end: &[Point]) -> Pairs {
+        Pairs::near(&self.system.surface, start, end, self.barrier.reach().sqrt())
+    }
+
+    fn collisions(&self, pairs: &Pairs, points: &[Point]) -> Collisions {
+        let System { surface, start, .. } = self.system;
+        Collisions::new(surface, pairs, points, start, self.barrier)
+    }
+}
+
+fn displaced(points: &[Point], direction: &[Vector3<f64>], size: f64) -> Vec<Point> {
+    let along = |(x, d): (&Point, &Vector3<f64>)| (Vector3::from(*x) + d * size).into();
+    points.iter().zip(direction).map(along).collect()
+}
+
+fn zip<'a>(a: &'a [Point], b: &'a [Point]) -> impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> + 'a {
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (Vector3::from(*a), Vector3::from(*b)))
+}

@@ -1,0 +1,30 @@
+//! Where a simulation is.
+
+use ccd_mesh::Point;
+use serde::{Deserialize, Serialize};
+
+/// All that a simulation needs to go on. Written and read without loss, it goes on to the same bits.
+///
+/// Friction needs nothing more: its normal forces at the start of a step are those at `positions`, with `stiffness`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct State {
+    /// How many steps have been taken.
+    pub step: u64,
+    /// The position of each vertex, in m.
+    pub positions: Vec<Point>,
+    /// The velocity of each vertex, in m/s.
+    pub velocities: Vec<Point>,
+    /// A step earlier, for BDF2.
+    pub earlier: Option<Earlier>,
+    /// The stiffness κ of the barrier, in kg/m², once there has been contact.
+    pub stiffness: Option<f64>,
+}
+
+/// Positions and velocities a step earlier.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Earlier {
+    /// The position of each vertex, in m.
+    pub positions: Vec<Point>,
+    /// The velocity of each vertex, in m/s.
+    pub velocities: Vec<Point>,
+}

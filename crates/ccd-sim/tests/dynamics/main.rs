@@ -1,0 +1,12 @@
+//! What moves as it must: laws of conservation, rest, friction, contact without intersection, and the same bits again.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod conservation;
+mod filters;
+mod friction;
+mod measure;
+mod rest;
+mod resume;
+mod scripts;
+mod twist;

@@ -1,0 +1,85 @@
+//! A simulation that goes on from a checkpoint.
+
+use ccd_sim::{Friction, Integrator, Length, Settings, Simulation, SimulationError, State, System, shapes};
+
+fn system() -> System {
+    let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
+    let floor = shapes::floor([1, 1], [1.1, 1.2]);
+    System::new(&[cube, floor], &[]).unwrap()
+}
+
+fn settings() -> Settings {
+    Settings {
+        integrator: Integrator::Bdf2,
+        gravity: [2.0, -9.81, 0.5],
+        contact_distance: Length::Absolute(0.01),
+        friction: Friction {
+            coefficient: 0.3,
+            lags: 2,
+            ..Friction::default()
+        },
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn killed_and_resumed_it_comes_to_the_same_bits() {
+    let mut whole = Simulation::new(system(), settings()).unwrap();
+    let mut contacts = 0;
+    let mut saved = Vec::new();
+    for _ in 0..16 {
+        saved.push(serde_json::to_string(whole.state()).unwrap());
+        contacts += whole.step().unwrap().contacts;
+    }
+    assert!(contacts > 0, "nothing touched");
+
+    for step in [0, 1, 7, 12] {
+        let state: State = serde_json::from_str(&saved[step]).unwrap();
+        let mut resumed = Simulation::resume(system(), settings(), state).unwrap();
+        for _ in step..16 {
+            resumed.step().unwrap();
+        }
+        // As text, in which −0.0 is not 0.0.
+        let states = [&whole, &resumed].map(|simulation| serde_json::to_string(simulation.state()).unwrap());
+        assert_eq!(states[0], states[1], "from step {step}");
+    }
+}
+
+#[test]
+fn a_state_of_another_system_is_refused() {
+    let simulation = Simulation::new(system(), settings()).unwrap();
+    let mut state = simulation.state().clone();
+    state.velocities.pop();
+    let error = Simulation::resume(system(), settings(), state).err().unwrap();
+    assert!(
+        matches!(
+            error,
+            SimulationError::State {
+                what: "velocities",
+                found: 11,
+                expected: 12
+            }
+        ),
+        "{error}"
+    );
+}
+
+#[test]
+fn settings_out_of_range_are_refused() {
+    let with = |change: fn(&mut Settings)| {
+        let mut settings = settings();
+        change(&mut settings);
+        Simulation::new(system(), settings).err().unwrap().to_string()
+    };
+    let error = with(|settings| settings.time_step = 0.0);
+    assert_eq!(error, "the time step is 0, expected a positive number");
+    let error = with(|settings| settings.friction.coefficient = f64::NAN);
+    assert_eq!(
+        error,
+        "the friction coefficient is NaN, expected a number not below 0"
+    );
+    let error = with(|settings| settings.ccd = "guess".to_owned());
+    assert!(error.starts_with(
+        "there is no method `guess` of continuous collision detection, expected one of: exact, "
+    ));
+}

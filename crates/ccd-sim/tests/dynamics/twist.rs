@@ -1,0 +1,61 @@
+//! A twisted mat.
+
+use ccd_sim::{Length, Script, Settings, Simulation, State, System, shapes};
+
+use crate::measure::is_free_since;
+
+fn system() -> System {
+    let mat = shapes::cloth([10, 6], [1.0, 0.4]);
+    let side = |end: f64| {
+        let at_end = |&vertex: &u32| mat.points[vertex as usize][0] == end;
+        (0..mat.points.len() as u32).filter(at_end).collect::<Vec<u32>>()
+    };
+    let twist = |rate: f64| Script::Twisting {
+        center: [0.0, 0.0, 0.2],
+        axis: [1.0, 0.0, 0.0],
+        rate,
+        until: None,
+    };
+    let scripts = [(side(0.0), twist(4.0)), (side(1.0), twist(-4.0))];
+    System::new(&[mat], &scripts).unwrap()
+}
+
+fn settings() -> Settings {
+    Settings {
+        time_step: 0.04,
+        gravity: [0.0; 3],
+        contact_distance: Length::Absolute(2e-3),
+        ..Settings::default()
+    }
+}
+
+fn twisted(steps: usize, check: bool) -> State {
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    for _ in 0..steps {
+        let before = simulation.state().positions.clone();
+        let statistics = simulation.step().unwrap();
+        assert_eq!(statistics.script_lag, 0.0);
+        assert!(!check || is_free_since(&simulation, &before), "{statistics:?}");
+    }
+    simulation.state().clone()
+}
+
+#[test]
+fn every_step_is_free_of_intersection() {
+    let state = twisted(10, true);
+    // The ends have turned by 1.6 rad each way.
+    let moved = state.positions[0];
+    assert!((moved[1] - 0.2 * 1.6_f64.sin()).abs() < 1e-12, "{moved:?}");
+}
+
+#[test]
+fn the_number_of_threads_does_not_show() {
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| twisted(10, false))
+    };
+    assert_eq!(on(1), on(2));
+}
