@@ -24,6 +24,8 @@ pub struct System {
     /// The script of each vertex that has one.
     pub(crate) scripts: Vec<Option<Script>>,
     pub(crate) surface: Surface,
+    /// Σ E V, in J: what elastic energies are small differences of.
+    pub(crate) rigidity: f64,
     size: f64,
 }
 
@@ -114,7 +116,6 @@ impl System {
             vertex: error.vertex,
             vertex_count,
         })?;
-        let driven = parts.scripts.iter().map(Option::is_some).collect();
         let bounds: Bounds = parts.start.iter().copied().collect();
         let size = if vertex_count == 0 {
             1.0
@@ -122,7 +123,7 @@ impl System {
             (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
         };
         Ok(Self {
-            surface: Surface::new(mesh, driven),
+            surface: Surface::new(mesh, parts.obstacle),
             start: parts.start,
             velocities: parts.velocities,
             masses: parts.masses,
@@ -130,6 +131,7 @@ impl System {
             membranes: parts.membranes,
             hinges: parts.hinges,
             scripts: parts.scripts,
+            rigidity: parts.rigidity,
             size,
         })
     }
@@ -197,6 +199,8 @@ struct Parts {
     membranes: Vec<Membrane>,
     hinges: Vec<Hinge>,
     scripts: Vec<Option<Script>>,
+    obstacle: Vec<bool>,
+    rigidity: f64,
 }
 
 impl Parts {
@@ -215,8 +219,10 @@ impl Parts {
         self.start.extend(&added.points);
         self.velocities.extend(std::iter::repeat_n(added.velocity, count));
         self.masses.resize(first + count, 0.0);
-        let script = matches!(added.kind, BodyKind::Obstacle { .. }).then_some(Script::Fixed);
-        self.scripts.resize(first + count, script);
+        let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
+        self.obstacle.resize(first + count, is_obstacle);
+        self.scripts
+            .resize(first + count, is_obstacle.then_some(Script::Fixed));
         match &added.kind {
             BodyKind::Obstacle { faces } => {
                 let faces = placed(body, faces, first, count)?;
@@ -259,6 +265,7 @@ impl Parts {
             for &corner in &*corners {
                 self.masses[corner as usize] += 0.25 * material.density * tetrahedron.volume();
             }
+            self.rigidity += material.moduli.young * tetrahedron.volume();
             self.tetrahedra.push(tetrahedron);
         }
         self.faces.extend(boundary(&tetrahedra));
@@ -284,6 +291,7 @@ impl Parts {
             for &corner in corners {
                 self.masses[corner as usize] += material.density * membrane.volume() / 3.0;
             }
+            self.rigidity += material.moduli.young * membrane.volume();
             self.membranes.push(membrane);
         }
         let rigidity = material.moduli.flexural_rigidity(material.thickness);

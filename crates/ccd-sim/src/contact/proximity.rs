@@ -3,27 +3,27 @@
 use ccd_mesh::{Bounds, BroadPhase, Bvh, Point, TriangleMesh};
 use rayon::prelude::*;
 
-/// The triangles that can touch, and which of their vertices cannot be helped.
+/// The triangles that can touch, and which of their vertices belong to obstacles.
 #[derive(Clone, Debug)]
 pub struct Surface {
     mesh: TriangleMesh,
     /// Vertices of faces, the others being inside a solid.
     vertices: Vec<u32>,
-    driven: Vec<bool>,
+    obstacle: Vec<bool>,
 }
 
 impl Surface {
-    /// The surface of a mesh. `driven` tells of each vertex whether it only moves as a script says: of primitives
-    /// without any other vertex, contact is no concern.
+    /// The surface of a mesh. `obstacle` tells of each vertex whether it belongs to an obstacle: contact between
+    /// two of these is no concern.
     #[must_use]
-    pub fn new(mesh: TriangleMesh, driven: Vec<bool>) -> Self {
+    pub fn new(mesh: TriangleMesh, obstacle: Vec<bool>) -> Self {
         let mut vertices: Vec<u32> = mesh.faces().iter().flatten().copied().collect();
         vertices.sort_unstable();
         vertices.dedup();
         Self {
             mesh,
             vertices,
-            driven,
+            obstacle,
         }
     }
 
@@ -47,12 +47,12 @@ impl Surface {
         [a, b, c, d]
     }
 
-    fn is_driven(&self, vertices: &[u32]) -> bool {
-        vertices.iter().all(|&vertex| self.driven[vertex as usize])
+    fn is_obstacle(&self, vertices: &[u32]) -> bool {
+        vertices.iter().all(|&vertex| self.obstacle[vertex as usize])
     }
 }
 
-/// Pairs of primitives without a common vertex, not all of whose vertices are driven; sorted.
+/// Pairs of primitives without a common vertex, not both of obstacles; sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairs {
     /// Pairs of a vertex and a face.
@@ -82,7 +82,7 @@ impl Pairs {
         let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
         let mut vertex_face = Bvh.between(&vertex_boxes, &face_boxes, |place, face| {
             let (vertex, face) = (surface.vertices[place as usize], &faces[face as usize]);
-            !face.contains(&vertex) && !(surface.driven[vertex as usize] && surface.is_driven(face))
+            !face.contains(&vertex) && !(surface.obstacle[vertex as usize] && surface.is_obstacle(face))
         });
         for pair in &mut vertex_face {
             pair[0] = surface.vertices[pair[0] as usize];
@@ -91,7 +91,7 @@ impl Pairs {
         let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
         let edge_edge = Bvh.within(&edge_boxes, |a, b| {
             let (a, b) = (&edges[a as usize], &edges[b as usize]);
-            a.iter().all(|vertex| !b.contains(vertex)) && !(surface.is_driven(a) && surface.is_driven(b))
+            a.iter().all(|vertex| !b.contains(vertex)) && !(surface.is_obstacle(a) && surface.is_obstacle(b))
         });
         Self {
             vertex_face,

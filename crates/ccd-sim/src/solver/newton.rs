@@ -215,8 +215,9 @@ impl Newton<'_> {
             let collisions = self.collisions(&pairs, &positions);
             let after = potential.value(&positions, &collisions);
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
-            // What rounding may add to the sum does not count.
-            let falls = after <= before + 4.0 * f64::EPSILON * before.abs();
+            let falls = after <= before
+                || after <= before + potential.noise(before)
+                    && self.flattens(now, direction, potential, &positions, &collisions);
             if falls {
                 let clock = Instant::now();
                 let free = self.filter.is_free(&increment, &positions);
@@ -234,6 +235,28 @@ impl Newton<'_> {
         }
         statistics.step_sizes.push(0.0);
         Ok(false)
+    }
+
+    /// Whether the potential is less steep along a direction than where it begins: what decides where rounding hides
+    /// whether it falls. This is the approximate Wolfe condition of W. Hager and H. Zhang, *A new conjugate gradient method
+    /// with guaranteed descent and an efficient line search*, 2005.
+    fn flattens(
+        &self,
+        now: &Outcome,
+        direction: &[Vector3<f64>],
+        potential: &Potential<'_>,
+        positions: &[Point],
+        collisions: &Collisions,
+    ) -> bool {
+        let slope = |gradient: Vec<Vector3<f64>>| -> f64 {
+            gradient
+                .iter()
+                .zip(direction)
+                .map(|(gradient, direction)| gradient.dot(direction))
+                .sum()
+        };
+        let before = slope(potential.gradient(&now.positions, &now.collisions));
+        slope(potential.gradient(positions, collisions)) <= -0.8 * before
     }
 
     fn pairs(&self, start: &[Point], end: &[Point]) -> Pairs {

@@ -97,6 +97,30 @@ impl Potential<'_> {
         gradient
     }
 
+    /// The gradient.
+    pub(crate) fn gradient(&self, points: &[Point], collisions: &Collisions) -> Vec<Vector3<f64>> {
+        let mut gradient = self.smooth_gradient(points);
+        for (sum, barrier) in gradient.iter_mut().zip(collisions.gradient(points)) {
+            *sum += barrier * self.stiffness;
+        }
+        for contact in self.friction {
+            let element = contact.derivatives(&self.displacements(points, contact), self.smoothing);
+            for (place, &vertex) in element.vertices.iter().enumerate() {
+                gradient[vertex as usize] += element.force(place);
+            }
+        }
+        for spring in self.springs {
+            gradient[spring.vertex as usize] += self.pull(points, spring);
+        }
+        gradient
+    }
+
+    /// How much rounding may change the value.
+    pub(crate) fn noise(&self, value: f64) -> f64 {
+        let elastic = self.scheme.duration * self.scheme.duration * self.system.rigidity;
+        8.0 * f64::EPSILON * (elastic + value.abs())
+    }
+
     /// The pairs of unknowns that interact by elasticity.
     pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
         let mut keys = Vec::new();
@@ -151,8 +175,7 @@ impl Potential<'_> {
             sum.add_diagonal(vertex as u32, mass);
         }
         for spring in self.springs {
-            let offset = at(points, spring.vertex as usize) - Vector3::from(spring.target);
-            sum.gradient[spring.vertex as usize] += offset * spring.stiffness;
+            sum.gradient[spring.vertex as usize] += self.pull(points, spring);
             sum.add_diagonal(spring.vertex, spring.stiffness);
         }
         self.elastic_elements(points, |element| sum.add(element));
@@ -220,6 +243,10 @@ impl Potential<'_> {
 
     fn offset(&self, points: &[Point], vertex: usize) -> Vector3<f64> {
         at(points, vertex) - at(&self.scheme.predicted, vertex)
+    }
+
+    fn pull(&self, points: &[Point], spring: &Spring) -> Vector3<f64> {
+        (at(points, spring.vertex as usize) - Vector3::from(spring.target)) * spring.stiffness
     }
 
     fn displacements(&self, points: &[Point], contact: &FrictionContact) -> [Vector3<f64>; 4] {

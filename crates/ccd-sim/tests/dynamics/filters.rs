@@ -54,14 +54,14 @@ fn the_exact_filter_stops_at_the_time_of_impact() {
     assert_eq!(size, 0.75);
 }
 
-/// What neither of two primitives can help is no pair.
+/// Obstacles do not meet each other.
 #[test]
-fn driven_primitives_do_not_meet() {
+fn two_obstacles_are_no_pair() {
     let (surface, [start, end]) = falling();
     let all = Pairs::near(&surface, &start, &end, 0.0);
     assert!(all.vertex_face.contains(&[3, 0]));
-    let driven = Surface::new(surface.mesh().clone(), vec![true; 6]);
-    assert!(Pairs::near(&driven, &start, &end, 0.0).is_empty());
+    let obstacles = Surface::new(surface.mesh().clone(), vec![true; 6]);
+    assert!(Pairs::near(&obstacles, &start, &end, 0.0).is_empty());
     let half = Surface::new(
         surface.mesh().clone(),
         vec![true, true, true, false, false, false],
