@@ -6,7 +6,7 @@ use crate::contacts::EarliestContact;
 use crate::frame::Frame;
 use crate::intersections::{Intersection, intersections};
 use crate::mesh::TriangleMesh;
-use crate::motion::{MotionError, same_connectivity};
+use crate::motion::MotionError;
 use crate::step::{StepError, step};
 
 /// Examines frames of a mesh one after the other, between which vertices move in straight lines.
@@ -69,7 +69,7 @@ impl Audit {
         let violation = match &self.last {
             None => at_rest(&frame)?,
             Some(last) => {
-                same_connectivity(&last.mesh, &frame.mesh)?;
+                last.mesh.check_same(&frame.mesh)?;
                 contact(self.frames - 1, &last.mesh, &last.positions, &frame.positions)?
             }
         };
@@ -84,10 +84,10 @@ impl Audit {
         self.frames
     }
 
-    /// The mesh of the frames, once there is one.
+    /// The last frame that has been examined.
     #[must_use]
-    pub fn mesh(&self) -> Option<&TriangleMesh> {
-        self.last.as_ref().map(|frame| &frame.mesh)
+    pub fn last(&self) -> Option<&Frame> {
+        self.last.as_ref()
     }
 }
 

@@ -1,7 +1,7 @@
 //! The connectivity of a triangle mesh.
 
 /// The faces of a triangle mesh and the edges that they share.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriangleMesh {
     vertex_count: usize,
     faces: Vec<[u32; 3]>,

@@ -80,7 +80,7 @@ impl Motion {
     /// and the same faces in the same order, each with its corners in the same order. Or else it names the positions
     /// that are too many, too few or not finite.
     pub fn new(start: Frame, end: Frame) -> Result<Self, MotionError> {
-        same_connectivity(&start.mesh, &end.mesh)?;
+        start.mesh.check_same(&end.mesh)?;
         let motion = Self {
             mesh: start.mesh,
             x0: start.positions,
@@ -125,24 +125,29 @@ impl Motion {
     }
 }
 
-/// Checks that two meshes have the same vertices and faces.
-pub(crate) fn same_connectivity(start: &TriangleMesh, end: &TriangleMesh) -> Result<(), MotionError> {
-    if start.vertex_count() != end.vertex_count() {
-        return Err(MotionError::VertexCount {
-            start: start.vertex_count(),
-            end: end.vertex_count(),
-        });
+impl TriangleMesh {
+    /// Checks that another mesh, that of a later frame, is the same.
+    ///
+    /// # Errors
+    /// [`MotionError`] names the first difference, as [`Motion::new`] does.
+    pub fn check_same(&self, end: &Self) -> Result<(), MotionError> {
+        if self.vertex_count() != end.vertex_count() {
+            return Err(MotionError::VertexCount {
+                start: self.vertex_count(),
+                end: end.vertex_count(),
+            });
+        }
+        // Ahead of the counts: the first face that differs says more than that the numbers do.
+        let pairs = self.faces().iter().zip(end.faces());
+        if let Some((face, (&start, &end))) = pairs.enumerate().find(|(_, (start, end))| start != end) {
+            return Err(MotionError::Face { face, start, end });
+        }
+        if self.faces().len() != end.faces().len() {
+            return Err(MotionError::FaceCount {
+                start: self.faces().len(),
+                end: end.faces().len(),
+            });
+        }
+        Ok(())
     }
-    // Ahead of the counts: the first face that differs says more than that the numbers do.
-    let pairs = start.faces().iter().zip(end.faces());
-    if let Some((face, (&start, &end))) = pairs.enumerate().find(|(_, (start, end))| start != end) {
-        return Err(MotionError::Face { face, start, end });
-    }
-    if start.faces().len() != end.faces().len() {
-        return Err(MotionError::FaceCount {
-            start: start.faces().len(),
-            end: end.faces().len(),
-        });
-    }
-    Ok(())
 }

@@ -1,4 +1,4 @@
-//! Mesh files out of frames.
+//! The Stanford polygon format, binary.
 
 use std::io;
 
