@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use ccd_mesh::{Format, Frame};
+use ccd_mesh::{Format, Frame, TetMesh};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 
@@ -81,19 +81,50 @@ const OFF: &[&str] = &[
     "3 ",
 ];
 
+const MSH: &[&str] = &[
+    "\n",
+    " ",
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n",
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n",
+    "$MeshFormat\n2.2 1 8\n\x01\0\0\0\n$EndMeshFormat\n",
+    "$MeshFormat\n4.1 1 8\n\x01\0\0\0\n$EndMeshFormat\n",
+    "$MeshFormat\n4.1 1 8\n\0\0\0\x01\n$EndMeshFormat\n",
+    "$Nodes\n",
+    "$EndNodes\n",
+    "$Elements\n",
+    "$EndElements\n",
+    "$Comments\n",
+    "$EndComments\n",
+    "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n",
+    "$Nodes\n1 4 1 4\n3 0 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n",
+    "1 4 2 0 0 1 2 3 4\n",
+    "2 2 2 0 0 1 2 3\n",
+    "1 1 1 1\n",
+    "3 0 4 1\n",
+    "1 1 2 3 4\n",
+    "\0\0\0\0",
+    "\x04\0\0\0\0\0\0\0",
+];
+
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no file.
     let _ = check(&mut Unstructured::new(bytes));
 });
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
-    let (format, words) = match bytes.arbitrary::<u8>()? % 4 {
+    let (format, words) = match bytes.arbitrary::<u8>()? % 5 {
         0 => (Format::Ply, PLY),
         1 => (Format::Obj, OBJ),
         2 => (Format::Stl, STL),
-        _ => (Format::Off, OFF),
+        3 => (Format::Off, OFF),
+        _ => (Format::Msh, MSH),
     };
-    match Frame::parse(&file(bytes, words)?, format) {
+    let file = file(bytes, words)?;
+    match TetMesh::parse(&file) {
+        Ok(mesh) => check_frame(&mesh.surface_frame().0),
+        Err(error) => drop(error.to_string()),
+    }
+    match Frame::parse(&file, format) {
         Ok(frame) => check_frame(&frame),
         Err(error) => drop(error.to_string()),
     }

@@ -40,6 +40,8 @@ pub(crate) enum Failure {
     Method { name: String, known: Vec<String> },
     #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
     NoDataSet(PathBuf),
+    #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off or .msh", .0.display())]
+    NoFrames(PathBuf),
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("cannot write {}: {source}", file.display())]

@@ -1,7 +1,8 @@
 //! The `exact-ccd` program: it reads files, asks the libraries, and reports.
 //!
-//! Status 0 is success, 1 a step with contact, 2 an error, which is told in one line on standard error.
+//! Status 0 is success, 1 contact, 2 an error, which is told in one line on standard error.
 
+mod audit;
 mod bench;
 mod convert;
 mod failure;
@@ -38,6 +39,7 @@ struct Program {
 #[derive(Subcommand)]
 enum Command {
     Step(step::Arguments),
+    Audit(audit::Arguments),
     Queries(queries::Arguments),
     Round(round::Arguments),
     Convert(convert::Arguments),
@@ -61,6 +63,7 @@ fn run(program: &Program) -> Result<ExitCode, Failure> {
         .build_global()?;
     match &program.command {
         Command::Step(arguments) => step::run(arguments),
+        Command::Audit(arguments) => audit::run(arguments),
         Command::Queries(arguments) => queries::run(arguments),
         Command::Round(arguments) => round::run(arguments),
         Command::Convert(arguments) => convert::run(arguments),

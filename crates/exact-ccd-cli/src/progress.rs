@@ -20,6 +20,11 @@ pub(crate) fn pairs(total: usize) -> ProgressBar {
         .with_style(style("{wide_bar} {human_pos} of {human_len} pairs, {eta} left"))
 }
 
+/// A bar that is full after `total` frames.
+pub(crate) fn frames(total: usize) -> ProgressBar {
+    ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} frames, {eta} left"))
+}
+
 /// A count of queries, nobody knows up to how many.
 pub(crate) fn queries() -> ProgressBar {
     ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} queries"))

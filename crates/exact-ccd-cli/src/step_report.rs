@@ -21,7 +21,7 @@ pub(crate) struct Report {
 
 /// The pair that touches first.
 #[derive(Serialize)]
-struct ReportedPair {
+pub(crate) struct ReportedPair {
     kind: Kind,
     /// The indices of the vertex and the face, or of the two edges.
     ids: [u32; 2],
@@ -65,7 +65,7 @@ impl Report {
 }
 
 impl ReportedPair {
-    fn new(mesh: &TriangleMesh, pair: Pair) -> Self {
+    pub(crate) fn new(mesh: &TriangleMesh, pair: Pair) -> Self {
         match pair {
             Pair::VertexFace { vertex, face } => {
                 let [a, b, c] = mesh.faces()[face as usize];

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::folder::Folder;
+use crate::folder::{Folder, Run};
 use crate::step::without_seconds;
 
 #[test]
@@ -20,4 +20,19 @@ fn the_sheet_drapes_freely_or_not() {
     assert_eq!(run.status, 1);
     let readme = std::fs::read_to_string(repository.join("README.md")).unwrap();
     assert!(readme.contains(without_seconds(&run)), "{run:?}");
+}
+
+#[test]
+fn the_audit_in_the_readme() {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let arguments = ["audit", "examples/drape_start.ply", "examples/drape_contact.ply"];
+    let output = Folder::new()
+        .program(&arguments)
+        .current_dir(&repository)
+        .output();
+    let run: Run = output.unwrap().into();
+    assert_eq!(run.status, 1);
+    let readme = std::fs::read_to_string(repository.join("README.md")).unwrap();
+    let example = format!("$ exact-ccd {}\n{}", arguments.join(" "), without_seconds(&run));
+    assert!(readme.contains(&example), "{run:?}");
 }

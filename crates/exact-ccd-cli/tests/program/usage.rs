@@ -16,6 +16,8 @@ fn wrong_usage_has_status_2() {
         &["step", "start.ply", "end.ply", "--threads", "-1"],
         &["step", "start.ply", "end.ply", "--threads", "many"],
         &["step", "start.ply", "end.ply", "--threads", "1025"],
+        &["audit"],
+        &["audit", "start.ply", "--xml"],
         &["queries"],
         &["queries", "vf.csv"],
         &["queries", "--kind", "vf"],
@@ -46,7 +48,7 @@ fn wrong_usage_has_status_2() {
 
 #[test]
 fn help_tells_the_exit_status() {
-    for command in ["step", "queries", "round", "convert"] {
+    for command in ["step", "audit", "queries", "round", "convert"] {
         let run = Folder::new().run(&[command, "--help"]);
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));
         assert!(run.stdout.contains("Exit status"), "{command}");

@@ -1,0 +1,79 @@
+//! `exact-ccd audit`: does a sequence of frames ever touch itself?
+
+mod frames;
+mod report;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use ccd_mesh::Audit;
+
+use crate::failure::Failure;
+use crate::output::print;
+use crate::progress::{self, during};
+use frames::Frames;
+use report::{Report, ReportedViolation, Seconds};
+
+/// Does a sequence of frames ever touch itself?
+///
+/// The first frame is examined at rest: no edge may meet a face, no vertex a face, and no edge another edge. From each
+/// frame to the next, every vertex moves in a straight line, and no contact may occur, as in `exact-ccd step`. If there is
+/// none, then no frame passes through itself, nor does the mesh at any time between; otherwise, the first violation is
+/// named. Parts of the mesh that have a vertex in common are neighbours and may touch.
+///
+/// Exit status: 0 free, 1 violation, 2 error.
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// Meshes with the same faces, in the order of time: .ply, .obj, .stl, .off or .msh files, or a folder of files of
+    /// one of these formats, which are taken in the order of the numbers in their names.
+    #[arg(required = true)]
+    frames: Vec<PathBuf>,
+    /// Print the report as a JSON object.
+    #[arg(long)]
+    json: bool,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let clock = Instant::now();
+    let frames = Frames::find(&arguments.frames)?;
+    let mut read = clock.elapsed();
+    let mut audit = Audit::default();
+    let violation = during(progress::frames(frames.count()), |progress| {
+        for index in 0..frames.count() {
+            let start = Instant::now();
+            let frame = frames.read(index)?;
+            read += start.elapsed();
+            let violation = audit
+                .examine(frame)
+                .map_err(|error| frames.mismatch(index, error))?;
+            if let (Some(violation), Some(last)) = (violation, audit.last()) {
+                return Ok(Some(ReportedViolation::new(
+                    &frames, index, &last.mesh, violation,
+                )));
+            }
+            progress(1);
+        }
+        Ok::<_, Failure>(None)
+    })?;
+    let total = clock.elapsed();
+    let seconds = |duration: Duration| duration.as_secs_f64();
+    let report = Report {
+        collision_free: violation.is_none(),
+        frames: frames.count(),
+        examined: audit.frames(),
+        violation,
+        seconds: Seconds {
+            read: seconds(read),
+            examine: seconds(total - read),
+            total: seconds(total),
+        },
+    };
+    let text = if arguments.json {
+        report.to_json()
+    } else {
+        report.to_string()
+    };
+    print(&text)?;
+    Ok(ExitCode::from(u8::from(!report.collision_free)))
+}

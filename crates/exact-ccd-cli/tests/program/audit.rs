@@ -1,0 +1,193 @@
+//! What `exact-ccd audit` reports about a sequence of frames.
+
+use ccd_mesh::Frame;
+use serde_json::{Value, json};
+
+use crate::folder::{Folder, Run};
+use crate::meshes::{off, ply, stl, tip_above_square};
+use crate::step::without_seconds;
+
+/// A folder with `0.ply`, `1.ply` and so on, the tip at these heights.
+fn heights(heights: &[f64]) -> Folder {
+    let folder = Folder::new();
+    for (frame, &height) in heights.iter().enumerate() {
+        folder.write(&format!("{frame}.ply"), ply(&tip_above_square(height)));
+    }
+    folder
+}
+
+#[track_caller]
+fn assert_report(run: &Run, status: i32, report: &str) {
+    assert_eq!(without_seconds(run), report);
+    assert_eq!(run.status, status);
+}
+
+const CONTACT: &str = "at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)";
+
+#[test]
+fn a_free_sequence_has_status_0() {
+    let folder = heights(&[1.0, 3.0, 0.5, 0.25]);
+    let run = folder.run(&["audit", "0.ply", "1.ply", "2.ply", "3.ply"]);
+    assert_report(&run, 0, "free of contact\nframes: 4 of 4 examined\n");
+}
+
+#[test]
+fn the_first_contact_is_named_with_its_frames() {
+    let folder = heights(&[3.0, 1.0, -2.0, 5.0]);
+    let run = folder.run(&["audit", "0.ply", "1.ply", "2.ply", "3.ply"]);
+    let report =
+        format!("contact between frame 1 (1.ply) and frame 2 (2.ply) {CONTACT}\nframes: 3 of 4 examined\n");
+    assert_report(&run, 1, &report);
+}
+
+#[test]
+fn an_edge_that_pierces_a_face_in_the_first_frame_is_named() {
+    let folder = heights(&[-1.0, 3.0]);
+    // The tip is below the square, the other two vertices above. The first of its sides is edge 5.
+    let frame = tip_above_square(-1.0);
+    assert_eq!(frame.mesh.edges()[5], [4, 5]);
+    let run = folder.run(&["audit", "0.ply", "1.ply"]);
+    let report = "intersection in frame 0 (0.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
+                  frames: 1 of 2 examined\n";
+    assert_report(&run, 1, report);
+}
+
+#[test]
+fn a_single_frame_is_examined_at_rest() {
+    let folder = heights(&[1.0, 0.0]);
+    assert_report(
+        &folder.run(&["audit", "0.ply"]),
+        0,
+        "free of contact\nframes: 1 of 1 examined\n",
+    );
+    let run = folder.run(&["audit", "1.ply"]);
+    // The tip lies in the face, and so does the end of an edge.
+    let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
+                  frames: 1 of 1 examined\n";
+    assert_report(&run, 1, report);
+}
+
+#[test]
+fn a_folder_is_taken_in_the_order_of_its_numbers() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("frames")).unwrap();
+    for frame in 0..12 {
+        let contents = ply(&tip_above_square(f64::from(10 - frame)));
+        folder.write(&format!("frames/f{frame}.ply"), contents);
+    }
+    folder.write("frames/notes.txt", "not a mesh");
+    let run = folder.run(&["audit", "frames"]);
+    // The tip reaches the square in frame 10.
+    let report = "contact between frame 9 (frames/f9.ply) and frame 10 (frames/f10.ply) at t = 1: \
+                  vertex 4 and face 1 (vertices 2, 1, 3)\nframes: 11 of 12 examined\n";
+    assert_report(&run, 1, report);
+}
+
+#[test]
+fn json_names_the_violation() {
+    let folder = heights(&[3.0, 1.0, -2.0, -1.0]);
+    let report = |arguments: &[&str]| -> (i32, Value) {
+        let run = folder.run(&[&["audit", "--json"], arguments].concat());
+        assert_eq!((run.stderr.as_str(), run.stdout.lines().count()), ("", 1));
+        let mut report: Value = serde_json::from_str(&run.stdout).unwrap();
+        let seconds = report.as_object_mut().unwrap().remove("seconds").unwrap();
+        for name in ["read", "examine", "total"] {
+            assert!(seconds[name].as_f64().is_some_and(|value| value >= 0.0), "{name}");
+        }
+        (run.status, report)
+    };
+    let free = json!({"collision_free": true, "frames": 2, "examined": 2, "violation": null});
+    assert_eq!(report(&["0.ply", "1.ply"]), (0, free));
+    let contact = json!({"collision_free": false, "frames": 3, "examined": 3, "violation": {
+        "kind": "contact", "frame": 1, "file": "1.ply", "next": "2.ply", "toi": 0.3333333333333333,
+        "pair": {"kind": "vf", "ids": [4, 1]},
+    }});
+    assert_eq!(report(&["0.ply", "1.ply", "2.ply"]), (1, contact));
+    let intersection = json!({"collision_free": false, "frames": 1, "examined": 1, "violation": {
+        "kind": "intersection", "frame": 0, "file": "3.ply", "edge": 5, "face": 1,
+    }});
+    assert_eq!(report(&["3.ply"]), (1, intersection));
+}
+
+#[test]
+fn stl_files_are_welded_over_all_frames() {
+    let folder = Folder::new();
+    for (frame, height) in [3.0, 1.0, -2.0].into_iter().enumerate() {
+        folder.write(&format!("{frame}.stl"), stl(&tip_above_square(height)));
+    }
+    let run = folder.run(&["audit", "0.stl", "1.stl", "2.stl"]);
+    let report =
+        format!("contact between frame 1 (1.stl) and frame 2 (2.stl) {CONTACT}\nframes: 3 of 3 examined\n");
+    assert_report(&run, 1, &report);
+    let run = folder.run(&["audit", "0.stl", "1.stl"]);
+    assert_report(&run, 0, "free of contact\nframes: 2 of 2 examined\n");
+}
+
+#[test]
+fn formats_may_be_mixed_if_named_one_by_one() {
+    let folder = heights(&[3.0]);
+    folder.write("1.off", off(&tip_above_square(1.0)));
+    let run = folder.run(&["audit", "0.ply", "1.off"]);
+    assert_report(&run, 0, "free of contact\nframes: 2 of 2 examined\n");
+    let error = folder.run(&["audit", "."]);
+    assert_eq!(
+        error.error(),
+        ".: expected meshes of one format, .ply, .obj, .stl, .off or .msh"
+    );
+}
+
+/// Two tetrahedra, one above the other, as a Gmsh file.
+fn tetrahedra(height: f64) -> String {
+    let above = format!(
+        "0.5 0.5 {height}\n1 0.5 {0}\n0.5 1 {0}\n0.5 0.5 {0}\n",
+        height + 1.0
+    );
+    format!(
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 9 1 9\n3 1 0 9\n1\n2\n3\n4\n5\n6\n7\n8\n9\n\
+         0 0 -1\n4 0 -1\n0 4 -1\n1 1 0\n{above}0.5 0.5 0.75\n$EndNodes\n\
+         $Elements\n1 2 1 2\n3 1 4 2\n1 1 2 3 4\n2 5 6 7 8\n$EndElements\n"
+    )
+}
+
+#[test]
+fn of_tetrahedra_only_the_surface_is_examined() {
+    let folder = Folder::new();
+    // The last node belongs to no tetrahedron, and the second one passes over it.
+    for (name, height) in [("0.msh", 1.0), ("1.msh", 0.5), ("2.msh", -3.0)] {
+        folder.write(name, tetrahedra(height));
+    }
+    let run = folder.run(&["audit", "0.msh", "1.msh"]);
+    assert_report(&run, 0, "free of contact\nframes: 2 of 2 examined\n");
+    assert_eq!(folder.run(&["audit", "0.msh", "1.msh", "2.msh"]).status, 1);
+}
+
+#[test]
+fn errors_name_the_file() {
+    let folder = heights(&[3.0, 1.0]);
+    let Frame { mesh, positions } = tip_above_square(0.5);
+    let fewer = Frame::new(positions, mesh.faces()[..2].to_vec()).unwrap();
+    folder.write("fewer.ply", ply(&fewer));
+    let run = folder.run(&["audit", "0.ply", "1.ply", "fewer.ply"]);
+    assert_eq!(run.stdout, "");
+    assert_eq!(
+        run.error(),
+        "1.ply and fewer.ply: 3 faces at the start, 2 at the end, expected the same mesh"
+    );
+    folder.write("0.stl", stl(&tip_above_square(0.5)));
+    folder.write("fewer.stl", stl(&fewer));
+    assert_eq!(
+        folder.run(&["audit", "0.stl", "fewer.stl"]).error(),
+        "0.stl and fewer.stl: 9 vertices at the start, 6 at the end, expected the same mesh"
+    );
+    folder.write("broken.ply", "ply\n");
+    let run = folder.run(&["audit", "0.ply", "broken.ply"]);
+    assert!(run.error().starts_with("broken.ply: line 2: "), "{run:?}");
+    let run = folder.run(&["audit", "missing.ply"]);
+    assert!(run.error().starts_with("missing.ply: "), "{run:?}");
+    std::fs::create_dir(folder.path("empty")).unwrap();
+    let error = folder.run(&["audit", "empty"]);
+    assert_eq!(
+        error.error(),
+        "empty: expected meshes of one format, .ply, .obj, .stl, .off or .msh"
+    );
+}
