@@ -42,12 +42,14 @@ pub enum BodyKind {
 
 /// The material of a solid.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct SolidProperties {
     /// The mass density, in kg/m³.
     pub density: f64,
-    /// The elastic moduli.
-    #[serde(flatten)]
-    pub moduli: ElasticModuli,
+    /// Young's modulus, in Pa.
+    pub young: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
     /// The energy.
     #[serde(default)]
     pub energy: SolidMaterial,
@@ -55,12 +57,32 @@ pub struct SolidProperties {
 
 /// The material of a shell.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct ShellProperties {
     /// The mass density, in kg/m³.
     pub density: f64,
-    /// The elastic moduli.
-    #[serde(flatten)]
-    pub moduli: ElasticModuli,
+    /// Young's modulus, in Pa.
+    pub young: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
     /// The thickness, in m. It matters for mass and stiffness, not for contact.
     pub thickness: f64,
+}
+
+impl SolidProperties {
+    /// The elastic moduli.
+    #[must_use]
+    pub fn moduli(&self) -> ElasticModuli {
+        let Self { young, poisson, .. } = *self;
+        ElasticModuli { young, poisson }
+    }
+}
+
+impl ShellProperties {
+    /// The elastic moduli.
+    #[must_use]
+    pub fn moduli(&self) -> ElasticModuli {
+        let Self { young, poisson, .. } = *self;
+        ElasticModuli { young, poisson }
+    }
 }

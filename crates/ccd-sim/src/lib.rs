@@ -14,7 +14,6 @@
 //! Lengths are in m, masses in kg, times in s. No result depends on the number of threads.
 
 mod body;
-mod boundary;
 pub mod contact;
 pub mod distance;
 mod drive;
@@ -23,8 +22,10 @@ mod element;
 pub mod filter;
 pub mod friction;
 mod gather;
+mod hinges;
 mod integrator;
 pub mod psd;
+pub mod scene;
 mod script;
 mod settings;
 pub mod shapes;

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// How vertices move, whatever else happens.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "motion", rename_all = "kebab-case")]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Script {
     /// Not at all.
     #[default]

@@ -3,25 +3,21 @@
 use ccd_mesh::Point;
 
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
-use crate::elasticity::{ElasticModuli, SolidMaterial};
+use crate::elasticity::SolidMaterial;
 
 /// Rubber-like: 1000 kg/m³, E = 1 MPa, ν = 0.4, neo-Hookean.
 pub const RUBBER: SolidProperties = SolidProperties {
     density: 1000.0,
-    moduli: ElasticModuli {
-        young: 1e6,
-        poisson: 0.4,
-    },
+    young: 1e6,
+    poisson: 0.4,
     energy: SolidMaterial::NeoHookean,
 };
 
 /// Cloth-like: 300 kg/m³, E = 100 kPa, ν = 0.3, 1 mm thick.
 pub const CLOTH: ShellProperties = ShellProperties {
     density: 300.0,
-    moduli: ElasticModuli {
-        young: 1e5,
-        poisson: 0.3,
-    },
+    young: 1e5,
+    poisson: 0.3,
     thickness: 1e-3,
 };
 

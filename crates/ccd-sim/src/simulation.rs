@@ -42,9 +42,9 @@ pub struct Simulation {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
     /// A number of the settings is out of range.
-    #[error("{what} is {value}, expected {expected}")]
+    #[error("`{what}` is {value}, expected {expected}")]
     Setting {
-        /// Which.
+        /// Which, as in [`Settings`] with dots and hyphens.
         what: &'static str,
         /// Its value.
         value: f64,
@@ -343,11 +343,11 @@ fn check(settings: &Settings) -> Result<(), SimulationError> {
         Absolute(value) | Relative(value) => value,
     };
     let positive = [
-        ("the time step", settings.time_step),
-        ("the contact distance", number(settings.contact_distance)),
-        ("the tolerance", number(settings.tolerance)),
+        ("time-step", settings.time_step),
+        ("contact-distance", number(settings.contact_distance)),
+        ("tolerance", number(settings.tolerance)),
         (
-            "the static velocity of friction",
+            "friction.static-velocity",
             number(settings.friction.static_velocity),
         ),
     ];
@@ -364,7 +364,7 @@ fn check(settings: &Settings) -> Result<(), SimulationError> {
     let coefficient = settings.friction.coefficient;
     if !(coefficient >= 0.0 && coefficient.is_finite()) {
         return Err(SimulationError::Setting {
-            what: "the friction coefficient",
+            what: "friction.coefficient",
             value: coefficient,
             expected: "a number not below 0",
         });

@@ -2,14 +2,14 @@
 
 use std::ops::Range;
 
-use ccd_mesh::{Bounds, Point, TriangleMesh};
+use ccd_mesh::{Bounds, Point, TetMesh, TetMeshError, TriangleMesh};
 use nalgebra::Vector3;
 
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
-use crate::boundary::{boundary, hinges};
 use crate::contact::Surface;
 use crate::elasticity::{Hinge, Membrane, ModuliError, Tetrahedron};
 use crate::gather::gather;
+use crate::hinges::hinges;
 use crate::script::Script;
 
 /// The vertices, masses, elements and scripts of a scene.
@@ -56,7 +56,15 @@ pub enum SystemError {
         /// Its position.
         position: Point,
     },
-    /// An element has no volume or no area.
+    /// The tetrahedra are no solid.
+    #[error("body {body}: {source}")]
+    Solid {
+        /// The body, from 0.
+        body: usize,
+        /// What is wrong with them.
+        source: TetMeshError,
+    },
+    /// An element has no volume or no area, up to rounding.
     #[error("body {body}: element {element} is flat, expected a positive volume or area")]
     Flat {
         /// The body, from 0.
@@ -229,8 +237,12 @@ impl Parts {
                 self.faces.extend(faces);
             }
             BodyKind::Solid { tetrahedra, material } => {
+                let mesh = TetMesh::new(added.points.clone(), tetrahedra.clone())
+                    .map_err(|source| SystemError::Solid { body, source })?;
+                let surface = placed(body, mesh.surface(), first, count)?;
                 let tetrahedra = placed(body, tetrahedra, first, count)?;
                 self.add_solid(body, tetrahedra, material)?;
+                self.faces.extend(surface);
             }
             BodyKind::Shell { faces, material } => {
                 let faces = placed(body, faces, first, count)?;
@@ -248,7 +260,7 @@ impl Parts {
     ) -> Result<(), SystemError> {
         positive(body, "density", material.density)?;
         material
-            .moduli
+            .moduli()
             .check()
             .map_err(|source| SystemError::Moduli { body, source })?;
         for (element, corners) in tetrahedra.iter_mut().enumerate() {
@@ -260,15 +272,14 @@ impl Parts {
                 corners.swap(2, 3);
             }
             let points = gather(&self.start, corners);
-            let tetrahedron = Tetrahedron::new(*corners, &points, material.energy, material.moduli)
+            let tetrahedron = Tetrahedron::new(*corners, &points, material.energy, material.moduli())
                 .ok_or(SystemError::Flat { body, element })?;
             for &corner in &*corners {
                 self.masses[corner as usize] += 0.25 * material.density * tetrahedron.volume();
             }
-            self.rigidity += material.moduli.young * tetrahedron.volume();
+            self.rigidity += material.young * tetrahedron.volume();
             self.tetrahedra.push(tetrahedron);
         }
-        self.faces.extend(boundary(&tetrahedra));
         Ok(())
     }
 
@@ -281,20 +292,20 @@ impl Parts {
         positive(body, "density", material.density)?;
         positive(body, "thickness", material.thickness)?;
         material
-            .moduli
+            .moduli()
             .check()
             .map_err(|source| SystemError::Moduli { body, source })?;
         for (element, corners) in faces.iter().enumerate() {
             let points = gather(&self.start, corners);
-            let membrane = Membrane::new(*corners, &points, material.thickness, material.moduli)
+            let membrane = Membrane::new(*corners, &points, material.thickness, material.moduli())
                 .ok_or(SystemError::Flat { body, element })?;
             for &corner in corners {
                 self.masses[corner as usize] += material.density * membrane.volume() / 3.0;
             }
-            self.rigidity += material.moduli.young * membrane.volume();
+            self.rigidity += material.young * membrane.volume();
             self.membranes.push(membrane);
         }
-        let rigidity = material.moduli.flexural_rigidity(material.thickness);
+        let rigidity = material.moduli().flexural_rigidity(material.thickness);
         for corners in hinges(&faces) {
             self.hinges
                 .extend(Hinge::new(corners, &gather(&self.start, &corners), rigidity));

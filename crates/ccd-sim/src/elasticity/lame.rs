@@ -22,6 +22,17 @@ pub enum ModuliError {
     Poisson(f64),
 }
 
+impl ModuliError {
+    /// The name of the modulus among the fields of [`ElasticModuli`].
+    #[must_use]
+    pub fn field(&self) -> &'static str {
+        match self {
+            Self::Young(_) => "young",
+            Self::Poisson(_) => "poisson",
+        }
+    }
+}
+
 impl ElasticModuli {
     /// Checks that E > 0 and 0 ≤ ν < ½.
     ///

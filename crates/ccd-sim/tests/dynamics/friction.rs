@@ -15,7 +15,7 @@ fn acceleration(tangent: f64) -> f64 {
     let mut block =
         shapes::solid_box([2, 1, 2], [0.4, 0.1, 0.4]).placed(|[x, y, z]| [x + 1.0, y + 0.0019, z + 0.3]);
     if let BodyKind::Solid { material, .. } = &mut block.kind {
-        material.moduli.young = 1e8;
+        material.young = 1e8;
     }
     let floor = shapes::floor([1, 1], [6.0, 1.1]);
     let system = System::new(&[block, floor], &[]).unwrap();

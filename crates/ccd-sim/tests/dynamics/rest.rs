@@ -10,12 +10,14 @@ use crate::measure::{center, is_free_since};
 fn a_cube_on_a_floor_rests() {
     let mut cube = shapes::solid_box([2, 2, 2], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.004, z + 0.2]);
     if let BodyKind::Solid { material, .. } = &mut cube.kind {
-        material.moduli.young = 1e7;
+        material.young = 1e7;
     }
     // One triangle, so that no edge of the floor is near: there the barriers of two faces add up, which pushes sideways.
     let floor = Body {
         points: vec![[-9.0, 0.0, -9.0], [0.0, 0.0, 19.0], [19.0, 0.0, -9.0]],
-        kind: BodyKind::Obstacle { faces: vec![[0, 1, 2]] },
+        kind: BodyKind::Obstacle {
+            faces: vec![[0, 1, 2]],
+        },
         velocity: [0.0; 3],
     };
     let system = System::new(&[cube, floor], &[]).unwrap();

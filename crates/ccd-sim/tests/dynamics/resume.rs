@@ -72,11 +72,11 @@ fn settings_out_of_range_are_refused() {
         Simulation::new(system(), settings).err().unwrap().to_string()
     };
     let error = with(|settings| settings.time_step = 0.0);
-    assert_eq!(error, "the time step is 0, expected a positive number");
+    assert_eq!(error, "`time-step` is 0, expected a positive number");
     let error = with(|settings| settings.friction.coefficient = f64::NAN);
     assert_eq!(
         error,
-        "the friction coefficient is NaN, expected a number not below 0"
+        "`friction.coefficient` is NaN, expected a number not below 0"
     );
     let error = with(|settings| settings.ccd = "guess".to_owned());
     assert!(error.starts_with(

@@ -1,24 +1,4 @@
-//! What the connectivity of elements tells.
-
-/// The faces of tetrahedra of positive volume that belong to one of them only, seen from outside counterclockwise, in the order
-/// of their sorted corners.
-pub(crate) fn boundary(tetrahedra: &[[u32; 4]]) -> Vec<[u32; 3]> {
-    let sides = |&[a, b, c, d]: &[u32; 4]| [[a, c, b], [a, b, d], [a, d, c], [b, c, d]];
-    let sorted = |mut face: [u32; 3]| {
-        face.sort_unstable();
-        face
-    };
-    let mut faces: Vec<([u32; 3], [u32; 3])> = tetrahedra
-        .iter()
-        .flat_map(sides)
-        .map(|face| (sorted(face), face))
-        .collect();
-    faces.sort_unstable();
-    let once = faces
-        .chunk_by(|(a, _), (b, _)| a == b)
-        .filter(|chunk| chunk.len() == 1);
-    once.map(|chunk| chunk[0].1).collect()
-}
+//! Where the triangles of a shell meet.
 
 /// The edges that two faces share, as two ends and the other corners of the two faces: of the face in which the edge
 /// runs from its first end to its second, then of the other.

@@ -1,0 +1,142 @@
+//! Where in a scene file something is said.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use toml::de::{DeTable, DeValue};
+
+/// What is wrong with a scene file.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The file cannot be read.
+    #[error("{}: {source}", file.display())]
+    Io {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A value is not what it should be, or is missing.
+    #[error("{}, line {line}, {field}: {message}", file.display())]
+    Field {
+        /// The file.
+        file: PathBuf,
+        /// The line, from 1.
+        line: usize,
+        /// The field, as `body[1].solid.young` (bodies and scripts are counted from 0), or `the file` as a whole.
+        field: String,
+        /// What is wrong, and what was expected.
+        message: String,
+    },
+}
+
+/// A step on the way to a field.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Key<'a> {
+    Name(&'a str),
+    Index(usize),
+}
+
+/// The text of a scene file.
+pub(super) struct Document<'a> {
+    pub(super) file: &'a Path,
+    pub(super) text: &'a str,
+}
+
+impl Document<'_> {
+    /// The error at a byte of the text: of the innermost field around it.
+    pub(super) fn error_at(&self, byte: usize, message: &str) -> SceneError {
+        let mut field = String::new();
+        if let Ok(table) = DeTable::parse(self.text) {
+            in_table(table.get_ref(), byte, &mut field);
+        }
+        self.error(byte, field, message)
+    }
+
+    /// The error of a field; if the file does not have it, of what should have it.
+    pub(super) fn error_of(&self, path: &[Key<'_>], message: &str) -> SceneError {
+        let mut byte = 0;
+        let mut name = String::new();
+        let table = DeTable::parse(self.text);
+        let mut value: Option<&DeValue<'_>> = None;
+        for (depth, &key) in path.iter().enumerate() {
+            match key {
+                Key::Name(key) => push(&mut name, key),
+                Key::Index(index) => name += &format!("[{index}]"),
+            }
+            let next = match (key, value, &table) {
+                (Key::Name(key), None, Ok(table)) if depth == 0 => table.get_ref().get(key),
+                (Key::Name(key), Some(DeValue::Table(table)), _) => table.get(key),
+                (Key::Index(index), Some(DeValue::Array(array)), _) => array.get(index),
+                _ => None,
+            };
+            value = next.map(|next| {
+                byte = next.span().start;
+                next.get_ref()
+            });
+        }
+        self.error(byte, name, message)
+    }
+
+    fn error(&self, byte: usize, field: String, message: &str) -> SceneError {
+        let before = self.text.as_bytes().iter().take(byte);
+        SceneError::Field {
+            file: self.file.to_owned(),
+            line: 1 + before.filter(|&&byte| byte == b'\n').count(),
+            field: if field.is_empty() {
+                "the file".to_owned()
+            } else {
+                field
+            },
+            message: message.to_owned(),
+        }
+    }
+}
+
+fn push(name: &mut String, key: &str) {
+    if !name.is_empty() {
+        name.push('.');
+    }
+    name.push_str(key);
+}
+
+/// Adds the way from a table to the byte.
+fn in_table(table: &DeTable<'_>, byte: usize, name: &mut String) {
+    for (key, value) in table {
+        if key.span().contains(&byte) || contains(value.get_ref(), value.span(), byte) {
+            push(name, key.get_ref());
+            in_value(value.get_ref(), byte, name);
+            return;
+        }
+    }
+}
+
+fn in_value(value: &DeValue<'_>, byte: usize, name: &mut String) {
+    match value {
+        DeValue::Table(table) => in_table(table, byte, name),
+        DeValue::Array(array) => {
+            let place = array
+                .iter()
+                .position(|value| contains(value.get_ref(), value.span(), byte));
+            if let Some((index, value)) = place.and_then(|index| Some((index, array.get(index)?))) {
+                *name += &format!("[{index}]");
+                in_value(value.get_ref(), byte, name);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Whether the byte is in a value: that of a table under a header is only its header, but what is in it counts too.
+fn contains(value: &DeValue<'_>, span: std::ops::Range<usize>, byte: usize) -> bool {
+    span.contains(&byte)
+        || match value {
+            DeValue::Table(table) => table.iter().any(|(key, value)| {
+                key.span().contains(&byte) || contains(value.get_ref(), value.span(), byte)
+            }),
+            DeValue::Array(array) => array
+                .iter()
+                .any(|value| contains(value.get_ref(), value.span(), byte)),
+            _ => false,
+        }
+}

@@ -1,0 +1,259 @@
+//! From a scene file to a simulation.
+
+use std::path::Path;
+
+use ccd_mesh::{Format, Frame, Point, TetMesh};
+
+use super::description::{BodyDescription, Description, Selection, Shape};
+use super::document::{Document, Key, SceneError};
+use crate::body::{Body, BodyKind};
+use crate::settings::Settings;
+use crate::shapes;
+use crate::simulation::{Simulation, SimulationError};
+use crate::state::State;
+use crate::system::{System, SystemError};
+
+use Key::{Index, Name};
+
+/// A scene that is ready to be simulated.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The bodies and what moves them.
+    pub system: System,
+    /// The numbers.
+    pub settings: Settings,
+    /// How many time steps its duration is.
+    pub steps: u64,
+}
+
+impl Scene {
+    /// The scene in a file. Mesh files are sought in the folder `meshes`, or else in that of the scene file.
+    ///
+    /// # Errors
+    /// [`SceneError`] names the file, the line and the field.
+    pub fn read(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Self, SceneError> {
+        let file = file.as_ref();
+        let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
+            file: file.to_owned(),
+            source,
+        })?;
+        Self::parse(&text, file, meshes)
+    }
+
+    /// The scene in a text, which is said to be that of a file.
+    ///
+    /// # Errors
+    /// As [`Scene::read`].
+    pub fn parse(text: &str, file: &Path, meshes: Option<&Path>) -> Result<Self, SceneError> {
+        let document = Document { file, text };
+        let description: Description = toml::from_str(text).map_err(|error| {
+            let byte = error.span().map_or(0, |span| span.start);
+            document.error_at(byte, error.message())
+        })?;
+        let settings = description.settings.clone();
+        let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
+
+        let mut bodies = Vec::new();
+        let mut scripts = Vec::new();
+        let mut first = 0;
+        for (index, described) in description.body.iter().enumerate() {
+            let body = load(described, folder).map_err(|(field, message)| {
+                document.error_of(&[Name("body"), Index(index), Name(field)], &message)
+            })?;
+            for (number, script) in described.script.iter().enumerate() {
+                let selected = select(script.vertices, &body.points, first);
+                if selected.is_empty() {
+                    let path = [
+                        Name("body"),
+                        Index(index),
+                        Name("script"),
+                        Index(number),
+                        Name("vertices"),
+                    ];
+                    return Err(document.error_of(&path, "no vertex of the body is there"));
+                }
+                scripts.push((selected, script.motion));
+            }
+            first += body.points.len() as u32;
+            bodies.push(body);
+        }
+        let system =
+            System::new(&bodies, &scripts).map_err(|error| locate(&document, &description, &error))?;
+        let scene = Self {
+            steps: steps(&document, description.duration, settings.time_step)?,
+            system,
+            settings,
+        };
+        match scene.simulation() {
+            Ok(_) => Ok(scene),
+            Err(error) => Err(in_settings(&document, &error)),
+        }
+    }
+
+    /// The simulation from the start.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`].
+    pub fn simulation(&self) -> Result<Simulation, SimulationError> {
+        Simulation::new(self.system.clone(), self.settings.clone())
+    }
+
+    /// The simulation from a state in which it was.
+    ///
+    /// # Errors
+    /// As [`Simulation::resume`].
+    pub fn resume(&self, state: State) -> Result<Simulation, SimulationError> {
+        Simulation::resume(self.system.clone(), self.settings.clone(), state)
+    }
+}
+
+/// What there is of a mesh.
+struct Mesh {
+    points: Vec<Point>,
+    faces: Vec<[u32; 3]>,
+    tetrahedra: Vec<[u32; 4]>,
+}
+
+/// A body, or the field that is wrong and why.
+fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
+    let mesh = match (&described.mesh, described.shape) {
+        (Some(path), None) => read(&folder.join(path)).map_err(|message| ("mesh", message))?,
+        (None, Some(shape)) => generate(shape),
+        (Some(_), Some(_)) => {
+            return Err((
+                "shape",
+                "there is a mesh already, expected one of the two".to_owned(),
+            ));
+        }
+        (None, None) => return Err(("mesh", "missing, expected a mesh file or a shape".to_owned())),
+    };
+    let Mesh {
+        points,
+        faces,
+        tetrahedra,
+    } = mesh;
+    let kind = match (described.solid, described.shell) {
+        (Some(_), None) if tetrahedra.is_empty() => {
+            return Err((
+                "solid",
+                "the mesh has no tetrahedra, expected a .msh file or a box".to_owned(),
+            ));
+        }
+        (Some(material), None) => BodyKind::Solid { tetrahedra, material },
+        (None, Some(material)) => BodyKind::Shell { faces, material },
+        (None, None) => BodyKind::Obstacle { faces },
+        (Some(_), Some(_)) => {
+            return Err(("shell", "it is solid already, expected one of the two".to_owned()));
+        }
+    };
+    let points = points.into_iter().map(|point| described.place(point)).collect();
+    let velocity = described.velocity;
+    Ok(Body {
+        points,
+        kind,
+        velocity,
+    })
+}
+
+fn read(path: &Path) -> Result<Mesh, String> {
+    if Format::of_path(path) == Some(Format::Msh) {
+        let mesh = TetMesh::read(path).map_err(|error| error.to_string())?;
+        return Ok(Mesh {
+            points: mesh.positions().to_vec(),
+            faces: mesh.surface().to_vec(),
+            tetrahedra: mesh.tetrahedra().to_vec(),
+        });
+    }
+    let frame = Frame::read(path).map_err(|error| error.to_string())?;
+    Ok(Mesh {
+        faces: frame.mesh.faces().to_vec(),
+        points: frame.positions,
+        tetrahedra: Vec::new(),
+    })
+}
+
+fn generate(shape: Shape) -> Mesh {
+    let Body { points, kind, .. } = match shape {
+        Shape::Box { cells, size } => shapes::solid_box(cells, size),
+        Shape::Grid { cells, size } => shapes::cloth(cells, size),
+    };
+    let (faces, tetrahedra) = match kind {
+        BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => (faces, Vec::new()),
+        BodyKind::Solid { tetrahedra, .. } => {
+            let surface =
+                TetMesh::new(points.clone(), tetrahedra.clone()).map(|mesh| mesh.surface().to_vec());
+            (surface.unwrap_or_default(), tetrahedra)
+        }
+    };
+    Mesh {
+        points,
+        faces,
+        tetrahedra,
+    }
+}
+
+/// The selected vertices of a body whose vertices are numbered from `first` on.
+fn select(selection: Selection, points: &[Point], first: u32) -> Vec<u32> {
+    let is_selected = |point: &Point| match selection {
+        Selection::All => true,
+        Selection::Box { lower, upper } => {
+            (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&point[axis]))
+        }
+    };
+    (first..)
+        .zip(points)
+        .filter(|(_, point)| is_selected(point))
+        .map(|(vertex, _)| vertex)
+        .collect()
+}
+
+fn steps(document: &Document<'_>, duration: f64, time_step: f64) -> Result<u64, SceneError> {
+    // Longer than that nobody waits; and then it fits.
+    let steps = (duration / time_step).round();
+    if duration >= 0.0 && steps < 1e15 {
+        Ok(steps as u64)
+    } else {
+        let message = format!("{duration}, expected a number of seconds, and not too many time steps");
+        Err(document.error_of(&[Name("duration")], &message))
+    }
+}
+
+/// The error of a system, at the body.
+fn locate(document: &Document<'_>, description: &Description, error: &SystemError) -> SceneError {
+    let (body, field) = match error {
+        SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
+        SystemError::Moduli { body, source } => (*body, Some(source.field())),
+        SystemError::Index { body, .. }
+        | SystemError::NotFinite { body, .. }
+        | SystemError::Solid { body, .. }
+        | SystemError::Flat { body, .. } => (*body, None),
+        SystemError::Script { .. } => return document.error_of(&[Name("body")], &error.to_string()),
+    };
+    let is_solid = description
+        .body
+        .get(body)
+        .is_some_and(|body| body.solid.is_some());
+    let material = if is_solid { "solid" } else { "shell" };
+    let path = [
+        Name("body"),
+        Index(body),
+        Name(field.map_or("mesh", |_| material)),
+        Name(field.unwrap_or("")),
+    ];
+    let depth = if field.is_some() { 4 } else { 3 };
+    document.error_of(&path[..depth], &error.to_string())
+}
+
+/// The error of the settings, at the one that is wrong.
+fn in_settings(document: &Document<'_>, error: &SimulationError) -> SceneError {
+    let field = match error {
+        SimulationError::Setting { what, .. } => what,
+        SimulationError::Filter(_) => "ccd",
+        SimulationError::State { .. }
+        | SimulationError::Singular { .. }
+        | SimulationError::Blocked { .. } => "",
+    };
+    let names = field.split('.').filter(|name| !name.is_empty()).map(Name);
+    let path: Vec<Key<'_>> = std::iter::once(Name("settings")).chain(names).collect();
+    document.error_of(&path, &error.to_string())
+}

@@ -1,0 +1,54 @@
+//! From the coordinates of a mesh file to those of the scene.
+
+use ccd_mesh::Point;
+use nalgebra::{Rotation3, Unit, Vector3};
+use serde::Deserialize;
+
+use super::description::BodyDescription;
+
+/// A factor for all axes, or one for each.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "expected a number or three")]
+pub enum Scale {
+    /// For all axes.
+    Uniform(f64),
+    /// For x, y and z.
+    Axes(Point),
+}
+
+impl Default for Scale {
+    fn default() -> Self {
+        Self::Uniform(1.0)
+    }
+}
+
+/// A rotation about an axis through the origin.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Rotation {
+    /// The direction of the axis.
+    pub axis: Point,
+    /// The angle, counterclockwise seen against the axis.
+    pub degrees: f64,
+}
+
+impl BodyDescription {
+    /// Where a point of the mesh is in the scene.
+    #[must_use]
+    pub fn place(&self, point: Point) -> Point {
+        let factors = match self.scale {
+            Scale::Uniform(factor) => [factor; 3],
+            Scale::Axes(factors) => factors,
+        };
+        let scaled = Vector3::from(point).component_mul(&Vector3::from(factors));
+        let axis = self.rotate.and_then(|rotation| {
+            let axis = Unit::try_new(Vector3::from(rotation.axis), 0.0)?;
+            Some((axis, rotation.degrees.to_radians()))
+        });
+        let rotated = match axis {
+            None => scaled,
+            Some((axis, angle)) => Rotation3::from_axis_angle(&axis, angle) * scaled,
+        };
+        (rotated + Vector3::from(self.translate)).into()
+    }
+}

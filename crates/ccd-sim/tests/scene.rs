@@ -1,0 +1,154 @@
+//! Scene files, and what is wrong with them.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::path::Path;
+
+use ccd_sim::scene::Scene;
+
+const SCENE: &str = r#"
+duration = 0.1
+
+[settings]
+time-step = 0.02
+gravity = [0.0, 0.0, -9.81]
+integrator = "bdf2"
+contact-distance = { absolute = 1e-3 }
+tolerance = { relative = 1e-3 }
+max-iterations = 50
+ccd = "parity"
+
+[settings.friction]
+coefficient = 0.2
+static-velocity = { absolute = 1e-3 }
+lags = 2
+
+[[body]]
+shape = { box = { cells = [1, 2, 1], size = [1.0, 2.0, 1.0] } }
+solid = { density = 1000.0, young = 1e6, poisson = 0.4, energy = "stable-neo-hookean" }
+scale = 0.5
+rotate = { axis = [1.0, 0.0, 0.0], degrees = 90.0 }
+translate = [0.0, 0.0, 3.0]
+velocity = [0.0, 1.0, 0.0]
+
+[[body]]
+shape = { grid = { cells = [2, 1], size = [2.0, 1.0] } }
+shell = { density = 300.0, young = 1e5, poisson = 0.3, thickness = 1e-3 }
+
+[[body.script]]
+vertices = { box = { lower = [-0.1, -0.1, -0.1], upper = [0.1, 0.1, 2.0] } }
+motion = { twisting = { center = [0.0, 0.0, 0.5], axis = [1.0, 0.0, 0.0], rate = 2.0 } }
+
+[[body.script]]
+vertices = { box = { lower = [1.9, -0.1, -0.1], upper = [2.1, 0.1, 2.0] } }
+motion = "fixed"
+
+[[body]]
+shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }
+translate = [0.0, -1.0, 0.0]
+"#;
+
+fn parse(text: &str) -> Result<Scene, String> {
+    Scene::parse(text, Path::new("scene.toml"), None).map_err(|error| error.to_string())
+}
+
+/// The error of the scene with a line replaced.
+fn error_with(from: &str, to: &str) -> String {
+    assert!(SCENE.contains(from), "{from}");
+    parse(&SCENE.replace(from, to)).err().unwrap()
+}
+
+#[test]
+fn a_scene_is_what_it_says() {
+    let scene = parse(SCENE).unwrap();
+    assert_eq!(scene.steps, 5);
+    let start = scene.system.start();
+    assert_eq!(start.len(), 12 + 6 + 4);
+    // (0.5, 1, 0.5) after the scale, turned to (0.5, −0.5, 1).
+    let corner = start[11];
+    assert!(
+        (0..3).all(|axis| (corner[axis] - [0.5, -0.5, 4.0][axis]).abs() < 1e-12),
+        "{corner:?}"
+    );
+    assert!((scene.system.masses()[..12].iter().sum::<f64>() - 250.0).abs() < 1e-9);
+    let free: Vec<usize> = (12..22).filter(|&vertex| scene.system.is_free(vertex)).collect();
+    assert_eq!(free, [13, 16]);
+
+    let mut simulation = scene.simulation().unwrap();
+    let statistics = simulation.step().unwrap();
+    assert_eq!(statistics.script_lag, 0.0);
+    let turned = simulation.state().positions[12];
+    assert!((turned[1] - 0.5 * 0.04_f64.sin()).abs() < 1e-12, "{turned:?}");
+    assert_eq!(simulation.state().positions[14], start[14]);
+}
+
+#[test]
+fn errors_name_file_line_and_field() {
+    let cases = [
+        (
+            "duration = 0.1",
+            "",
+            "scene.toml, line 1, the file: missing field `duration`",
+        ),
+        (
+            "time-step = 0.02",
+            "time-step = -1.0",
+            "scene.toml, line 5, settings.time-step: `time-step` is -1, expected a positive number",
+        ),
+        (
+            "max-iterations = 50",
+            "max-iterations = \"many\"",
+            "scene.toml, line 10, settings.max-iterations: invalid type: string \"many\", expected usize",
+        ),
+        (
+            "coefficient = 0.2",
+            "coefficient = -0.2",
+            "scene.toml, line 14, settings.friction.coefficient: `friction.coefficient` is -0.2, expected a number not below 0",
+        ),
+        (
+            "young = 1e6, poisson = 0.4",
+            "young = 1e6, poisson = 0.5",
+            "scene.toml, line 20, body[0].solid.poisson: body 0: Poisson's ratio is 0.5, expected a number in [0, 0.5)",
+        ),
+        (
+            "density = 300.0",
+            "density = 0.0",
+            "scene.toml, line 28, body[1].shell.density: body 1: the density is 0, expected a positive number",
+        ),
+        (
+            "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
+            "mesh = \"missing.obj\"",
+            "scene.toml, line 39, body[2].mesh: ",
+        ),
+        (
+            "lower = [1.9,",
+            "lower = [2.9,",
+            "scene.toml, line 35, body[1].script[1].vertices: no vertex of the body is there",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let error = error_with(from, to);
+        assert!(error.starts_with(expected), "{error}\nexpected {expected}");
+    }
+}
+
+#[test]
+fn unknown_fields_and_methods_are_told() {
+    let error = error_with("velocity = [0.0, 1.0, 0.0]", "speed = [0.0, 1.0, 0.0]");
+    assert!(
+        error.starts_with("scene.toml, line 24, body[0].speed: unknown field `speed`"),
+        "{error}"
+    );
+    let error = error_with("ccd = \"parity\"", "ccd = \"luck\"");
+    assert!(
+        error.starts_with("scene.toml, line 11, settings.ccd: there is no method `luck`"),
+        "{error}"
+    );
+    let error = error_with("\"fixed\"", "\"dancing\"");
+    assert!(
+        error.starts_with("scene.toml, line 36, body[1].script[1].motion: unknown variant `dancing`"),
+        "{error}"
+    );
+    let error = parse("duration = 1.0\nbody = 3 4").err().unwrap();
+    assert!(error.starts_with("scene.toml, line 2, "), "{error}");
+}
