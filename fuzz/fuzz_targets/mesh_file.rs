@@ -106,18 +106,43 @@ const MSH: &[&str] = &[
     "\x04\0\0\0\0\0\0\0",
 ];
 
+const VTU: &[&str] = &[
+    " ",
+    "<VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid><Piece>",
+    "<VTKFile type='UnstructuredGrid' byte_order='BigEndian' header_type='UInt64'><UnstructuredGrid><Piece>",
+    "</Piece></UnstructuredGrid></VTKFile>",
+    "<Points><DataArray type='Float64' format='ascii'>0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>",
+    "<Points><DataArray type='Float32' format='binary'>",
+    "</DataArray></Points>",
+    "<Cells>",
+    "</Cells>",
+    "<DataArray type='Int64' Name='connectivity' format='ascii'>",
+    "<DataArray type='Int32' Name='offsets' format='binary'>",
+    "<DataArray type='UInt8' Name='types' format='ascii'>",
+    "</DataArray>",
+    "0 1 2 3",
+    "AAAAAAAA",
+    "DAAAAA==",
+    "5 ",
+    "10 ",
+    "4 ",
+    "<",
+    "&lt;",
+];
+
 fuzz_target!(|bytes: &[u8]| {
     // Too few bytes are no file.
     let _ = check(&mut Unstructured::new(bytes));
 });
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
-    let (format, words) = match bytes.arbitrary::<u8>()? % 5 {
+    let (format, words) = match bytes.arbitrary::<u8>()? % 6 {
         0 => (Format::Ply, PLY),
         1 => (Format::Obj, OBJ),
         2 => (Format::Stl, STL),
         3 => (Format::Off, OFF),
-        _ => (Format::Msh, MSH),
+        4 => (Format::Msh, MSH),
+        _ => (Format::Vtu, VTU),
     };
     let file = file(bytes, words)?;
     match TetMesh::parse(&file) {

@@ -27,13 +27,13 @@ pub struct Intersection {
 /// ```
 /// use ccd_mesh::{Intersection, TriangleMesh, intersections};
 ///
-/// // The side 3 4 of the second face passes through the first face.
+/// // Two sides of the second face pass through the first face.
 /// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
 /// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
-/// let wall = |x: f64| [[x, 1.0, -1.0], [x, 1.0, 1.0], [9.0, 1.0, 1.0]];
-/// let pierced = intersections(&mesh, &[floor, wall(1.0)].concat())?;
-/// assert_eq!(mesh.edges()[pierced[0].edge as usize], [1, 2]);
-/// assert_eq!(pierced[1], Intersection { edge: 3, face: 0 });
+/// let wall = |x: f64| [[x, 1.0, -1.0], [x, 1.0, 1.0], [x + 4.0, 1.0, 1.0]];
+/// let found = intersections(&mesh, &[floor, wall(1.0)].concat())?;
+/// assert_eq!(found, [Intersection { edge: 3, face: 0 }, Intersection { edge: 4, face: 0 }]);
+/// assert_eq!((mesh.edges()[3], mesh.edges()[4]), ([3, 4], [3, 5]));
 /// assert_eq!(intersections(&mesh, &[floor, wall(8.0)].concat())?, []);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -169,6 +169,7 @@ fn the_extension_tells_the_format_in_any_case() {
     assert_eq!(format("b.off"), Some(Format::Off));
     assert_eq!(format("ply"), None);
     assert_eq!(format("b.msh"), Some(Format::Msh));
+    assert_eq!(format("b.vtu"), Some(Format::Vtu));
     assert_eq!(format("b.vtk"), None);
 }
 

@@ -7,7 +7,14 @@ mod encodings;
 use ccd_mesh::{Format, Frame};
 use proptest::prelude::*;
 
-const FORMATS: [Format; 5] = [Format::Ply, Format::Obj, Format::Stl, Format::Off, Format::Msh];
+const FORMATS: [Format; 6] = [
+    Format::Ply,
+    Format::Obj,
+    Format::Stl,
+    Format::Off,
+    Format::Msh,
+    Format::Vtu,
+];
 
 /// One file of each encoding, about two triangles.
 fn samples() -> Vec<encodings::File> {

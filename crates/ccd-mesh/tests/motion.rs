@@ -107,7 +107,7 @@ fn errors_name_the_files() {
     assert_eq!(
         message(&good, &unknown),
         format!(
-            "{}: unknown extension, expected .ply, .obj, .stl, .off or .msh",
+            "{}: unknown extension, expected .ply, .obj, .stl, .off, .msh or .vtu",
             unknown.display()
         ),
     );

@@ -28,7 +28,7 @@ pub(crate) enum Failure {
     },
     #[error(transparent)]
     Rounding(#[from] RoundingError),
-    #[error("{}: expected a .ply, .obj, .stl, .off or .msh file, or --kind for a query file", .0.display())]
+    #[error("{}: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file", .0.display())]
     KindMissing(PathBuf),
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),
@@ -40,7 +40,7 @@ pub(crate) enum Failure {
     Method { name: String, known: Vec<String> },
     #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
     NoDataSet(PathBuf),
-    #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off or .msh", .0.display())]
+    #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]
     NoFrames(PathBuf),
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),

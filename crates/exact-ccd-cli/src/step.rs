@@ -20,7 +20,7 @@ use crate::step_report::{Report, Seconds};
 /// certain. Exit status: 0 free, 1 contact, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// The mesh at the start of the step: a .ply, .obj, .stl, .off or .msh file.
+    /// The mesh at the start of the step: a .ply, .obj, .stl, .off, .msh or .vtu file.
     start: PathBuf,
     /// The mesh at its end, with the same faces.
     end: PathBuf,

@@ -19,7 +19,7 @@ pub enum ReadError {
         source: io::Error,
     },
     /// The extension tells no format.
-    #[error("{}: unknown extension, expected .ply, .obj, .stl, .off or .msh", path.display())]
+    #[error("{}: unknown extension, expected .ply, .obj, .stl, .off, .msh or .vtu", path.display())]
     Extension {
         /// The file.
         path: PathBuf,

@@ -1,6 +1,7 @@
 //! Mesh files: one reader a format, all with the same errors.
 
 mod binary;
+mod cells;
 mod error;
 mod msh;
 mod obj;
@@ -8,8 +9,9 @@ mod off;
 mod ply;
 mod stl;
 mod text;
+mod vtk;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use exact_ccd::Point;
 
@@ -31,6 +33,9 @@ pub enum Format {
     Off,
     /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Tetrahedra read as their surface.
     Msh,
+    /// VTK's XML format of unstructured grids: data inline, as text or in base64, not compressed. Tetrahedra read as their
+    /// surface.
+    Vtu,
 }
 
 impl Format {
@@ -43,9 +48,20 @@ impl Format {
             "stl" => Some(Self::Stl),
             "off" => Some(Self::Off),
             "msh" => Some(Self::Msh),
+            "vtu" => Some(Self::Vtu),
             _ => None,
         }
     }
+}
+
+/// The times and files of a collection, as seen from where one is.
+pub(crate) fn read_pvd(path: &Path) -> Result<Vec<(f64, PathBuf)>, ReadError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let entries = parse_file(path, vtk::read_collection)?;
+    Ok(entries
+        .into_iter()
+        .map(|(time, file)| (time, folder.join(file)))
+        .collect())
 }
 
 /// What a reader finds: positions, and faces whose indices it has checked.
@@ -74,7 +90,7 @@ fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>
 }
 
 pub(crate) fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
-    msh::read_tet_mesh(bytes)
+    msh::read(bytes)?.into_tet_mesh()
 }
 
 pub(crate) fn parse(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
@@ -83,7 +99,8 @@ pub(crate) fn parse(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
         Format::Obj => obj::read(bytes),
         Format::Stl => stl::read(bytes),
         Format::Off => off::read(bytes),
-        Format::Msh => return msh::read_frame(bytes),
+        Format::Msh => return msh::read(bytes)?.into_frame(),
+        Format::Vtu => return vtk::read_grid(bytes)?.into_frame(),
     }?;
     Frame::new(positions, faces).map_err(|error| Fault::Frame(error).at(Place::File))
 }

@@ -7,9 +7,13 @@ pub(crate) type File = (&'static str, Format, Vec<u8>);
 
 /// The formats that keep the connectivity, without loss.
 pub(crate) fn indexed(frame: &Frame) -> Vec<File> {
-    let mut own = Vec::new();
+    let (mut own, mut vtu) = (Vec::new(), Vec::new());
     frame.write_ply(&mut own).unwrap();
+    frame.write_vtu(&mut vtu).unwrap();
     vec![
+        ("vtu in base64", Format::Vtu, vtu),
+        ("text vtu", Format::Vtu, text_vtu(frame).into_bytes()),
+        ("text vtu, CRLF", Format::Vtu, crlf(&text_vtu(frame))),
         ("our own ply", Format::Ply, own),
         ("text ply", Format::Ply, text_ply(frame).into_bytes()),
         ("text ply, CRLF", Format::Ply, crlf(&text_ply(frame))),
@@ -123,4 +127,20 @@ fn binary_stl(frame: &Frame) -> Vec<u8> {
         bytes.extend([1, 2]);
     }
     bytes
+}
+
+fn text_vtu(frame: &Frame) -> String {
+    let cells = frame.mesh.faces().len();
+    let ends: String = (1..=cells).map(|cell| format!("{} ", 3 * cell)).collect();
+    format!(
+        "<VTKFile byte_order='BigEndian' type='UnstructuredGrid'><!-- from a test -->\n<UnstructuredGrid>\n<Piece>\n\
+         <PointData/>\n<Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>\n{}</DataArray></Points>\n\
+         <Cells>\n<DataArray type='UInt8' Name='types' format='ascii'>{}</DataArray>\n\
+         <DataArray type='Int32' Name='offsets' format='ascii'>{ends}</DataArray>\n\
+         <DataArray type='Int64' Name='connectivity' format='ascii'>\n{}</DataArray>\n\
+         </Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n",
+        lines("", frame.positions.iter().copied()),
+        "5 ".repeat(cells),
+        lines("", frame.mesh.faces().iter().copied()),
+    )
 }

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ccd_mesh::{Format, Frame, MotionError, ReadError, ReadMotionError, TriangleMesh, Welding};
+use ccd_mesh::{Format, Frame, MotionError, ReadError, ReadMotionError, TriangleMesh, Welding, read_pvd};
 
 use crate::failure::Failure;
 
@@ -16,12 +16,14 @@ pub(super) struct Frames {
 }
 
 impl Frames {
-    /// The files, and those in the folders. STL files are read once here, to see what to weld.
+    /// The files, and those in the folders and collections. STL files are read once here, to see what to weld.
     pub(super) fn find(paths: &[PathBuf]) -> Result<Self, Failure> {
         let mut files = Vec::new();
         for path in paths {
             if path.is_dir() {
                 files.extend(meshes_in(path)?);
+            } else if is_collection(path) {
+                files.extend(read_pvd(path)?.into_iter().map(|(_, file)| file));
             } else {
                 files.push(path.clone());
             }
@@ -80,6 +82,11 @@ impl Frames {
             source,
         })
     }
+}
+
+fn is_collection(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("pvd"))
 }
 
 /// The meshes in a folder, in the order of the numbers in their names. Other files are passed over.

@@ -25,8 +25,8 @@ use report::{Report, ReportedViolation, Seconds};
 /// Exit status: 0 free, 1 violation, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// Meshes with the same faces, in the order of time: .ply, .obj, .stl, .off or .msh files, or a folder of files of
-    /// one of these formats, which are taken in the order of the numbers in their names.
+    /// Meshes with the same faces, in the order of time: .ply, .obj, .stl, .off, .msh or .vtu files, or a folder of files
+    /// of one of these formats, which are taken in the order of the numbers in their names, or a .pvd collection.
     #[arg(required = true)]
     frames: Vec<PathBuf>,
     /// Print the report as a JSON object.

@@ -57,7 +57,7 @@ pub(crate) struct Arguments {
     /// Draw the histogram as an SVG file.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Query files, of which - is standard input, or meshes: .ply, .obj, .stl, .off or .msh files.
+    /// Query files, of which - is standard input, or meshes: .ply, .obj, .stl, .off, .msh or .vtu files.
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
 }

@@ -132,7 +132,7 @@ fn formats_may_be_mixed_if_named_one_by_one() {
     let error = folder.run(&["audit", "."]);
     assert_eq!(
         error.error(),
-        ".: expected meshes of one format, .ply, .obj, .stl, .off or .msh"
+        ".: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu"
     );
 }
 
@@ -188,6 +188,42 @@ fn errors_name_the_file() {
     let error = folder.run(&["audit", "empty"]);
     assert_eq!(
         error.error(),
-        "empty: expected meshes of one format, .ply, .obj, .stl, .off or .msh"
+        "empty: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu"
+    );
+}
+
+#[test]
+fn a_collection_is_taken_in_its_order() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("frames")).unwrap();
+    let files = [("b.vtu", 3.0), ("a.vtu", 1.0), ("c.vtu", -2.0)];
+    for (name, height) in files {
+        let mut file = Vec::new();
+        tip_above_square(height).write_vtu(&mut file).unwrap();
+        folder.write(&format!("frames/{name}"), file);
+    }
+    let mut collection = Vec::new();
+    ccd_mesh::write_pvd(&mut collection, files.map(|(name, _)| (0.0, name))).unwrap();
+    folder.write("frames/all.pvd", collection);
+    let run = folder.run(&["audit", "frames/all.pvd"]);
+    let report = format!(
+        "contact between frame 1 (frames/a.vtu) and frame 2 (frames/c.vtu) {CONTACT}\nframes: 3 of 3 examined\n"
+    );
+    assert_report(&run, 1, &report);
+
+    let mut nothing = Vec::new();
+    ccd_mesh::write_pvd(&mut nothing, []).unwrap();
+    folder.write("nothing.pvd", nothing);
+    assert!(
+        folder
+            .run(&["audit", "nothing.pvd"])
+            .error()
+            .starts_with("nothing.pvd: expected meshes")
+    );
+    folder.write("broken.pvd", "<VTKFile/>");
+    let run = folder.run(&["audit", "broken.pvd"]);
+    assert_eq!(
+        run.error(),
+        "broken.pvd: line 1: expected an attribute `type`, found none"
     );
 }

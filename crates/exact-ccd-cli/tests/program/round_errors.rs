@@ -24,7 +24,7 @@ fn files_that_are_neither_meshes_nor_said_to_be_queries() {
     assert_error(
         &folder,
         &["vf.csv"],
-        "vf.csv: expected a .ply, .obj, .stl, .off or .msh file, or --kind for a query file",
+        "vf.csv: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
     );
 }
 

@@ -47,8 +47,8 @@ fn a_folder_in_place_of_a_file() {
 
 #[test]
 fn an_extension_that_tells_no_format() {
-    assert_error("mesh.txt", "", &[".ply, .obj, .stl, .off or .msh"]);
-    assert_error("mesh", "", &[".ply, .obj, .stl, .off or .msh"]);
+    assert_error("mesh.txt", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
+    assert_error("mesh", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::super::error::{Fault, ParseError, Place};
 use super::nodes::{Tags, positive};
 use super::values::{Record, Values};
-use super::{Contents, Version};
+use super::{Cells, Version};
 
 /// The types of elements that mean something here. Points and lines are skipped: Gmsh writes them for the corners and
 /// edges of the geometry.
@@ -33,16 +33,16 @@ impl Shape {
 /// Where elements go.
 struct Elements<'a> {
     tags: &'a Tags,
-    contents: &'a mut Contents,
+    cells: &'a mut Cells,
 }
 
 pub(super) fn read<'a>(
     version: Version,
     values: &mut impl Values<'a>,
     tags: &Tags,
-    contents: &mut Contents,
+    cells: &mut Cells,
 ) -> Result<(), ParseError> {
-    let mut elements = Elements { tags, contents };
+    let mut elements = Elements { tags, cells };
     match version {
         Version::V2 => elements.read_v2(values)?,
         Version::V4 => elements.read_v4(values)?,
@@ -158,11 +158,8 @@ impl Elements<'_> {
         match shape {
             Shape::Point => drop(node()?),
             Shape::Line => drop([node()?, node()?]),
-            Shape::Triangle => self.contents.triangles.push([node()?, node()?, node()?]),
-            Shape::Tetrahedron => self
-                .contents
-                .tetrahedra
-                .push([node()?, node()?, node()?, node()?]),
+            Shape::Triangle => self.cells.triangles.push([node()?, node()?, node()?]),
+            Shape::Tetrahedron => self.cells.tetrahedra.push([node()?, node()?, node()?, node()?]),
         }
         Ok(())
     }

@@ -6,22 +6,11 @@ mod elements;
 mod nodes;
 mod values;
 
-use exact_ccd::Point;
-
 use super::binary::{ByteOrder, Bytes};
-use super::error::{Fault, ParseError, Place, quoted};
+use super::cells::Cells;
+use super::error::{Fault, ParseError, quoted};
 use super::text::{Lines, Syntax, expect};
-use crate::frame::Frame;
-use crate::tet_mesh::TetMesh;
 use values::{BinaryValues, TextValues, Values};
-
-/// What the sections of a file hold.
-#[derive(Default)]
-pub(super) struct Contents {
-    positions: Vec<Point>,
-    triangles: Vec<[u32; 3]>,
-    tetrahedra: Vec<[u32; 4]>,
-}
 
 #[derive(Clone, Copy)]
 enum Version {
@@ -29,34 +18,7 @@ enum Version {
     V4,
 }
 
-/// The surface of the tetrahedra, or, if there are none, the triangles as they are.
-pub(super) fn read_frame(bytes: &[u8]) -> Result<Frame, ParseError> {
-    let contents = read(bytes)?;
-    if contents.tetrahedra.is_empty() {
-        let frame = Frame::new(contents.positions, contents.triangles);
-        return frame.map_err(|error| Fault::Frame(error).at(Place::File));
-    }
-    Ok(contents.into_tet_mesh()?.surface_frame().0)
-}
-
-pub(super) fn read_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
-    read(bytes)?.into_tet_mesh()
-}
-
-impl Contents {
-    /// Triangles may be listed, but each must be a face of a tetrahedron: what else is it to be?
-    fn into_tet_mesh(self) -> Result<TetMesh, ParseError> {
-        let at_file = |fault: Fault| fault.at(Place::File);
-        let mesh =
-            TetMesh::new(self.positions, self.tetrahedra).map_err(|error| at_file(Fault::TetMesh(error)))?;
-        match mesh.find_no_face(&self.triangles) {
-            None => Ok(mesh),
-            Some(triangle) => Err(at_file(Fault::Sheet { triangle })),
-        }
-    }
-}
-
-fn read(bytes: &[u8]) -> Result<Contents, ParseError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
     const VERSION: &str = "`2.2` or `4.1`";
     const ENCODING: &str = "`0` for text or `1` for binary";
     const SIZE: &str = "`8`, the size of a number";
@@ -99,9 +61,9 @@ fn byte_order(bytes: &mut Bytes) -> Result<ByteOrder, ParseError> {
 }
 
 /// What follows the version. Sections other than nodes and elements are skipped.
-fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Contents, ParseError> {
+fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Cells, ParseError> {
     values.skip_to("$EndMeshFormat")?;
-    let mut contents = Contents::default();
+    let mut cells = Cells::default();
     let mut nodes = None;
     let mut elements = false;
     while let Some((place, section)) = values.section() {
@@ -109,11 +71,11 @@ fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Co
         match (section, &nodes) {
             (b"$Nodes", None) => {
                 let read = nodes::read(version, &mut values)?;
-                contents.positions = read.positions;
+                cells.positions = read.positions;
                 nodes = Some(read.tags);
             }
             (b"$Elements", Some(tags)) if !elements => {
-                elements::read(version, &mut values, tags, &mut contents)?;
+                elements::read(version, &mut values, tags, &mut cells)?;
                 elements = true;
             }
             (b"$Elements", None) => return unexpected("`$Nodes` before the elements"),
@@ -130,5 +92,5 @@ fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Co
             return Err(Fault::ends(section).at(values.place()));
         }
     }
-    Ok(contents)
+    Ok(cells)
 }
