@@ -14,8 +14,8 @@ use crate::system::System;
 pub(crate) struct Drive {
     targets: Vec<(u32, Point)>,
     mode: Mode,
-    /// The mass whose multiple is the stiffness of a spring, in kg.
-    mass: f64,
+    /// The stiffness of springs, in kg.
+    stiffness: f64,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,8 +40,11 @@ impl Drive {
         };
         let targets: Vec<(u32, Point)> = system.scripts.iter().enumerate().filter_map(target).collect();
         let mode = if targets.is_empty() { Mode::Done } else { Mode::Put };
-        let mass = STIFFNESS[0] * system.mean_mass();
-        Self { targets, mode, mass }
+        Self {
+            targets,
+            mode,
+            stiffness: 0.0,
+        }
     }
 
     /// Whether the vertices are to be put to their targets now.
@@ -64,7 +67,7 @@ impl Drive {
         let spring = |&(vertex, target): &(u32, Point)| Spring {
             vertex,
             target,
-            stiffness: self.mass,
+            stiffness: self.stiffness,
         };
         if self.is_pulling() {
             self.targets.iter().map(spring).collect()
@@ -78,11 +81,13 @@ impl Drive {
         self.mode = Mode::Done;
     }
 
-    /// Something is in the way: pull, or pull harder. Whether that is still possible; if not, the vertices stay.
+    /// Something is in the way: pull, or pull harder. If springs are as stiff as they get, the vertices stay.
     pub(crate) fn pull(&mut self, system: &System) {
-        let last = STIFFNESS[1] * system.mean_mass();
-        self.mass *= STIFFER;
-        self.mode = if self.mass <= last { Mode::Pull } else { Mode::Done };
+        let mass = Some(system.mean_mass()).filter(|&mass| mass > 0.0).unwrap_or(1.0);
+        let [first, last] = STIFFNESS.map(|masses| masses * mass);
+        let stiffer = STIFFER * self.stiffness;
+        self.mode = if stiffer > last { Mode::Done } else { Mode::Pull };
+        self.stiffness = stiffer.max(first);
     }
 
     /// The springs pull no nearer: try to put the vertices.

@@ -23,8 +23,8 @@ pub const CLOTH: ShellProperties = ShellProperties {
 
 /// A box of [`RUBBER`] with a corner at the origin, of `cells` cubes along the axes, each cut into six tetrahedra.
 #[must_use]
-pub fn solid_box(cells: [u32; 3], size: Point) -> Body {
-    let [nx, ny, nz] = cells.map(|n| n.max(1));
+pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
+    let [nx, ny, nz] = cells.map(|n| u32::from(n.max(1)));
     let index = |[i, j, k]: [u32; 3]| i + (nx + 1) * (j + (ny + 1) * k);
     let mut points = Vec::new();
     for k in 0..=nz {
@@ -70,7 +70,7 @@ pub fn solid_box(cells: [u32; 3], size: Point) -> Body {
 /// A rectangle of [`CLOTH`] in the plane y = 0 with a corner at the origin, of `cells` rectangles along x and z, each cut into two
 /// triangles, in turn along either diagonal.
 #[must_use]
-pub fn cloth(cells: [u32; 2], size: [f64; 2]) -> Body {
+pub fn cloth(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
     let material = CLOTH;
     Body {
@@ -82,7 +82,7 @@ pub fn cloth(cells: [u32; 2], size: [f64; 2]) -> Body {
 
 /// A rectangle as [`cloth`] that does not move.
 #[must_use]
-pub fn floor(cells: [u32; 2], size: [f64; 2]) -> Body {
+pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
     Body {
         points,
@@ -91,8 +91,8 @@ pub fn floor(cells: [u32; 2], size: [f64; 2]) -> Body {
     }
 }
 
-fn grid(cells: [u32; 2], size: [f64; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
-    let [nx, nz] = cells.map(|n| n.max(1));
+fn grid(cells: [u16; 2], size: [f64; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let [nx, nz] = cells.map(|n| u32::from(n.max(1)));
     let index = |i: u32, k: u32| i + (nx + 1) * k;
     let mut points = Vec::new();
     for k in 0..=nz {

@@ -11,7 +11,7 @@ use crate::filter::{self, StepFilter, UnknownFilter};
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
-use crate::settings::Settings;
+use crate::settings::{Length, Settings};
 use crate::solver::{LinearSolver, Newton, Outcome, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
@@ -104,7 +104,7 @@ impl Simulation {
     /// # Errors
     /// [`SimulationError`] names the setting that is out of range, or what of the state does not fit the system.
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
-        check(&settings)?;
+        check(&settings, system.size())?;
         let expected = system.start.len();
         let fits = |what, found| {
             (found == expected).then_some(()).ok_or(SimulationError::State {
@@ -336,12 +336,8 @@ fn room(system: &System) -> Bounds {
     }
 }
 
-fn check(settings: &Settings) -> Result<(), SimulationError> {
-    use crate::settings::Length::{Absolute, Relative};
-
-    let number = |length| match length {
-        Absolute(value) | Relative(value) => value,
-    };
+fn check(settings: &Settings, size: f64) -> Result<(), SimulationError> {
+    let number = |length: Length| length.meters(size);
     let positive = [
         ("time-step", settings.time_step),
         ("contact-distance", number(settings.contact_distance)),

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use ccd_mesh::{Bounds, Point, TetMesh, TetMeshError, TriangleMesh};
+use ccd_mesh::{Bounds, Frame, FrameError, Point, TetMesh, TetMeshError, TriangleMesh};
 use nalgebra::Vector3;
 
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
@@ -160,6 +160,28 @@ impl System {
     #[must_use]
     pub fn surface(&self) -> &TriangleMesh {
         self.surface.mesh()
+    }
+
+    /// The surface alone with its vertices at these positions, which are those of all vertices: without those inside of
+    /// solids.
+    ///
+    /// # Errors
+    /// [`FrameError`] tells the first coordinate that is not finite, or that there are too few.
+    pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, FrameError> {
+        let vertices = self.surface.vertices();
+        let mut numbers = vec![0; self.start.len()];
+        for (number, &vertex) in (0..).zip(vertices) {
+            numbers[vertex as usize] = number;
+        }
+        let faces = self
+            .surface()
+            .faces()
+            .iter()
+            .map(|face| face.map(|vertex| numbers[vertex as usize]));
+        let shown = vertices
+            .iter()
+            .filter_map(|&vertex| positions.get(vertex as usize).copied());
+        Frame::new(shown.collect(), faces.collect())
     }
 
     /// The positions at the start, where everything is at rest, in m.

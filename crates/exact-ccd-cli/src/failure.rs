@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use ccd_bench::DataError;
 use ccd_bench::comparison::PeerError;
 use ccd_mesh::{ReadError, ReadMotionError, StepError};
+use ccd_sim::SimulationError;
+use ccd_sim::scene::SceneError;
 use exact_ccd::parity::RoundingError;
 
 /// Why the program has no answer.
@@ -42,6 +44,12 @@ pub(crate) enum Failure {
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]
     NoFrames(PathBuf),
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    #[error(transparent)]
+    Simulation(#[from] SimulationError),
+    #[error("{}: {message}", file.display())]
+    Checkpoint { file: PathBuf, message: String },
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("cannot write {}: {source}", file.display())]

@@ -14,6 +14,7 @@ mod queries;
 mod query_files;
 mod round;
 mod shortest;
+mod simulate;
 mod step;
 mod step_report;
 mod tally;
@@ -44,6 +45,7 @@ enum Command {
     Round(round::Arguments),
     Convert(convert::Arguments),
     Bench(bench::Arguments),
+    Simulate(simulate::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -68,5 +70,6 @@ fn run(program: &Program) -> Result<ExitCode, Failure> {
         Command::Round(arguments) => round::run(arguments),
         Command::Convert(arguments) => convert::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments),
     }
 }

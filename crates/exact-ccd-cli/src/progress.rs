@@ -25,6 +25,11 @@ pub(crate) fn frames(total: usize) -> ProgressBar {
     ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} frames, {eta} left"))
 }
 
+/// A bar that is full after `total` time steps.
+pub(crate) fn time_steps(total: usize) -> ProgressBar {
+    ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} time steps, {eta} left"))
+}
+
 /// A count of queries, nobody knows up to how many.
 pub(crate) fn queries() -> ProgressBar {
     ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} queries"))

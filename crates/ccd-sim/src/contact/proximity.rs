@@ -33,6 +33,12 @@ impl Surface {
         &self.mesh
     }
 
+    /// The vertices of faces, increasing: without those inside of solids.
+    #[must_use]
+    pub fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
     /// The vertices of a pair of a vertex and a face.
     #[must_use]
     pub fn vertex_face(&self, [vertex, face]: [u32; 2]) -> [u32; 4] {
@@ -82,7 +88,7 @@ impl Pairs {
         let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
         let mut vertex_face = Bvh.between(&vertex_boxes, &face_boxes, |place, face| {
             let (vertex, face) = (surface.vertices[place as usize], &faces[face as usize]);
-            !face.contains(&vertex) && !(surface.obstacle[vertex as usize] && surface.is_obstacle(face))
+            !(face.contains(&vertex) || surface.obstacle[vertex as usize] && surface.is_obstacle(face))
         });
         for pair in &mut vertex_face {
             pair[0] = surface.vertices[pair[0] as usize];

@@ -60,14 +60,14 @@ pub enum Shape {
     /// [`shapes::solid_box`](crate::shapes::solid_box).
     Box {
         /// How many cubes there are along each axis.
-        cells: [u32; 3],
+        cells: [u8; 3],
         /// The lengths of the sides, in m.
         size: Point,
     },
     /// [`shapes::cloth`](crate::shapes::cloth).
     Grid {
         /// How many rectangles there are along x and z.
-        cells: [u32; 2],
+        cells: [u16; 2],
         /// The lengths of the sides, in m.
         size: [f64; 2],
     },

@@ -315,8 +315,8 @@ impl Sum<'_> {
                     // The other triangle is the same.
                     Some(other) if other > number => {}
                     Some(other) => {
-                        self.pattern
-                            .add(&mut self.values, number, other, &element.block(row, column))
+                        let block = element.block(row, column);
+                        self.pattern.add(&mut self.values, number, other, &block);
                     }
                 }
             }

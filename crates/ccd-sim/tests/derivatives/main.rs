@@ -1,7 +1,5 @@
 //! Gradients and Hessians of all energies against finite differences, and that projected Hessians are semi-definite.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 mod contact;
 mod differences;
 mod distance;

@@ -16,6 +16,7 @@ mod round_errors;
 mod round_meshes;
 mod round_queries;
 mod rounding_report;
+mod simulate;
 mod step;
 mod step_errors;
 mod streams;
