@@ -28,6 +28,9 @@ impl Frames {
                 files.push(path.clone());
             }
         }
+        if files.is_empty() {
+            return Err(Failure::NoFrames(paths.first().cloned().unwrap_or_default()));
+        }
         let mut frames = Self { files, welding: None };
         let is_stl = |file: &PathBuf| Format::of_path(file) == Some(Format::Stl);
         if frames.files.iter().all(is_stl) {
