@@ -167,6 +167,17 @@ impl Simulation {
     /// # Errors
     /// [`SimulationError::Singular`] and [`SimulationError::Blocked`].
     pub fn step(&mut self) -> Result<Statistics, SimulationError> {
+        self.step_along(&mut |_| ())
+    }
+
+    /// Takes one time step, and shows the way: all positions after each increment of it.
+    ///
+    /// Each increment, in straight lines from the one before, is what has been filtered. The straight line from the start of
+    /// the time step to its end is another way, on which there may be contact.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`].
+    pub fn step_along(&mut self, visit: &mut dyn FnMut(&[Point])) -> Result<Statistics, SimulationError> {
         let clock = Instant::now();
         let Self { system, settings, .. } = &*self;
         let step = self.state.step + 1;
@@ -215,7 +226,7 @@ impl Simulation {
                 tolerance: settings.tolerance.meters(system.size()),
                 max_iterations: settings.max_iterations,
             };
-            newton.minimise(&mut solver, &mut now, &mut statistics)?;
+            newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
             if settings.friction.coefficient == 0.0 {
                 break;

@@ -57,6 +57,7 @@ impl Newton<'_> {
         solver: &mut LinearSolver,
         now: &mut Outcome,
         statistics: &mut Statistics,
+        visit: &mut dyn FnMut(&[Point]),
     ) -> Result<(), SimulationError> {
         statistics.converged = false;
         let mut plan: Option<(Unknowns, Vec<u64>)> = None;
@@ -102,12 +103,17 @@ impl Newton<'_> {
             }
             statistics.iterations += 1;
             if now.drive.is_putting() {
-                self.put(now, &direction, &potential, statistics);
+                if self.put(now, &direction, &potential, statistics) {
+                    visit(&now.positions);
+                }
                 continue;
             }
             let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
             let is_small = size <= self.tolerance * self.scheme.duration;
             let moved = self.search(now, &direction, size, &potential, statistics)?;
+            if moved {
+                visit(&now.positions);
+            }
             if (is_small || !moved) && now.drive.is_pulling() {
                 now.drive.put();
             } else if is_small || !moved {
@@ -143,14 +149,14 @@ impl Newton<'_> {
     }
 
     /// Puts the scripted vertices to their targets: with the rest going along as Newton's method says, or else alone. If
-    /// neither is free of contact, springs shall pull.
+    /// neither is free of contact, springs shall pull. Whether they are there.
     fn put(
         &self,
         now: &mut Outcome,
         direction: &[Vector3<f64>],
         potential: &Potential<'_>,
         statistics: &mut Statistics,
-    ) {
+    ) -> bool {
         let mut together = displaced(&now.positions, direction, 1.0);
         let mut alone = now.positions.clone();
         for &(vertex, target) in now.drive.targets() {
@@ -177,11 +183,12 @@ impl Newton<'_> {
                 now.collisions = collisions;
                 now.drive.arrived();
                 statistics.step_sizes.push(1.0);
-                return;
+                return true;
             }
         }
         statistics.step_sizes.push(0.0);
         now.drive.pull(self.system);
+        false
     }
 
     /// Goes along a direction, as far as it is free and the potential falls. Whether it goes anywhere.

@@ -1,5 +1,6 @@
 //! A twisted mat.
 
+use ccd_mesh::Point;
 use ccd_sim::{Length, Script, Settings, Simulation, State, System, shapes};
 
 use crate::measure::is_free_since;
@@ -46,6 +47,25 @@ fn every_step_is_free_of_intersection() {
     // The ends have turned by 1.6 rad each way.
     let moved = state.positions[0];
     assert!((moved[1] - 0.2 * 1.6_f64.sin()).abs() < 1e-12, "{moved:?}");
+}
+
+/// What is filtered is each increment: together they lead from one time step to the next.
+#[test]
+fn every_increment_is_free_of_contact() {
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    let surface = simulation.system().surface().clone();
+    let mut at = simulation.state().positions.clone();
+    let mut increments = 0;
+    for _ in 0..20 {
+        let visit = &mut |positions: &[Point]| {
+            increments += 1;
+            assert!(ccd_mesh::step(&surface, &at, positions).unwrap().is_free());
+            at = positions.to_vec();
+        };
+        simulation.step_along(visit).unwrap();
+        assert_eq!(at, simulation.state().positions);
+    }
+    assert!(increments > 40);
 }
 
 #[test]

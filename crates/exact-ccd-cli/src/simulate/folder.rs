@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use ccd_sim::{Simulation, State, Statistics};
 
+use super::path::Path as PathWriter;
 use crate::failure::Failure;
 use crate::output::write_file;
 
@@ -56,6 +57,14 @@ impl OutputFolder {
         };
         append().map_err(|source| Failure::write(&file, source))?;
         self.write_checkpoint(simulation)
+    }
+
+    /// Where the way of the next time step goes, from where the simulation is.
+    pub(super) fn path(&self, simulation: &Simulation) -> PathWriter {
+        let state = simulation.state();
+        let mut path = PathWriter::new(self.file("path"), simulation.system().clone(), state.step + 1);
+        path.add(&state.positions);
+        path
     }
 
     fn write_frame(&self, simulation: &Simulation) -> Result<(), Failure> {

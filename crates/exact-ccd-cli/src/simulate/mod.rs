@@ -2,6 +2,7 @@
 
 mod folder;
 mod line;
+mod path;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -36,6 +37,10 @@ pub(crate) struct Arguments {
     /// How many time steps to take, in place of those of the scene's duration.
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
+    /// Write the way too: the surface after each increment of a time step, as `path/STEP-INCREMENT.ply`. That is what is free
+    /// of contact, as `exact-ccd audit DIR/path` certifies; straight from one time step to the next there may be some.
+    #[arg(long, requires = "out")]
+    path: bool,
     /// Go on from the checkpoint in the folder of --out, to the same bits.
     #[arg(long, requires = "out")]
     resume: bool,
@@ -61,7 +66,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
     during(bar, |progress| -> Result<(), Failure> {
         while simulation.state().step < steps {
-            let statistics = simulation.step()?;
+            let mut path = folder
+                .as_ref()
+                .filter(|_| arguments.path)
+                .map(|folder| folder.path(&simulation));
+            let statistics = simulation.step_along(&mut |positions| {
+                if let Some(path) = &mut path {
+                    path.add(positions);
+                }
+            })?;
+            if let Some(path) = path {
+                path.finish()?;
+            }
             if let Some(folder) = &folder {
                 folder.add(&simulation, &statistics)?;
             }

@@ -62,6 +62,17 @@ fn every_step_is_printed_and_free_of_contact() {
 }
 
 #[test]
+fn the_way_is_free_of_contact() {
+    let folder = folder();
+    let run = folder.run(&["simulate", "scene.toml", "--out", "result", "--path"]);
+    assert_eq!(run.status, 0);
+    let files = fs::read_dir(folder.path("result/path")).unwrap().count();
+    assert!(files > 20, "{files} files for 10 time steps");
+    let audit = folder.run(&["audit", "result/path"]);
+    assert_eq!(audit.status, 0, "{audit:?}");
+}
+
+#[test]
 fn a_resumed_simulation_comes_to_the_same_bytes() {
     let folder = folder();
     assert_eq!(

@@ -30,6 +30,7 @@ fn wrong_usage_has_status_2() {
         &["bench", "data", "--sample", "1"],
         &["simulate"],
         &["simulate", "scene.toml", "--resume"],
+        &["simulate", "scene.toml", "--path"],
         &["simulate", "scene.toml", "--steps", "-1"],
         &["round"],
         &["round", "--kind", "vf"],

@@ -1,0 +1,51 @@
+//! The way of one time step, increment by increment.
+
+use std::fs;
+use std::io;
+use std::path::PathBuf;
+
+use ccd_mesh::Point;
+use ccd_sim::System;
+
+use crate::failure::Failure;
+use crate::output::write_file;
+
+/// Writes the surface after each increment of a time step.
+pub(super) struct Path {
+    folder: PathBuf,
+    system: System,
+    step: u64,
+    increments: usize,
+    result: Result<(), Failure>,
+}
+
+impl Path {
+    /// The way of a time step, in a folder.
+    pub(super) fn new(folder: PathBuf, system: System, step: u64) -> Self {
+        let result = fs::create_dir_all(&folder).map_err(|source| Failure::write(&folder, source));
+        Self {
+            folder,
+            system,
+            step,
+            increments: 0,
+            result,
+        }
+    }
+
+    /// Writes the surface with the vertices at these positions. After an error, nothing.
+    pub(super) fn add(&mut self, positions: &[Point]) {
+        if self.result.is_ok() {
+            let file = self
+                .folder
+                .join(format!("{:06}-{:03}.ply", self.step, self.increments));
+            let frame = self.system.surface_frame(positions);
+            self.result = write_file(&file, |writer| frame.map_err(io::Error::other)?.write_ply(writer));
+            self.increments += 1;
+        }
+    }
+
+    /// The first error.
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        self.result
+    }
+}
