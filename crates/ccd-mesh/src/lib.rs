@@ -26,26 +26,29 @@
 
 mod bounds;
 mod broad_phase;
-mod bvh;
 mod candidates;
 mod contacts;
+mod earliest;
 mod frame;
+mod kind;
 mod line_search;
 mod mesh;
 mod motion;
+mod narrow_phase;
 mod pair;
 mod positions;
 mod read;
 mod shift;
 mod step;
+mod step_boxes;
 mod weld;
 mod write;
 
 pub use bounds::Bounds;
-pub use broad_phase::{AllPairs, BroadPhase};
-pub use bvh::Bvh;
+pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, Sweep};
 pub use candidates::Candidates;
-pub use contacts::{EarliestContact, StepReport};
+pub use contacts::StepReport;
+pub use earliest::EarliestContact;
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
 pub use line_search::{

@@ -16,6 +16,7 @@ mod shortest;
 mod step;
 mod step_report;
 mod tally;
+mod timed;
 
 use std::io::Write;
 use std::process::ExitCode;
