@@ -1,4 +1,4 @@
-//! Puts another broad phase under a step, and shows progress.
+//! Puts a broad phase of one's own under a step, and shows progress.
 //!
 //! ```sh
 //! cargo run --release --example broad_phase -p ccd-mesh -- examples/drape_start.ply examples/drape_contact.ply
@@ -7,31 +7,55 @@
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
 use std::error::Error;
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use ccd_mesh::{Bounds, BroadPhase, Candidates, Motion, StepReport};
+use ccd_mesh::{Boxes, BroadPhase, Motion, StepReport};
 
-/// Sorts the boxes along x, and compares each with those that begin before it ends.
-struct SortAndSweep;
+/// Sorts the boxes along x, and hands on each with those that begin before it ends: pairs may be too many, but none is
+/// forgotten.
+struct SortedAlongX;
 
-impl BroadPhase for SortAndSweep {
-    fn between(&self, a: &[Bounds], b: &[Bounds], keep: impl Fn(u32, u32) -> bool + Sync) -> Vec<[u32; 2]> {
-        let mut sorted: Vec<(u32, &Bounds)> = (0..).zip(b).collect();
-        sorted.sort_unstable_by(|(_, p), (_, q)| p.lower[0].total_cmp(&q.lower[0]));
-        let mut pairs = Vec::new();
-        for (i, query) in (0..).zip(a) {
-            let begin_before_its_end = sorted
+impl BroadPhase for SortedAlongX {
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        let [of_a, of_b] = [a, b].map(intervals);
+        for [lower, upper, i] in of_a {
+            let overlapping = of_b
                 .iter()
-                .take_while(|(_, other)| other.lower[0] <= query.upper[0]);
-            for &(j, other) in begin_before_its_end {
-                if query.overlaps(other) && keep(i, j) {
-                    pairs.push([i, j]);
-                }
-            }
+                .take_while(|other| other[0] <= upper)
+                .filter(|other| lower <= other[1]);
+            let pairs: Vec<[u32; 2]> = overlapping.map(|other| [i as u32, other[2] as u32]).collect();
+            visit(&pairs)?;
         }
-        pairs.sort_unstable();
-        pairs
+        ControlFlow::Continue(())
     }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        self.between(boxes, boxes, |pairs| {
+            let once: Vec<[u32; 2]> = pairs.iter().copied().filter(|[i, j]| i < j).collect();
+            visit(&once)
+        })
+    }
+}
+
+/// Where each box begins and ends along x during the step, and its index, sorted.
+fn intervals(boxes: &Boxes) -> Vec<[f64; 3]> {
+    let interval = |(id, [start, end]): (u32, [ccd_mesh::Bounds; 2])| {
+        let swept = start.union(&end);
+        [swept.lower[0], swept.upper[0], f64::from(id)]
+    };
+    let mut intervals: Vec<_> = boxes.iter().map(interval).collect();
+    intervals.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    intervals
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -39,12 +63,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (start, end) = files.next().zip(files.next()).ok_or("expected START END")?;
 
     let motion = Motion::read(start, end)?;
-    let candidates = Candidates::new(motion.step()?, &SortAndSweep);
-    let total = candidates.counts().total();
     let done = AtomicUsize::new(0);
-    let report = StepReport::new(&candidates, &|count| {
+    let report = StepReport::new(motion.step()?, &SortedAlongX, &|count| {
         let done = done.fetch_add(count, Ordering::Relaxed) + count;
-        println!("{done} of {total} candidates");
+        if count > 0 {
+            println!("{done} candidates");
+        }
     });
     println!("{report:#?}");
     Ok(())

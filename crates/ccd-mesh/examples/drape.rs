@@ -129,7 +129,7 @@ fn unit([x, y, z]: Point) -> Point {
 mod tests {
     use std::path::Path;
 
-    use ccd_mesh::{Bvh, Candidates, Motion, StepReport};
+    use ccd_mesh::{Bvh, Motion, StepReport};
 
     use super::*;
 
@@ -141,8 +141,7 @@ mod tests {
 
     fn report(end: &str) -> StepReport {
         let motion = Motion::read(committed("drape_start.ply"), committed(end)).unwrap();
-        let candidates = Candidates::new(motion.step().unwrap(), &Bvh);
-        StepReport::new(&candidates, &|_| ())
+        StepReport::new(motion.step().unwrap(), &Bvh, &|_| ())
     }
 
     #[test]

@@ -2,12 +2,13 @@
 
 use exact_ccd::Point;
 
-use crate::contacts::EarliestContact;
+use crate::broad_phase::Bvh;
+use crate::earliest::EarliestContact;
 use crate::frame::Frame;
 use crate::intersections::{Intersection, intersections};
 use crate::mesh::TriangleMesh;
 use crate::motion::MotionError;
-use crate::step::{StepError, step};
+use crate::step::{Step, StepError};
 
 /// Examines frames of a mesh one after the other, between which vertices move in straight lines.
 ///
@@ -110,8 +111,6 @@ fn contact(
     x0: &[Point],
     x1: &[Point],
 ) -> Result<Option<Violation>, StepError> {
-    let report = step(mesh, x0, x1)?;
-    Ok(report
-        .earliest
-        .map(|contact| Violation::Contact { frame, contact }))
+    let contact = Step::new(mesh, x0, x1)?.earliest_contact(&Bvh);
+    Ok(contact.map(|contact| Violation::Contact { frame, contact }))
 }

@@ -1,11 +1,16 @@
 //! The pairs of primitives that come near each other in a step.
 
+use std::ops::ControlFlow;
+
+use exact_ccd::{PointTriangle, SegmentSegment};
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::broad_phase::BroadPhase;
+use crate::broad_phase::{BroadPhase, Found};
+use crate::kind::PairKind;
 use crate::pair::PairCounts;
 use crate::step::Step;
+use crate::step_boxes::StepBoxes;
 
 /// The pairs of primitives whose boxes over the step overlap, without those that share a vertex.
 ///
@@ -21,26 +26,16 @@ impl<'a> Candidates<'a> {
     /// The candidates of a step.
     #[must_use]
     pub fn new(step: Step<'a>, broad_phase: &impl BroadPhase) -> Self {
-        let [x0, x1] = step.positions();
-        let (faces, edges) = (step.mesh().faces(), step.mesh().edges());
-
-        let swept = |(&a, &b)| Bounds::of(a).union(&Bounds::of(b));
-        let vertex_boxes: Vec<Bounds> = x0.par_iter().zip(x1).map(swept).collect();
-        let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(&vertex_boxes, face)).collect();
-        let vertex_face = broad_phase.between(&vertex_boxes, &face_boxes, |vertex, face| {
-            !faces[face as usize].contains(&vertex)
-        });
-
-        let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(&vertex_boxes, edge)).collect();
-        let edge_edge = broad_phase.within(&edge_boxes, |a, b| {
-            let other = edges[b as usize];
-            edges[a as usize].iter().all(|vertex| !other.contains(vertex))
-        });
-
+        let [vertex_face, edge_edge] = [Found::default(), Found::default()];
+        let _ = Overlaps::new(step).visit(
+            broad_phase,
+            |pairs| vertex_face.keep(pairs.iter().copied()),
+            |pairs| edge_edge.keep(pairs.iter().copied()),
+        );
         Self {
             step,
-            vertex_face,
-            edge_edge,
+            vertex_face: vertex_face.sorted(),
+            edge_edge: edge_edge.sorted(),
         }
     }
 
@@ -69,6 +64,69 @@ impl<'a> Candidates<'a> {
             vertex_face: self.vertex_face.len(),
             edge_edge: self.edge_edge.len(),
         }
+    }
+}
+
+/// The candidates of a step as they are found.
+pub(crate) struct Overlaps<'a> {
+    step: Step<'a>,
+    boxes: StepBoxes,
+    vertices: Vec<Bounds>,
+    faces: Vec<Bounds>,
+    edges: Vec<Bounds>,
+}
+
+impl<'a> Overlaps<'a> {
+    pub(crate) fn new(step: Step<'a>) -> Self {
+        let [x0, x1] = step.positions();
+        let swept = |(&a, &b)| Bounds::of(a).union(&Bounds::of(b));
+        let vertices: Vec<Bounds> = x0.par_iter().zip(x1).map(swept).collect();
+        let mesh = step.mesh();
+        Self {
+            step,
+            boxes: StepBoxes::swept(&step),
+            faces: mesh
+                .faces()
+                .par_iter()
+                .map(|face| around(&vertices, face))
+                .collect(),
+            edges: mesh
+                .edges()
+                .par_iter()
+                .map(|edge| around(&vertices, edge))
+                .collect(),
+            vertices,
+        }
+    }
+
+    /// Hands on the candidates of either kind, some at a time.
+    pub(crate) fn visit(
+        &self,
+        broad_phase: &impl BroadPhase,
+        vertex_face: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+        edge_edge: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        let StepBoxes {
+            vertices,
+            faces,
+            edges,
+            ..
+        } = &self.boxes;
+        broad_phase.between(vertices, faces, |pairs| {
+            vertex_face(&self.among::<PointTriangle>(&self.vertices, &self.faces, pairs))
+        })?;
+        broad_phase.within(edges, |pairs| {
+            edge_edge(&self.among::<SegmentSegment>(&self.edges, &self.edges, pairs))
+        })
+    }
+
+    /// The pairs whose boxes overlap before they are rounded.
+    fn among<K: PairKind>(&self, a: &[Bounds], b: &[Bounds], pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
+        let overlap = |ids: &&[u32; 2]| {
+            K::vertices(self.step.mesh(), **ids).is_some_and(|four| K::are_apart(&four))
+                && a[ids[0] as usize].overlaps(&b[ids[1] as usize])
+        };
+        pairs.iter().filter(overlap).copied().collect()
     }
 }
 

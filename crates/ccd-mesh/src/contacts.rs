@@ -1,21 +1,22 @@
-//! The contacts among the candidates of a step.
+//! All contacts of a step, counted.
 
-use std::cmp::Ordering;
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
 
-use exact_ccd::{ContactTime, Impact, Kind, Query};
-use rayon::prelude::*;
+use exact_ccd::{ContactTime, PointTriangle, SegmentSegment};
 
-use crate::candidates::Candidates;
+use crate::broad_phase::BroadPhase;
+use crate::candidates::Overlaps;
+use crate::earliest::{EarliestContact, earlier};
+use crate::kind::PairKind;
+use crate::narrow_phase::NarrowPhase;
 use crate::pair::{Pair, PairCounts};
 use crate::step::Step;
-
-/// How many candidates a thread takes at a time.
-const CHUNK: usize = 1024;
 
 /// What happens in a step of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StepReport {
-    /// How many pairs of primitives were examined.
+    /// How many pairs of primitives came near each other; see [`Candidates`](crate::Candidates).
     pub candidates: PairCounts,
     /// How many of them are in contact at some time of the step.
     pub colliding: PairCounts,
@@ -25,46 +26,32 @@ pub struct StepReport {
     pub earliest: Option<EarliestContact>,
 }
 
-/// The earliest contact of a step.
-///
-/// Among contacts whose times lie between the same two adjacent f64, or are the same f64, it is that of the least [`Pair`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EarliestContact {
-    /// What touches.
-    pub pair: Pair,
-    /// When and where.
-    pub impact: Impact,
-}
-
 impl StepReport {
-    /// Examines the candidates of a step.
+    /// Examines all candidates of a step, as the broad phase finds them: no list of them is kept.
     ///
     /// Calls `progress`, on any thread, with the number of candidates that it has finished since the last call there.
     #[must_use]
-    pub fn new(candidates: &Candidates<'_>, progress: &(dyn Fn(usize) + Sync)) -> Self {
-        let step = candidates.step();
-        let vertex_face = Contacts::among(
-            candidates.vertex_face(),
-            |[vertex, face]| step.vertex_face(vertex, face),
-            |[vertex, face]| Pair::VertexFace { vertex, face },
-            progress,
+    pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
+        let overlaps = Overlaps::new(step);
+        let narrow_phase = NarrowPhase::new(&step);
+        let [vertex_face, edge_edge] = [Mutex::default(), Mutex::default()];
+        let _ = overlaps.visit(
+            broad_phase,
+            |pairs| Contacts::among::<PointTriangle>(&narrow_phase, pairs, &vertex_face, progress),
+            |pairs| Contacts::among::<SegmentSegment>(&narrow_phase, pairs, &edge_edge, progress),
         );
-        let edge_edge = Contacts::among(
-            candidates.edge_edge(),
-            |[a, b]| step.edge_edge(a, b),
-            |[a, b]| Pair::EdgeEdge { a, b },
-            progress,
-        );
+        let [vertex_face, edge_edge] = [vertex_face, edge_edge]
+            .map(|contacts: Mutex<Contacts>| contacts.into_inner().unwrap_or_else(PoisonError::into_inner));
         let counts = |count: fn(&Contacts) -> usize| PairCounts {
             vertex_face: count(&vertex_face),
             edge_edge: count(&edge_edge),
         };
         Self {
-            candidates: candidates.counts(),
+            candidates: counts(|contacts| contacts.candidates),
             colliding: counts(|contacts| contacts.colliding),
             touching: counts(|contacts| contacts.touching),
             earliest: earlier(vertex_face.earliest, edge_edge.earliest)
-                .and_then(|(_, pair)| impact(&step, pair).map(|impact| EarliestContact { pair, impact })),
+                .and_then(|(_, pair)| EarliestContact::of(&step, pair)),
         }
     }
 
@@ -84,57 +71,42 @@ impl StepReport {
 /// The contacts among some candidates of one kind.
 #[derive(Clone, Copy, Default)]
 struct Contacts {
+    candidates: usize,
     colliding: usize,
     touching: usize,
     earliest: Option<(ContactTime, Pair)>,
 }
 
 impl Contacts {
-    fn among<K: Kind>(
+    fn among<K: PairKind>(
+        narrow_phase: &NarrowPhase<'_>,
         candidates: &[[u32; 2]],
-        query: impl Fn([u32; 2]) -> Option<Query<K>> + Sync,
-        pair: impl Fn([u32; 2]) -> Pair + Sync,
+        all: &Mutex<Self>,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Self {
-        candidates
-            .par_chunks(CHUNK)
-            .map(|chunk| {
-                let mut contacts = Self::default();
-                for &ids in chunk {
-                    // Most candidates are not in contact, and to decide that is cheaper than to look for times.
-                    let Some(query) = query(ids).filter(Query::collides) else {
-                        continue;
-                    };
-                    contacts.colliding += 1;
-                    if let Some(time) = query.contact_times().first() {
-                        contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
-                        contacts.earliest = earlier(contacts.earliest, Some((time, pair(ids))));
-                    }
-                }
-                progress(chunk.len());
-                contacts
-            })
-            .reduce(Self::default, Self::merge)
+    ) -> ControlFlow<()> {
+        let mut contacts = Self {
+            candidates: candidates.len(),
+            ..Self::default()
+        };
+        narrow_phase.collisions::<K>(candidates, |ids, query| {
+            contacts.colliding += 1;
+            if let Some(time) = query.contact_times().first() {
+                contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
+                contacts.earliest = earlier(contacts.earliest, Some((time, K::pair(ids))));
+            }
+        });
+        let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+        *all = all.merge(contacts);
+        progress(candidates.len());
+        ControlFlow::Continue(())
     }
 
     fn merge(self, other: Self) -> Self {
         Self {
+            candidates: self.candidates + other.candidates,
             colliding: self.colliding + other.colliding,
             touching: self.touching + other.touching,
             earliest: earlier(self.earliest, other.earliest),
         }
-    }
-}
-
-fn earlier(a: Option<(ContactTime, Pair)>, b: Option<(ContactTime, Pair)>) -> Option<(ContactTime, Pair)> {
-    a.into_iter()
-        .chain(b)
-        .min_by(|(s, p), (t, q)| s.partial_cmp(t).unwrap_or(Ordering::Equal).then(p.cmp(q)))
-}
-
-fn impact(step: &Step<'_>, pair: Pair) -> Option<Impact> {
-    match pair {
-        Pair::VertexFace { vertex, face } => step.vertex_face(vertex, face)?.impact(),
-        Pair::EdgeEdge { a, b } => step.edge_edge(a, b)?.impact(),
     }
 }

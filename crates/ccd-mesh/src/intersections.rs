@@ -4,8 +4,7 @@ use exact_ccd::{EdgeFace, Point};
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::broad_phase::BroadPhase;
-use crate::bvh::Bvh;
+use crate::broad_phase::{Boxes, BroadPhase, Bvh, Found};
 use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
 
@@ -42,29 +41,23 @@ pub struct Intersection {
 /// [`PositionsError`] says which positions are too many, too few or not finite.
 pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Intersection>, PositionsError> {
     positions::check(mesh, positions)?;
-    let meets = |&[edge, face]: &[u32; 2]| {
-        let point = |vertex: u32| positions[vertex as usize];
-        let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
-        // All positions are finite.
-        EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
-    };
-    Ok(candidates(mesh, positions)
-        .into_par_iter()
-        .filter(meets)
-        .map(|[edge, face]| Intersection { edge, face })
-        .collect())
-}
-
-/// The pairs of an edge and a face without a common vertex whose boxes overlap, sorted.
-fn candidates(mesh: &TriangleMesh, positions: &[Point]) -> Vec<[u32; 2]> {
     let (edges, faces) = (mesh.edges(), mesh.faces());
-    let around = |vertices: &[u32]| -> Bounds { vertices.iter().map(|&v| positions[v as usize]).collect() };
+    let point = |vertex: u32| positions[vertex as usize];
+    let meet = |&[edge, face]: &[u32; 2]| {
+        let (ends, corners) = (edges[edge as usize], faces[face as usize]);
+        ends.iter().all(|end| !corners.contains(end))
+            // All positions are finite.
+            && EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
+    };
+    let around = |vertices: &[u32]| -> Bounds { vertices.iter().map(|&vertex| point(vertex)).collect() };
     let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
     let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
-    Bvh.between(&edge_boxes, &face_boxes, |edge, face| {
-        let corners = faces[face as usize];
-        edges[edge as usize]
-            .iter()
-            .all(|vertex| !corners.contains(vertex))
-    })
+    let found = Found::default();
+    let _ = Bvh.between(
+        &Boxes::at_rest(&edge_boxes),
+        &Boxes::at_rest(&face_boxes),
+        |pairs| found.keep(pairs.iter().copied().filter(meet)),
+    );
+    let pairs = found.sorted().into_iter();
+    Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
 }

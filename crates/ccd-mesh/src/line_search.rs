@@ -4,9 +4,8 @@ use exact_ccd::parity::Rounded;
 use exact_ccd::{EdgeEdge, Point, VertexFace};
 use rayon::prelude::*;
 
-use crate::bvh::Bvh;
+use crate::broad_phase::Bvh;
 use crate::candidates::Candidates;
-use crate::contacts::StepReport;
 use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
 use crate::step::{Step, StepError};
@@ -113,20 +112,19 @@ pub fn step_size(
     positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
     let end = advance(start, direction, 1.0);
     let full = Step::new(mesh, start, &end)?;
-    // Rounding is monotone: on the way to a smaller step no coordinate leaves the box of the full one.
-    let candidates = Candidates::new(full, &Bvh);
-    let is_free = |size: f64, decision: &dyn Decision| -> Result<bool, StepError> {
-        let end = advance(start, direction, size);
-        Ok(is_free(&candidates, Step::new(mesh, start, &end)?, decision))
-    };
     match search {
         LineSearch::Exact => {
-            let Some(impact) = StepReport::new(&candidates, &|_| ()).time_of_impact() else {
+            let is_free = |size: f64| -> Result<bool, StepError> {
+                let end = advance(start, direction, size);
+                Ok(Step::new(mesh, start, &end)?.is_free(&Bvh))
+            };
+            let Some(contact) = full.earliest_contact(&Bvh) else {
                 return Ok(1.0);
             };
+            let impact = contact.impact.time.lower();
             let mut size = impact;
             let mut retreat = impact - impact.next_down();
-            while size > 0.0 && !is_free(size, &ExactDecision)? {
+            while size > 0.0 && !is_free(size)? {
                 size = (impact - retreat).max(0.0);
                 retreat *= 2.0;
             }
@@ -136,6 +134,12 @@ pub fn step_size(
             if tolerance.is_nan() || tolerance <= 0.0 {
                 return Err(LineSearchError::Tolerance(tolerance));
             }
+            // Rounding is monotone: on the way to a smaller step no coordinate leaves the box of the full one.
+            let candidates = Candidates::new(full, &Bvh);
+            let is_free = |size: f64, decision: &dyn Decision| -> Result<bool, StepError> {
+                let end = advance(start, direction, size);
+                Ok(is_free(&candidates, Step::new(mesh, start, &end)?, decision))
+            };
             if is_free(1.0, decision)? {
                 return Ok(1.0);
             }

@@ -2,8 +2,7 @@
 
 use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 
-use crate::bvh::Bvh;
-use crate::candidates::Candidates;
+use crate::broad_phase::Bvh;
 use crate::contacts::StepReport;
 use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
@@ -29,8 +28,9 @@ pub enum StepError {
 /// Looks for the contacts of a mesh with itself in one time step.
 ///
 /// `x0` and `x1` are the positions of the vertices at t = 0 and t = 1. Pairs of primitives that share a vertex always
-/// touch and are left out. To see progress, or to use another broad phase, call [`Candidates::new`] and
-/// [`StepReport::new`] in turn, as this function does.
+/// touch and are left out. To see progress, or to use another broad phase, call [`StepReport::new`], as this function
+/// does; if only the earliest contact is wanted, or only whether there is one, [`Step::earliest_contact`] and
+/// [`Step::is_free`] are faster.
 ///
 /// ```
 /// use ccd_mesh::{Pair, TriangleMesh, step};
@@ -51,8 +51,7 @@ pub enum StepError {
 /// [`StepError`] says which positions are too many, too few or not finite.
 pub fn step(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> Result<StepReport, StepError> {
     let step = Step::new(mesh, x0, x1)?;
-    let candidates = Candidates::new(step, &Bvh);
-    Ok(StepReport::new(&candidates, &|_| ()))
+    Ok(StepReport::new(step, &Bvh, &|_| ()))
 }
 
 impl<'a> Step<'a> {

@@ -1,40 +1,86 @@
-//! Every broad phase finds exactly the pairs of boxes that overlap, in order.
+//! Every broad phase finds exactly the pairs of boxes that meet.
 
-use ccd_mesh::{AllPairs, Bounds, BroadPhase, Bvh, Point};
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use ccd_mesh::{AllPairs, Bounds, Boxes, BroadPhase, Bvh, Point, Sweep};
 use proptest::prelude::*;
 
-/// The pairs of overlapping boxes, by definition.
-fn between(a: &[Bounds], b: &[Bounds], keep: impl Fn(u32, u32) -> bool) -> Vec<[u32; 2]> {
-    let meet = |p: &Bounds, q: &Bounds| {
-        (0..3).all(|k| f64::max(p.lower[k], q.lower[k]) <= f64::min(p.upper[k], q.upper[k]))
+/// A box at both ends of a step.
+type Moving = [Bounds; 2];
+
+/// Whether no axis separates two boxes the same way round at both times, by definition.
+fn meet([p0, p1]: &Moving, [q0, q1]: &Moving) -> bool {
+    let separates = |k: usize| {
+        let before = |a: &Bounds, b: &Bounds| a.upper[k] < b.lower[k];
+        (before(p0, q0) && before(p1, q1)) || (before(q0, p0) && before(q1, p1))
     };
-    let mut pairs = Vec::new();
-    for (i, p) in a.iter().enumerate() {
-        for (j, q) in b.iter().enumerate() {
-            if meet(p, q) && keep(i as u32, j as u32) {
-                pairs.push([i as u32, j as u32]);
-            }
-        }
-    }
-    pairs
+    !(0..3).any(separates)
 }
 
-/// Keeps two pairs in three, without any order.
-fn keep(i: u32, j: u32) -> bool {
-    !(5 * i + 7 * j).is_multiple_of(3)
+/// The boxes by their indices.
+fn by_index(boxes: &Boxes) -> Vec<Moving> {
+    let mut sorted: Vec<_> = boxes.iter().collect();
+    sorted.sort_by_key(|(id, _)| *id);
+    assert!(sorted.iter().enumerate().all(|(i, (id, _))| i == *id as usize));
+    sorted.into_iter().map(|(_, moving)| moving).collect()
 }
 
-fn assert_finds_all(broad_phase: &impl BroadPhase, a: &[Bounds], b: &[Bounds]) {
-    assert_eq!(broad_phase.between(a, b, |_, _| true), between(a, b, |_, _| true));
-    assert_eq!(broad_phase.between(a, b, keep), between(a, b, keep));
-    let once = |i, j| i < j && keep(i, j);
-    assert_eq!(broad_phase.within(a, keep), between(a, a, once));
+/// The pairs of boxes that meet, by definition.
+fn pairs(a: &[Moving], b: &[Moving]) -> Vec<[u32; 2]> {
+    let ids = |boxes: &[Moving]| 0..boxes.len() as u32;
+    ids(a)
+        .flat_map(|i| ids(b).map(move |j| [i, j]))
+        .filter(|&[i, j]| meet(&a[i as usize], &b[j as usize]))
+        .collect()
 }
 
-fn assert_all_find_all(a: &[Bounds], b: &[Bounds]) {
+fn sorted(
+    find: impl Fn(&(dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)) -> ControlFlow<()>,
+) -> Vec<[u32; 2]> {
+    let found = Mutex::new(Vec::new());
+    let flow = find(&|pairs| {
+        found.lock().unwrap().extend_from_slice(pairs);
+        ControlFlow::Continue(())
+    });
+    assert!(flow.is_continue());
+    let mut found = found.into_inner().unwrap();
+    found.sort_unstable();
+    found
+}
+
+fn between(broad_phase: &impl BroadPhase, a: &Boxes, b: &Boxes) -> Vec<[u32; 2]> {
+    sorted(|visit| broad_phase.between(a, b, visit))
+}
+
+fn within(broad_phase: &impl BroadPhase, boxes: &Boxes) -> Vec<[u32; 2]> {
+    sorted(|visit| broad_phase.within(boxes, visit))
+}
+
+fn assert_finds_all(broad_phase: &impl BroadPhase, a: &[Moving], b: &[Moving]) {
+    let [coarse_a, coarse_b] = [a, b].map(Boxes::new);
+    let [rounded_a, rounded_b] = [&coarse_a, &coarse_b].map(by_index);
+    let found = between(broad_phase, &coarse_a, &coarse_b);
+    assert_eq!(found, pairs(&rounded_a, &rounded_b));
+    // Rounding does not lose any.
+    assert!(pairs(a, b).iter().all(|pair| found.binary_search(pair).is_ok()));
+    let once = pairs(&rounded_a, &rounded_a).into_iter().filter(|[i, j]| i < j);
+    assert_eq!(within(broad_phase, &coarse_a), once.collect::<Vec<_>>());
+}
+
+fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
     assert_finds_all(&AllPairs, a, b);
     assert_finds_all(&Bvh, a, b);
     assert_finds_all(&Bvh, b, a);
+    assert_finds_all(&Sweep, a, b);
+    assert_finds_all(&Sweep, b, a);
+}
+
+fn at_rest(bounds: Bounds) -> Moving {
+    [bounds, bounds]
 }
 
 fn around(p: Point, q: Point) -> Bounds {
@@ -64,11 +110,20 @@ fn bounds() -> impl Strategy<Value = Bounds> {
     ]
 }
 
+fn moving() -> impl Strategy<Value = Moving> {
+    prop_oneof![
+        bounds().prop_map(at_rest),
+        (bounds(), bounds()).prop_map(|(start, end)| [start, end]),
+    ]
+}
+
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn random_boxes(
-        a in prop::collection::vec(bounds(), 0..150),
-        b in prop::collection::vec(bounds(), 0..150),
+        a in prop::collection::vec(moving(), 0..150),
+        b in prop::collection::vec(moving(), 0..150),
     ) {
         assert_all_find_all(&a, &b);
     }
@@ -76,7 +131,7 @@ proptest! {
 
 #[test]
 fn no_boxes() {
-    let one = [Bounds::of([0.0; 3])];
+    let one = [at_rest(Bounds::of([0.0; 3]))];
     assert_all_find_all(&[], &[]);
     assert_all_find_all(&one, &[]);
     assert_all_find_all(&[], &one);
@@ -87,56 +142,92 @@ fn boxes_that_touch_in_a_face_an_edge_a_corner() {
     let unit = around([0.0; 3], [1.0; 3]);
     let touching =
         [[1.0, 0.0, 0.0], [1.0, -1.0, 0.5], [-1.0, 1.0, 1.0]].map(|p| around(p, p.map(|x| x + 1.0)));
-    let apart = around([1.0_f64.next_up(), 0.0, 0.0], [2.0; 3]);
-    let others = [touching[0], touching[1], apart, touching[2]];
-    for pairs in [
-        Bvh.between(&[unit], &others, |_, _| true),
-        AllPairs.between(&[unit], &others, |_, _| true),
-    ] {
-        assert_eq!(pairs, [[0, 0], [0, 1], [0, 3]]);
+    let apart = around([1.0 + 1e-6, 0.0, 0.0], [2.0; 3]);
+    let unit = Boxes::at_rest(&[unit]);
+    let others = Boxes::at_rest(&[touching[0], touching[1], apart, touching[2]]);
+    for found in [between(&Bvh, &unit, &others), between(&AllPairs, &unit, &others)] {
+        assert_eq!(found, [[0, 0], [0, 1], [0, 3]]);
     }
 }
 
 #[test]
+fn boxes_that_pass_each_other_may_meet_and_boxes_that_move_alike_do_not() {
+    let at = |x: f64| around([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
+    let swaps = Boxes::new(&[[at(0.0), at(5.0)], [at(5.0), at(0.0)]]);
+    let follows = Boxes::new(&[[at(0.0), at(5.0)], [at(2.0), at(7.0)]]);
+    assert_eq!(within(&Bvh, &swaps), [[0, 1]]);
+    assert_eq!(within(&Bvh, &follows), Vec::<[u32; 2]>::new());
+}
+
+#[test]
 fn both_zeros_are_one_point() {
-    let zeros = [[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(Bounds::of);
-    assert_eq!(Bvh.within(&zeros, |_, _| true), [[0, 1]]);
-    assert_eq!(AllPairs.within(&zeros, |_, _| true), [[0, 1]]);
+    let zeros = Boxes::at_rest(&[[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(Bounds::of));
+    assert_eq!(within(&Bvh, &zeros), [[0, 1]]);
+    assert_eq!(within(&Sweep, &zeros), [[0, 1]]);
+    assert_eq!(within(&AllPairs, &zeros), [[0, 1]]);
 }
 
 #[test]
 fn identical_boxes_all_overlap() {
-    let boxes = vec![around([1.0, -2.0, 0.1], [1.0, 5.0, 0.1]); 300];
-    assert_eq!(Bvh.within(&boxes, |_, _| true).len(), 300 * 299 / 2);
+    let boxes = vec![at_rest(around([1.0, -2.0, 0.1], [1.0, 5.0, 0.1])); 300];
+    assert_eq!(within(&Bvh, &Boxes::new(&boxes)).len(), 300 * 299 / 2);
     assert_all_find_all(&boxes, &boxes);
 }
 
 #[test]
 fn boxes_of_all_sizes() {
     let size = |exponent: i32| 2.0_f64.powi(exponent);
-    let nested = (-1000..1000).step_by(7).map(|e| around([0.0; 3], [size(e); 3]));
+    let nested = (-1000..1000)
+        .step_by(7)
+        .map(|e| at_rest(around([0.0; 3], [size(e); 3])));
     let apart = (-1000..1000)
         .step_by(7)
-        .map(|e| around([size(e); 3], [1.5 * size(e); 3]));
+        .map(|e| at_rest(around([size(e); 3], [1.5 * size(e); 3])));
     let (nested, apart): (Vec<_>, Vec<_>) = (nested.collect(), apart.collect());
     assert_all_find_all(&nested, &apart);
-    assert_eq!(Bvh.within(&apart, |_, _| true), Vec::<[u32; 2]>::new());
+}
+
+/// A lattice of boxes that overlap their neighbours.
+fn lattice() -> Vec<Moving> {
+    let lattice = |i: u32| [i % 11, i / 11 % 11, i / 121].map(f64::from);
+    (0..1331)
+        .map(|i| at_rest(around(lattice(i), lattice(i).map(|x| x + 1.25))))
+        .collect()
 }
 
 #[test]
 fn the_pairs_are_the_same_on_any_number_of_threads() {
-    // A lattice of boxes that overlap their neighbours.
-    let lattice = |i: u32| [i % 11, i / 11 % 11, i / 121].map(f64::from);
-    let boxes: Vec<Bounds> = (0..1331)
-        .map(|i| around(lattice(i), lattice(i).map(|x| x + 1.25)))
-        .collect();
-    let expected = between(&boxes, &boxes, keep);
+    let moving = lattice();
+    let expected = pairs(&moving, &moving);
     for threads in [1, 2, 5] {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
             .unwrap();
-        assert_eq!(pool.install(|| Bvh.between(&boxes, &boxes, keep)), expected);
-        assert_eq!(pool.install(|| AllPairs.between(&boxes, &boxes, keep)), expected);
+        let found = pool.install(|| {
+            let boxes = Boxes::new(&moving);
+            [between(&Bvh, &boxes, &boxes), between(&Sweep, &boxes, &boxes)]
+        });
+        assert_eq!(found, [expected.clone(), expected.clone()]);
     }
+}
+
+#[test]
+fn a_break_ends_the_search() {
+    let boxes = Boxes::new(&lattice());
+    fn calls(find: impl Fn(&(dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)) -> ControlFlow<()>) -> usize {
+        let calls = AtomicUsize::new(0);
+        let flow = find(&|_| {
+            calls.fetch_add(1, Ordering::Relaxed);
+            ControlFlow::Break(())
+        });
+        assert!(flow.is_break());
+        calls.into_inner()
+    }
+    // Each thread may have one call under way.
+    let threads = rayon::current_num_threads();
+    assert!(calls(|visit| Bvh.within(&boxes, visit)) <= threads);
+    assert!(calls(|visit| Bvh.between(&boxes, &boxes, visit)) <= threads);
+    assert!(calls(|visit| Sweep.within(&boxes, visit)) <= threads);
+    assert_eq!(calls(|visit| AllPairs.within(&boxes, visit)), 1);
 }

@@ -2,10 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use ccd_mesh::{
-    AllPairs, Bounds, BroadPhase, Bvh, Candidates, Motion, Pair, PairCounts, Point, Step, StepReport,
+    AllPairs, Boxes, BroadPhase, Bvh, Candidates, Motion, Pair, PairCounts, Point, Step, StepReport, Sweep,
     TriangleMesh, step,
 };
 use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexFace, exact};
@@ -17,8 +18,7 @@ fn motion(x0: Vec<Point>, x1: Vec<Point>, faces: Vec<[u32; 3]>) -> Motion {
 }
 
 fn report(motion: &Motion, broad_phase: &impl BroadPhase) -> StepReport {
-    let candidates = Candidates::new(motion.step().unwrap(), broad_phase);
-    StepReport::new(&candidates, &|_| ())
+    StepReport::new(motion.step().unwrap(), broad_phase, &|_| ())
 }
 
 /// What is said of a step by the integers, asked about every pair that has no common vertex.
@@ -118,6 +118,39 @@ fn small_motion() -> impl Strategy<Value = Motion> {
         .prop_map(|(x0, x1, faces)| motion(x0, x1, faces))
 }
 
+/// Triangles that fly through each other, far from the origin, at speeds of all magnitudes.
+fn soup() -> impl Strategy<Value = Motion> {
+    let triangle = || {
+        let vector = || prop::array::uniform3(-1.0..1.0);
+        let exponent = -40..=4;
+        (vector(), vector(), vector(), vector(), exponent).prop_map(|(at, u, v, velocity, exponent)| {
+            let (size, speed) = (0.2, 2.0_f64.powi(exponent));
+            let corner = |offset: Point| -> [Point; 2] {
+                let start = [0, 1, 2].map(|k: usize| 1000.0 + at[k] + size * offset[k]);
+                [start, [0, 1, 2].map(|k: usize| start[k] + speed * velocity[k])]
+            };
+            [corner([0.0; 3]), corner(u), corner(v)]
+        })
+    };
+    prop::collection::vec(triangle(), 2..60).prop_map(|triangles| {
+        let corners: Vec<[Point; 2]> = triangles.concat();
+        let faces = (0..triangles.len() as u32).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
+        let at = |time: usize| corners.iter().map(|ends| ends[time]).collect();
+        motion(at(0), at(1), faces.collect())
+    })
+}
+
+fn assert_searches_agree(motion: &Motion, report: &StepReport) {
+    fn check(step: Step<'_>, broad_phase: &impl BroadPhase, report: &StepReport) {
+        assert_eq!(step.earliest_contact(broad_phase), report.earliest);
+        assert_eq!(step.is_free(broad_phase), report.is_free());
+    }
+    let step = motion.step().unwrap();
+    check(step, &Bvh, report);
+    check(step, &Sweep, report);
+    check(step, &AllPairs, report);
+}
+
 proptest! {
     #[test]
     fn a_report_is_what_every_pair_says(motion in small_motion()) {
@@ -139,6 +172,12 @@ proptest! {
         prop_assert_eq!(report.earliest.map(|earliest| earliest.impact), truth.earliest.map(|(_, impact)| impact));
 
         prop_assert_eq!(self::report(&motion, &AllPairs), report);
+        assert_searches_agree(&motion, &report);
+    }
+
+    #[test]
+    fn the_earliest_contact_is_that_of_the_report(motion in soup()) {
+        assert_searches_agree(&motion, &report(&motion, &Bvh));
     }
 
     #[test]
@@ -176,7 +215,11 @@ fn the_report_is_the_same_on_any_number_of_threads() {
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| report(&motion, &Bvh))
+        pool.install(|| {
+            let report = report(&motion, &Bvh);
+            assert_searches_agree(&motion, &report);
+            report
+        })
     });
     // Enough for every thread to have its share.
     assert!(reports[0].candidates.vertex_face > 10_000 && reports[0].candidates.edge_edge > 10_000);
@@ -236,9 +279,8 @@ fn no_mesh_is_free() {
 #[test]
 fn progress_adds_up_to_the_candidates() {
     let motion = falling_sheet();
-    let candidates = Candidates::new(motion.step().unwrap(), &Bvh);
     let done = AtomicUsize::new(0);
-    let report = StepReport::new(&candidates, &|count| {
+    let report = StepReport::new(motion.step().unwrap(), &Bvh, &|count| {
         done.fetch_add(count, Ordering::Relaxed);
     });
     assert_eq!(done.into_inner(), report.candidates.total());
@@ -305,14 +347,30 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
 struct Nonsense;
 
 impl BroadPhase for Nonsense {
-    fn between(&self, a: &[Bounds], b: &[Bounds], _: impl Fn(u32, u32) -> bool + Sync) -> Vec<[u32; 2]> {
-        vec![[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]]
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        visit(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
+    }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        self.between(boxes, boxes, visit)
     }
 }
 
 #[test]
 fn nonsense_from_a_broad_phase_is_no_contact() {
-    assert!(report(&falling_sheet(), &Nonsense).is_free());
+    let motion = falling_sheet();
+    assert!(report(&motion, &Nonsense).is_free());
+    assert!(motion.step().unwrap().is_free(&Nonsense));
+    assert_eq!(motion.step().unwrap().earliest_contact(&Nonsense), None);
 }
 
 /// Vertex 3 reaches the face just after t = 1/2, vertex 4 just then: both times round down to 1/2.

@@ -18,6 +18,7 @@ mod simulate;
 mod step;
 mod step_report;
 mod tally;
+mod timed;
 
 use std::io::Write;
 use std::process::ExitCode;

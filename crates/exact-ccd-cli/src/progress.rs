@@ -14,10 +14,9 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// The time between two pictures.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// A bar that is full after `total` pairs.
-pub(crate) fn pairs(total: usize) -> ProgressBar {
-    ProgressBar::new(total as u64)
-        .with_style(style("{wide_bar} {human_pos} of {human_len} pairs, {eta} left"))
+/// A count of pairs, nobody knows up to how many.
+pub(crate) fn pairs() -> ProgressBar {
+    ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} pairs"))
 }
 
 /// A bar that is full after `total` frames.

@@ -1,22 +1,47 @@
 //! What `exact-ccd step` prints.
 
 use std::fmt;
+use std::time::Duration;
 
-use ccd_mesh::{Pair, PairCounts, StepReport, TriangleMesh};
+use ccd_mesh::{EarliestContact, Pair, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
 use crate::kind::Kind;
 use crate::shortest::shortest;
 
-/// The answer, in the shape of the JSON object.
+/// What was asked for.
+#[derive(Serialize)]
+#[serde(untagged)]
+pub(crate) enum Answer {
+    /// Whether there is contact.
+    Free(Free),
+    /// The earliest contact.
+    Report(Report),
+}
+
+/// A yes or no, in the shape of the JSON object.
+#[derive(Serialize)]
+pub(crate) struct Free {
+    collision_free: bool,
+    seconds: Seconds,
+}
+
+/// The earliest contact, in the shape of the JSON object.
 #[derive(Serialize)]
 pub(crate) struct Report {
     collision_free: bool,
     toi: Option<f64>,
     pair: Option<ReportedPair>,
+    #[serde(flatten)]
+    counts: Option<Counted>,
+    seconds: Seconds,
+}
+
+/// What is known if all candidates have been examined.
+#[derive(Serialize)]
+struct Counted {
     touching_at_start: usize,
     candidates: Counts,
-    seconds: Seconds,
 }
 
 /// The pair that touches first.
@@ -39,28 +64,76 @@ struct Counts {
 /// How long the phases took.
 #[derive(Serialize)]
 pub(crate) struct Seconds {
-    pub(crate) read: f64,
-    pub(crate) broad: f64,
-    pub(crate) narrow: f64,
-    pub(crate) total: f64,
+    read: f64,
+    broad: f64,
+    narrow: f64,
+    total: f64,
 }
 
-impl Report {
-    pub(crate) fn new(mesh: &TriangleMesh, contacts: &StepReport, seconds: Seconds) -> Self {
+impl Seconds {
+    /// From the times of reading and of all the rest, and the narrow phase's share of that.
+    pub(crate) fn new(read: Duration, rest: Duration, narrow: Duration) -> Self {
+        let [read, rest, narrow] = [read, rest, narrow].map(|time| time.as_secs_f64());
         Self {
-            collision_free: contacts.is_free(),
-            toi: contacts.time_of_impact(),
-            pair: contacts
-                .earliest
-                .map(|earliest| ReportedPair::new(mesh, earliest.pair)),
-            touching_at_start: contacts.touching.total(),
-            candidates: contacts.candidates.into(),
-            seconds,
+            read,
+            broad: (rest - narrow).max(0.0),
+            narrow,
+            total: read + rest,
+        }
+    }
+}
+
+impl Answer {
+    pub(crate) fn is_free(&self) -> bool {
+        match self {
+            Self::Free(Free { collision_free, .. }) | Self::Report(Report { collision_free, .. }) => {
+                *collision_free
+            }
+        }
+    }
+
+    /// How long it took, with reading.
+    pub(crate) fn seconds(&self) -> f64 {
+        match self {
+            Self::Free(Free { seconds, .. }) | Self::Report(Report { seconds, .. }) => seconds.total,
         }
     }
 
     pub(crate) fn to_json(&self) -> String {
         serde_json::to_string(self).expect("numbers and names only")
+    }
+}
+
+impl Free {
+    pub(crate) fn new(collision_free: bool, seconds: Seconds) -> Self {
+        Self {
+            collision_free,
+            seconds,
+        }
+    }
+}
+
+impl Report {
+    /// Of all contacts.
+    pub(crate) fn new(mesh: &TriangleMesh, contacts: &StepReport, seconds: Seconds) -> Self {
+        Self {
+            counts: Some(Counted {
+                touching_at_start: contacts.touching.total(),
+                candidates: contacts.candidates.into(),
+            }),
+            ..Self::earliest(mesh, contacts.earliest, seconds)
+        }
+    }
+
+    /// Of the earliest contact only.
+    pub(crate) fn earliest(mesh: &TriangleMesh, earliest: Option<EarliestContact>, seconds: Seconds) -> Self {
+        Self {
+            collision_free: earliest.is_none(),
+            toi: earliest.map(|contact| contact.impact.time.lower()),
+            pair: earliest.map(|contact| ReportedPair::new(mesh, contact.pair)),
+            counts: None,
+            seconds,
+        }
     }
 }
 
@@ -103,22 +176,49 @@ impl fmt::Display for Report {
             (Some(toi), Some(pair)) => writeln!(f, "contact at t = {}: {pair}", shortest(toi))?,
             _ => writeln!(f, "free of contact")?,
         }
-        let Self {
+        if let Some(Counted {
             candidates,
-            seconds,
             touching_at_start,
-            ..
-        } = self;
-        writeln!(
-            f,
-            "candidates: {} vertex-face pairs, {} edge-edge pairs",
-            candidates.vf, candidates.ee
-        )?;
-        writeln!(f, "touching at t = 0: {touching_at_start} pairs")?;
+        }) = &self.counts
+        {
+            writeln!(
+                f,
+                "candidates: {} vertex-face pairs, {} edge-edge pairs",
+                candidates.vf, candidates.ee
+            )?;
+            writeln!(f, "touching at t = 0: {touching_at_start} pairs")?;
+        }
+        self.seconds.fmt(f)
+    }
+}
+
+impl fmt::Display for Free {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let answer = if self.collision_free {
+            "free of contact"
+        } else {
+            "contact"
+        };
+        writeln!(f, "{answer}")?;
+        self.seconds.fmt(f)
+    }
+}
+
+impl fmt::Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Free(free) => free.fmt(f),
+            Self::Report(report) => report.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for Seconds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
             "seconds: {:.3} reading, {:.3} broad phase, {:.3} narrow phase, {:.3} in total",
-            seconds.read, seconds.broad, seconds.narrow, seconds.total
+            self.read, self.broad, self.narrow, self.total
         )
     }
 }

@@ -18,10 +18,10 @@ pub enum Stage {
     Normals,
     /// The coplanarity cubic has no root in the step.
     Coplanarity,
-    /// A direction found by iteration separates.
-    Direction,
     /// The roots of the coplanarity cubic, and the position of the primitives at each.
     Roots,
+    /// A direction found by iteration separates.
+    Direction,
     /// All points move in one plane across an axis, and the sides of the edges' lines on which the vertices are decide.
     Planar,
     /// The filters do not know: [`exact`](crate::exact).
@@ -35,8 +35,8 @@ impl Stage {
         Self::Diagonals,
         Self::Normals,
         Self::Coplanarity,
-        Self::Direction,
         Self::Roots,
+        Self::Direction,
         Self::Planar,
         Self::Exact,
     ];

@@ -14,6 +14,8 @@ pub struct Side {
     pub vertex: usize,
     /// The edge from x to y.
     pub edge: [usize; 2],
+    /// The corners of the domain of (u, v) at which F is q − x and q − y, or x − q and y − q.
+    pub corners: [usize; 2],
     /// Where (x − q) × (y − q) points when the primitives meet: along the normal if true, against it if not.
     pub along: bool,
     /// The edge of the domain of (u, v) on which the vertex meets the edge: where it meets x, and where y.
@@ -58,10 +60,17 @@ pub struct SegmentSegment;
 impl Kind for PointTriangle {}
 impl Kind for SegmentSegment {}
 
-const fn side(vertex: usize, edge: [usize; 2], along: bool, domain: [[f64; 2]; 2]) -> Side {
+const fn side(
+    vertex: usize,
+    edge: [usize; 2],
+    corners: [usize; 2],
+    along: bool,
+    domain: [[f64; 2]; 2],
+) -> Side {
     Side {
         vertex,
         edge,
+        corners,
         along,
         domain,
     }
@@ -79,9 +88,9 @@ impl Tables for PointTriangle {
     ];
     const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
     const SIDES: &'static [Side] = &[
-        side(0, [1, 2], true, [[0.0, 0.0], [1.0, 0.0]]),
-        side(0, [2, 3], true, [[1.0, 0.0], [0.0, 1.0]]),
-        side(0, [3, 1], true, [[0.0, 1.0], [0.0, 0.0]]),
+        side(0, [1, 2], [0, 1], true, [[0.0, 0.0], [1.0, 0.0]]),
+        side(0, [2, 3], [1, 2], true, [[1.0, 0.0], [0.0, 1.0]]),
+        side(0, [3, 1], [2, 0], true, [[0.0, 1.0], [0.0, 0.0]]),
     ];
     const PARAMETERS: [usize; 2] = [2, 0];
 }
@@ -101,10 +110,10 @@ impl Tables for SegmentSegment {
     ];
     const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
     const SIDES: &'static [Side] = &[
-        side(0, [2, 3], true, [[0.0, 0.0], [0.0, 1.0]]),
-        side(1, [2, 3], false, [[1.0, 0.0], [1.0, 1.0]]),
-        side(2, [0, 1], false, [[0.0, 0.0], [1.0, 0.0]]),
-        side(3, [0, 1], true, [[0.0, 1.0], [1.0, 1.0]]),
+        side(0, [2, 3], [0, 1], true, [[0.0, 0.0], [0.0, 1.0]]),
+        side(1, [2, 3], [2, 3], false, [[1.0, 0.0], [1.0, 1.0]]),
+        side(2, [0, 1], [0, 2], false, [[0.0, 0.0], [1.0, 0.0]]),
+        side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
     ];
     const PARAMETERS: [usize; 2] = [0, 2];
 }

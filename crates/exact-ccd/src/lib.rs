@@ -35,6 +35,7 @@ compile_error!("the error bounds of the filters need f64 arithmetic without exce
 
 extern crate alloc;
 
+pub mod batch;
 mod contact;
 pub mod exact;
 mod filter;

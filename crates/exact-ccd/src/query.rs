@@ -97,6 +97,15 @@ impl<K: Kind> Query<K> {
         }
     }
 
+    /// The query of points that are known to be finite.
+    #[inline]
+    pub(crate) fn from_finite(points: [[Point; 4]; 2]) -> Self {
+        Self {
+            points,
+            kind: PhantomData,
+        }
+    }
+
     /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra` (`Point3<f64>`,
     /// `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) turn into `[f64; 3]`.
     ///

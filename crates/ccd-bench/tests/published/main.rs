@@ -4,6 +4,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+mod batches;
 mod candidates;
 mod columns;
 mod frames;

@@ -1,7 +1,7 @@
 //! The steps of the scenes against a plain loop over all candidates.
 
 use ccd_bench::DataKind;
-use ccd_mesh::{Bvh, Candidates, Pair, PairCounts, Step, StepReport, step};
+use ccd_mesh::{Bvh, Candidates, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step};
 use exact_ccd::{PointTriangle, SegmentSegment, exact};
 use rayon::ThreadPoolBuilder;
 
@@ -86,10 +86,43 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
         let motion = scene.motion().unwrap();
         let [on_one, on_two] = [1, 2].map(|threads| {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| step(&motion.mesh, &motion.x0, &motion.x1))
+            pool.install(|| {
+                let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
+                let step = motion.step().unwrap();
+                for earliest in [step.earliest_contact(&Bvh), step.earliest_contact(&Sweep)] {
+                    assert_eq!(earliest, report.earliest, "{}", scene.name());
+                }
+                assert_eq!(step.is_free(&Bvh), report.is_free(), "{}", scene.name());
+                report
+            })
         });
         assert_eq!(on_one, on_two, "{}", scene.name());
     }
+}
+
+/// Until just before the earliest contact each step is free, and no search finds one.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn a_step_until_before_the_earliest_contact_is_free() {
+    for scene in scenes() {
+        let motion = scene.motion().unwrap();
+        let earliest = motion.step().unwrap().earliest_contact(&Bvh).unwrap();
+        let size = 0.9 * earliest.impact.time.lower();
+        let direction: Vec<_> = motion
+            .x0
+            .iter()
+            .zip(&motion.x1)
+            .map(|(a, b)| difference(*b, *a))
+            .collect();
+        let end = advance(&motion.x0, &direction, size);
+        let step = Step::new(&motion.mesh, &motion.x0, &end).unwrap();
+        assert!(step.is_free(&Bvh), "{}", scene.name());
+        assert_eq!(step.earliest_contact(&Bvh), None, "{}", scene.name());
+    }
+}
+
+fn difference(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// All candidates of the small scene, and of the others one in many.

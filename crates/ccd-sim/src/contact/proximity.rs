@@ -1,6 +1,6 @@
 //! The broad phase: the one place where this crate asks [`ccd_mesh`] which primitives are near each other.
 
-use ccd_mesh::{Bounds, BroadPhase, Bvh, Point, TriangleMesh};
+use ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh, Found, Point, TriangleMesh};
 use rayon::prelude::*;
 
 /// The triangles that can touch, and which of their vertices belong to obstacles.
@@ -53,8 +53,10 @@ impl Surface {
         [a, b, c, d]
     }
 
-    fn is_obstacle(&self, vertices: &[u32]) -> bool {
-        vertices.iter().all(|&vertex| self.obstacle[vertex as usize])
+    /// Whether two primitives have no vertex in common, and are not both of obstacles.
+    fn is_of_concern(&self, a: &[u32], b: &[u32]) -> bool {
+        let is_obstacle = |vertex: &u32| self.obstacle[*vertex as usize];
+        a.iter().all(|vertex| !b.contains(vertex)) && !a.iter().chain(b).all(is_obstacle)
     }
 }
 
@@ -86,22 +88,27 @@ impl Pairs {
 
         let vertex_boxes: Vec<Bounds> = surface.vertices.par_iter().map(|&v| boxes[v as usize]).collect();
         let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
-        let mut vertex_face = Bvh.between(&vertex_boxes, &face_boxes, |place, face| {
-            let (vertex, face) = (surface.vertices[place as usize], &faces[face as usize]);
-            !(face.contains(&vertex) || surface.obstacle[vertex as usize] && surface.is_obstacle(face))
-        });
-        for pair in &mut vertex_face {
-            pair[0] = surface.vertices[pair[0] as usize];
-        }
-
         let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
-        let edge_edge = Bvh.within(&edge_boxes, |a, b| {
-            let (a, b) = (&edges[a as usize], &edges[b as usize]);
-            a.iter().all(|vertex| !b.contains(vertex)) && !(surface.is_obstacle(a) && surface.is_obstacle(b))
+        let [vertex_boxes, face_boxes, edge_boxes] =
+            [vertex_boxes, face_boxes, edge_boxes].map(|boxes| Boxes::at_rest(&boxes));
+
+        let [vertex_face, edge_edge] = [Found::default(), Found::default()];
+        let _ = Bvh.between(&vertex_boxes, &face_boxes, |pairs| {
+            let pairs = pairs
+                .iter()
+                .map(|&[place, face]| [surface.vertices[place as usize], face]);
+            vertex_face
+                .keep(pairs.filter(|&[vertex, face]| surface.is_of_concern(&[vertex], &faces[face as usize])))
+        });
+        let _ = Bvh.within(&edge_boxes, |pairs| {
+            edge_edge.keep(pairs.iter().copied().filter(|pair| {
+                let [a, b] = pair.map(|edge| edges[edge as usize]);
+                surface.is_of_concern(&a, &b)
+            }))
         });
         Self {
-            vertex_face,
-            edge_edge,
+            vertex_face: vertex_face.sorted(),
+            edge_edge: edge_edge.sorted(),
         }
     }
 

@@ -55,6 +55,44 @@ fn a_step_with_contact_has_status_1_and_names_the_pair() {
 }
 
 #[test]
+fn the_earliest_contact_alone_is_that_of_the_report() {
+    let folder = fall(1.0, -2.0);
+    let run = folder.run(&["step", "start.ply", "end.ply", "--toi"]);
+    assert_eq!(run.status, 1);
+    assert_eq!(
+        without_seconds(&run),
+        "contact at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)\n"
+    );
+    let [all, earliest] = [&["--json"][..], &["--json", "--toi", "--repeat", "3"]].map(|flags| {
+        let run = folder.run(&[&["step", "start.ply", "end.ply"], flags].concat());
+        serde_json::from_str::<Value>(&run.stdout).unwrap()
+    });
+    for key in ["collision_free", "toi", "pair"] {
+        assert_eq!(all[key], earliest[key]);
+    }
+    assert_eq!(earliest.get("candidates"), None);
+    assert_eq!(earliest.get("touching_at_start"), None);
+
+    let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--toi"]);
+    assert_eq!((run.status, without_seconds(&run)), (0, "free of contact\n"));
+}
+
+#[test]
+fn a_yes_or_no_says_nothing_else() {
+    for (end, status, answer) in [(-2.0, 1, "contact\n"), (0.5, 0, "free of contact\n")] {
+        let folder = fall(1.0, end);
+        let run = folder.run(&["step", "start.ply", "end.ply", "--any"]);
+        assert_eq!((run.status, without_seconds(&run)), (status, answer));
+        let run = folder.run(&["step", "start.ply", "end.ply", "--any", "--json"]);
+        let json: Value = serde_json::from_str(&run.stdout).unwrap();
+        assert_eq!(json["collision_free"], json!(status == 0));
+        assert_eq!(json.as_object().unwrap().len(), 2);
+    }
+    let both = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--any", "--toi"]);
+    assert_eq!(both.status, 2);
+}
+
+#[test]
 fn two_edges_are_named_with_their_ends() {
     let folder = Folder::new();
     let frame = |z| {

@@ -4,14 +4,16 @@ use core::cmp::Ordering;
 
 use arrayvec::ArrayVec;
 
+use super::number::Lanes;
 use super::{UNDERFLOW, UNIT};
 use crate::time::ContactTime;
 
 /// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient known to within an error.
-pub(super) struct Cubic {
-    bernstein: [f64; 4],
+#[derive(Clone, Copy)]
+pub(crate) struct Cubic<T> {
+    pub(crate) bernstein: [T; 4],
     /// A bound for the magnitudes of the coefficients, and of everything that is added up on the way to them.
-    magnitude: f64,
+    pub(crate) magnitude: T,
 }
 
 /// A bracket of exactly one root of c, a simple one; c has opposite strict signs at its ends.
@@ -47,25 +49,39 @@ enum Sign {
     Positive,
 }
 
-impl Cubic {
+impl<T: Lanes> Cubic<T> {
     /// The cubic with the coefficients b₀, 3 b₁, 3 b₂, b₃, each reached in at most ten roundings of terms whose
     /// magnitudes add up to at most m, 3 m, 3 m and m for `magnitude` m.
-    #[inline]
-    pub(super) fn new([b0, three_b1, three_b2, b3]: [f64; 4], magnitude: f64) -> Self {
+    #[inline(always)]
+    pub(super) fn new([b0, three_b1, three_b2, b3]: [T; 4], magnitude: T) -> Self {
         Self {
             bernstein: [b0, three_b1 / 3.0, three_b2 / 3.0, b3],
             magnitude,
         }
     }
 
+    /// The error of a Bernstein coefficient, n = 10 + 1.
+    #[inline(always)]
+    fn coefficient_error(&self) -> T {
+        self.magnitude * (16.0 * UNIT) + UNDERFLOW
+    }
+
+    /// Whether c is certainly positive in all of [0, 1], as all coefficients are, and whether it is negative.
+    #[inline(always)]
+    pub(super) fn constant_signs(&self) -> [T::Mask; 2] {
+        let error = self.coefficient_error();
+        let [b0, b1, b2, b3] = self.bernstein;
+        [
+            b0.exceeds(error) & b1.exceeds(error) & b2.exceeds(error) & b3.exceeds(error),
+            (-b0).exceeds(error) & (-b1).exceeds(error) & (-b2).exceeds(error) & (-b3).exceeds(error),
+        ]
+    }
+}
+
+impl Cubic<f64> {
     /// Whether c is positive at t = 0. Certain where the roots are.
     pub(super) fn starts_positive(&self) -> bool {
         self.bernstein[0] > 0.0
-    }
-
-    /// The error of a Bernstein coefficient, n = 10 + 1.
-    fn coefficient_error(&self) -> f64 {
-        16.0 * UNIT * self.magnitude + UNDERFLOW
     }
 
     /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y with three roundings
@@ -74,79 +90,84 @@ impl Cubic {
         32.0 * UNIT * self.magnitude + UNDERFLOW
     }
 
-    /// The sign of c in all of [0, 1], if it is certainly the same: that of all coefficients.
+    /// The sign of c in all of [0, 1], if it is certainly the same.
     #[inline]
     pub(super) fn constant_sign(&self) -> Option<Ordering> {
-        let error = self.coefficient_error();
-        let positive = self.bernstein.iter().fold(true, |all, &b| all & (b > error));
-        let negative = self.bernstein.iter().fold(true, |all, &b| all & (b < -error));
-        if positive {
-            Some(Ordering::Greater)
-        } else if negative {
-            Some(Ordering::Less)
-        } else {
-            None
+        match self.constant_signs() {
+            [true, _] => Some(Ordering::Greater),
+            [_, true] => Some(Ordering::Less),
+            _ => None,
         }
     }
 
     /// Brackets of all roots of c in [0, 1], in increasing order, if all of them are certainly simple and inside.
     ///
-    /// c is cut at the approximate zeros of c′. A piece has no root if its Bernstein coefficients have one sign, and
-    /// exactly one if their signs change once (Descartes' rule); if neither is certain for a piece, nothing is.
+    /// A piece has no root if its Bernstein coefficients have one sign, and exactly one if their signs change once
+    /// (Descartes' rule). Where neither is certain for the whole, c is cut where that makes it monotone; if neither is
+    /// certain for a piece then, nothing is.
     pub(super) fn roots(&self) -> Option<ArrayVec<Root, 3>> {
         let mut roots = ArrayVec::new();
+        if self.isolate(0.0, 1.0, self.bernstein, &mut roots).is_some() {
+            return Some(roots);
+        }
         let mut low = 0.0;
-        for high in self.critical_points().into_iter().chain([1.0]) {
-            let signs = [
-                self.sign_of_blossom(low, low, low),
-                self.sign_of_blossom(low, low, high),
-                self.sign_of_blossom(low, high, high),
-                self.sign_of_blossom(high, high, high),
+        for high in self.cuts().into_iter().chain([1.0]) {
+            let coefficients = [
+                self.blossom(low, low, low),
+                self.blossom(low, low, high),
+                self.blossom(low, high, high),
+                self.blossom(high, high, high),
             ];
-            match signs {
-                [Sign::Unknown, ..] | [.., Sign::Unknown] => return None,
-                [first, second, third, last] if first == last => {
-                    if second != first || third != first {
-                        return None;
-                    }
-                }
-                [first, second, third, last] => {
-                    // Whatever the sign of an unknown one, the signs change only once if these two agree.
-                    if second != first && third != last {
-                        return None;
-                    }
-                    roots.push(self.refine(low, high, last == Sign::Positive));
-                }
-            }
+            self.isolate(low, high, coefficients, &mut roots)?;
             low = high;
         }
         Some(roots)
     }
 
-    /// Approximate zeros of c′ in (0, 1), in increasing order.
-    fn critical_points(&self) -> ArrayVec<f64, 2> {
+    /// Adds the root in a piece with these Bernstein coefficients, if there certainly is one; `None` if that is not certain.
+    fn isolate(
+        &self,
+        low: f64,
+        high: f64,
+        coefficients: [f64; 4],
+        roots: &mut ArrayVec<Root, 3>,
+    ) -> Option<()> {
+        match coefficients.map(|value| self.sign(value)) {
+            [Sign::Unknown, ..] | [.., Sign::Unknown] => None,
+            [first, second, third, last] if first == last => {
+                (second == first && third == first).then_some(())
+            }
+            // Whatever the sign of an unknown one, the signs change only once if one of these agrees.
+            [first, second, third, last] => (second == first || third == last).then(|| {
+                let [start, .., end] = coefficients;
+                let secant = low + (high - low) * (start / (start - end));
+                roots.push(self.refine(low, high, secant, last == Sign::Positive));
+            }),
+        }
+    }
+
+    /// Where to cut [0, 1] so that c is monotone on each piece, and so are its Bernstein coefficients there: about at the
+    /// zeros of c′; if there are none, at that of c″, on either side of which the coefficients of c′ have one sign.
+    fn cuts(&self) -> ArrayVec<f64, 2> {
         let [b0, b1, b2, b3] = self.bernstein;
         // c′ / 3 = d₀ (1−t)² + 2 d₁ (1−t) t + d₂ t² = a t² + 2 h t + d₀.
         let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];
         let (a, h) = (d0 - 2.0 * d1 + d2, d1 - d0);
         let discriminant = h * h - a * d0;
-        let mut points = ArrayVec::new();
-        if discriminant > 0.0 {
+        let [first, second] = if discriminant > 0.0 {
             let q = -(h + libm::sqrt(discriminant).copysign(h));
-            let (first, second) = (q / a, d0 / q);
-            let (first, second) = if first < second {
-                (first, second)
-            } else {
-                (second, first)
-            };
-            points.extend([first, second].into_iter().filter(|&t| t > 0.0 && t < 1.0));
-        }
-        points
+            let [x, y] = [q / a, d0 / q];
+            if x < y { [x, y] } else { [y, x] }
+        } else {
+            [-h / a, 1.0]
+        };
+        let inside = |&t: &f64| t > 0.0 && t < 1.0;
+        [first, second].into_iter().filter(inside).collect()
     }
 
     /// A narrow bracket of the only root in a wider one.
-    fn refine(&self, low: f64, high: f64, rising: bool) -> Root {
-        let (near, slope) = self.approximate(low, high, rising);
+    fn refine(&self, low: f64, high: f64, guess: f64, rising: bool) -> Root {
+        let (near, slope) = self.approximate(low, high, guess, rising);
         // Where c is at least twice its error away from zero, if it is as steep as here.
         let mut width = 4.0 * self.blossom_error() / slope.abs();
         let mut root = Root {
@@ -175,15 +196,21 @@ impl Cubic {
     }
 
     /// Newton's iteration, kept in the bracket by bisection: an approximation of the root, and of c′ there.
-    fn approximate(&self, mut low: f64, mut high: f64, rising: bool) -> (f64, f64) {
+    ///
+    /// A guess, which needs no bound: in powers of t, which are faster to evaluate than the Bernstein form.
+    fn approximate(&self, mut low: f64, mut high: f64, guess: f64, rising: bool) -> (f64, f64) {
         const STEPS: usize = 60;
         let noise = self.blossom_error();
-        let mut t = 0.5 * (low + high);
-        let mut slope = 0.0;
+        let [b0, b1, b2, b3] = self.bernstein;
+        let [a1, a2, a3] = [
+            3.0 * (b1 - b0),
+            3.0 * ((b2 - b1) - (b1 - b0)),
+            (b3 - b0) - 3.0 * (b2 - b1),
+        ];
+        let (mut t, mut slope) = (guess, 0.0);
         for _ in 0..STEPS {
-            let (left, right) = (self.blossom(t, t, 0.0), self.blossom(t, t, 1.0));
-            let value = interpolate(left, right, t);
-            slope = 3.0 * (right - left);
+            let value = ((a3 * t + a2) * t + a1) * t + b0;
+            slope = (3.0 * a3 * t + 2.0 * a2) * t + a1;
             if (value < 0.0) == rising {
                 low = t;
             } else {
@@ -216,8 +243,9 @@ impl Cubic {
         interpolate(b0, b1, t)
     }
 
-    fn sign_of_blossom(&self, r: f64, s: f64, t: f64) -> Sign {
-        let (value, error) = (self.blossom(r, s, t), self.blossom_error());
+    /// The sign of a blossom value.
+    fn sign(&self, value: f64) -> Sign {
+        let error = self.blossom_error();
         if value > error {
             Sign::Positive
         } else if value < -error {
@@ -228,7 +256,7 @@ impl Cubic {
     }
 
     fn sign_at(&self, t: f64) -> Sign {
-        self.sign_of_blossom(t, t, t)
+        self.sign(self.blossom(t, t, t))
     }
 }
 

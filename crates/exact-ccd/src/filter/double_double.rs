@@ -48,6 +48,8 @@ impl DoubleDouble {
 }
 
 impl Number for DoubleDouble {
+    type Real = f64;
+
     /// a − b, exactly.
     fn difference(a: f64, b: f64) -> Self {
         Self::sum(a, -b)

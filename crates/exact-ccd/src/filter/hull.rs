@@ -1,36 +1,84 @@
 //! Separating directions: F(t, u, v) stays in the convex hull of its values at the corners of the domain, so that
 //! a plane through the origin with all corners strictly on one side proves that F has no root.
 
+use super::number::{Lanes, Points, subtract};
 use super::{LARGEST, UNDERFLOW, UNIT};
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::query::Point;
 
 /// The eight values of F at the corners of its domain, by axis. (A vertex-face query has six; two are repeated.)
-pub(super) struct Hull {
-    corners: [[f64; 8]; 3],
-    low: Point,
-    high: Point,
+pub(super) struct Hull<T> {
+    corners: [[T; 8]; 3],
+    low: [T; 3],
+    high: [T; 3],
 }
 
-impl Hull {
-    #[inline]
-    pub(super) fn new<K: Kind>(query: &Query<K>) -> Self {
-        let mut corners = [[0.0; 8]; 3];
-        let (mut low, mut high) = ([0.0; 3], [0.0; 3]);
-        for axis in 0..3 {
-            let row = &mut corners[axis];
-            for (time, points) in query.points().iter().enumerate() {
-                for (corner, &(i, j)) in K::CORNERS.iter().enumerate() {
-                    row[4 * time + corner] = points[i][axis] - points[j][axis];
+impl<T: Lanes> Hull<T> {
+    #[inline(always)]
+    pub(super) fn new<K: Kind>(points: &Points<T>) -> Self {
+        let mut corners = points[0][0].map(|x| [x; 8]);
+        for (corner, &difference) in K::CORNERS.iter().enumerate() {
+            for (time, at_time) in subtract::<T>(points, difference).iter().enumerate() {
+                for axis in 0..3 {
+                    corners[axis][4 * time + corner] = at_time[axis];
                 }
             }
-            (low[axis], high[axis]) = row.iter().fold((row[0], row[0]), |(low, high), &x| {
-                (if x < low { x } else { low }, if x > high { x } else { high })
-            });
+        }
+        let (mut low, mut high) = (corners.map(|row| row[0]), corners.map(|row| row[0]));
+        for axis in 0..3 {
+            for &x in &corners[axis][1..] {
+                low[axis] = x.lesser(low[axis]);
+                high[axis] = x.greater(high[axis]);
+            }
         }
         Self { corners, low, high }
     }
 
+    /// The largest magnitude of the corners along an axis.
+    #[inline(always)]
+    fn reach(&self, axis: usize) -> T {
+        self.high[axis].greater(-self.low[axis])
+    }
+
+    /// Whether a corner is farther from the origin along some axis than the filters can take.
+    #[inline(always)]
+    pub(super) fn is_out_of_range(&self) -> T::Mask {
+        let largest = self.low[0].splat(LARGEST);
+        self.reach(0).exceeds(largest) | self.reach(1).exceeds(largest) | self.reach(2).exceeds(largest)
+    }
+
+    #[inline(always)]
+    fn along(&self, direction: [T; 3]) -> [T; 8] {
+        let [x, y, z] = &self.corners;
+        let mut along = *x;
+        for i in 0..8 {
+            along[i] = direction[0] * x[i] + direction[1] * y[i] + direction[2] * z[i];
+        }
+        along
+    }
+
+    /// The error of a scalar product: a corner is rounded once, then there are one product and two sums, n = 4.
+    #[inline(always)]
+    fn error_along(&self, direction: [T; 3]) -> T {
+        let [x, y, z] = direction.map(Lanes::magnitude);
+        (x * self.reach(0) + y * self.reach(1) + z * self.reach(2)) * (8.0 * UNIT) + UNDERFLOW
+    }
+
+    /// Whether all corners certainly lie strictly on the same side of the plane through the origin across a direction.
+    #[inline(always)]
+    pub(super) fn is_beyond(&self, direction: [T; 3]) -> T::Mask {
+        let error = self.error_along(direction);
+        let [first, rest @ ..] = self.along(direction);
+        let (mut above, mut below) = (first.exceeds(error), (-first).exceeds(error));
+        for value in rest {
+            above = above & value.exceeds(error);
+            below = below & (-value).exceeds(error);
+        }
+        above | below
+    }
+}
+
+impl Hull<f64> {
     /// Whether the bounding box of the corners leaves out the origin. Exact: the sign of a difference of two f64 is
     /// right even when the difference is rounded, overflows or is subnormal.
     #[inline]
@@ -47,48 +95,9 @@ impl Hull {
             .any(|[i, j]| are_beyond_diagonal(self.corners[i].into_iter().zip(self.corners[j])))
     }
 
-    /// The largest magnitude of the corners along an axis.
-    #[inline]
-    fn reach(&self, axis: usize) -> f64 {
-        if self.high[axis] > -self.low[axis] {
-            self.high[axis]
-        } else {
-            -self.low[axis]
-        }
-    }
-
-    /// Whether no corner is farther from the origin along any axis than the filters can take.
-    #[inline]
-    pub(super) fn is_in_range(&self) -> bool {
-        (0..3).all(|axis| self.reach(axis) <= LARGEST)
-    }
-
     /// The mean of the corners, to within rounding: as a direction it needs no accuracy.
     fn centroid(&self) -> Point {
         [0, 1, 2].map(|axis: usize| self.corners[axis].iter().sum::<f64>() / 8.0)
-    }
-
-    #[inline]
-    fn along(&self, direction: Point) -> [f64; 8] {
-        let [x, y, z] = &self.corners;
-        core::array::from_fn(|i| direction[0] * x[i] + direction[1] * y[i] + direction[2] * z[i])
-    }
-
-    /// The error of a scalar product: a corner is rounded once, then there are one product and two sums, n = 4.
-    #[inline]
-    fn error_along(&self, direction: Point) -> f64 {
-        let terms = [0, 1, 2].map(|axis: usize| direction[axis].abs() * self.reach(axis));
-        8.0 * UNIT * (terms[0] + terms[1] + terms[2]) + UNDERFLOW
-    }
-
-    /// Whether all corners certainly lie strictly on the same side of the plane through the origin across a direction.
-    #[inline]
-    pub(super) fn is_beyond(&self, direction: Point) -> bool {
-        let error = self.error_along(direction);
-        let values = self.along(direction);
-        let above = values.iter().fold(true, |all, &value| all & (value > error));
-        let below = values.iter().fold(true, |all, &value| all & (value < -error));
-        above | below
     }
 
     /// Whether a few steps of Gilbert's iteration (An iterative procedure for computing the minimum of a quadratic form

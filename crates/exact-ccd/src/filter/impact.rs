@@ -1,7 +1,7 @@
 //! Where the primitives meet at a root of the coplanarity cubic, and across which direction.
 
 use super::cubic::Root;
-use super::sides::Bracket;
+use super::sides::{Bracket, longest};
 use crate::impact::unit;
 use crate::kind::Kind;
 use crate::query::{Point, Query};
@@ -16,13 +16,7 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
     let [_, e1, e2] = K::SPAN.map(|difference| bracket.motion(difference));
     let normal = bracket.cross(&e1, &e2);
     let magnitude = |axis: usize| normal[axis].value.abs();
-    let axis = (1..3).fold(0, |best, axis| {
-        if magnitude(axis) > magnitude(best) {
-            axis
-        } else {
-            best
-        }
-    });
+    let axis = longest(&normal);
 
     // For vectors n and n + d, n ≠ 0, the unit vectors differ by at most 2 |d| / |n|.
     let error = normal.iter().fold(0.0, |sum, component| sum + component.error);
@@ -41,7 +35,7 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
     for (parameter, index) in parameters.iter_mut().zip(K::PARAMETERS) {
         let side = &K::SIDES[index];
         let [x, y] = side.edge.map(|end| bracket.motion((end, side.vertex)));
-        let area = &bracket.cross(&x, &y)[axis];
+        let area = bracket.cross_along(axis, &x, &y);
         let ratio = area.value / normal[axis].value;
         // For r = a / n, the exact (a + α) / (n + ν) is off by (α − r ν) / (n + ν).
         let error = area.error + ratio.abs() * normal[axis].error;

@@ -7,7 +7,7 @@
 //! all subtractions by additions. Each bound rounds n up to a power of two, at least by a quarter, which covers the
 //! roundings in the computation of the bound itself.
 //!
-//! Two things lie outside of that model. *Overflow* cannot happen: [`Hull::is_in_range`] limits differences to
+//! Two things lie outside of that model. *Overflow* cannot happen: [`Hull::is_out_of_range`] limits differences to
 //! [`LARGEST`], and no filter multiplies more than four of them. *Underflow* adds at most 2⁻¹⁰⁷⁵ to a product,
 //! which later factors of at most (2 · LARGEST)² may enlarge; [`UNDERFLOW`] bounds the sum of hundreds of these. All
 //! comparisons are written so that a NaN would prove nothing.
@@ -24,9 +24,10 @@ mod sides;
 
 use arrayvec::ArrayVec;
 
+pub(crate) use cubic::Cubic;
 pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
 pub(crate) use hull::are_beyond_diagonal;
-pub(crate) use number::Number;
+pub(crate) use number::{Lanes, Number, Points};
 
 use coplanarity::Coplanarity;
 use cubic::Root;
@@ -63,7 +64,12 @@ enum Screening {
 /// Whether the primitives touch, and the stage that proved it.
 #[inline]
 pub(crate) fn collides<K: Kind>(query: &Query<K>) -> Option<(bool, Stage)> {
-    match screen(query) {
+    decide(query, screen(query))
+}
+
+#[inline]
+fn decide<K: Kind>(query: &Query<K>, screening: Screening) -> Option<(bool, Stage)> {
+    match screening {
         Screening::Free(stage) => Some((false, stage)),
         Screening::Coplanar(roots) => touches_at_any(query, &roots),
         Screening::Sliding(_) => Some((true, Stage::Planar)),
@@ -73,34 +79,56 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>) -> Option<(bool, Stage)> {
 
 #[inline]
 fn screen<K: Kind>(query: &Query<K>) -> Screening {
-    let hull = Hull::new(query);
+    let hull = Hull::new::<K>(query.points());
     if hull.box_excludes_origin() {
         return Screening::Free(Stage::BoundingBox);
     }
     if hull.is_beyond_diagonal() {
         return Screening::Free(Stage::Diagonals);
     }
-    if !hull.is_in_range() {
+    if hull.is_out_of_range() {
         return Screening::Unknown;
     }
-    let coplanarity = Coplanarity::new(query);
+    let coplanarity = Coplanarity::new::<K>(query.points());
     if hull.is_beyond(coplanarity.normals[0]) || hull.is_beyond(coplanarity.normals[1]) {
         return Screening::Free(Stage::Normals);
     }
     if coplanarity.cubic.constant_sign().is_some() {
         return Screening::Free(Stage::Coplanarity);
     }
-    screen_rest(query, &hull, &coplanarity)
+    screen_rest(query, &coplanarity.cubic)
+}
+
+/// The stages `Normals` and `Coplanarity` of queries side by side: which ones they settle, and what the others need for
+/// [`collides_near_plane`].
+#[inline(always)]
+pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>) -> (T::Mask, Cubic<T>) {
+    let hull = Hull::new::<K>(points);
+    let Coplanarity {
+        cubic,
+        normals: [start, end],
+    } = Coplanarity::new::<K>(points);
+    let [positive, negative] = cubic.constant_signs();
+    let settled = hull.is_beyond(start) | hull.is_beyond(end) | positive | negative;
+    (settled & !hull.is_out_of_range(), cubic)
+}
+
+/// Whether the primitives touch, and the stage that proved it; for a query that [`screen_planes`] has not settled.
+pub(crate) fn collides_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Option<(bool, Stage)> {
+    if Hull::new::<K>(query.points()).is_out_of_range() {
+        return None;
+    }
+    decide(query, screen_rest(query, cubic))
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn screen_rest<K: Kind>(query: &Query<K>, hull: &Hull, coplanarity: &Coplanarity) -> Screening {
-    if hull.is_beyond_some_direction() {
-        return Screening::Free(Stage::Direction);
-    }
-    if let Some(roots) = coplanarity.cubic.roots() {
+fn screen_rest<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Screening {
+    if let Some(roots) = cubic.roots() {
         return Screening::Coplanar(roots);
+    }
+    if Hull::new::<K>(query.points()).is_beyond_some_direction() {
+        return Screening::Free(Stage::Direction);
     }
     match Planar::new(query).and_then(|planar| planar.beginning()) {
         Some(Some(beginning)) => Screening::Sliding(beginning),
@@ -141,7 +169,7 @@ fn times_among<K: Kind>(query: &Query<K>, roots: &[Root]) -> Option<Times> {
     for root in roots {
         match sides::position(query, root)? {
             Position::Inside => {
-                let precise = precise.get_or_insert_with(|| Coplanarity::precise(query));
+                let precise = precise.get_or_insert_with(|| coplanarity::precise(query));
                 times.0.push(precise.round(root)?);
             }
             Position::Outside => {}
@@ -159,7 +187,7 @@ pub(crate) fn impact<K: Kind>(query: &Query<K>) -> Option<Option<Impact>> {
     };
     for root in &roots {
         if sides::position(query, root)? == Position::Inside {
-            let time = Coplanarity::precise(query).round(root)?;
+            let time = coplanarity::precise(query).round(root)?;
             let (parameters, normal) = impact::parameters_and_normal(query, &root.at(time))?;
             let normal = Some(normal);
             return Some(Some(Impact {

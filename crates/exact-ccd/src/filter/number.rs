@@ -1,50 +1,116 @@
-//! What the filters compute with: f64 to find an answer, [`DoubleDouble`](super::double_double::DoubleDouble) to find
-//! its last bit.
+//! What the filters compute with: f64 to find an answer, one query or eight at a time, and
+//! [`DoubleDouble`](super::double_double::DoubleDouble) to find its last bit.
 
-use core::ops::{Add, Mul, Sub};
+use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use crate::kind::{Difference, Kind};
-use crate::query::{Point, Query};
+use crate::kind::Difference;
+
+/// f64, one or several side by side. Whatever the number of lanes, each computes the same bits.
+pub(crate) trait Lanes:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Neg<Output = Self>
+    + Add<f64, Output = Self>
+    + Mul<f64, Output = Self>
+    + Div<f64, Output = Self>
+{
+    /// A bool for each lane.
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
+
+    /// A number with this value in each lane.
+    fn splat(self, value: f64) -> Self;
+
+    /// Whether a lane is greater than that of another number; never for a NaN.
+    fn exceeds(self, other: Self) -> Self::Mask;
+
+    fn magnitude(self) -> Self;
+
+    /// The lesser of two numbers, of which none is NaN.
+    fn lesser(self, other: Self) -> Self;
+
+    /// The greater of two numbers, of which none is NaN.
+    fn greater(self, other: Self) -> Self;
+}
+
+impl Lanes for f64 {
+    type Mask = bool;
+
+    #[inline(always)]
+    fn splat(self, value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn exceeds(self, other: Self) -> bool {
+        self > other
+    }
+
+    #[inline(always)]
+    fn magnitude(self) -> Self {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn lesser(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+
+    #[inline(always)]
+    fn greater(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+}
 
 /// A number that stands for a real number to within roundings.
 pub(crate) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    fn difference(a: f64, b: f64) -> Self;
+    /// What coordinates and bounds are.
+    type Real: Lanes;
+
+    fn difference(a: Self::Real, b: Self::Real) -> Self;
 
     /// The f64 next to it.
-    fn value(self) -> f64;
+    fn value(self) -> Self::Real;
 }
 
-impl Number for f64 {
-    #[inline]
-    fn difference(a: f64, b: f64) -> Self {
+impl<T: Lanes> Number for T {
+    type Real = Self;
+
+    #[inline(always)]
+    fn difference(a: Self, b: Self) -> Self {
         a - b
     }
 
-    #[inline]
-    fn value(self) -> f64 {
+    #[inline(always)]
+    fn value(self) -> Self {
         self
     }
 }
 
+/// The four points of a query at t = 0 and at t = 1.
+pub(crate) type Points<T> = [[[T; 3]; 4]; 2];
+
 /// The difference of two points at t = 0 and at t = 1.
-#[inline]
-pub(crate) fn subtract<K: Kind, T: Number>(query: &Query<K>, (i, j): Difference) -> [[T; 3]; 2] {
-    let [start, end] = query.points();
-    let minus = |a: Point, b: Point| {
+#[inline(always)]
+pub(crate) fn subtract<T: Number>(points: &Points<T::Real>, (i, j): Difference) -> [[T; 3]; 2] {
+    let minus = |a: [T::Real; 3], b: [T::Real; 3]| {
         [
             T::difference(a[0], b[0]),
             T::difference(a[1], b[1]),
             T::difference(a[2], b[2]),
         ]
     };
+    let [start, end] = points;
     [minus(start[i], start[j]), minus(end[i], end[j])]
 }
 
 /// The larger magnitude of a coordinate at the two times.
-#[inline]
-pub(crate) fn reach<T: Number, const N: usize>([a, b]: &[[T; N]; 2]) -> [f64; N] {
-    core::array::from_fn(|axis| {
-        let (a, b) = (a[axis].value().abs(), b[axis].value().abs());
-        if a > b { a } else { b }
-    })
+#[inline(always)]
+pub(crate) fn reach<T: Number, const N: usize>([a, b]: &[[T; N]; 2]) -> [T::Real; N] {
+    let mut reach = a.map(Number::value);
+    for axis in 0..N {
+        reach[axis] = a[axis].value().magnitude().greater(b[axis].value().magnitude());
+    }
+    reach
 }

@@ -90,7 +90,7 @@ impl<'a, K: Kind> Planar<'a, K> {
     }
 
     /// The cross product of two differences in the plane.
-    fn area(&self, x: Difference, y: Difference) -> Cubic {
+    fn area(&self, x: Difference, y: Difference) -> Cubic<f64> {
         let (coefficients, magnitude) = self.expand::<f64>(x, y);
         Cubic::new(coefficients, magnitude)
     }
@@ -109,9 +109,10 @@ impl<'a, K: Kind> Planar<'a, K> {
 
     /// The quadratic q₀ (1−t)² + m (1−t) t + q₁ t², raised to a cubic. The longest way to a coefficient is a difference, a
     /// product, the difference in `cross`, the sum in `mixed` and one more; and the other difference in each term.
-    fn expand<T: Number>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
-        let along =
-            |difference| subtract(self.query, difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]));
+    fn expand<T: Number<Real = f64>>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
+        let along = |difference| {
+            subtract(self.query.points(), difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]))
+        };
         let (x, y) = (along(x), along(y));
         let cross = |a: [T; 2], b: [T; 2]| a[0] * b[1] - a[1] * b[0];
         let (q0, q1) = (cross(x[0], y[0]), cross(x[1], y[1]));

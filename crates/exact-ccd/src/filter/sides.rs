@@ -53,24 +53,37 @@ pub(super) fn position<K: Kind>(query: &Query<K>, root: &Root) -> Option<Positio
     let bracket = Bracket::new(query, root);
     let [_, e1, e2] = K::SPAN.map(|difference| bracket.motion(difference));
     let normal = bracket.cross(&e1, &e2);
+    let corners = K::CORNERS.map(|difference| bracket.motion(difference));
+    let axis = longest(&normal);
     let mut position = Some(Position::Inside);
     for side in K::SIDES {
-        let [x, y] = side.edge.map(|end| bracket.motion((end, side.vertex)));
-        let area = bracket.cross(&x, &y);
+        let [x, y] = side.corners.map(|corner| &corners[corner]);
         // In one plane, the components of both cross products have the same ratio: any certain one will do.
-        let verdict = (0..3).find_map(|axis| match (normal[axis].sign()?, area[axis].sign()?) {
+        let verdict = |axis: usize| match (normal[axis].sign()?, bracket.cross_along(axis, x, y).sign()?) {
             (Sign::Zero, _) => None,
             (_, Sign::Zero) => Some(Position::Inside),
             (normal, area) if (normal == area) == side.along => Some(Position::Inside),
             _ => Some(Position::Outside),
-        });
-        match verdict {
+        };
+        match verdict(axis).or_else(|| (0..3).find_map(verdict)) {
             Some(Position::Inside) => {}
             Some(Position::Outside) => return Some(Position::Outside),
             None => position = None,
         }
     }
     position
+}
+
+/// The axis along which a vector is the longest.
+pub(super) fn longest(vector: &[Component; 3]) -> usize {
+    let magnitude = |axis: usize| vector[axis].value.abs();
+    (1..3).fold(0, |best, axis| {
+        if magnitude(axis) > magnitude(best) {
+            axis
+        } else {
+            best
+        }
+    })
 }
 
 pub(super) struct Bracket<'a, K> {
@@ -100,27 +113,32 @@ impl<'a, K: Kind> Bracket<'a, K> {
         for axis in 0..3 {
             let (start, end) = (start[i][axis] - start[j][axis], end[i][axis] - end[j][axis]);
             motion.value[axis] = (1.0 - self.near) * start + self.near * end;
-            motion.magnitude[axis] = start.abs().max(end.abs());
+            let (start, end) = (start.abs(), end.abs());
+            motion.magnitude[axis] = if start > end { start } else { end };
         }
         motion
     }
 
-    /// The components of a × b. Each factor is off by `slack` of its magnitude, each product by 2 slack + slack² and two
+    /// The components of a × b.
+    pub(super) fn cross(&self, a: &Motion, b: &Motion) -> [Component; 3] {
+        [0, 1, 2].map(|axis| self.cross_along(axis, a, b))
+    }
+
+    /// A component of a × b. Each factor is off by `slack` of its magnitude, each product by 2 slack + slack² and two
     /// more roundings. Zero is certain where each product has a factor that is zero at both ends of the step, as happens
     /// when a vertex and an edge share a coordinate.
-    pub(super) fn cross(&self, a: &Motion, b: &Motion) -> [Component; 3] {
+    pub(super) fn cross_along(&self, axis: usize, a: &Motion, b: &Motion) -> Component {
+        let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
         let relative = 2.0 * self.slack + self.slack * self.slack + 8.0 * UNIT;
-        [(1, 2), (2, 0), (0, 1)].map(|(next, last): (usize, usize)| {
-            let vanishes = |i: usize, j: usize| a.magnitude[i] == 0.0 || b.magnitude[j] == 0.0;
-            let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
-            Component {
-                value: a.value[next] * b.value[last] - a.value[last] * b.value[next],
-                error: if vanishes(next, last) && vanishes(last, next) {
-                    0.0
-                } else {
-                    relative * magnitude + UNDERFLOW
-                },
-            }
-        })
+        let vanishes = |i: usize, j: usize| a.magnitude[i] == 0.0 || b.magnitude[j] == 0.0;
+        let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
+        Component {
+            value: a.value[next] * b.value[last] - a.value[last] * b.value[next],
+            error: if vanishes(next, last) && vanishes(last, next) {
+                0.0
+            } else {
+                relative * magnitude + UNDERFLOW
+            },
+        }
     }
 }

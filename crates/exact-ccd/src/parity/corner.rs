@@ -190,7 +190,7 @@ pub(crate) fn is_safe(x: f64) -> bool {
 /// The sign of φ, where it is certain in the arithmetic of T. Five operations lead to a volume of which m is a bound; it
 /// is off by no more than `relative` m, and a product of two by no more than the errors that each brings to the other,
 /// and `relative` of its magnitude for the operations that are left.
-fn certain_phi<T: Number>(corners: [&Point; 4], relative: f64) -> Option<Ordering> {
+fn certain_phi<T: Number<Real = f64>>(corners: [&Point; 4], relative: f64) -> Option<Ordering> {
     /// 2¹⁶⁰, so that products of six stay in the range of f64.
     const LARGEST: f64 = f64::from_bits((1023 + 160) << 52);
     if corners.into_iter().flatten().any(|x| x.abs() > LARGEST) {

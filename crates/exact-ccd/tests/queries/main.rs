@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod agreement;
+mod batch;
 mod cuts;
 mod generators;
 mod invariance;

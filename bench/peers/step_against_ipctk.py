@@ -1,0 +1,189 @@
+"""Whole steps: exact-ccd against ipctk, on the same frames, in turns. See bench/peers/step."""
+
+import argparse
+import json
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import ipctk
+import numpy as np
+
+BROAD_PHASES = {
+    "LBVH": ipctk.LBVH,
+    "HashGrid": ipctk.HashGrid,
+    "SweepAndPrune": ipctk.SweepAndPrune,
+}
+NARROW_PHASES = {
+    "TightInclusionCCD": ipctk.TightInclusionCCD,
+    "AdditiveCCD": ipctk.AdditiveCCD,
+}
+FREE_FRACTION = 0.9
+
+
+def read_ply(path):
+    """Positions and faces of a binary PLY file whose faces are triangles."""
+    numbers = {"float": "f4", "double": "f8", "float32": "f4", "float64": "f8"}
+    with open(path, "rb") as file:
+        header = []
+        while not header or header[-1] != "end_header":
+            line = file.readline()
+            if not line:
+                raise SystemExit(f"{path}: no end_header")
+            header.append(line.decode("ascii").strip())
+        orders = {"format binary_little_endian 1.0": "<", "format binary_big_endian 1.0": ">"}
+        order = next((orders[line] for line in header if line in orders), None)
+        if order is None:
+            raise SystemExit(f"{path}: expected a binary PLY file")
+        counts = {e: int(n) for e, n in re.findall(r"element (\w+) (\d+)", "\n".join(header))}
+        kinds = [line.split()[1] for line in header if re.fullmatch(r"property \w+ [xyz]", line)]
+        vertex = np.dtype([(axis, order + numbers[kind]) for axis, kind in zip("xyz", kinds)])
+        face = np.dtype([("count", "u1"), ("corners", order + "i4", 3)])
+        vertices = np.fromfile(file, vertex, counts["vertex"])
+        faces = np.fromfile(file, face, counts["face"])
+    if not (faces["count"] == 3).all():
+        raise SystemExit(f"{path}: expected triangles")
+    positions = np.stack([vertices[axis].astype(np.float64) for axis in "xyz"], axis=1)
+    return np.asfortranarray(positions), np.asfortranarray(faces["corners"].astype(np.int32))
+
+
+def write_ply(path, positions, faces):
+    """The file that read_ply reads, with f64 coordinates."""
+    header = (
+        "ply\nformat binary_little_endian 1.0\n"
+        f"element vertex {len(positions)}\n"
+        "property double x\nproperty double y\nproperty double z\n"
+        f"element face {len(faces)}\n"
+        "property list uchar int vertex_indices\nend_header\n"
+    )
+    rows = np.zeros(len(faces), np.dtype([("count", "u1"), ("corners", "<i4", 3)]))
+    rows["count"], rows["corners"] = 3, faces
+    with open(path, "wb") as file:
+        file.write(header.encode("ascii"))
+        file.write(np.ascontiguousarray(positions, "<f8").tobytes())
+        file.write(rows.tobytes())
+
+
+class Ipctk:
+    """One combination of a broad and a narrow phase."""
+
+    def __init__(self, mesh, broad, narrow, ask):
+        self.name = f"ipctk {broad} + {narrow}"
+        self.mesh, self.broad, self.narrow = mesh, BROAD_PHASES[broad], NARROW_PHASES[narrow]
+        self.ask = {
+            "step": ipctk.compute_collision_free_stepsize,
+            "any": ipctk.is_step_collision_free,
+        }[ask]
+
+    def run(self, x0, x1, _files):
+        clock = time.perf_counter()
+        answer = self.ask(
+            self.mesh, x0, x1, 0.0, broad_phase=self.broad(), narrow_phase_ccd=self.narrow()
+        )
+        return time.perf_counter() - clock, answer
+
+
+class Exact:
+    """`exact-ccd step`, without the time that it takes to read the files.
+
+    The median of three answers of one process: like ipctk, it has answered before.
+    """
+
+    def __init__(self, program, flags, threads):
+        self.name = " ".join(["exact-ccd step", *flags])
+        self.program, self.flags = program, flags
+        self.environment = {**os.environ, "RAYON_NUM_THREADS": str(threads)}
+
+    def run(self, _x0, _x1, files):
+        command = [self.program, "step", *files, "--json", "--repeat", "3", *self.flags]
+        done = subprocess.run(command, capture_output=True, text=True, env=self.environment)
+        if done.returncode not in (0, 1):
+            raise SystemExit(done.stderr)
+        report = json.loads(done.stdout)
+        seconds = report["seconds"]["total"] - report["seconds"]["read"]
+        if "--any" in self.flags:
+            return seconds, report["collision_free"]
+        return seconds, 1.0 if report["toi"] is None else report["toi"]
+
+
+def medians(contestants, rounds, x0, x1, files):
+    """The median seconds of each, and what it answered, all of them in turns."""
+    seconds = [[] for _ in contestants]
+    answers = [None] * len(contestants)
+    for _ in range(rounds):
+        for index, contestant in enumerate(contestants):
+            time_taken, answers[index] = contestant.run(x0, x1, files)
+            seconds[index].append(time_taken)
+    return [statistics.median(times) for times in seconds], answers
+
+
+def print_table(title, contestants, seconds, answers):
+    """One row for each; the last column tells how many times as fast the first is."""
+    print(f"\n### {title}\n\n| | ms | answer | times ours |\n|---|---:|---:|---:|")
+    for contestant, taken, answer in zip(contestants, seconds, answers):
+        print(f"| {contestant.name} | {1e3 * taken:.1f} | {answer} | {taken / seconds[0]:.1f} |")
+    sys.stdout.flush()
+
+
+def compare(scene, options, threads):
+    """All questions about one scene."""
+    ipctk.set_num_threads(threads)
+    frames = sorted((scene / "frames").glob("*.ply"), key=frame_number)[:2]
+    (x0, faces), (x1, _) = map(read_ply, frames)
+    mesh = ipctk.CollisionMesh(x0, ipctk.edges(faces), faces)
+    files = [str(frame) for frame in frames]
+
+    def ours(*flags):
+        return Exact(options.program, flags, threads)
+
+    def theirs(ask, *broad_phases):
+        return [Ipctk(mesh, b, n, ask) for b in broad_phases for n in NARROW_PHASES]
+
+    title = f"{scene.name}, {threads} thread{'s' * (threads > 1)}"
+    contestants = [ours("--toi"), ours(), *theirs("step", *options.broad)]
+    seconds, answers = medians(contestants, options.rounds, x0, x1, files)
+    print_table(f"{title}: the collision-free step", contestants, seconds, answers)
+    ours_is_largest = answers[0] >= max(answers[2:])
+    print(f"\nOur step is {'' if ours_is_largest else 'NOT '}at least as large as theirs.")
+    size = FREE_FRACTION * min(answers[2:])
+
+    contestants = [ours("--any"), *theirs("any", *options.broad)]
+    result = medians(contestants, options.rounds, x0, x1, files)
+    print_table(f"{title}: yes or no", contestants, *result)
+
+    with tempfile.TemporaryDirectory() as folder:
+        free = np.asfortranarray(x0 + size * (x1 - x0))
+        end = str(Path(folder) / "end.ply")
+        write_ply(end, free, faces)
+        result = medians(contestants, options.rounds, x0, free, [files[0], end])
+        print_table(f"{title}: yes or no, on a step that is free", contestants, *result)
+
+
+def frame_number(path):
+    """Frames are numbered."""
+    digits = re.findall(r"\d+", path.stem)
+    return int(digits[-1]) if digits else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program", help="the program exact-ccd")
+    parser.add_argument("scenes", help="a folder of scenes, each with a folder of frames", type=Path)
+    parser.add_argument("--rounds", help="how often each is run", type=int, default=5)
+    parser.add_argument("--threads", help="how many threads", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--broad", help="broad phases of ipctk", nargs="+", default=["LBVH"], choices=BROAD_PHASES)
+    parser.add_argument("--only", help="the scene with this name")
+    options = parser.parse_args()
+    for threads in options.threads:
+        for scene in sorted(options.scenes.iterdir()):
+            if (scene / "frames").is_dir() and options.only in (None, scene.name):
+                compare(scene, options, threads)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,94 @@
+//! Batches answer as single queries do, on all instruction sets of this machine.
+
+use ccd_bench::{DataKind, QueryReader, Rounding};
+use ccd_mesh::{Bvh, Candidates, Point, Step};
+use exact_ccd::batch::{Instructions, Trajectories};
+use exact_ccd::{PointTriangle, Query, SegmentSegment};
+
+use crate::{data, scenes};
+
+/// The indices of the queries that collide, one by one.
+fn one_by_one<K: DataKind>(queries: impl Iterator<Item = Query<K>>) -> Vec<usize> {
+    queries
+        .enumerate()
+        .filter(|(_, query)| query.collides())
+        .map(|(index, _)| index)
+        .collect()
+}
+
+fn assert_batches_find<K: DataKind>(
+    trajectories: &Trajectories,
+    vertices: &[[u32; 4]],
+    expected: &[usize],
+    name: &str,
+) {
+    for instructions in Instructions::available() {
+        let trajectories = trajectories.clone().with_instructions(instructions);
+        let mut found = Vec::new();
+        trajectories
+            .collisions::<K>(vertices, |index, _| found.push(index))
+            .unwrap();
+        assert_eq!(found, expected, "{name} {} {instructions:?}", K::SHORT);
+    }
+}
+
+fn check_scene<K: DataKind>(
+    step: &Step<'_>,
+    pairs: &[[u32; 2]],
+    vertices: impl Fn([u32; 2]) -> [u32; 4],
+    name: &str,
+) {
+    let [x0, x1] = step.positions();
+    let trajectories = Trajectories::new(x0, x1).unwrap();
+    let vertices: Vec<_> = pairs.iter().map(|&pair| vertices(pair)).collect();
+    let expected = one_by_one(pairs.iter().map(|&pair| K::query(step, pair)));
+    assert!(!expected.is_empty());
+    assert_batches_find::<K>(&trajectories, &vertices, &expected, name);
+}
+
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn all_candidates_of_the_scenes() {
+    for scene in scenes() {
+        let name = scene.name();
+        let motion = scene.motion().unwrap();
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        let (faces, edges) = (motion.mesh.faces(), motion.mesh.edges());
+        let vertex_face = |[vertex, face]: [u32; 2]| {
+            let [a, b, c] = faces[face as usize];
+            [vertex, a, b, c]
+        };
+        let edge_edge = |pair: [u32; 2]| {
+            let [[a0, a1], [b0, b1]] = pair.map(|edge| edges[edge as usize]);
+            [a0, a1, b0, b1]
+        };
+        check_scene::<PointTriangle>(&step, candidates.vertex_face(), vertex_face, &name);
+        check_scene::<SegmentSegment>(&step, candidates.edge_edge(), edge_edge, &name);
+    }
+}
+
+/// Each query has four vertices of its own.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn all_handcrafted_queries() {
+    fn check<K: DataKind>() {
+        let mut queries = Vec::new();
+        for file in data().handcrafted::<K>().unwrap() {
+            for sample in QueryReader::<K, _>::open(&file, Rounding::Refuse).unwrap() {
+                queries.push(sample.unwrap().query);
+            }
+        }
+        let at =
+            |time: usize| -> Vec<Point> { queries.iter().flat_map(|query| query.points()[time]).collect() };
+        let trajectories = Trajectories::new(&at(0), &at(1)).unwrap();
+        let vertices: Vec<_> = (0..queries.len() as u32)
+            .map(|query| [0, 1, 2, 3].map(|point| 4 * query + point))
+            .collect();
+        let expected = one_by_one(queries.iter().copied());
+        assert!(!expected.is_empty());
+        assert_batches_find::<K>(&trajectories, &vertices, &expected, "handcrafted");
+    }
+    check::<PointTriangle>();
+    check::<SegmentSegment>();
+}

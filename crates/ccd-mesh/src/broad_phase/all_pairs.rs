@@ -1,0 +1,49 @@
+//! Every box against every other.
+
+use core::ops::ControlFlow;
+
+use fearless_simd::{Simd, dispatch};
+
+use super::BroadPhase;
+use super::block::level;
+use super::boxes::Boxes;
+use super::pairs::Pairs;
+
+/// Every box against every other: the reference for the tests of the others.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct AllPairs;
+
+impl BroadPhase for AllPairs {
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, &visit)))
+    }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, &visit)))
+    }
+}
+
+#[inline(always)]
+fn all<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+    simd: S,
+    a: &Boxes,
+    b: &Boxes,
+    first: impl Fn(usize) -> usize,
+    mut pairs: Pairs<'_, V>,
+) -> ControlFlow<()> {
+    for i in 0..a.blocks.len() {
+        for j in first(i)..b.blocks.len() {
+            pairs.add(simd, i, j)?;
+        }
+    }
+    pairs.hand_on()
+}

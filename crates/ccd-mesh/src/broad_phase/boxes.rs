@@ -1,0 +1,118 @@
+//! Many boxes, as a broad phase wants them.
+
+use exact_ccd::Point;
+use rayon::prelude::*;
+
+use super::block::{Block, LANES};
+use super::moving_box::MovingBox;
+use super::order::order;
+use crate::bounds::Bounds;
+
+/// How many blocks a thread fills at a time, at least.
+const GRAIN: usize = 64;
+
+/// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
+///
+/// Each box has an index. Coordinates are rounded to single precision; rounding is monotone, so that boxes which meet
+/// still do.
+#[derive(Clone, Debug)]
+pub struct Boxes {
+    /// The indices of the boxes, block by block.
+    pub(super) ids: Vec<u32>,
+    /// The last one is filled up with boxes of nothing.
+    pub(super) blocks: Vec<Block>,
+    /// The box around each block.
+    pub(super) around: Vec<MovingBox>,
+}
+
+impl Boxes {
+    /// Boxes at t = 0 and at t = 1. Their indices are those in the slice, of which there must be no more than 2³².
+    #[must_use]
+    pub fn new(boxes: &[[Bounds; 2]]) -> Self {
+        let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
+        Self::ordered(order(&centres), |id| MovingBox::new(boxes[id as usize], [0.0; 3]))
+    }
+
+    /// Boxes that rest.
+    #[must_use]
+    pub fn at_rest(boxes: &[Bounds]) -> Self {
+        Self::new(&boxes.iter().map(|&b| [b, b]).collect::<Vec<_>>())
+    }
+
+    /// The boxes with these indices, eight at a time.
+    pub(crate) fn ordered(ids: Vec<u32>, moving: impl Fn(u32) -> MovingBox + Sync) -> Self {
+        let block = |ids: &[u32]| fill(ids, &moving);
+        let (blocks, around) = ids.par_chunks(LANES).with_min_len(GRAIN).map(block).unzip();
+        Self { ids, blocks, around }
+    }
+
+    /// Moves the boxes to other places, in the same order.
+    pub(crate) fn refit(&mut self, moving: impl Fn(u32) -> MovingBox + Sync) {
+        let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
+        let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
+        blocks.for_each(|((block, around), ids)| (*block, *around) = fill(ids, &moving));
+    }
+
+    /// One block in so many.
+    pub(crate) fn sample(&self, stride: usize) -> Self {
+        let ids = self.ids.chunks(LANES).step_by(stride).flatten();
+        Self {
+            ids: ids.copied().collect(),
+            blocks: self.blocks.iter().step_by(stride).copied().collect(),
+            around: self.around.iter().step_by(stride).copied().collect(),
+        }
+    }
+
+    /// How many boxes there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.ids.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.ids.is_empty()
+    }
+
+    /// The index of each box, and where it is at t = 0 and at t = 1, rounded.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, [Bounds; 2])> {
+        let boxes = self
+            .blocks
+            .iter()
+            .flat_map(|block| (0..LANES).map(|lane| block.get(lane)));
+        self.ids.iter().copied().zip(boxes.map(|moving| moving.ends()))
+    }
+
+    /// Which boxes of a block are there.
+    #[inline]
+    pub(super) fn filled(&self, block: usize) -> u32 {
+        let count = (self.ids.len() - LANES * block).min(LANES);
+        (1 << count) - 1
+    }
+}
+
+/// A block, and the box around it.
+#[inline(always)]
+fn fill(ids: &[u32], moving: impl Fn(u32) -> MovingBox) -> (Block, MovingBox) {
+    let (mut block, mut around) = (Block::EMPTY, MovingBox::EMPTY);
+    for (lane, &id) in ids.iter().enumerate() {
+        let moving = moving(id);
+        block.set(lane, &moving);
+        around = around.union(&moving);
+    }
+    (block, around)
+}
+
+/// The middle of where a box begins.
+fn centre([start, _]: &[Bounds; 2]) -> Point {
+    // Halved before they are added: the sum of two finite numbers may overflow. The box of nothing is nowhere.
+    let middle = |axis: usize| 0.5 * start.lower[axis] + 0.5 * start.upper[axis];
+    [0, 1, 2].map(|axis| {
+        if middle(axis).is_finite() {
+            middle(axis)
+        } else {
+            0.0
+        }
+    })
+}

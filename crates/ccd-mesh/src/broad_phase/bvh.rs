@@ -1,0 +1,148 @@
+//! A bounding volume hierarchy.
+
+use core::ops::{ControlFlow, Range};
+
+use fearless_simd::{Simd, dispatch};
+use rayon::prelude::*;
+
+use super::BroadPhase;
+use super::block::{Block, LANES, level};
+use super::boxes::Boxes;
+use super::moving_box::MovingBox;
+use super::pairs::Pairs;
+
+/// Finds the pairs with a hierarchy of boxes, eight below each.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Bvh;
+
+/// How many blocks a thread looks up at a time.
+const GRAIN: usize = 32;
+
+impl BroadPhase for Bvh {
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        let tree = Tree::new(b);
+        grains(a).try_for_each(|blocks| {
+            let pairs = Pairs::between(a, b, &visit);
+            dispatch!(level(), simd => tree.look_up(simd, a, blocks, false, pairs))
+        })
+    }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        let tree = Tree::new(boxes);
+        grains(boxes).try_for_each(|blocks| {
+            let pairs = Pairs::within(boxes, &visit);
+            dispatch!(level(), simd => tree.look_up(simd, boxes, blocks, true, pairs))
+        })
+    }
+}
+
+fn grains(boxes: &Boxes) -> impl ParallelIterator<Item = Range<usize>> {
+    let count = boxes.blocks.len();
+    (0..count.div_ceil(GRAIN))
+        .into_par_iter()
+        .map(move |grain| GRAIN * grain..(GRAIN * (grain + 1)).min(count))
+}
+
+/// How many nodes can be waiting for a look at their children: there are at most 11 levels, each with eight of a kind.
+const MOST_OPEN: usize = 11 * LANES;
+
+/// The boxes around eight blocks, the boxes around eight times as many, and so on: the shape of the hierarchy is that of
+/// the indices, and it is as good as the order of the boxes is.
+struct Tree {
+    /// How many blocks of boxes there are.
+    leaves: usize,
+    /// Level by level, each from the one before; the last has one block, unless there are no boxes at all.
+    levels: Vec<Vec<Block>>,
+}
+
+impl Tree {
+    fn new(boxes: &Boxes) -> Self {
+        let mut levels = vec![above(&boxes.around)];
+        while let Some(level) = levels.last().filter(|level| level.len() > 1) {
+            let around: Vec<MovingBox> = level.par_iter().with_min_len(64).map(Block::union).collect();
+            levels.push(above(&around));
+        }
+        Self {
+            leaves: boxes.blocks.len(),
+            levels,
+        }
+    }
+
+    /// Adds all pairs of a box in some blocks and one in the tree; if `later`, only those of a block and itself or a later
+    /// one.
+    #[inline(always)]
+    fn look_up<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+        &self,
+        simd: S,
+        a: &Boxes,
+        blocks: Range<usize>,
+        later: bool,
+        mut pairs: Pairs<'_, V>,
+    ) -> ControlFlow<()> {
+        let mut open = [(0, 0); MOST_OPEN];
+        for block in blocks {
+            self.descend(simd, block, &a.around[block], later, &mut open, &mut pairs)?;
+        }
+        pairs.hand_on()
+    }
+
+    #[inline(always)]
+    fn descend<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+        &self,
+        simd: S,
+        block: usize,
+        around: &MovingBox,
+        later: bool,
+        open: &mut [(u32, u32); MOST_OPEN],
+        pairs: &mut Pairs<'_, V>,
+    ) -> ControlFlow<()> {
+        open[0] = (self.levels.len() as u32, 0);
+        let mut count = usize::from(self.leaves > 0);
+        while count > 0 {
+            count -= 1;
+            let (level, index) = (open[count].0 as usize, open[count].1 as usize);
+            if level == 0 {
+                pairs.add(simd, block, index)?;
+                continue;
+            }
+            let mut children = self.levels[level - 1][index].meeting(simd, around);
+            let below = if level == 1 {
+                self.leaves
+            } else {
+                self.levels[level - 2].len()
+            };
+            // The first leaf of a child's successor.
+            let span = 1 << (3 * (level - 1));
+            while children != 0 {
+                let child = LANES * index + children.trailing_zeros() as usize;
+                children &= children - 1;
+                if child < below && !(later && (child + 1) * span <= block) {
+                    open[count] = (level as u32 - 1, child as u32);
+                    count += 1;
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Boxes, eight to a block.
+fn above(boxes: &[MovingBox]) -> Vec<Block> {
+    let block = |eight: &[MovingBox]| {
+        let mut block = Block::EMPTY;
+        for (lane, moving) in eight.iter().enumerate() {
+            block.set(lane, moving);
+        }
+        block
+    };
+    boxes.par_chunks(LANES).with_min_len(64).map(block).collect()
+}

@@ -1,0 +1,83 @@
+//! Points in an order in which neighbours are near each other.
+
+use exact_ccd::Point;
+use rayon::prelude::*;
+
+use crate::bounds::Bounds;
+
+/// Bits of a key for each axis.
+const BITS: u32 = 12;
+
+/// How many points with the same key are left as they are.
+const SMALL: usize = 8;
+
+/// The indices of the points along a curve that fills their box (Hilbert, Über die stetige Abbildung einer Linie auf ein Flächenstück, 1891).
+///
+/// Where too many points fall into one cell of the curve, they are ordered along a curve of their own: points out of all
+/// proportion, such as one far away from all others, cost a few more rounds, each with cells 2¹² times as small.
+pub(crate) fn order(points: &[Point]) -> Vec<u32> {
+    let mut keyed: Vec<(u64, u32)> = (0..points.len() as u32).map(|id| (0, id)).collect();
+    sort(points, &mut keyed);
+    keyed.into_iter().map(|(_, id)| id).collect()
+}
+
+fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
+    let Bounds { lower, upper } = keyed
+        .iter()
+        .map(|&(_, id)| points[id as usize])
+        .collect::<Bounds>();
+    // Halved, for a difference may overflow.
+    let extent = (0..3).fold(0.0, |most: f64, k| most.max(0.5 * upper[k] - 0.5 * lower[k]));
+    if extent.is_nan() || extent <= 0.0 {
+        return;
+    }
+    let scale = f64::from(1u32 << (BITS - 1)) / extent;
+    let largest = (1 << BITS) - 1;
+    keyed.par_iter_mut().for_each(|(key, id)| {
+        let point = points[*id as usize];
+        // The conversion saturates, and turns the NaN of a vanishing extent into 0.
+        let cell = |k: usize| (((0.5 * point[k] - 0.5 * lower[k]) * scale * 2.0) as u32).min(largest);
+        let [x, y, z] = along_hilbert([cell(0), cell(1), cell(2)]);
+        *key = spread(x) << 2 | spread(y) << 1 | spread(z);
+    });
+    keyed.par_sort_unstable();
+    for run in keyed.chunk_by_mut(|(a, _), (b, _)| a == b) {
+        if run.len() > SMALL {
+            sort(points, run);
+        }
+    }
+}
+
+/// The bits of a cell's place along Hilbert's curve, those of each level one to an axis (Skilling, Programming the Hilbert
+/// curve, 2004).
+fn along_hilbert(mut cell: [u32; 3]) -> [u32; 3] {
+    for level in (1..BITS).rev() {
+        let below = (1 << level) - 1;
+        for axis in 0..3 {
+            // Where the bit is set, the lower bits of the first axis are flipped; elsewhere, swapped with those of this one.
+            let is_set = (cell[axis] >> level & 1).wrapping_neg();
+            cell[0] ^= below & is_set;
+            let swap = (cell[0] ^ cell[axis]) & below & !is_set;
+            cell[0] ^= swap;
+            cell[axis] ^= swap;
+        }
+    }
+    // Gray code.
+    cell[1] ^= cell[0];
+    cell[2] ^= cell[1];
+    let mut flip = 0;
+    for level in 1..BITS {
+        flip ^= ((1 << level) - 1) & (cell[2] >> level & 1).wrapping_neg();
+    }
+    cell.map(|bits| bits ^ flip)
+}
+
+/// Two zeros between any two of at most 21 bits.
+fn spread(bits: u32) -> u64 {
+    let bits = u64::from(bits);
+    let bits = (bits | bits << 32) & 0x001f_0000_0000_ffff;
+    let bits = (bits | bits << 16) & 0x001f_0000_ff00_00ff;
+    let bits = (bits | bits << 8) & 0x100f_00f0_0f00_f00f;
+    let bits = (bits | bits << 4) & 0x10c3_0c30_c30c_30c3;
+    (bits | bits << 2) & 0x1249_2492_4924_9249
+}

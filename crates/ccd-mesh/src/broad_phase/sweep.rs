@@ -1,0 +1,120 @@
+//! Sweep and prune.
+
+use core::ops::ControlFlow;
+
+use fearless_simd::{Simd, dispatch};
+use rayon::prelude::*;
+
+use super::BroadPhase;
+use super::block::level;
+use super::boxes::Boxes;
+use super::moving_box::MovingBox;
+use super::pairs::Pairs;
+
+/// Finds the pairs by a sweep along one axis (Cohen, Lin, Manocha, Ponamgi, *I-COLLIDE: An interactive and exact collision
+/// detection system for large-scale environments*, 1995), with blocks of eight boxes that are near each other.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sweep;
+
+/// How many blocks a thread looks up at a time.
+const GRAIN: usize = 32;
+
+impl BroadPhase for Sweep {
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        let axis = longest_axis(b);
+        let [of_a, of_b] = [a, b].map(|boxes| Interval::sorted(boxes, axis));
+        // Of two intervals that overlap, one begins in the other.
+        of_a.par_chunks(GRAIN).try_for_each(|grain| {
+            let after = |interval: &Interval| of_b.partition_point(|other| other.lower < interval.lower);
+            let pairs = Pairs::between(a, b, &visit);
+            dispatch!(level(), simd => sweep(simd, grain, |i| (&of_b[after(i)..], false), pairs))
+        })?;
+        of_b.par_chunks(GRAIN).try_for_each(|grain| {
+            let after = |interval: &Interval| of_a.partition_point(|other| other.lower <= interval.lower);
+            let pairs = Pairs::between(a, b, &visit);
+            dispatch!(level(), simd => sweep(simd, grain, |i| (&of_a[after(i)..], true), pairs))
+        })
+    }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        let intervals = Interval::sorted(boxes, longest_axis(boxes));
+        intervals.par_chunks(GRAIN).try_for_each(|grain| {
+            let from = |interval: &Interval| (&intervals[interval.position..], false);
+            let pairs = Pairs::within(boxes, &visit);
+            dispatch!(level(), simd => sweep(simd, grain, from, pairs))
+        })
+    }
+}
+
+/// Where a block is along the axis during the step.
+struct Interval {
+    lower: f32,
+    upper: f32,
+    block: usize,
+    /// Its index among the sorted ones.
+    position: usize,
+}
+
+impl Interval {
+    fn sorted(boxes: &Boxes, axis: usize) -> Vec<Self> {
+        let interval = |(block, around): (usize, &MovingBox)| {
+            let [start, end] = [axis, 4 + axis];
+            Self {
+                lower: around.lower[start].min(around.lower[end]),
+                upper: around.upper[start].max(around.upper[end]),
+                block,
+                position: 0,
+            }
+        };
+        let mut intervals: Vec<Self> = boxes.around.par_iter().enumerate().map(interval).collect();
+        intervals.par_sort_by(|a, b| a.lower.total_cmp(&b.lower));
+        for (position, interval) in intervals.iter_mut().enumerate() {
+            interval.position = position;
+        }
+        intervals
+    }
+}
+
+/// The axis along which the boxes extend the most.
+fn longest_axis(boxes: &Boxes) -> usize {
+    let around = boxes
+        .around
+        .iter()
+        .fold(MovingBox::EMPTY, |all, around| all.union(around));
+    let extent = |axis: &usize| around.upper[*axis] - around.lower[*axis];
+    (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0)
+}
+
+/// Adds the pairs of each block with those that begin while it lasts; these are of `a`, if they are `first` in a pair.
+#[inline(always)]
+fn sweep<'i, S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+    simd: S,
+    intervals: &[Interval],
+    later: impl Fn(&Interval) -> (&'i [Interval], bool),
+    mut pairs: Pairs<'_, V>,
+) -> ControlFlow<()> {
+    for interval in intervals {
+        let (others, first) = later(interval);
+        for other in others {
+            if other.lower > interval.upper {
+                break;
+            }
+            let [a, b] = if first {
+                [other, interval]
+            } else {
+                [interval, other]
+            };
+            pairs.add(simd, a.block, b.block)?;
+        }
+    }
+    pairs.hand_on()
+}

@@ -1,0 +1,44 @@
+//! Which candidates are in contact.
+
+use exact_ccd::Query;
+use exact_ccd::batch::Trajectories;
+
+use crate::kind::PairKind;
+use crate::mesh::TriangleMesh;
+use crate::step::Step;
+
+/// What is asked about candidates, laid out for many of them.
+pub(crate) struct NarrowPhase<'a> {
+    mesh: &'a TriangleMesh,
+    trajectories: Trajectories,
+}
+
+impl<'a> NarrowPhase<'a> {
+    pub(crate) fn new(step: &Step<'a>) -> Self {
+        let [x0, x1] = step.positions();
+        Self {
+            mesh: step.mesh(),
+            trajectories: Trajectories::new(x0, x1).expect("the positions of a step are sound"),
+        }
+    }
+
+    /// Calls `found` with each pair that is in contact, and its query. Pairs with a common vertex are left out.
+    pub(crate) fn collisions<K: PairKind>(
+        &self,
+        pairs: &[[u32; 2]],
+        mut found: impl FnMut([u32; 2], &Query<K>),
+    ) {
+        let (mut kept, mut vertices) = (vec![[0; 2]; pairs.len()], vec![[0; 4]; pairs.len()]);
+        let mut count = 0;
+        for &ids in pairs {
+            if let Some(four) = K::vertices(self.mesh, ids) {
+                // Without a branch: about half of all pairs that are found near each other are neighbours in the mesh.
+                (kept[count], vertices[count]) = (ids, four);
+                count += usize::from(K::are_apart(&four));
+            }
+        }
+        self.trajectories
+            .collisions(&vertices[..count], |index, query| found(kept[index], query))
+            .expect("a mesh has the vertices of its primitives");
+    }
+}

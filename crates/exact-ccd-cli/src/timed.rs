@@ -1,0 +1,59 @@
+//! How long the narrow phase takes, when it runs inside the broad phase.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use ccd_mesh::{Boxes, BroadPhase};
+
+/// A broad phase that adds up the time of those who visit its pairs.
+pub(crate) struct Timed<B> {
+    broad_phase: B,
+    nanoseconds: AtomicU64,
+}
+
+impl<B> Timed<B> {
+    pub(crate) fn new(broad_phase: B) -> Self {
+        Self {
+            broad_phase,
+            nanoseconds: AtomicU64::new(0),
+        }
+    }
+
+    /// The time spent by visitors, as if they had been shared evenly among all threads.
+    pub(crate) fn spent_by_visitors(&self) -> Duration {
+        Duration::from_nanos(self.nanoseconds.load(Ordering::Relaxed))
+            / rayon::current_num_threads().max(1) as u32
+    }
+}
+
+fn timed(
+    nanoseconds: &AtomicU64,
+    visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync {
+    move |pairs| {
+        let clock = Instant::now();
+        let flow = visit(pairs);
+        nanoseconds.fetch_add(clock.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        flow
+    }
+}
+
+impl<B: BroadPhase> BroadPhase for Timed<B> {
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        self.broad_phase.between(a, b, timed(&self.nanoseconds, visit))
+    }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        self.broad_phase.within(boxes, timed(&self.nanoseconds, visit))
+    }
+}

@@ -1,0 +1,43 @@
+//! Which vector instructions to use.
+
+use fearless_simd::{Level, Simd};
+
+/// A set of vector instructions that this processor has.
+///
+/// No answer depends on it. To choose one is for tests and measurements.
+#[derive(Clone, Copy, Debug)]
+pub struct Instructions(Level);
+
+impl Instructions {
+    /// The widest that this processor has, found at run time with the feature `std`; without, the widest that the
+    /// program is compiled for.
+    #[must_use]
+    pub fn best() -> Self {
+        Self(Level::try_detect().unwrap_or(Level::baseline()))
+    }
+
+    /// All that this processor has, from the narrowest to the widest.
+    pub fn available() -> impl Iterator<Item = Self> {
+        let Self(best) = Self::best();
+        #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+        let levels = [
+            best.as_sse2().map(Simd::level),
+            best.as_sse4_2().map(Simd::level),
+            best.as_avx2().map(Simd::level),
+            best.as_avx512().map(Simd::level),
+        ];
+        #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+        let levels = [Some(best)];
+        levels.into_iter().flatten().map(Self)
+    }
+
+    pub(super) fn level(self) -> Level {
+        self.0
+    }
+}
+
+impl Default for Instructions {
+    fn default() -> Self {
+        Self::best()
+    }
+}

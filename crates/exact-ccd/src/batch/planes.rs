@@ -1,0 +1,60 @@
+//! The next filters, [`Stage::Normals`](crate::Stage::Normals) and [`Stage::Coplanarity`](crate::Stage::Coplanarity):
+//! eight queries at a time.
+
+use fearless_simd::f64x8;
+use fearless_simd::prelude::*;
+
+use super::row::Row;
+use crate::filter::{Cubic, Points, screen_planes};
+use crate::kind::Kind;
+
+/// How many queries.
+pub(super) const LANES: usize = 8;
+
+/// What these filters leave of eight queries.
+pub(super) struct Rest {
+    /// A bit for each query that is not settled.
+    pub(super) lanes: u64,
+    /// Their cubics.
+    bernstein: [[f64; LANES]; 4],
+    magnitude: [f64; LANES],
+}
+
+impl Rest {
+    /// The cubic of a query.
+    #[inline(always)]
+    pub(super) fn cubic(&self, lane: usize) -> Cubic<f64> {
+        Cubic {
+            bernstein: self.bernstein.map(|lanes| lanes[lane]),
+            magnitude: self.magnitude[lane],
+        }
+    }
+}
+
+/// Passes eight queries through the filters.
+#[inline(always)]
+pub(super) fn screen<S: Simd, K: Kind>(simd: S, rows: &[[&Row; 4]; LANES]) -> Rest {
+    let mut transposed = [[[0.0; LANES]; 8]; 4];
+    for (lane, rows) in rows.iter().enumerate() {
+        for (point, row) in rows.iter().enumerate() {
+            for (place, &x) in row.0.iter().enumerate() {
+                transposed[point][place][lane] = x;
+            }
+        }
+    }
+    let zero = f64x8::splat(simd, 0.0);
+    let mut points: Points<f64x8<S>> = [[[zero; 3]; 4]; 2];
+    for time in 0..2 {
+        for point in 0..4 {
+            for axis in 0..3 {
+                points[time][point][axis] = f64x8::from_slice(simd, &transposed[point][4 * time + axis]);
+            }
+        }
+    }
+    let (settled, cubic) = screen_planes::<K, _>(&points);
+    Rest {
+        lanes: (!settled).to_bitmask(),
+        bernstein: cubic.bernstein.map(Into::into),
+        magnitude: cubic.magnitude.into(),
+    }
+}

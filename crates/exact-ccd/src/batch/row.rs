@@ -1,0 +1,27 @@
+//! A vertex in the first filters: one vector.
+
+use crate::query::Point;
+
+/// The position of a vertex at both ends of the step, as x y z x | x y z x, in one line of the cache. After a rotation by
+/// one place each coordinate meets the next one of the same time.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+pub(super) struct Row(pub(super) [f64; 8]);
+
+/// The places at which t = 0 is compared; those of t = 1 are four above.
+pub(super) const PLACES: u64 = 0b0111;
+
+impl Row {
+    pub(super) fn new([x0, y0, z0]: Point, [x1, y1, z1]: Point) -> Self {
+        Self([x0, y0, z0, x0, x1, y1, z1, x1])
+    }
+
+    pub(super) fn points(&self) -> [Point; 2] {
+        let [x0, y0, z0, _, x1, y1, z1, _] = self.0;
+        [[x0, y0, z0], [x1, y1, z1]]
+    }
+
+    pub(super) fn is_finite(&self) -> bool {
+        self.0.iter().fold(true, |all, x| all & x.is_finite())
+    }
+}
