@@ -15,13 +15,15 @@
 //!
 //! The same frame gives the same picture on every machine: there is no arithmetic but + − × ÷ and √.
 
+mod animation;
 mod canvas;
 mod marks;
 mod picture;
 mod scene;
 mod view;
 
+pub use animation::{Animation, write_apng};
 pub use marks::Marks;
-pub use picture::{Picture, write_apng};
+pub use picture::Picture;
 pub use scene::render;
 pub use view::View;

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use crate::animation::encoder;
 use crate::canvas::Canvas;
 use crate::scene::SAMPLES;
 
@@ -49,43 +50,8 @@ impl Picture {
     /// # Errors
     /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without pixels.
     pub fn write_png(&self, writer: impl io::Write) -> io::Result<()> {
-        write(writer, std::slice::from_ref(self), None)
+        let mut writer = encoder(writer, self.size)?.write_header()?;
+        writer.write_image_data(self.pixels.as_flattened())?;
+        Ok(writer.finish()?)
     }
-}
-
-/// Writes an animated PNG file, which browsers play, over and over. Programs that do not know it show the first picture.
-///
-/// `delay` is the time of each picture in milliseconds.
-///
-/// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures, or no pixels, or if not
-/// all are of the same size.
-pub fn write_apng(writer: impl io::Write, pictures: &[Picture], delay: u16) -> io::Result<()> {
-    write(writer, pictures, Some(delay))
-}
-
-fn write(writer: impl io::Write, pictures: &[Picture], delay: Option<u16>) -> io::Result<()> {
-    let invalid = |what: &str| io::Error::new(io::ErrorKind::InvalidInput, what);
-    let first = pictures.first().ok_or_else(|| invalid("there are no pictures"))?;
-    if first.pixels.is_empty() {
-        return Err(invalid("the picture has no pixels"));
-    }
-    if pictures.iter().any(|picture| picture.size != first.size) {
-        return Err(invalid("the pictures are not of the same size"));
-    }
-    let [width, height] = first.size.map(u32::from);
-    let mut encoder = png::Encoder::new(writer, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    if let Some(delay) = delay {
-        let count = u32::try_from(pictures.len()).map_err(|_| invalid("there are too many pictures"))?;
-        encoder.set_animated(count, 0)?;
-        encoder.set_frame_delay(delay, 1000)?;
-    }
-    let mut writer = encoder.write_header()?;
-    for picture in pictures {
-        writer.write_image_data(picture.pixels.as_flattened())?;
-    }
-    writer.finish()?;
-    Ok(())
 }

@@ -2,7 +2,7 @@
 
 use ccd_mesh::{Bounds, Point};
 
-/// A parallel projection. The z axis points upwards in the picture, unless one looks along it: then the y axis does.
+/// A parallel projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Unit vectors to the right, upwards, and towards the viewer.
@@ -19,14 +19,22 @@ impl View {
     /// How much of the picture the box fills, along the axis on which it fills more.
     const FILL: f64 = 0.9;
 
-    /// A view in which a box fills a picture of this width and height in pixels.
+    /// A view in which a box fills a picture of this width and height in pixels, and the z axis points upwards.
     ///
     /// `towards` leads from the box towards the viewer. If it is no direction, the view is from above.
     #[must_use]
     pub fn of(bounds: &Bounds, towards: Point, size: [u16; 2]) -> Self {
-        let above = [0.0, 0.0, 1.0];
-        let towards = unit(towards).unwrap_or(above);
-        let right = unit(cross(above, towards)).unwrap_or([1.0, 0.0, 0.0]);
+        Self::upright(bounds, [0.0, 0.0, 1.0], towards, size)
+    }
+
+    /// As [`of`](Self::of), with another direction that points upwards. Who looks along it, or if it is none, has the y axis
+    /// point upwards, or else the z axis.
+    #[must_use]
+    pub fn upright(bounds: &Bounds, up: Point, towards: Point, size: [u16; 2]) -> Self {
+        let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let towards = unit(towards).or_else(|| unit(up)).unwrap_or(z);
+        let right = [unit(up).unwrap_or(y), y, z].map(|up| cross(up, towards));
+        let right = right.into_iter().find_map(unit).unwrap_or([1.0, 0.0, 0.0]);
         let axes = [right, cross(towards, right), towards];
         let corners = (0..8).map(|corner| {
             [0, 1, 2].map(|axis| {

@@ -5,7 +5,7 @@
 use std::io::{Cursor, ErrorKind};
 
 use ccd_mesh::{Bounds, Frame, Pair, Point};
-use ccd_render::{Marks, Picture, View, render, write_apng};
+use ccd_render::{Animation, Marks, Picture, View, render, write_apng};
 use proptest::prelude::*;
 
 const ABOVE: Point = [0.0, 0.0, 1.0];
@@ -77,23 +77,28 @@ fn what_is_nearer_hides_what_is_behind() {
 
 #[test]
 fn the_vertical_axis_points_upwards() {
-    let view = View::of(&ten_units(), [0.3, -1.0, 0.2], [100, 100]);
-    let pole = Frame::new(
-        vec![[5.0, 5.0, 0.0], [5.0, 5.0, 1.0], [5.0, 5.0, 1.0]],
-        vec![[0, 1, 2]],
-    )
-    .unwrap();
-    let row = |vertex: u32| {
+    let (y, z) = ([5.0, 6.0, 0.0], [5.0, 5.0, 1.0]);
+    let pole = Frame::new(vec![[5.0, 5.0, 0.0], y, z], vec![[0, 1, 2]]).unwrap();
+    let row = |view: &View, vertex: u32| {
         let marks = Marks {
             vertices: vec![vertex],
             ..Marks::default()
         };
-        let picture = render(&pole, &view, &marks);
+        let picture = render(&pole, view, &marks);
         let red = (0..10_000).filter(|&i| picture.pixels()[i][0] > 200 && picture.pixels()[i][1] < 60);
         let rows: Vec<usize> = red.map(|i| i / 100).collect();
         rows.iter().sum::<usize>() / rows.len()
     };
-    assert!(row(1) < row(0));
+    let upright = |up| View::upright(&ten_units(), up, [0.3, 0.4, 1.0], [100, 100]);
+    for (view, upper) in [
+        (View::of(&ten_units(), [0.3, -1.0, 0.2], [100, 100]), 2),
+        (upright([0.0, 9.8, 0.0]), 1),
+        (upright([0.0; 3]), 1),
+    ] {
+        assert!(row(&view, upper) < row(&view, 0), "{view:?}");
+    }
+    let view = upright([0.0, -1.0, 0.0]);
+    assert!(row(&view, 1) > row(&view, 0));
 }
 
 #[test]
@@ -153,6 +158,16 @@ fn pictures_that_make_no_file_are_errors() {
     assert_eq!(error(&[]), ErrorKind::InvalidInput);
     assert_eq!(error(&[of([0, 5])]), ErrorKind::InvalidInput);
     assert_eq!(error(&[of([5, 5]), of([5, 6])]), ErrorKind::InvalidInput);
+
+    let mut animation = Animation::new(Vec::new(), [5, 5], 2, 1).unwrap();
+    animation.add(&of([5, 5])).unwrap();
+    assert_eq!(animation.finish().unwrap_err().kind(), ErrorKind::InvalidInput);
+    let mut animation = Animation::new(Vec::new(), [5, 5], 1, 1).unwrap();
+    animation.add(&of([5, 5])).unwrap();
+    assert_eq!(
+        animation.add(&of([5, 5])).unwrap_err().kind(),
+        ErrorKind::InvalidInput
+    );
 }
 
 proptest! {

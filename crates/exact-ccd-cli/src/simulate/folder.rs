@@ -69,7 +69,7 @@ impl OutputFolder {
 
     fn write_frame(&self, simulation: &Simulation) -> Result<(), Failure> {
         let state = simulation.state();
-        let file = self.folder.join("frames").join(format!("{:06}.ply", state.step));
+        let file = self.frame(state.step);
         let frame = simulation.system().surface_frame(&state.positions);
         write_file(&file, |writer| frame.map_err(io::Error::other)?.write_ply(writer))
     }
@@ -80,7 +80,13 @@ impl OutputFolder {
         })
     }
 
-    fn file(&self, name: &str) -> PathBuf {
+    /// The file of the surface after a time step.
+    pub(super) fn frame(&self, step: u64) -> PathBuf {
+        self.folder.join("frames").join(format!("{step:06}.ply"))
+    }
+
+    /// A file in the folder.
+    pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 }

@@ -3,6 +3,7 @@
 mod folder;
 mod line;
 mod path;
+mod pictures;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -41,6 +42,10 @@ pub(crate) struct Arguments {
     /// of contact, as `exact-ccd audit DIR/path` certifies; straight from one time step to the next there may be some.
     #[arg(long, requires = "out")]
     path: bool,
+    /// Draw each time as `pictures/N.png`, and all of them as an animation, `motion.png`, at the end: with --resume, of
+    /// the time steps that are there already too.
+    #[arg(long, requires = "out")]
+    render: bool,
     /// Go on from the checkpoint in the folder of --out, to the same bits.
     #[arg(long, requires = "out")]
     resume: bool,
@@ -86,5 +91,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Ok(())
     })?;
+    if let Some(folder) = folder.as_ref().filter(|_| arguments.render) {
+        pictures::draw(folder, &simulation)?;
+    }
     Ok(ExitCode::SUCCESS)
 }

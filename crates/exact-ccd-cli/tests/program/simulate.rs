@@ -105,6 +105,34 @@ fn a_resumed_simulation_comes_to_the_same_bytes() {
 }
 
 #[test]
+fn pictures_are_of_all_times() {
+    let folder = folder();
+    let run = |more: &[&str]| {
+        let arguments = ["simulate", "scene.toml", "--out", "result", "--render"];
+        let run = folder.run(&[arguments.as_slice(), more].concat());
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    };
+    let pictures = || fs::read_dir(folder.path("result/pictures")).unwrap().count();
+    let read = |name: &str| fs::read(folder.path(&format!("result/{name}"))).unwrap();
+    run(&["--steps", "4"]);
+    assert_eq!(pictures(), 5);
+    run(&["--resume"]);
+    assert_eq!(pictures(), 11);
+    assert_eq!(frames_of(&read("motion.png")), Some(11));
+    assert_eq!(frames_of(&read("pictures/000010.png")), None);
+    // The cube falls.
+    assert_ne!(read("pictures/000000.png"), read("pictures/000005.png"));
+}
+
+/// How many frames an animated PNG file has, by its acTL chunk; `None` if it is a still.
+fn frames_of(png: &[u8]) -> Option<u32> {
+    assert!(png.starts_with(b"\x89PNG\r\n\x1a\n"));
+    let control = png.windows(4).position(|name| name == b"acTL")?;
+    let count = png.get(control + 4..control + 8)?;
+    Some(u32::from_be_bytes(count.try_into().unwrap()))
+}
+
+#[test]
 fn the_method_can_be_chosen() {
     let folder = folder();
     for ccd in ["bisection", "parity", "ti"] {

@@ -1,0 +1,68 @@
+//! Pictures of all times.
+
+use std::fs;
+
+use ccd_mesh::{Bounds, Frame, Point};
+use ccd_render::{Animation, Marks, View, render};
+use ccd_sim::Simulation;
+
+use super::folder::OutputFolder;
+use crate::failure::Failure;
+use crate::output::{replace_file, write_file};
+use crate::progress::{self, during};
+
+/// Width and height in pixels.
+const SIZE: [u16; 2] = [640, 480];
+
+/// Draws the frames in a folder, up to where the simulation is, and plays them at the speed of the simulation.
+pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(), Failure> {
+    let steps = 0..=simulation.state().step;
+    let mut bounds = Bounds::EMPTY;
+    for step in steps.clone() {
+        bounds = bounds.union(&Frame::read(folder.frame(step))?.bounds());
+    }
+    let [up, towards] = directions(simulation.settings().gravity);
+    let view = View::upright(&bounds, up, towards, SIZE);
+    let delay = (1000.0 * simulation.settings().time_step).round().max(1.0) as u16;
+
+    let pictures = folder.file("pictures");
+    fs::create_dir_all(&pictures).map_err(|source| Failure::write(&pictures, source))?;
+    let count = u32::try_from(steps.clone().count()).unwrap_or(u32::MAX);
+    let motion = folder.file("motion.png");
+    let failed = |source| Failure::write(&motion, source);
+    replace_file(&motion, |writer| {
+        during(progress::frames(count as usize), |progress| {
+            let mut animation = Animation::new(writer, SIZE, count, delay).map_err(failed)?;
+            for step in steps {
+                let picture = render(&Frame::read(folder.frame(step))?, &view, &Marks::default());
+                let file = pictures.join(format!("{step:06}.png"));
+                write_file(&file, |writer| picture.write_png(writer))?;
+                animation.add(&picture).map_err(failed)?;
+                progress(1);
+            }
+            animation.finish().map_err(failed)
+        })
+    })
+}
+
+/// Upwards, which is against gravity, or else along y; and towards a viewer who looks down a little.
+fn directions(gravity: Point) -> [Point; 2] {
+    let falls = gravity.iter().any(|&g| g != 0.0);
+    let up = if falls {
+        gravity.map(|g| -g)
+    } else {
+        [0.0, 1.0, 0.0]
+    };
+    let vertical = (0..3).fold(0, |most: usize, axis| {
+        if up[axis].abs() > up[most].abs() {
+            axis
+        } else {
+            most
+        }
+    });
+    let mut towards = [0.0; 3];
+    towards[vertical] = 0.6_f64.copysign(up[vertical]);
+    towards[(vertical + 1) % 3] = 1.0;
+    towards[(vertical + 2) % 3] = 0.5;
+    [up, towards]
+}
