@@ -138,6 +138,13 @@ impl Simulation {
         self
     }
 
+    /// The same, with its filter inside of another one, which may observe what it is asked.
+    #[must_use]
+    pub fn map_filter(mut self, wrap: impl FnOnce(Box<dyn StepFilter>) -> Box<dyn StepFilter>) -> Self {
+        self.filter = wrap(self.filter);
+        self
+    }
+
     /// The system.
     #[must_use]
     pub fn system(&self) -> &System {

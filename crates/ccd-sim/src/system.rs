@@ -162,6 +162,11 @@ impl System {
         self.surface.mesh()
     }
 
+    /// The corners of all tetrahedra, each of positive volume at the start.
+    pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
+        self.tetrahedra.iter().map(Tetrahedron::vertices)
+    }
+
     /// The surface alone with its vertices at these positions, which are those of all vertices: without those inside of
     /// solids.
     ///
