@@ -71,7 +71,7 @@ pub use read::{Fault, Format, ParseError, Place, ReadError};
 pub use step::{Step, StepError, step};
 pub use tet_mesh::{TetMesh, TetMeshError};
 pub use weld::Welding;
-pub use write::write_pvd;
+pub use write::{UnstructuredGrid, write_pvd};
 
 /// The examples in the README of the repository, as tests.
 #[cfg(doctest)]

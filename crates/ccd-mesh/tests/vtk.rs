@@ -6,7 +6,7 @@ use std::io::ErrorKind;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use ccd_mesh::{Frame, Point, TetMesh, write_pvd};
+use ccd_mesh::{Frame, Point, TetMesh, UnstructuredGrid, write_pvd};
 use proptest::prelude::*;
 use roxmltree::{Document, Node};
 
@@ -124,6 +124,83 @@ fn tetrahedra_read_back_bit_for_bit() {
     let mut file = Vec::new();
     mesh.write_vtu(&mut file).unwrap();
     assert_eq!(parse(&file), (bits(&positions), wide(&tetrahedra), vec![10, 10]));
+}
+
+/// Two tetrahedra, a triangle apart, and velocities.
+const GRID: UnstructuredGrid<'_> = UnstructuredGrid {
+    positions: &[
+        [0.1, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [1.0, 1.0, 1.0],
+        [2.0, 0.0, 0.0],
+        [2.0, 1.0, 0.0],
+        [2.0, 0.0, 1.0],
+    ],
+    tetrahedra: &[[0, 1, 2, 3], [1, 2, 3, 4]],
+    triangles: &[[5, 6, 7]],
+    velocities: Some(&[[0.1, -0.0, 5e-324]; 8]),
+};
+
+#[test]
+fn solids_and_shells_share_a_grid() {
+    let mut file = Vec::new();
+    GRID.write_vtu(&mut file).unwrap();
+    let cells = [wide(GRID.tetrahedra), wide(GRID.triangles)].concat();
+    assert_eq!(parse(&file), (bits(GRID.positions), cells, vec![10, 10, 5]));
+
+    let document = Document::parse(std::str::from_utf8(&file).unwrap()).unwrap();
+    let piece = child(
+        child(root(&document, "UnstructuredGrid"), "UnstructuredGrid"),
+        "Piece",
+    );
+    let data = child(piece, "PointData");
+    assert_eq!(data.attribute("Vectors"), Some("velocity"));
+    assert_eq!(
+        child(data, "DataArray").attribute("NumberOfComponents"),
+        Some("3")
+    );
+    let written: Vec<u64> = array(data, "velocity", "Float64")
+        .into_iter()
+        .map(u64::from_le_bytes)
+        .collect();
+    assert_eq!(written, bits(GRID.velocities.unwrap()));
+}
+
+#[test]
+fn what_makes_no_grid_is_not_written() {
+    for (grid, error) in [
+        (
+            UnstructuredGrid {
+                triangles: &[[5, 6, 8]],
+                ..GRID
+            },
+            "a cell names vertex 8, but there are only 8 vertices",
+        ),
+        (
+            UnstructuredGrid {
+                velocities: Some(&[]),
+                ..GRID
+            },
+            "0 velocities, expected one for each of 8 vertices",
+        ),
+        (
+            UnstructuredGrid {
+                velocities: Some(&[[f64::INFINITY; 3]; 8]),
+                ..GRID
+            },
+            "a velocity has the component inf, expected finite numbers",
+        ),
+    ] {
+        let mut file = Vec::new();
+        let found = grid.write_vtu(&mut file).unwrap_err();
+        assert_eq!(
+            (found.kind(), found.to_string().as_str()),
+            (ErrorKind::InvalidInput, error)
+        );
+        assert!(file.is_empty());
+    }
 }
 
 #[test]

@@ -5,3 +5,4 @@ mod pvd;
 mod vtu;
 
 pub use pvd::write_pvd;
+pub use vtu::UnstructuredGrid;

@@ -16,6 +16,33 @@ use crate::tet_mesh::TetMesh;
 const TRIANGLE: u8 = 5;
 const TETRAHEDRON: u8 = 10;
 
+/// Tetrahedra and triangles over the same vertices, as VTK shows solids beside shells.
+///
+/// ```
+/// use ccd_mesh::UnstructuredGrid;
+///
+/// let grid = UnstructuredGrid {
+///     positions: &[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+///     tetrahedra: &[[0, 1, 2, 3]],
+///     ..UnstructuredGrid::default()
+/// };
+/// let mut vtu = Vec::new();
+/// grid.write_vtu(&mut vtu)?;
+/// assert!(String::from_utf8_lossy(&vtu).contains(r#"<Piece NumberOfPoints="4" NumberOfCells="1">"#));
+/// # Ok::<(), std::io::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct UnstructuredGrid<'a> {
+    /// The position of each vertex.
+    pub positions: &'a [Point],
+    /// Tetrahedra, the first cells.
+    pub tetrahedra: &'a [[u32; 4]],
+    /// Triangles, the cells after these.
+    pub triangles: &'a [[u32; 3]],
+    /// The velocity of each vertex, if it is to be written: as point data `velocity`.
+    pub velocities: Option<&'a [Point]>,
+}
+
 impl Frame {
     /// Writes the vertices and faces as a VTK file of an unstructured grid, `.vtu`, bit for bit.
     ///
@@ -25,7 +52,12 @@ impl Frame {
     pub fn write_vtu(&self, writer: impl io::Write) -> io::Result<()> {
         positions::check(&self.mesh, &self.positions)
             .map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
-        write(writer, &self.positions, self.mesh.faces(), TRIANGLE)
+        let grid = UnstructuredGrid {
+            positions: &self.positions,
+            triangles: self.mesh.faces(),
+            ..UnstructuredGrid::default()
+        };
+        grid.write_vtu(writer)
     }
 }
 
@@ -35,30 +67,43 @@ impl TetMesh {
     /// # Errors
     /// Those of the writer.
     pub fn write_vtu(&self, writer: impl io::Write) -> io::Result<()> {
-        write(writer, self.positions(), self.tetrahedra(), TETRAHEDRON)
+        let grid = UnstructuredGrid {
+            positions: self.positions(),
+            tetrahedra: self.tetrahedra(),
+            ..UnstructuredGrid::default()
+        };
+        grid.write_vtu(writer)
     }
 }
 
-fn write<const N: usize>(
-    mut writer: impl io::Write,
-    positions: &[Point],
-    cells: &[[u32; N]],
-    cell_type: u8,
-) -> io::Result<()> {
-    let coordinates = positions.as_flattened().iter().flat_map(|x| x.to_le_bytes());
-    let corners = cells
-        .as_flattened()
-        .iter()
-        .flat_map(|&corner| i64::from(corner).to_le_bytes());
-    let ends = (1..=cells.len()).flat_map(|cell| ((cell * N) as i64).to_le_bytes());
-    let types = cells.iter().map(|_| cell_type);
-    let file = format!(
-        r#"<?xml version="1.0"?>
+impl UnstructuredGrid<'_> {
+    /// Writes the grid as a VTK file, `.vtu`, bit for bit.
+    ///
+    /// # Errors
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is written, if a coordinate
+    /// is not finite, a corner is no vertex, or there is not one velocity for each vertex.
+    pub fn write_vtu(&self, mut writer: impl io::Write) -> io::Result<()> {
+        self.check()?;
+        let cell_count = self.tetrahedra.len() + self.triangles.len();
+        let corners = [self.tetrahedra.as_flattened(), self.triangles.as_flattened()].concat();
+        let corners = corners.iter().flat_map(|&corner| i64::from(corner).to_le_bytes());
+        let last = 4 * self.tetrahedra.len();
+        let ends = (1..=self.tetrahedra.len()).map(|cell| 4 * cell);
+        let ends = ends.chain((1..=self.triangles.len()).map(|cell| last + 3 * cell));
+        let ends = ends.flat_map(|end| (end as i64).to_le_bytes());
+        let types = self.tetrahedra.iter().map(|_| TETRAHEDRON);
+        let types = types.chain(self.triangles.iter().map(|_| TRIANGLE));
+        let velocities = self.velocities.map_or(String::new(), |velocities| {
+            let data = vectors("velocity", velocities);
+            format!("<PointData Vectors=\"velocity\">\n{data}\n</PointData>\n")
+        });
+        let file = format!(
+            r#"<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <UnstructuredGrid>
-<Piece NumberOfPoints="{}" NumberOfCells="{}">
-<Points>
-<DataArray type="Float64" Name="Points" NumberOfComponents="3" format="binary">{}</DataArray>
+<Piece NumberOfPoints="{}" NumberOfCells="{cell_count}">
+{velocities}<Points>
+{}
 </Points>
 <Cells>
 <DataArray type="Int64" Name="connectivity" format="binary">{}</DataArray>
@@ -69,14 +114,54 @@ fn write<const N: usize>(
 </UnstructuredGrid>
 </VTKFile>
 "#,
-        positions.len(),
-        cells.len(),
-        encoded(coordinates),
-        encoded(corners),
-        encoded(ends),
-        encoded(types),
-    );
-    writer.write_all(file.as_bytes())
+            self.positions.len(),
+            vectors("Points", self.positions),
+            encoded(corners),
+            encoded(ends),
+            encoded(types),
+        );
+        writer.write_all(file.as_bytes())
+    }
+
+    fn check(&self) -> io::Result<()> {
+        let invalid = |what: String| Err(io::Error::new(io::ErrorKind::InvalidInput, what));
+        let count = self.positions.len();
+        positions::check_all(count, self.positions)
+            .map_err(|error| io::Error::new(io::ErrorKind::InvalidInput, error))?;
+        let mut corners = self
+            .tetrahedra
+            .as_flattened()
+            .iter()
+            .chain(self.triangles.as_flattened());
+        if let Some(corner) = corners.find(|&&corner| corner as usize >= count) {
+            return invalid(format!(
+                "a cell names vertex {corner}, but there are only {count} vertices"
+            ));
+        }
+        let Some(velocities) = self.velocities else {
+            return Ok(());
+        };
+        if velocities.len() != count {
+            let found = velocities.len();
+            return invalid(format!(
+                "{found} velocities, expected one for each of {count} vertices"
+            ));
+        }
+        match velocities.as_flattened().iter().find(|v| !v.is_finite()) {
+            None => Ok(()),
+            Some(v) => invalid(format!(
+                "a velocity has the component {v}, expected finite numbers"
+            )),
+        }
+    }
+}
+
+/// An array of three components for each vertex.
+fn vectors(name: &str, vectors: &[Point]) -> String {
+    let data = encoded(vectors.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+    format!(
+        "<DataArray type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\" format=\"binary\">{data}</DataArray>"
+    )
 }
 
 /// How many bytes there are, as 64 bits, and the bytes.
