@@ -50,6 +50,8 @@ pub(crate) enum Failure {
     Simulation(#[from] SimulationError),
     #[error("{}: {message}", file.display())]
     Checkpoint { file: PathBuf, message: String },
+    #[error("{}: {source}", file.display())]
+    Log { file: PathBuf, source: csv::Error },
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("cannot write {}: {source}", file.display())]

@@ -27,7 +27,10 @@ pub(crate) fn write_file(
     })
 }
 
-/// Writes a file, in place of what was there: all of it, or nothing if this fails.
+/// Writes a file, in place of what was there: all of it, or nothing if this fails or the program is ended meanwhile.
+///
+/// A draft goes to the disk and then takes the name of the file. That of a program that was ended stays:
+/// [`draft_of`] tells it by its name.
 pub(crate) fn replace_file(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
@@ -42,6 +45,8 @@ pub(crate) fn replace_file(
             draft.push(name);
             draft.push(format!(".{}", process::id()));
             let draft = target.with_file_name(draft);
+            // Only a program that is no more can have left one with this name.
+            let _ = fs::remove_file(&draft);
             (File::create_new(&draft), Some(draft))
         }
     };
@@ -50,13 +55,39 @@ pub(crate) fn replace_file(
     let written = write(&mut writer)
         .and_then(|()| writer.flush().map_err(failed))
         .and_then(|()| {
-            draft
-                .as_ref()
-                .map_or(Ok(()), |draft| fs::rename(draft, &target).map_err(failed))
+            let Some(draft) = &draft else { return Ok(()) };
+            let synced = writer.get_ref().sync_all();
+            synced.and_then(|()| fs::rename(draft, &target)).map_err(failed)
         });
     if let (Err(_), Some(draft)) = (&written, &draft) {
         // The error that led here matters more.
         let _ = fs::remove_file(draft);
     }
     written
+}
+
+/// The name of the file of which this is the draft, as [`replace_file`] calls it.
+pub(crate) fn draft_of(name: &str) -> Option<&str> {
+    let (file, number) = name.strip_prefix('.')?.rsplit_once('.')?;
+    is_number(number).then_some(file)
+}
+
+/// Removes the files in a folder whose names are like this. That there is no folder is fine.
+pub(crate) fn remove_files(folder: &Path, is_like: impl Fn(&str) -> bool) -> io::Result<()> {
+    let entries = match fs::read_dir(folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        entries => entries?,
+    };
+    for entry in entries {
+        let entry = entry?;
+        if entry.file_name().to_str().is_some_and(&is_like) && entry.file_type()?.is_file() {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether a text is nothing but digits.
+pub(crate) fn is_number(text: &str) -> bool {
+    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }

@@ -1,32 +1,45 @@
 //! The folder of a simulation's results.
 
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, BufReader, Write};
+use std::fs::{self, File};
+use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
+use ccd_mesh::write_pvd;
 use ccd_sim::{Simulation, State, Statistics};
 
+use super::grid::Grid;
+use super::log::Log;
 use super::path::Path as PathWriter;
+use super::statistics::Row;
+use super::steps;
 use crate::failure::Failure;
-use crate::output::write_file;
+use crate::output::{draft_of, remove_files, write_file};
 
-/// A folder with `frames`, `statistics.jsonl` and `checkpoint.json`.
+const CHECKPOINT: &str = "checkpoint.json";
+const STATISTICS: &str = "statistics.csv";
+const COLLECTION: &str = "motion.pvd";
+pub(super) const ANIMATION: &str = "motion.png";
+pub(super) const ENERGIES: &str = "energies.svg";
+pub(super) const DISTANCE: &str = "minimal-distance.svg";
+const FILES: [&str; 6] = [CHECKPOINT, STATISTICS, COLLECTION, ANIMATION, ENERGIES, DISTANCE];
+
+/// The folders with a file for each time step, or several.
+const FRAMES: &str = "frames";
+const GRIDS: &str = "vtu";
+const PATH: &str = "path";
+pub(super) const PICTURES: &str = "pictures";
+
+/// A folder with the results up to a time step.
 pub(super) struct OutputFolder {
     folder: PathBuf,
+    log: Log<Row>,
+    grid: Grid,
 }
 
 impl OutputFolder {
-    /// The folder, which is made if there is none.
-    pub(super) fn create(folder: &Path) -> Result<Self, Failure> {
-        let frames = folder.join("frames");
-        fs::create_dir_all(&frames).map_err(|source| Failure::write(&frames, source))?;
-        let folder = folder.to_owned();
-        Ok(Self { folder })
-    }
-
-    /// The state after the last time step that is here.
-    pub(super) fn checkpoint(&self) -> Result<State, Failure> {
-        let file = self.file("checkpoint.json");
+    /// The state after the last time step in a folder.
+    pub(super) fn checkpoint(folder: &Path) -> Result<State, Failure> {
+        let file = folder.join(CHECKPOINT);
         let failed = |message: String| Failure::Checkpoint {
             file: file.clone(),
             message,
@@ -35,58 +48,115 @@ impl OutputFolder {
         serde_json::from_reader(BufReader::new(reader)).map_err(|error| failed(error.to_string()))
     }
 
-    /// Writes the start, in place of what was there.
-    pub(super) fn begin(&self, simulation: &Simulation) -> Result<(), Failure> {
-        self.write_frame(simulation)?;
-        write_file(&self.file("statistics.jsonl"), |_| Ok(()))?;
-        self.write_checkpoint(simulation)
+    /// Writes the start, in place of the results of an earlier run.
+    pub(super) fn begin(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
+        let checkpoint = folder.join(CHECKPOINT);
+        make_folder(&folder.join(FRAMES))?;
+        make_folder(&folder.join(GRIDS))?;
+        // The checkpoint first: it stands for what is removed after it.
+        match fs::remove_file(&checkpoint) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(Failure::write(&checkpoint, error));
+            }
+            _ => {}
+        }
+        remove_after(folder, None)?;
+        let this = Self {
+            folder: folder.to_owned(),
+            log: Log::begin(folder.join(STATISTICS))?,
+            grid: Grid::new(simulation.system()),
+        };
+        this.write_frame(simulation)?;
+        this.write_checkpoint(simulation)?;
+        Ok(this)
+    }
+
+    /// Goes on where the simulation is, which has been resumed from the checkpoint: what the run before it wrote after that
+    /// is dropped.
+    pub(super) fn resume(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
+        let last = simulation.state().step;
+        let this = Self {
+            folder: folder.to_owned(),
+            log: Log::resume(folder.join(STATISTICS), last)?,
+            grid: Grid::new(simulation.system()),
+        };
+        // The collection first: it names no file that is not there.
+        this.write_collection(simulation)?;
+        remove_after(folder, Some(last))?;
+        Ok(this)
     }
 
     /// Adds a time step: the checkpoint last, so that what it stands for is there.
-    pub(super) fn add(&self, simulation: &Simulation, statistics: &Statistics) -> Result<(), Failure> {
+    pub(super) fn add(&mut self, simulation: &Simulation, statistics: &Statistics) -> Result<(), Failure> {
         self.write_frame(simulation)?;
-        let file = self.file("statistics.jsonl");
-        let append = || -> io::Result<()> {
-            let mut line = serde_json::to_string(statistics)?;
-            line.push('\n');
-            OpenOptions::new()
-                .create(true)
-                .append(true)
-                .open(&file)?
-                .write_all(line.as_bytes())
-        };
-        append().map_err(|source| Failure::write(&file, source))?;
+        self.log.add(&statistics.into())?;
         self.write_checkpoint(simulation)
     }
 
     /// Where the way of the next time step goes, from where the simulation is.
     pub(super) fn path(&self, simulation: &Simulation) -> PathWriter {
         let state = simulation.state();
-        let mut path = PathWriter::new(self.file("path"), simulation.system().clone(), state.step + 1);
+        let mut path = PathWriter::new(self.file(PATH), simulation.system().clone(), state.step + 1);
         path.add(&state.positions);
         path
     }
 
     fn write_frame(&self, simulation: &Simulation) -> Result<(), Failure> {
         let state = simulation.state();
-        let file = self.frame(state.step);
         let frame = simulation.system().surface_frame(&state.positions);
-        write_file(&file, |writer| frame.map_err(io::Error::other)?.write_ply(writer))
+        write_file(&self.frame(state.step), |writer| {
+            frame.map_err(io::Error::other)?.write_ply(writer)
+        })?;
+        let grid = self.file(GRIDS).join(steps::name(state.step, "vtu"));
+        write_file(&grid, |writer| self.grid.write(state, writer))?;
+        self.write_collection(simulation)
+    }
+
+    fn write_collection(&self, simulation: &Simulation) -> Result<(), Failure> {
+        let time_step = simulation.settings().time_step;
+        let frame = |step: u64| {
+            (
+                step as f64 * time_step,
+                format!("{GRIDS}/{}", steps::name(step, "vtu")),
+            )
+        };
+        let frames: Vec<_> = (0..=simulation.state().step).map(frame).collect();
+        write_file(&self.file(COLLECTION), |writer| {
+            write_pvd(writer, frames.iter().map(|(time, file)| (*time, file.as_str())))
+        })
     }
 
     fn write_checkpoint(&self, simulation: &Simulation) -> Result<(), Failure> {
-        write_file(&self.file("checkpoint.json"), |writer| {
+        write_file(&self.file(CHECKPOINT), |writer| {
             Ok(serde_json::to_writer(writer, simulation.state())?)
         })
     }
 
+    /// What all time steps took.
+    pub(super) fn statistics(&self) -> Result<Vec<Row>, Failure> {
+        self.log.rows()
+    }
+
     /// The file of the surface after a time step.
     pub(super) fn frame(&self, step: u64) -> PathBuf {
-        self.folder.join("frames").join(format!("{step:06}.ply"))
+        self.file(FRAMES).join(steps::name(step, "ply"))
     }
 
     /// A file in the folder.
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
+}
+
+pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
+}
+
+/// Removes what belongs to time steps after this one, or to any.
+fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failure> {
+    for inner in [FRAMES, GRIDS, PATH, PICTURES] {
+        steps::remove_after(&folder.join(inner), last)?;
+    }
+    let is_draft = |name: &str| draft_of(name).is_some_and(|file| FILES.contains(&file));
+    remove_files(folder, is_draft).map_err(|source| Failure::write(folder, source))
 }

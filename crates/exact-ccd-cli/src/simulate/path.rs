@@ -1,12 +1,12 @@
 //! The way of one time step, increment by increment.
 
-use std::fs;
 use std::io;
 use std::path::PathBuf;
 
 use ccd_mesh::Point;
 use ccd_sim::System;
 
+use super::folder::make_folder;
 use crate::failure::Failure;
 use crate::output::write_file;
 
@@ -22,7 +22,7 @@ pub(super) struct Path {
 impl Path {
     /// The way of a time step, in a folder.
     pub(super) fn new(folder: PathBuf, system: System, step: u64) -> Self {
-        let result = fs::create_dir_all(&folder).map_err(|source| Failure::write(&folder, source));
+        let result = make_folder(&folder);
         Self {
             folder,
             system,

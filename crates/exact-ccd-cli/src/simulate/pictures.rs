@@ -1,12 +1,11 @@
 //! Pictures of all times.
 
-use std::fs;
-
 use ccd_mesh::{Bounds, Frame, Point};
 use ccd_render::{Animation, Marks, View, render};
 use ccd_sim::Simulation;
 
-use super::folder::OutputFolder;
+use super::folder::{ANIMATION, OutputFolder, PICTURES, make_folder};
+use super::steps;
 use crate::failure::Failure;
 use crate::output::{replace_file, write_file};
 use crate::progress::{self, during};
@@ -25,17 +24,17 @@ pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(),
     let view = View::upright(&bounds, up, towards, SIZE);
     let delay = (1000.0 * simulation.settings().time_step).round().max(1.0) as u16;
 
-    let pictures = folder.file("pictures");
-    fs::create_dir_all(&pictures).map_err(|source| Failure::write(&pictures, source))?;
+    let pictures = folder.file(PICTURES);
+    make_folder(&pictures)?;
     let count = u32::try_from(steps.clone().count()).unwrap_or(u32::MAX);
-    let motion = folder.file("motion.png");
+    let motion = folder.file(ANIMATION);
     let failed = |source| Failure::write(&motion, source);
     replace_file(&motion, |writer| {
         during(progress::frames(count as usize), |progress| {
             let mut animation = Animation::new(writer, SIZE, count, delay).map_err(failed)?;
             for step in steps {
                 let picture = render(&Frame::read(folder.frame(step))?, &view, &Marks::default());
-                let file = pictures.join(format!("{step:06}.png"));
+                let file = pictures.join(steps::name(step, "png"));
                 write_file(&file, |writer| picture.write_png(writer))?;
                 animation.add(&picture).map_err(failed)?;
                 progress(1);

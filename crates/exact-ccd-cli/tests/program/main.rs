@@ -17,6 +17,8 @@ mod round_meshes;
 mod round_queries;
 mod rounding_report;
 mod simulate;
+mod simulate_queries;
+mod simulate_resume;
 mod step;
 mod step_errors;
 mod streams;

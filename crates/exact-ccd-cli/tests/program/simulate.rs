@@ -2,12 +2,10 @@
 
 use std::fs;
 
-use serde_json::Value;
-
 use crate::folder::{Folder, Run};
 
 /// A cube falls on a grid.
-const SCENE: &str = "
+pub(crate) const SCENE: &str = "
 duration = 0.2
 
 [settings]
@@ -23,7 +21,7 @@ translate = [0.2, 0.05, 0.2]
 shape = { grid = { cells = [1, 1], size = [1.0, 1.0] } }
 ";
 
-fn folder() -> Folder {
+pub(crate) fn folder() -> Folder {
     let folder = Folder::new();
     folder.write("scene.toml", SCENE);
     folder
@@ -47,15 +45,6 @@ fn every_step_is_printed_and_free_of_contact() {
     assert_eq!(lines.len(), 10);
     assert!(lines[9].starts_with("step 10, 0.2000 s: "), "{}", lines[9]);
 
-    let statistics = folder.read("result/statistics.jsonl");
-    let statistics: Vec<Value> = statistics
-        .lines()
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect();
-    assert_eq!(statistics.len(), 10);
-    assert!(statistics.iter().any(|step| step["contacts"] != 0));
-    assert_eq!(statistics[4]["step"], 5);
-
     assert_eq!(fs::read_dir(folder.path("result/frames")).unwrap().count(), 11);
     let audit = folder.run(&["audit", "result/frames"]);
     assert_eq!(audit.status, 0, "{audit:?}");
@@ -72,36 +61,91 @@ fn the_way_is_free_of_contact() {
     assert_eq!(audit.status, 0, "{audit:?}");
 }
 
+/// The columns of the statistics, from the first row after the header.
+fn columns(statistics: &str) -> Vec<(&str, Vec<&str>)> {
+    let mut lines = statistics.lines().map(|line| line.split(','));
+    let names = lines.next().unwrap();
+    let rows: Vec<Vec<&str>> = lines.map(Iterator::collect).collect();
+    names
+        .enumerate()
+        .map(|(column, name)| (name, rows.iter().map(|row| row[column]).collect()))
+        .collect()
+}
+
 #[test]
-fn a_resumed_simulation_comes_to_the_same_bytes() {
+fn statistics_are_columns_with_units() {
     let folder = folder();
     assert_eq!(
-        folder.run(&["simulate", "scene.toml", "--out", "whole"]).status,
+        folder.run(&["simulate", "scene.toml", "--out", "result"]).status,
         0
     );
-    assert_eq!(
-        folder
-            .run(&["simulate", "scene.toml", "--out", "parts", "--steps", "6"])
-            .status,
-        0
+    let statistics = folder.read("result/statistics.csv");
+    assert!(
+        statistics.starts_with(
+            "step,time_s,converged,iterations,step_size_min,step_size_mean,contacts,minimal_distance_m,\
+             stiffness_kg_per_m2,script_lag_m,kinetic_J,elastic_J,barrier_J,friction_J,gravity_J,\
+             assembly_s,solve_s,ccd_s,line_search_s,total_s\n1,0.02,true,"
+        ),
+        "{statistics}"
     );
-    let run = folder.run(&[
-        "simulate",
-        "scene.toml",
-        "--out",
-        "parts",
-        "--resume",
-        "--threads",
-        "2",
-    ]);
-    assert_eq!((run.status, run.stdout.lines().count()), (0, 4));
-    for file in ["checkpoint.json", "frames/000010.ply"] {
-        assert!(
-            fs::read(folder.path(&format!("whole/{file}"))).unwrap()
-                == fs::read(folder.path(&format!("parts/{file}"))).unwrap()
-        );
+    let columns = columns(&statistics);
+    let text = |name: &str| -> &[&str] { &columns.iter().find(|(column, _)| *column == name).unwrap().1 };
+    let numbers = |name: &str| -> Vec<f64> { text(name).iter().map(|x| x.parse().unwrap()).collect() };
+    let steps: Vec<f64> = (1..=10).map(f64::from).collect();
+    assert_eq!(numbers("step"), steps);
+    let (least, mean) = (numbers("step_size_min"), numbers("step_size_mean"));
+    assert!((0..10).all(|i| 0.0 < least[i] && least[i] <= mean[i] && mean[i] <= 1.0));
+    // There is a distance where there are contacts, below the contact distance.
+    let contacts = numbers("contacts");
+    assert!(contacts[0] == 0.0 && contacts[9] > 0.0);
+    for (contacts, distance) in contacts.iter().zip(text("minimal_distance_m")) {
+        match distance.parse::<f64>() {
+            Ok(distance) => assert!(*contacts > 0.0 && 0.0 < distance && distance < 2e-3),
+            Err(_) => assert_eq!((*contacts, *distance), (0.0, "")),
+        }
     }
-    assert_eq!(folder.read("parts/statistics.jsonl").lines().count(), 10);
+    // In free fall, what gravity loses is kinetic energy, but for what implicit Euler damps.
+    let (kinetic, gravity) = (numbers("kinetic_J"), numbers("gravity_J"));
+    assert!(kinetic[1] > kinetic[0] && gravity[1] < gravity[0]);
+    let parts: Vec<f64> = (0..10)
+        .map(|i| ["assembly_s", "solve_s", "ccd_s", "line_search_s"].map(|part| numbers(part)[i]))
+        .map(|parts| parts.iter().sum())
+        .collect();
+    assert!(
+        parts
+            .iter()
+            .zip(numbers("total_s"))
+            .all(|(parts, total)| *parts <= total)
+    );
+}
+
+#[test]
+fn paraview_gets_tetrahedra_and_triangles_over_time() {
+    let folder = folder();
+    let run = folder.run(&["simulate", "scene.toml", "--out", "result", "--steps", "3"]);
+    assert_eq!(run.status, 0);
+    let collection = ccd_mesh::read_pvd(folder.path("result/motion.pvd")).unwrap();
+    let file = |step: u32| folder.path(&format!("result/vtu/00000{step}.vtu"));
+    let expected: Vec<_> = (0..=3).map(|step| (f64::from(step) * 0.02, file(step))).collect();
+    assert_eq!(collection, expected);
+    let grid = folder.read("result/vtu/000003.vtu");
+    // The cube is cut into six tetrahedra, the grid into two triangles.
+    assert!(
+        grid.contains(r#"<Piece NumberOfPoints="12" NumberOfCells="8">"#),
+        "{grid}"
+    );
+    assert!(grid.contains(r#"<PointData Vectors="velocity">"#));
+
+    // Where all is solid, it reads back as its surface.
+    let (solid, _) = SCENE.rsplit_once("[[body]]").unwrap();
+    folder.write("solid.toml", solid);
+    let run = folder.run(&["simulate", "solid.toml", "--out", "solid", "--steps", "3"]);
+    assert_eq!(run.status, 0);
+    let audit = folder.run(&["audit", "solid/motion.pvd"]);
+    assert!(
+        audit.stdout.starts_with("free of contact\nframes: 4 of 4"),
+        "{audit:?}"
+    );
 }
 
 #[test]
@@ -120,6 +164,16 @@ fn pictures_are_of_all_times() {
     assert_eq!(pictures(), 11);
     assert_eq!(frames_of(&read("motion.png")), Some(11));
     assert_eq!(frames_of(&read("pictures/000010.png")), None);
+    for (plot, names) in [
+        ("energies.svg", ["energy / J", "kinetic", "gravity"]),
+        (
+            "minimal-distance.svg",
+            ["distance / m", "minimal distance", "time / s"],
+        ),
+    ] {
+        let plot = folder.read(&format!("result/{plot}"));
+        assert!(plot.starts_with("<svg ") && names.iter().all(|name| plot.contains(name)));
+    }
     // The cube falls.
     assert_ne!(read("pictures/000000.png"), read("pictures/000005.png"));
 }

@@ -1,0 +1,44 @@
+//! Solids as their tetrahedra, all else as triangles, for ParaView.
+
+use std::io;
+
+use ccd_mesh::UnstructuredGrid;
+use ccd_sim::{State, System};
+
+/// The cells of a system.
+pub(super) struct Grid {
+    tetrahedra: Vec<[u32; 4]>,
+    /// Of shells and obstacles.
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Grid {
+    pub(super) fn new(system: &System) -> Self {
+        let tetrahedra: Vec<_> = system.tetrahedra().collect();
+        let mut is_solid = vec![false; system.start().len()];
+        for &corner in tetrahedra.as_flattened() {
+            is_solid[corner as usize] = true;
+        }
+        // All corners of a face belong to one body.
+        let faces = system.surface().faces().iter();
+        let triangles = faces
+            .filter(|face| !is_solid[face[0] as usize])
+            .copied()
+            .collect();
+        Self {
+            tetrahedra,
+            triangles,
+        }
+    }
+
+    /// Writes the cells where they are, with the velocities of their vertices.
+    pub(super) fn write(&self, state: &State, writer: impl io::Write) -> io::Result<()> {
+        let grid = UnstructuredGrid {
+            positions: &state.positions,
+            tetrahedra: &self.tetrahedra,
+            triangles: &self.triangles,
+            velocities: Some(&state.velocities),
+        };
+        grid.write_vtu(writer)
+    }
+}

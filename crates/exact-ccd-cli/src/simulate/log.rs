@@ -1,0 +1,100 @@
+//! A table with a row for each time step, which grows with the simulation.
+
+use std::fs::OpenOptions;
+use std::io::{self, Write};
+use std::marker::PhantomData;
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use crate::failure::Failure;
+use crate::output::write_file;
+
+/// A row of a [`Log`]; its first column is the time step.
+pub(super) trait Row: Serialize + DeserializeOwned {
+    /// The number of the time step.
+    fn step(&self) -> u64;
+}
+
+/// A CSV file with a header and a row for each time step.
+pub(super) struct Log<R> {
+    file: PathBuf,
+    is_empty: bool,
+    rows: PhantomData<R>,
+}
+
+impl<R: Row> Log<R> {
+    /// An empty log, in place of what was in the file.
+    pub(super) fn begin(file: PathBuf) -> Result<Self, Failure> {
+        Self::with(file, &[])
+    }
+
+    /// The log in a file, if there is one, up to a time step: what comes later is dropped.
+    pub(super) fn resume(file: PathBuf, last: u64) -> Result<Self, Failure> {
+        let rows = read::<R>(&file, last)?;
+        Self::with(file, &rows)
+    }
+
+    fn with(file: PathBuf, rows: &[R]) -> Result<Self, Failure> {
+        write_file(&file, |writer| {
+            let mut writer = csv::Writer::from_writer(writer);
+            rows.iter().try_for_each(|row| writer.serialize(row))?;
+            writer.flush()
+        })?;
+        Ok(Self {
+            file,
+            is_empty: rows.is_empty(),
+            rows: PhantomData,
+        })
+    }
+
+    /// Adds a row, in one piece.
+    pub(super) fn add(&mut self, row: &R) -> Result<(), Failure> {
+        let append = || -> io::Result<()> {
+            let mut line = Vec::new();
+            let mut writer = csv::WriterBuilder::new()
+                .has_headers(self.is_empty)
+                .from_writer(&mut line);
+            writer.serialize(row)?;
+            writer.flush()?;
+            drop(writer);
+            let mut file = OpenOptions::new().append(true).open(&self.file)?;
+            file.write_all(&line)?;
+            file.sync_data()
+        };
+        append().map_err(|source| Failure::write(&self.file, source))?;
+        self.is_empty = false;
+        Ok(())
+    }
+
+    /// All rows.
+    pub(super) fn rows(&self) -> Result<Vec<R>, Failure> {
+        read(&self.file, u64::MAX)
+    }
+}
+
+/// The rows in a file up to a time step, none if there is no file. A line without an end is none: the program was ended
+/// in the middle of it.
+fn read<R: Row>(path: &Path, last: u64) -> Result<Vec<R>, Failure> {
+    let failed = |source: csv::Error| {
+        let file = path.to_owned();
+        Failure::Log { file, source }
+    };
+    let bytes = match std::fs::read(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        bytes => bytes.map_err(|error| failed(error.into()))?,
+    };
+    let end = bytes
+        .iter()
+        .rposition(|&byte| byte == b'\n')
+        .map_or(0, |end| end + 1);
+    let mut rows = Vec::new();
+    for row in csv::Reader::from_reader(&bytes[..end]).into_deserialize() {
+        let row: R = row.map_err(failed)?;
+        if row.step() <= last {
+            rows.push(row);
+        }
+    }
+    Ok(rows)
+}

@@ -1,0 +1,135 @@
+//! The queries of a simulation as a data set.
+
+use std::path::{Path, PathBuf};
+
+use ccd_bench::comparison::Subjects;
+use ccd_bench::{DataKind, Record, Sample, Seventh};
+use ccd_sim::Simulation;
+use exact_ccd::{PointTriangle, SegmentSegment};
+use serde::{Deserialize, Serialize};
+
+use super::folder::make_folder;
+use super::log::{self, Log};
+use super::recorder::Recording;
+use super::steps;
+use crate::failure::Failure;
+use crate::query_files;
+
+/// A folder with query files, a file for each time step and kind, and `counts.csv`.
+pub(super) struct QueryFolder {
+    folder: PathBuf,
+    recording: Recording,
+    log: Log<Row>,
+    total: Counts<[usize; 3]>,
+}
+
+/// For each kind: how many queries were asked, how many of them are in contact, how many were kept.
+#[derive(Default)]
+struct Counts<T> {
+    vertex_face: T,
+    edge_edge: T,
+}
+
+/// A row of `counts.csv`: what was asked in a time step, and what of it was kept.
+#[derive(Serialize, Deserialize)]
+struct Row {
+    step: u64,
+    vertex_face: usize,
+    vertex_face_in_contact: usize,
+    vertex_face_kept: usize,
+    edge_edge: usize,
+    edge_edge_in_contact: usize,
+    edge_edge_kept: usize,
+}
+
+impl log::Row for Row {
+    fn step(&self) -> u64 {
+        self.step
+    }
+}
+
+impl QueryFolder {
+    /// The folder of the queries of a simulation from where it is, without those of later time steps from an earlier run.
+    pub(super) fn open(
+        folder: &Path,
+        simulation: Simulation,
+        most: usize,
+    ) -> Result<(Simulation, Self), Failure> {
+        let last = simulation.state().step;
+        for kind in [PointTriangle::FOLDER, SegmentSegment::FOLDER] {
+            make_folder(&folder.join(kind))?;
+            steps::remove_after(&folder.join(kind), Some(last))?;
+        }
+        let log = Log::resume(folder.join("counts.csv"), last)?;
+        let (simulation, recording) = Recording::of(simulation, most);
+        let this = Self {
+            folder: folder.to_owned(),
+            recording,
+            log,
+            total: Counts::default(),
+        };
+        Ok((simulation, this))
+    }
+
+    /// Writes what was asked in a time step.
+    pub(super) fn add(&mut self, step: u64) -> Result<(), Failure> {
+        let samples = self.recording.take();
+        let counts = Counts {
+            vertex_face: self.write(step, &samples.vertex_face)?,
+            edge_edge: self.write(step, &samples.edge_edge)?,
+        };
+        for (total, counts) in [
+            (&mut self.total.vertex_face, counts.vertex_face),
+            (&mut self.total.edge_edge, counts.edge_edge),
+        ] {
+            total
+                .iter_mut()
+                .zip(counts)
+                .for_each(|(total, count)| *total += count);
+        }
+        let [vertex_face, vertex_face_in_contact, vertex_face_kept] = counts.vertex_face;
+        let [edge_edge, edge_edge_in_contact, edge_edge_kept] = counts.edge_edge;
+        self.log.add(&Row {
+            step,
+            vertex_face,
+            vertex_face_in_contact,
+            vertex_face_kept,
+            edge_edge,
+            edge_edge_in_contact,
+            edge_edge_kept,
+        })
+    }
+
+    /// Writes a sample, if there is anything in it, and counts.
+    fn write<K: DataKind>(&self, step: u64, sample: &Subjects<K>) -> Result<[usize; 3], Failure> {
+        let [free, colliding] = sample.population();
+        let kept = sample.sample();
+        if !kept.is_empty() {
+            let file = self.folder.join(K::FOLDER).join(steps::name(step, "csv"));
+            let records = kept.iter().map(|subject| {
+                Ok(Record::from(Sample {
+                    query: subject.query,
+                    truth: Some(subject.collides),
+                }))
+            });
+            query_files::write(&file, Seventh::Contact, records)?;
+        }
+        Ok([free + colliding, colliding, kept.len()])
+    }
+
+    /// What of all time steps was kept, as a line of text.
+    pub(super) fn summary(&self) -> String {
+        let text = |name: &str, [asked, in_contact, kept]: [usize; 3]| {
+            format!("{kept} of {asked} {name} queries, {in_contact} in contact")
+        };
+        let Counts {
+            vertex_face,
+            edge_edge,
+        } = self.total;
+        format!(
+            "kept {}; {}",
+            text("vertex-face", vertex_face),
+            text("edge-edge", edge_edge)
+        )
+    }
+}

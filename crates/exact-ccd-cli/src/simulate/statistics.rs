@@ -1,0 +1,92 @@
+//! What a time step took and led to, as a row of `statistics.csv`.
+
+use ccd_sim::Statistics;
+use serde::{Deserialize, Serialize};
+
+use super::log;
+
+/// A row of `statistics.csv`. The names of the columns end with their units.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Row {
+    /// The number of the time step, from 1.
+    pub(super) step: u64,
+    /// The time at its end.
+    #[serde(rename = "time_s")]
+    pub(super) time: f64,
+    /// Whether Newton's method reached its tolerance.
+    pub(super) converged: bool,
+    /// Newton iterations.
+    pub(super) iterations: usize,
+    /// The least part of a Newton direction that was taken.
+    pub(super) step_size_min: Option<f64>,
+    /// The mean of these parts.
+    pub(super) step_size_mean: Option<f64>,
+    /// Pairs of primitives within the contact distance, at the end.
+    pub(super) contacts: usize,
+    /// The least distance among them; empty if there are none.
+    #[serde(rename = "minimal_distance_m")]
+    pub(super) minimal_distance: Option<f64>,
+    /// The stiffness of the barrier, once there has been contact.
+    #[serde(rename = "stiffness_kg_per_m2")]
+    pub(super) stiffness: Option<f64>,
+    /// How far scripted vertices are from where their scripts say, at most.
+    #[serde(rename = "script_lag_m")]
+    pub(super) script_lag: f64,
+    #[serde(rename = "kinetic_J")]
+    pub(super) kinetic: f64,
+    #[serde(rename = "elastic_J")]
+    pub(super) elastic: f64,
+    #[serde(rename = "barrier_J")]
+    pub(super) barrier: f64,
+    #[serde(rename = "friction_J")]
+    pub(super) friction: f64,
+    #[serde(rename = "gravity_J")]
+    pub(super) gravity: f64,
+    #[serde(rename = "assembly_s")]
+    pub(super) assembly: f64,
+    #[serde(rename = "solve_s")]
+    pub(super) solve: f64,
+    #[serde(rename = "ccd_s")]
+    pub(super) ccd: f64,
+    #[serde(rename = "line_search_s")]
+    pub(super) line_search: f64,
+    #[serde(rename = "total_s")]
+    pub(super) total: f64,
+}
+
+impl log::Row for Row {
+    fn step(&self) -> u64 {
+        self.step
+    }
+}
+
+impl From<&Statistics> for Row {
+    fn from(statistics: &Statistics) -> Self {
+        let Statistics {
+            energies, seconds, ..
+        } = statistics;
+        let sizes = &statistics.step_sizes;
+        Self {
+            step: statistics.step,
+            time: statistics.time,
+            converged: statistics.converged,
+            iterations: statistics.iterations,
+            step_size_min: sizes.iter().copied().reduce(f64::min),
+            step_size_mean: (!sizes.is_empty()).then(|| sizes.iter().sum::<f64>() / sizes.len() as f64),
+            contacts: statistics.contacts,
+            minimal_distance: statistics.minimal_distance,
+            stiffness: statistics.stiffness,
+            script_lag: statistics.script_lag,
+            kinetic: energies.kinetic,
+            elastic: energies.elastic,
+            barrier: energies.barrier,
+            friction: energies.friction,
+            gravity: energies.gravity,
+            assembly: seconds.assembly,
+            solve: seconds.solve,
+            ccd: seconds.ccd,
+            line_search: seconds.line_search,
+            total: seconds.total,
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The queries of a simulation as a data set.
+
+use std::fs;
+
+use crate::folder::Folder;
+use crate::simulate::folder;
+
+/// The columns of `counts.csv` after the first, summed up.
+fn counts(folder: &Folder) -> [usize; 6] {
+    let text = folder.read("queries/counts.csv");
+    let (header, rows) = text.split_once('\n').unwrap();
+    assert_eq!(
+        header,
+        "step,vertex_face,vertex_face_in_contact,vertex_face_kept,edge_edge,edge_edge_in_contact,edge_edge_kept"
+    );
+    let mut sums = [0; 6];
+    for (row, step) in rows.lines().zip(1..) {
+        let numbers: Vec<usize> = row.split(',').map(|number| number.parse().unwrap()).collect();
+        assert_eq!(numbers[0], step);
+        for (sum, number) in sums.iter_mut().zip(&numbers[1..]) {
+            *sum += number;
+        }
+    }
+    sums
+}
+
+/// The query files of a kind, in order.
+fn query_files(folder: &Folder, kind: &str) -> Vec<String> {
+    let name = format!("queries/{kind}");
+    let entries = fs::read_dir(folder.path(&name)).unwrap();
+    let mut files: Vec<String> = entries
+        .map(|entry| format!("{name}/{}", entry.unwrap().file_name().to_str().unwrap()))
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn queries_are_a_data_set_with_its_truth() {
+    let folder = folder();
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--out",
+        "result",
+        "--dump-queries",
+        "queries",
+    ]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let [vf, vf_in_contact, vf_kept, ee, ee_in_contact, ee_kept] = counts(&folder);
+    // There are few, and some steps that the line search proposes go through the floor.
+    assert!(vf == vf_kept && ee == ee_kept && vf_in_contact > 0 && ee_in_contact > 0);
+    assert_eq!(
+        run.stdout.lines().last(),
+        Some(
+            format!(
+                "kept {vf} of {vf} vertex-face queries, {vf_in_contact} in contact; \
+                 {ee} of {ee} edge-edge queries, {ee_in_contact} in contact"
+            )
+            .as_str()
+        )
+    );
+
+    for (kind, name, asked, in_contact) in [
+        ("vf", "vertex-face", vf, vf_in_contact),
+        ("ee", "edge-edge", ee, ee_in_contact),
+    ] {
+        let files = query_files(&folder, name);
+        let arguments: Vec<&str> = ["queries", "--kind", kind]
+            .into_iter()
+            .chain(files.iter().map(String::as_str))
+            .collect();
+        let run = folder.run(&arguments);
+        assert_eq!((run.status, run.stdout.lines().count()), (0, asked + 1));
+        assert_eq!(
+            run.stderr,
+            format!(
+                "{asked} queries, {in_contact} in contact; against the ground truth: 0 false positives, 0 false negatives\n"
+            )
+        );
+    }
+    let bench = folder.run(&["bench", ".", "--methods", "exact", "--budget", "0.01"]);
+    let asked = format!("### queries, vertex-face\n\n{vf} queries, {vf_in_contact} in contact");
+    assert!(bench.status == 0 && bench.stdout.contains(&asked), "{bench:?}");
+}
+
+#[test]
+fn of_many_queries_some_are_kept() {
+    let folder = folder();
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--dump-queries",
+        "queries",
+        "--dump-most",
+        "2",
+    ]);
+    assert_eq!(run.status, 0);
+    let [vf, _, vf_kept, ee, _, ee_kept] = counts(&folder);
+    assert!(vf_kept < vf && ee_kept < ee);
+    for file in query_files(&folder, "vertex-face") {
+        let text = folder.read(&file);
+        let rows: Vec<&str> = text.lines().collect();
+        let in_contact = rows.iter().filter(|row| row.ends_with(",1")).count();
+        assert_eq!(in_contact % 8, 0);
+        assert!(in_contact <= 16 && rows.len() - in_contact <= 16, "{file}");
+    }
+}
+
+#[test]
+fn to_be_observed_changes_nothing() {
+    let folder = folder();
+    for ccd in ["exact", "bisection"] {
+        let observed = ["simulate", "scene.toml", "--ccd", ccd, "--out", "observed"];
+        let observed = [observed.as_slice(), &["--dump-queries", "queries"]].concat();
+        assert_eq!(folder.run(&observed).status, 0);
+        let plain = ["simulate", "scene.toml", "--ccd", ccd, "--out", "plain"];
+        assert_eq!(folder.run(&plain).status, 0);
+        let read = |out: &str| fs::read(folder.path(&format!("{out}/checkpoint.json"))).unwrap();
+        assert!(read("observed") == read("plain"), "{ccd}");
+    }
+}
