@@ -151,7 +151,20 @@ impl TetMesh {
     /// Vertices that are inside, or in no tetrahedron, are left out: a surface that passes over its own inside is no contact.
     #[must_use]
     pub fn surface_frame(&self) -> (Frame, Vec<u32>) {
-        let mut vertices = self.surface.as_flattened().to_vec();
+        self.frame_of(&self.surface)
+    }
+
+    /// The surface, and those of some triangles that are no faces of tetrahedra, as shells beside solids, without vertices
+    /// that are in none of them.
+    pub(crate) fn surface_with_shells(&self, triangles: &[[u32; 3]]) -> Frame {
+        let shells = self.no_faces(triangles).map(|triangle| triangles[triangle]);
+        let faces: Vec<[u32; 3]> = self.surface.iter().copied().chain(shells).collect();
+        self.frame_of(&faces).0
+    }
+
+    /// These faces alone, and for each of their vertices the number that it has here, increasing.
+    fn frame_of(&self, faces: &[[u32; 3]]) -> (Frame, Vec<u32>) {
+        let mut vertices = faces.as_flattened().to_vec();
         vertices.sort_unstable();
         vertices.dedup();
         let mut number = vec![0; self.positions.len()];
@@ -159,9 +172,9 @@ impl TetMesh {
             number[old as usize] = new;
         }
         let renumber = |face: &[u32; 3]| face.map(|vertex| number[vertex as usize]);
-        let faces = self.surface.iter().map(renumber).collect();
+        let faces = faces.iter().map(renumber).collect();
         let frame = Frame {
-            mesh: TriangleMesh::new(vertices.len(), faces).expect("all vertices of the surface are there"),
+            mesh: TriangleMesh::new(vertices.len(), faces).expect("all vertices of the faces are there"),
             positions: vertices
                 .iter()
                 .map(|&vertex| self.positions[vertex as usize])
@@ -170,20 +183,19 @@ impl TetMesh {
         (frame, vertices)
     }
 
-    /// The first of these triangles that is not a face of any tetrahedron.
-    pub(crate) fn find_no_face(&self, triangles: &[[u32; 3]]) -> Option<usize> {
-        if triangles.is_empty() {
-            return None;
-        }
-        let mut faces: Vec<[u32; 3]> = self
-            .tetrahedra
-            .iter()
+    /// Those of these triangles that are not faces of any tetrahedron, by their places, increasing.
+    pub(crate) fn no_faces(&self, triangles: &[[u32; 3]]) -> impl Iterator<Item = usize> {
+        let corners = self.tetrahedra.iter().filter(|_| !triangles.is_empty());
+        let mut faces: Vec<[u32; 3]> = corners
             .flat_map(|corners| FACES.map(|face| sorted(face.map(|k| corners[k]))))
             .collect();
         faces.sort_unstable();
+        let is_no_face = move |triangle: [u32; 3]| faces.binary_search(&sorted(triangle)).is_err();
         triangles
             .iter()
-            .position(|&triangle| faces.binary_search(&sorted(triangle)).is_err())
+            .enumerate()
+            .filter(move |&(_, &triangle)| is_no_face(triangle))
+            .map(|(place, _)| place)
     }
 }
 

@@ -4,7 +4,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use ccd_mesh::{Format, Frame, TetMesh, read_pvd};
+use ccd_mesh::{Format, Frame, TetMesh, UnstructuredGrid, read_pvd};
 use proptest::prelude::*;
 
 const TRIANGLE: [[f64; 3]; 3] = [[0.0, 0.5, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.25]];
@@ -61,6 +61,29 @@ fn of_tetrahedra_it_is_the_surface() {
     let mut file = Vec::new();
     mesh.write_vtu(&mut file).unwrap();
     assert_eq!(Frame::parse(&file, Format::Vtu).unwrap(), mesh.surface_frame().0);
+}
+
+#[test]
+fn shells_stand_beside_the_surface_of_solids() {
+    // A tetrahedron, one of its faces, a shell that shares its corner 3, and vertices 4 and 8 that are in nothing.
+    let positions: Vec<[f64; 3]> = (0..9)
+        .map(|i| [i, i * i % 5, i * i * i % 7].map(f64::from))
+        .collect();
+    let grid = UnstructuredGrid {
+        positions: &positions,
+        tetrahedra: &[[0, 1, 2, 3]],
+        triangles: &[[2, 0, 1], [3, 5, 6], [5, 7, 6]],
+        velocities: Some(&positions),
+    };
+    let mut file = Vec::new();
+    grid.write_vtu(&mut file).unwrap();
+    let frame = Frame::parse(&file, Format::Vtu).unwrap();
+    assert_eq!(frame.positions, [&positions[..4], &positions[5..8]].concat());
+    let surface = TetMesh::new(positions.clone(), vec![[0, 1, 2, 3]]).unwrap();
+    assert_eq!(
+        frame.mesh.faces(),
+        [surface.surface(), &[[3, 4, 5], [4, 6, 5]]].concat()
+    );
 }
 
 #[test]

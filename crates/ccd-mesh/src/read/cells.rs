@@ -23,12 +23,22 @@ impl Cells {
         Ok(self.into_tet_mesh()?.surface_frame().0)
     }
 
+    /// The surface of the tetrahedra, and the triangles that are no faces of them, as shells beside solids.
+    pub(super) fn into_scene(mut self) -> Result<Frame, ParseError> {
+        if self.tetrahedra.is_empty() {
+            return self.into_frame();
+        }
+        let triangles = std::mem::take(&mut self.triangles);
+        Ok(self.into_tet_mesh()?.surface_with_shells(&triangles))
+    }
+
     /// Triangles may be listed, but each must be a face of a tetrahedron: what else is it to be?
     pub(super) fn into_tet_mesh(self) -> Result<TetMesh, ParseError> {
         let at_file = |fault: Fault| fault.at(Place::File);
         let mesh =
             TetMesh::new(self.positions, self.tetrahedra).map_err(|error| at_file(Fault::TetMesh(error)))?;
-        match mesh.find_no_face(&self.triangles) {
+        let sheet = mesh.no_faces(&self.triangles).next();
+        match sheet {
             None => Ok(mesh),
             Some(triangle) => Err(at_file(Fault::Sheet { triangle })),
         }

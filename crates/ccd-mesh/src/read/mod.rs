@@ -34,7 +34,7 @@ pub enum Format {
     /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Tetrahedra read as their surface.
     Msh,
     /// VTK's XML format of unstructured grids: data inline, as text or in base64, not compressed. Tetrahedra read as their
-    /// surface.
+    /// surface, and other triangles beside them as they are.
     Vtu,
 }
 
@@ -100,7 +100,7 @@ pub(crate) fn parse(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
         Format::Stl => stl::read(bytes),
         Format::Off => off::read(bytes),
         Format::Msh => return msh::read(bytes)?.into_frame(),
-        Format::Vtu => return vtk::read_grid(bytes)?.into_frame(),
+        Format::Vtu => return vtk::read_grid(bytes)?.into_scene(),
     }?;
     Frame::new(positions, faces).map_err(|error| Fault::Frame(error).at(Place::File))
 }

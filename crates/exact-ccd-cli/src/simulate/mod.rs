@@ -32,7 +32,7 @@ use queries::QueryFolder;
 /// `settings.ccd`. Prints one line for each time step.
 ///
 /// With --out, DIR gets, of each time step N,
-///   frames/N.ply     the surface, which `exact-ccd audit DIR/frames` reads
+///   frames/N.ply     the surface
 ///   vtu/N.vtu        tetrahedra, and triangles of shells and obstacles, with
 ///                    velocities; motion.pvd opens all of them in ParaView
 ///   statistics.csv   a row: iterations, step sizes, contacts, minimal distance,

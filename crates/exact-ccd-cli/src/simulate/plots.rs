@@ -42,7 +42,7 @@ pub(super) fn draw(folder: &OutputFolder, contact_distance: f64) -> Result<(), F
     write(DISTANCE, minimal_distance(&rows, contact_distance))
 }
 
-/// All energies, in J. That of gravity is above its least: where it is zero is arbitrary.
+/// The energies that there are, in J. That of gravity is above its least: where it is zero is arbitrary.
 fn energies(rows: &[Row]) -> String {
     let lowest = rows
         .iter()
@@ -60,6 +60,8 @@ fn energies(rows: &[Row]) -> String {
         line("barrier", &|row| row.barrier),
         line("friction", &|row| row.friction),
     ];
+    let is_there = |line: &Line| line.points.iter().any(|(_, energy)| *energy != Some(0.0));
+    let lines: Vec<Line> = lines.into_iter().filter(is_there).collect();
     plot(&lines, "energy / J", false)
 }
 

@@ -77,11 +77,11 @@ impl From<&Statistics> for Row {
             minimal_distance: statistics.minimal_distance,
             stiffness: statistics.stiffness,
             script_lag: statistics.script_lag,
-            kinetic: energies.kinetic,
-            elastic: energies.elastic,
-            barrier: energies.barrier,
-            friction: energies.friction,
-            gravity: energies.gravity,
+            kinetic: positive_zero(energies.kinetic),
+            elastic: positive_zero(energies.elastic),
+            barrier: positive_zero(energies.barrier),
+            friction: positive_zero(energies.friction),
+            gravity: positive_zero(energies.gravity),
             assembly: seconds.assembly,
             solve: seconds.solve,
             ccd: seconds.ccd,
@@ -89,4 +89,9 @@ impl From<&Statistics> for Row {
             total: seconds.total,
         }
     }
+}
+
+/// The same number; the sum of nothing is −0.0, which is better written without a sign.
+fn positive_zero(number: f64) -> f64 {
+    number + 0.0
 }

@@ -79,7 +79,7 @@ fn queries_are_a_data_set_with_its_truth() {
             )
         );
     }
-    let bench = folder.run(&["bench", ".", "--methods", "exact", "--budget", "0.01"]);
+    let bench = folder.run(&["bench", "queries", "--methods", "exact", "--budget", "0.01"]);
     let asked = format!("### queries, vertex-face\n\n{vf} queries, {vf_in_contact} in contact");
     assert!(bench.status == 0 && bench.stdout.contains(&asked), "{bench:?}");
 }
