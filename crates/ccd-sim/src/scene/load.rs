@@ -118,7 +118,7 @@ struct Mesh {
 fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
     let mesh = match (&described.mesh, described.shape) {
         (Some(path), None) => read(&folder.join(path)).map_err(|message| ("mesh", message))?,
-        (None, Some(shape)) => generate(shape),
+        (None, Some(shape)) => generate(shape).map_err(|message| ("shape", message))?,
         (Some(_), Some(_)) => {
             return Err((
                 "shape",
@@ -172,10 +172,15 @@ fn read(path: &Path) -> Result<Mesh, String> {
     })
 }
 
-fn generate(shape: Shape) -> Mesh {
+fn generate(shape: Shape) -> Result<Mesh, String> {
     let Body { points, kind, .. } = match shape {
         Shape::Box { cells, size } => shapes::solid_box(cells, size),
         Shape::Grid { cells, size } => shapes::cloth(cells, size),
+        Shape::Sphere { subdivisions, .. } if subdivisions > shapes::FINEST_SPHERE => {
+            let finest = shapes::FINEST_SPHERE;
+            return Err(format!("{subdivisions} subdivisions, expected at most {finest}"));
+        }
+        Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
     };
     let (faces, tetrahedra) = match kind {
         BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => (faces, Vec::new()),
@@ -185,11 +190,11 @@ fn generate(shape: Shape) -> Mesh {
             (surface.unwrap_or_default(), tetrahedra)
         }
     };
-    Mesh {
+    Ok(Mesh {
         points,
         faces,
         tetrahedra,
-    }
+    })
 }
 
 /// The selected vertices of a body whose vertices are numbered from `first` on.

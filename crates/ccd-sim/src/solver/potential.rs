@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::pattern::{Pattern, key};
 use super::unknowns::Unknowns;
 use crate::contact::Collisions;
-use crate::element::Element;
+use crate::element::{Element, Vector12};
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::{gather, gather_some};
 use crate::integrator::Scheme;
@@ -45,7 +45,7 @@ pub(crate) struct Quadratic {
 }
 
 /// How many elements are derived at a time: their Hessians are large.
-const CHUNK: usize = 4096;
+const CHUNK: usize = 1024;
 
 impl Potential<'_> {
     /// The value; infinite where a solid is turned inside out.
@@ -89,11 +89,33 @@ impl Potential<'_> {
     /// The gradient without contact, friction and springs.
     pub(crate) fn smooth_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = self.inertia_gradient(points);
-        self.elastic_elements(points, |element| {
-            for (place, &vertex) in element.vertices.iter().enumerate() {
-                gradient[vertex as usize] += element.force(place);
+        let scale = self.scheme.duration * self.scheme.duration;
+        let System {
+            tetrahedra,
+            membranes,
+            hinges,
+            ..
+        } = self.system;
+        let mut add = |vertices: &[u32], forces: &Vector12| {
+            for (place, &vertex) in vertices.iter().enumerate() {
+                gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
             }
-        });
+        };
+        each(
+            tetrahedra,
+            |t| t.gradient(&gather(points, &t.vertices())),
+            |t, forces| add(&t.vertices(), forces),
+        );
+        each(
+            membranes,
+            |m| m.gradient(&gather(points, &m.vertices())),
+            |m, forces| add(&m.vertices(), forces),
+        );
+        each(
+            hinges,
+            |h| h.gradient(&gather(points, &h.vertices())),
+            |h, forces| add(&h.vertices(), forces),
+        );
         gradient
     }
 
@@ -179,7 +201,7 @@ impl Potential<'_> {
             sum.add_diagonal(spring.vertex, spring.stiffness);
         }
         self.elastic_elements(points, |element| sum.add(element));
-        chunked(
+        each(
             contacts,
             |collision| {
                 let corners = gather_some(points, collision.vertices());
@@ -187,12 +209,12 @@ impl Potential<'_> {
                     .derivatives(&corners, collisions.barrier(), true)
                     .scaled(self.stiffness)
             },
-            |element| sum.add(element),
+            |_, element| sum.add(element),
         );
-        chunked(
+        each(
             self.friction,
             |contact| contact.derivatives(&self.displacements(points, contact), self.smoothing),
-            |element| sum.add(element),
+            |_, element| sum.add(element),
         );
         Quadratic {
             gradient: sum.gradient,
@@ -210,20 +232,20 @@ impl Potential<'_> {
             hinges,
             ..
         } = self.system;
-        chunked(
+        each(
             tetrahedra,
             |t| t.derivatives(&gather(points, &t.vertices()), true).scaled(scale),
-            &mut add,
+            |_, element| add(element),
         );
-        chunked(
+        each(
             membranes,
             |m| m.derivatives(&gather(points, &m.vertices()), true).scaled(scale),
-            &mut add,
+            |_, element| add(element),
         );
-        chunked(
+        each(
             hinges,
             |h| h.derivatives(&gather(points, &h.vertices()), true).scaled(scale),
-            &mut add,
+            |_, element| add(element),
         );
     }
 
@@ -266,11 +288,14 @@ fn sum<T: Sync>(elements: &[T], value: impl Fn(&T) -> f64 + Sync) -> f64 {
     values.iter().sum()
 }
 
-/// Derives elements in parallel, and adds them in their order.
-fn chunked<T: Sync>(elements: &[T], derive: impl Fn(&T) -> Element + Sync, mut add: impl FnMut(&Element)) {
+/// Derives elements in parallel, and adds what they give in their order.
+fn each<T: Sync, D: Send>(elements: &[T], derive: impl Fn(&T) -> D + Sync, mut add: impl FnMut(&T, &D)) {
     for chunk in elements.chunks(CHUNK) {
-        let derived: Vec<Element> = chunk.par_iter().map(&derive).collect();
-        derived.iter().for_each(&mut add);
+        let derived: Vec<D> = chunk.par_iter().map(&derive).collect();
+        chunk
+            .iter()
+            .zip(&derived)
+            .for_each(|(element, derived)| add(element, derived));
     }
 }
 
