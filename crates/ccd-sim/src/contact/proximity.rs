@@ -60,6 +60,10 @@ impl Surface {
     }
 }
 
+/// How far rounding moves a point at most, in units of the largest coordinate: on its way, or when the whole scene is shifted for
+/// parity.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// Pairs of primitives without a common vertex, not both of obstacles; sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairs {
@@ -75,14 +79,14 @@ impl Pairs {
     #[must_use]
     pub fn near(surface: &Surface, start: &[Point], end: &[Point], distance: f64) -> Self {
         let (faces, edges) = (surface.mesh.faces(), surface.mesh.edges());
-        // Half on either side, and what rounding may take: of positions on the way, a few units in the last place.
+        // Half on either side, and what rounding may take.
         let bounds: Bounds = start.iter().chain(end).copied().collect();
         let farthest = bounds
             .lower
             .iter()
             .chain(&bounds.upper)
             .fold(0.0_f64, |far, x| far.max(x.abs()));
-        let margin = 0.5 * distance * (1.0 + 1e-9) + 8.0 * f64::EPSILON * farthest;
+        let margin = 0.5 * distance * (1.0 + 1e-9) + ROUNDING * farthest;
         let boxes: Vec<[Bounds; 2]> = (start, end)
             .into_par_iter()
             .map(|(&a, &b)| [grown(a, margin), grown(b, margin)])
