@@ -1,7 +1,7 @@
 //! Projection of small symmetric matrices to positive semi-definite ones.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, DimDiff, DimName, DimSub, OMatrix, OVector, SymmetricEigen, U1};
+use nalgebra::{Cholesky, DefaultAllocator, DimDiff, DimName, DimSub, OMatrix, OVector, SymmetricEigen, U1};
 
 /// More sweeps than any small symmetric matrix needs.
 const SWEEPS: usize = 1000;
@@ -18,7 +18,7 @@ where
     D: DimName + DimSub<U1>,
     DefaultAllocator: Allocator<D, D> + Allocator<D> + Allocator<U1, D> + Allocator<DimDiff<D, U1>>,
 {
-    if !matrix.iter().all(|entry| entry.is_finite()) {
+    if !matrix.iter().all(|entry| entry.is_finite()) || Cholesky::new(matrix.clone()).is_some() {
         return matrix;
     }
     let Some(eigen) = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS) else {

@@ -1,6 +1,9 @@
 //! Bodies that need no file.
 
+use std::collections::BTreeMap;
+
 use ccd_mesh::Point;
+use nalgebra::Vector3;
 
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
 use crate::elasticity::SolidMaterial;
@@ -86,6 +89,67 @@ pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
     Body {
         points,
+        kind: BodyKind::Obstacle { faces },
+        velocity: [0.0; 3],
+    }
+}
+
+/// How often [`sphere`] subdivides at most: 20 · 4⁶ triangles.
+pub const FINEST_SPHERE: u8 = 6;
+
+/// A sphere about the origin that does not move: an icosahedron whose triangles are cut into four so many times, at most
+/// [`FINEST_SPHERE`], each time with the new vertices on the sphere. Its normals point outward.
+#[must_use]
+pub fn sphere(subdivisions: u8, radius: f64) -> Body {
+    // Three rectangles in the golden ratio, across the axes.
+    let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
+    let mut points = Vec::new();
+    for axis in 0..3 {
+        for (long, short) in [(golden, 1.0), (golden, -1.0), (-golden, 1.0), (-golden, -1.0)] {
+            let mut point = Vector3::zeros();
+            (point[axis], point[(axis + 1) % 3]) = (short, long);
+            points.push(point.normalize());
+        }
+    }
+    // The triangles are those of three vertices that are neighbours: 2 apart, before they came onto the sphere.
+    let near = 2.1 / (1.0 + golden * golden).sqrt();
+    let are_near = |a: usize, b: usize| (points[a] - points[b]).norm() < near;
+    let mut faces = Vec::new();
+    for a in 0..12 {
+        for b in a + 1..12 {
+            for c in b + 1..12 {
+                if are_near(a, b) && are_near(b, c) && are_near(c, a) {
+                    let outward = (points[b] - points[a])
+                        .cross(&(points[c] - points[a]))
+                        .dot(&points[a]);
+                    let face = [a, b, c].map(|vertex| vertex as u32);
+                    faces.push(if outward > 0.0 {
+                        face
+                    } else {
+                        [face[0], face[2], face[1]]
+                    });
+                }
+            }
+        }
+    }
+    for _ in 0..subdivisions.min(FINEST_SPHERE) {
+        let mut middles = BTreeMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                points.push((points[a as usize] + points[b as usize]).normalize());
+                points.len() as u32 - 1
+            })
+        };
+        faces = faces
+            .into_iter()
+            .flat_map(|[a, b, c]| {
+                let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+                [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+            })
+            .collect();
+    }
+    Body {
+        points: points.into_iter().map(|point| (point * radius).into()).collect(),
         kind: BodyKind::Obstacle { faces },
         velocity: [0.0; 3],
     }

@@ -121,6 +121,11 @@ fn errors_name_file_line_and_field() {
             "scene.toml, line 39, body[2].mesh: ",
         ),
         (
+            "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
+            "shape = { sphere = { subdivisions = 7, radius = 1.0 } }",
+            "scene.toml, line 39, body[2].shape: 7 subdivisions, expected at most 6",
+        ),
+        (
             "lower = [1.9,",
             "lower = [2.9,",
             "scene.toml, line 35, body[1].script[1].vertices: no vertex of the body is there",

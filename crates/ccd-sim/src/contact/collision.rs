@@ -1,11 +1,11 @@
 //! Two primitives that are near each other.
 
 use arrayvec::ArrayVec;
-use nalgebra::{SMatrix, Vector3};
+use nalgebra::Vector3;
 
 use super::barrier::Barrier;
-use crate::distance::{Feature, FeatureKind, Mollifier, Separation};
-use crate::element::{Element, Matrix12, Vector12};
+use crate::distance::{Factors, Feature, FeatureKind, Mollifier, Separation};
+use crate::element::{Element, Vector12};
 use crate::psd;
 
 /// Two features that are within reach of the barrier.
@@ -128,40 +128,34 @@ impl Collision {
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], barrier: &Barrier, projected: bool) -> Element {
         let squared = self.separation(points).squared();
         let (slope, curvature) = (barrier.slope(squared), barrier.curvature(squared));
-        let (distance1, distance2) = self.feature.derivatives(points);
-        let mut gradient = distance1 * slope;
-        let mut hessian = distance1 * distance1.transpose() * curvature + distance2 * slope;
+        let Factors {
+            change,
+            first,
+            second,
+        } = self.feature.factors(points);
+        let second = first * first.transpose() * curvature + second * slope;
+        let mut gradient = change * first * slope;
+        let mut hessian = if projected && self.mollifier.is_none() {
+            // In an orthonormal basis of the few directions that matter.
+            let (basis, factor) = change.qr().unpack();
+            basis * psd::project(factor * second * factor.transpose()) * basis.transpose()
+        } else {
+            change * second * change.transpose()
+        };
         if let Some(mollifier) = self.mollifier {
             let (fade, value) = (mollifier.value(points), barrier.value(squared));
             let (fade1, fade2) = mollifier.derivatives(points);
             let mixed = fade1 * gradient.transpose();
             hessian = hessian * fade + mixed + mixed.transpose() + fade2 * value;
             gradient = gradient * fade + fade1 * value;
-        }
-        if projected {
-            hessian = self.project(&hessian);
+            if projected {
+                hessian = psd::project(hessian);
+            }
         }
         Element {
             vertices: self.vertices.clone(),
             gradient: gradient * self.multiplicity,
             hessian: hessian * self.multiplicity,
         }
-    }
-
-    /// Projects the part that is not zero, whose size sets the cost.
-    fn project(&self, hessian: &Matrix12) -> Matrix12 {
-        let mut projected = Matrix12::zeros();
-        match self.vertices.len() {
-            2 => {
-                let block = psd::project(hessian.fixed_view::<6, 6>(0, 0).into_owned());
-                projected.fixed_view_mut::<6, 6>(0, 0).copy_from(&block);
-            }
-            3 => {
-                let block: SMatrix<f64, 9, 9> = psd::project(hessian.fixed_view::<9, 9>(0, 0).into_owned());
-                projected.fixed_view_mut::<9, 9>(0, 0).copy_from(&block);
-            }
-            _ => projected = psd::project(*hessian),
-        }
-        projected
     }
 }

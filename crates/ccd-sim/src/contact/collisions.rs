@@ -22,9 +22,13 @@ impl Collisions {
     /// The collisions among some pairs, with the vertices at `points`. `rest` tells how long edges are at rest.
     #[must_use]
     pub fn new(surface: &Surface, pairs: &Pairs, points: &[Point], rest: &[Point], barrier: Barrier) -> Self {
+        let distance = barrier.reach().sqrt();
         let faces = pairs.vertex_face.par_iter().filter_map(|&pair| {
             let vertices = surface.vertex_face(pair);
             let corners = gather(points, &vertices);
+            if are_apart(&corners[..1], &corners[1..], distance) {
+                return None;
+            }
             let feature = point_triangle(&corners);
             let squared = feature.separation(&corners).squared();
             (squared < barrier.reach()).then(|| (squared, Collision::new(vertices, feature)))
@@ -32,6 +36,9 @@ impl Collisions {
         let edges = pairs.edge_edge.par_iter().filter_map(|&pair| {
             let vertices = surface.edge_edge(pair);
             let corners = gather(points, &vertices);
+            if are_apart(&corners[..2], &corners[2..], distance) {
+                return None;
+            }
             let feature = edge_edge(&corners);
             let squared = feature.separation(&corners).squared();
             (squared < barrier.reach()).then(|| {
@@ -109,4 +116,20 @@ impl Collisions {
     pub fn barrier(&self) -> &Barrier {
         &self.barrier
     }
+}
+
+/// Whether the boxes around some points and others are farther apart along an axis than a distance. Most pairs are.
+#[inline]
+fn are_apart(a: &[Vector3<f64>], b: &[Vector3<f64>], distance: f64) -> bool {
+    (0..3).any(|axis| {
+        let range = |points: &[Vector3<f64>]| {
+            points
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(lower, upper), point| {
+                    (lower.min(point[axis]), upper.max(point[axis]))
+                })
+        };
+        let ((a_lower, a_upper), (b_lower, b_upper)) = (range(a), range(b));
+        b_lower - a_upper > distance || a_lower - b_upper > distance
+    })
 }

@@ -60,6 +60,10 @@ impl Surface {
     }
 }
 
+/// How far rounding moves a point at most, in units of the largest coordinate: on its way, or when the whole scene is shifted for
+/// parity.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// Pairs of primitives without a common vertex, not both of obstacles; sorted.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairs {
@@ -70,27 +74,35 @@ pub struct Pairs {
 }
 
 impl Pairs {
-    /// All pairs that come within a distance of each other while the vertices move from `start` to `end`, and some more:
-    /// those whose boxes do.
+    /// All pairs that come within a distance of each other while the vertices move in straight lines from `start` to `end`,
+    /// or from `start` to rounded positions on the way; and some more, those whose boxes do.
     #[must_use]
     pub fn near(surface: &Surface, start: &[Point], end: &[Point], distance: f64) -> Self {
         let (faces, edges) = (surface.mesh.faces(), surface.mesh.edges());
         // Half on either side, and what rounding may take.
-        let margin = 0.5 * distance * (1.0 + 1e-9);
-        let boxes: Vec<Bounds> = (start, end)
+        let bounds: Bounds = start.iter().chain(end).copied().collect();
+        let farthest = bounds
+            .lower
+            .iter()
+            .chain(&bounds.upper)
+            .fold(0.0_f64, |far, x| far.max(x.abs()));
+        let margin = 0.5 * distance * (1.0 + 1e-9) + ROUNDING * farthest;
+        let boxes: Vec<[Bounds; 2]> = (start, end)
             .into_par_iter()
-            .map(|(a, b)| grown(*a, *b, margin))
+            .map(|(&a, &b)| [grown(a, margin), grown(b, margin)])
             .collect();
         let around = |vertices: &[u32]| {
             let boxes = vertices.iter().map(|&vertex| &boxes[vertex as usize]);
-            boxes.fold(Bounds::EMPTY, |all, bounds| all.union(bounds))
+            boxes.fold([Bounds::EMPTY; 2], |all, bounds| {
+                [all[0].union(&bounds[0]), all[1].union(&bounds[1])]
+            })
         };
 
-        let vertex_boxes: Vec<Bounds> = surface.vertices.par_iter().map(|&v| boxes[v as usize]).collect();
-        let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
-        let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
+        let vertex_boxes: Vec<_> = surface.vertices.par_iter().map(|&v| boxes[v as usize]).collect();
+        let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
+        let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
         let [vertex_boxes, face_boxes, edge_boxes] =
-            [vertex_boxes, face_boxes, edge_boxes].map(|boxes| Boxes::at_rest(&boxes));
+            [vertex_boxes, face_boxes, edge_boxes].map(|boxes| Boxes::new(&boxes));
 
         let [vertex_face, edge_edge] = [Found::default(), Found::default()];
         let _ = Bvh.between(&vertex_boxes, &face_boxes, |pairs| {
@@ -125,10 +137,9 @@ impl Pairs {
     }
 }
 
-fn grown(a: Point, b: Point, margin: f64) -> Bounds {
-    let Bounds { lower, upper } = Bounds::of(a).union(&Bounds::of(b));
+fn grown(point: Point, margin: f64) -> Bounds {
     Bounds {
-        lower: lower.map(|x| x - margin),
-        upper: upper.map(|x| x + margin),
+        lower: point.map(|x| x - margin),
+        upper: point.map(|x| x + margin),
     }
 }

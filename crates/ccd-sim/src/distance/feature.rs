@@ -1,6 +1,6 @@
 //! Two features of primitives, and the squared distance between them.
 
-use nalgebra::{Matrix2, Matrix2x3, SMatrix, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix2x3, SMatrix, SVector, Vector2, Vector3};
 
 use crate::element::{Matrix12, Vector12};
 
@@ -32,6 +32,17 @@ pub struct Separation {
     pub weights: [f64; 4],
     /// This vector.
     pub vector: Vector3<f64>,
+}
+
+/// Gradient and Hessian of a squared distance as C g and C H Cᵀ: few directions matter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Factors {
+    /// C: how the vector between the closest points, and half the slopes of its square by the two parameters, change with the four points.
+    pub change: SMatrix<f64, 12, 5>,
+    /// g.
+    pub first: SVector<f64, 5>,
+    /// H.
+    pub second: SMatrix<f64, 5, 5>,
 }
 
 impl Separation {
@@ -120,23 +131,38 @@ impl Feature {
     /// The gradient and the Hessian of the squared distance.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4]) -> (Vector12, Matrix12) {
+        let Factors {
+            change,
+            first,
+            second,
+        } = self.factors(points);
+        (change * first, change * second * change.transpose())
+    }
+
+    /// The gradient and the Hessian of the squared distance, in terms of the five numbers on which they depend.
+    #[must_use]
+    pub fn factors(&self, points: &[Vector3<f64>; 4]) -> Factors {
         let (_, inverse, tangents) = self.closest(points);
         let Separation { weights, vector } = self.separation(points);
-        let gradient = Vector12::from_fn(|row, _| 2.0 * weights[row / 3] * vector[row % 3]);
-        let mut hessian = Matrix12::from_fn(|row, column| {
-            if row % 3 == column % 3 {
-                2.0 * weights[row / 3] * weights[column / 3]
-            } else {
-                0.0
+        let change = SMatrix::<f64, 12, 5>::from_fn(|row, column| {
+            let (point, axis) = (row / 3, row % 3);
+            match column.checked_sub(3) {
+                // ½ ∂²|r|²/∂x∂λₖ.
+                Some(k) => self.along[k][point] * vector[axis] + weights[point] * tangents[(k, axis)],
+                None if column == axis => weights[point],
+                None => 0.0,
             }
         });
-        // ½ ∂²|r|²/∂x∂λₖ, with half of ∂²|r|²/∂λ² inverted.
-        let mixed = SMatrix::<f64, 12, 2>::from_fn(|row, k| {
-            let (point, axis) = (row / 3, row % 3);
-            self.along[k][point] * vector[axis] + weights[point] * tangents[(k, axis)]
-        });
-        hessian -= mixed * inverse * mixed.transpose() * 2.0;
-        (gradient, hessian)
+        let mut first = SVector::<f64, 5>::zeros();
+        first.fixed_rows_mut::<3>(0).copy_from(&(vector * 2.0));
+        // By λₖ, the Schur complement of half of ∂²|r|²/∂λ².
+        let mut second = SMatrix::<f64, 5, 5>::from_diagonal_element(2.0);
+        second.fixed_view_mut::<2, 2>(3, 3).copy_from(&(inverse * -2.0));
+        Factors {
+            change,
+            first,
+            second,
+        }
     }
 
     /// The parameters of the closest points, the (pseudo-)inverse of the normal equations, and ∂r/∂λₖ as rows.

@@ -10,6 +10,6 @@ mod mollifier;
 mod point_triangle;
 
 pub use edge_edge::edge_edge;
-pub use feature::{Feature, FeatureKind, Separation};
+pub use feature::{Factors, Feature, FeatureKind, Separation};
 pub use mollifier::Mollifier;
 pub use point_triangle::point_triangle;

@@ -44,6 +44,14 @@ impl Hinge {
         0.5 * self.stiffness * bend * bend
     }
 
+    /// The gradient of the energy.
+    #[must_use]
+    pub fn gradient(&self, points: &[Vector3<f64>; 4]) -> Vector12 {
+        let shape = Shape::new(points);
+        let (gradient, _) = shape.derivatives();
+        gradient * (self.stiffness * self.bend(&shape))
+    }
+
     /// The derivatives of the energy; the Hessian is projected if asked for.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {

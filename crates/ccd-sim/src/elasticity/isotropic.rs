@@ -1,6 +1,6 @@
 //! Isotropic hyperelasticity: energy densities that depend on the deformation gradient F by its singular values.
 
-use nalgebra::{Matrix3, SMatrix, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
 use crate::psd;
 
@@ -34,31 +34,68 @@ pub struct Principal {
 /// The pairs of axes of [`Principal::twist`] and [`Principal::flip`].
 pub(super) const PAIRS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
-/// The Hessian of Ψ with respect to the columns of F, one below the other; if `projected`, with its negative
-/// eigenvalues set to zero.
-#[must_use]
-pub fn hessian(energy: &impl Isotropic, deformation: &Matrix3<f64>, projected: bool) -> SMatrix<f64, 9, 9> {
-    let (u, stretches, v) = rotation_variant(deformation);
-    let mut principal = energy.principal(&stretches);
-    if projected {
-        principal.stretch = psd::project(principal.stretch);
-        principal.twist = principal.twist.map(|value| value.max(0.0));
-        principal.flip = principal.flip.map(|value| value.max(0.0));
+/// The Hessian of Ψ at F = U diag(σ) Vᵀ, in the frame of the singular vectors, where most of it is zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curvature {
+    u: Matrix3<f64>,
+    v: Matrix3<f64>,
+    /// Between ∂Fᵢᵢ and ∂Fⱼⱼ.
+    stretch: Matrix3<f64>,
+    /// Between ∂Fᵢⱼ and itself; that of ∂Fᵢᵢ is in `stretch` too.
+    own: Matrix3<f64>,
+    /// Between ∂Fᵢⱼ and ∂Fⱼᵢ; zero on the diagonal.
+    crossed: Matrix3<f64>,
+}
+
+impl Curvature {
+    /// The Hessian at a deformation; if `projected`, with its negative eigenvalues set to zero.
+    #[must_use]
+    pub fn new(energy: &impl Isotropic, deformation: &Matrix3<f64>, projected: bool) -> Self {
+        let (u, stretches, v) = rotation_variant(deformation);
+        let mut principal = energy.principal(&stretches);
+        if projected {
+            principal.stretch = psd::project(principal.stretch);
+            principal.twist = principal.twist.map(|value| value.max(0.0));
+            principal.flip = principal.flip.map(|value| value.max(0.0));
+        }
+        let (mut own, mut crossed) = (
+            Matrix3::from_diagonal(&principal.stretch.diagonal()),
+            Matrix3::zeros(),
+        );
+        for (pair, [i, j]) in PAIRS.into_iter().enumerate() {
+            let (twist, flip) = (0.5 * principal.twist[pair], 0.5 * principal.flip[pair]);
+            (own[(i, j)], own[(j, i)]) = (flip + twist, flip + twist);
+            (crossed[(i, j)], crossed[(j, i)]) = (flip - twist, flip - twist);
+        }
+        Self {
+            u,
+            v,
+            stretch: principal.stretch,
+            own,
+            crossed,
+        }
     }
 
-    let mode = |i: usize, j: usize| {
-        let outer = u.column(i) * v.column(j).transpose();
-        SMatrix::<f64, 9, 1>::from_column_slice(outer.as_slice())
-    };
-    let stretch_modes = SMatrix::<f64, 9, 3>::from_columns(&[mode(0, 0), mode(1, 1), mode(2, 2)]);
-    let mut hessian = stretch_modes * principal.stretch * stretch_modes.transpose();
-    for (pair, [i, j]) in PAIRS.into_iter().enumerate() {
-        let (ij, ji) = (mode(i, j), mode(j, i));
-        let (twist, flip) = (ij - ji, ij + ji);
-        hessian.ger(0.5 * principal.twist[pair], &twist, &twist, 1.0);
-        hessian.ger(0.5 * principal.flip[pair], &flip, &flip, 1.0);
+    /// A row vector s in the frame of V: what [`Curvature::block`] wants.
+    #[must_use]
+    pub fn in_frame(&self, row: &Vector3<f64>) -> Vector3<f64> {
+        self.v.tr_mul(row)
     }
-    hessian
+
+    /// The second derivatives by two points on which F depends as x aᵀ and as y bᵀ. `a` and `b` are in the frame of V.
+    #[must_use]
+    pub fn block(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
+        let products = a.component_mul(b);
+        let diagonal = self.own * products;
+        let block = Matrix3::from_fn(|i, k| {
+            if i == k {
+                diagonal[i]
+            } else {
+                a[i] * b[k] * self.stretch[(i, k)] + a[k] * b[i] * self.crossed[(i, k)]
+            }
+        });
+        self.u * block * self.u.transpose()
+    }
 }
 
 /// F = U diag(σ) Vᵀ with U Vᵀ a rotation: if F turns space inside out, the last σ is negative.

@@ -68,12 +68,21 @@ impl Membrane {
         self.volume() * (self.mu * strain.norm_squared() + 0.5 * self.lambda * trace * trace)
     }
 
+    /// The gradient of the energy.
+    #[must_use]
+    pub fn gradient(&self, points: &[Vector3<f64>; 3]) -> Vector12 {
+        let f = self.deformation(points);
+        let forces = f * self.stress(&strain(&f)) * self.shape.transpose() * self.volume();
+        let mut gradient = Vector12::zeros();
+        gradient.fixed_rows_mut::<9>(0).copy_from_slice(forces.as_slice());
+        gradient
+    }
+
     /// The derivatives of the energy; the Hessian is projected if asked for.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 3], projected: bool) -> Element {
         let f = self.deformation(points);
         let stress = self.stress(&strain(&f));
-        let forces = f * stress * self.shape.transpose() * self.volume();
 
         // The Hessian with respect to the columns of F, one below the other: dP = dF S + F dS.
         let mut second = SMatrix::<f64, 6, 6>::zeros();
@@ -95,14 +104,12 @@ impl Membrane {
                 0.0
             }
         });
-        let mut gradient = Vector12::zeros();
-        gradient.fixed_rows_mut::<9>(0).copy_from_slice(forces.as_slice());
         let mut hessian = Matrix12::zeros();
         let block = map.tr_mul(&(second * map)) * self.volume();
         hessian.fixed_view_mut::<9, 9>(0, 0).copy_from(&block);
         Element {
             vertices: self.vertices.into_iter().collect::<ArrayVec<u32, 4>>(),
-            gradient,
+            gradient: self.gradient(points),
             hessian,
         }
     }

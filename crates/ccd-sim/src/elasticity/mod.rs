@@ -9,7 +9,7 @@ mod stable_neo_hookean;
 mod tetrahedron;
 
 pub use hinge::Hinge;
-pub use isotropic::{Isotropic, Principal, hessian};
+pub use isotropic::{Curvature, Isotropic, Principal};
 pub use lame::{ElasticModuli, ModuliError};
 pub use membrane::Membrane;
 pub use neo_hookean::NeoHookean;

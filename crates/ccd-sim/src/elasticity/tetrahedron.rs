@@ -4,7 +4,7 @@ use arrayvec::ArrayVec;
 use nalgebra::{Matrix3, SMatrix, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::isotropic::{Isotropic, hessian};
+use super::isotropic::{Curvature, Isotropic};
 use super::lame::ElasticModuli;
 use super::neo_hookean::NeoHookean;
 use super::stable_neo_hookean::StableNeoHookean;
@@ -87,27 +87,41 @@ impl Tetrahedron {
             }
     }
 
+    /// The gradient of the energy.
+    #[must_use]
+    pub fn gradient(&self, points: &[Vector3<f64>; 4]) -> Vector12 {
+        let f = self.deformation(points);
+        let stress = match &self.energy {
+            Energy::NeoHookean(energy) => energy.stress(&f),
+            Energy::Stable(energy) => energy.stress(&f),
+        };
+        // F is linear in the points: column c is Σᵢ xᵢ shape(i, c).
+        let forces = stress * self.shape.transpose() * self.volume;
+        Vector12::from_column_slice(forces.as_slice())
+    }
+
     /// The derivatives of the energy; the Hessian is projected if asked for.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {
         let f = self.deformation(points);
-        let (stress, second) = match &self.energy {
-            Energy::NeoHookean(energy) => (energy.stress(&f), hessian(energy, &f, projected)),
-            Energy::Stable(energy) => (energy.stress(&f), hessian(energy, &f, projected)),
+        let curvature = match &self.energy {
+            Energy::NeoHookean(energy) => Curvature::new(energy, &f, projected),
+            Energy::Stable(energy) => Curvature::new(energy, &f, projected),
         };
-        // F is linear in the points: column c is Σᵢ xᵢ shape(i, c).
-        let forces = stress * self.shape.transpose() * self.volume;
-        let map = SMatrix::<f64, 9, 12>::from_fn(|row, column| {
-            if row % 3 == column % 3 {
-                self.shape[(column / 3, row / 3)]
-            } else {
-                0.0
+        let shape = [0, 1, 2, 3].map(|i: usize| curvature.in_frame(&self.shape.row(i).transpose()));
+        let mut hessian = Matrix12::zeros();
+        for i in 0..4 {
+            for j in 0..=i {
+                let block = curvature.block(&shape[i], &shape[j]) * self.volume;
+                hessian.fixed_view_mut::<3, 3>(3 * i, 3 * j).copy_from(&block);
+                hessian
+                    .fixed_view_mut::<3, 3>(3 * j, 3 * i)
+                    .copy_from(&block.transpose());
             }
-        });
-        let hessian: Matrix12 = map.tr_mul(&(second * map)) * self.volume;
+        }
         Element {
             vertices: ArrayVec::from(self.vertices),
-            gradient: Vector12::from_column_slice(forces.as_slice()),
+            gradient: self.gradient(points),
             hessian,
         }
     }

@@ -16,7 +16,8 @@ pub struct Increment<'a> {
 }
 
 impl<'a> Increment<'a> {
-    /// The step from `start` to `end`. `pairs` holds at least all pairs whose boxes over this step overlap.
+    /// The step from `start` to `end`. `pairs` holds at least all pairs that can touch in it, or on the way from `start` to
+    /// positions between, as those of [`Pairs::near`] do.
     #[must_use]
     pub fn new(surface: &'a Surface, pairs: &'a Pairs, start: &'a [Point], end: &'a [Point]) -> Self {
         Self {
@@ -25,6 +26,18 @@ impl<'a> Increment<'a> {
             start,
             end,
         }
+    }
+
+    /// What moves.
+    #[must_use]
+    pub fn surface(&self) -> &'a Surface {
+        self.surface
+    }
+
+    /// The pairs that can touch.
+    #[must_use]
+    pub fn pairs(&self) -> &'a Pairs {
+        self.pairs
     }
 
     /// The positions at the start.

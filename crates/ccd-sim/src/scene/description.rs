@@ -71,6 +71,13 @@ pub enum Shape {
         /// The lengths of the sides, in m.
         size: [f64; 2],
     },
+    /// [`shapes::sphere`](crate::shapes::sphere).
+    Sphere {
+        /// How often each triangle of an icosahedron is cut into four.
+        subdivisions: u8,
+        /// The radius, in m.
+        radius: f64,
+    },
 }
 
 /// Some vertices, and how they move.

@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use ccd_mesh::{Format, Frame, Point, TetMesh};
+use ccd_mesh::Point;
 
-use super::description::{BodyDescription, Description, Selection, Shape};
+use super::description::{BodyDescription, Description, Selection};
 use super::document::{Document, Key, SceneError};
+use super::mesh::Mesh;
 use crate::body::{Body, BodyKind};
 use crate::settings::Settings;
-use crate::shapes;
 use crate::simulation::{Simulation, SimulationError};
 use crate::state::State;
 use crate::system::{System, SystemError};
@@ -107,18 +107,11 @@ impl Scene {
     }
 }
 
-/// What there is of a mesh.
-struct Mesh {
-    points: Vec<Point>,
-    faces: Vec<[u32; 3]>,
-    tetrahedra: Vec<[u32; 4]>,
-}
-
 /// A body, or the field that is wrong and why.
 fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
     let mesh = match (&described.mesh, described.shape) {
-        (Some(path), None) => read(&folder.join(path)).map_err(|message| ("mesh", message))?,
-        (None, Some(shape)) => generate(shape),
+        (Some(path), None) => Mesh::read(&folder.join(path)).map_err(|message| ("mesh", message))?,
+        (None, Some(shape)) => Mesh::generate(shape).map_err(|message| ("shape", message))?,
         (Some(_), Some(_)) => {
             return Err((
                 "shape",
@@ -153,43 +146,6 @@ fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static st
         kind,
         velocity,
     })
-}
-
-fn read(path: &Path) -> Result<Mesh, String> {
-    if Format::of_path(path) == Some(Format::Msh) {
-        let mesh = TetMesh::read(path).map_err(|error| error.to_string())?;
-        return Ok(Mesh {
-            points: mesh.positions().to_vec(),
-            faces: mesh.surface().to_vec(),
-            tetrahedra: mesh.tetrahedra().to_vec(),
-        });
-    }
-    let frame = Frame::read(path).map_err(|error| error.to_string())?;
-    Ok(Mesh {
-        faces: frame.mesh.faces().to_vec(),
-        points: frame.positions,
-        tetrahedra: Vec::new(),
-    })
-}
-
-fn generate(shape: Shape) -> Mesh {
-    let Body { points, kind, .. } = match shape {
-        Shape::Box { cells, size } => shapes::solid_box(cells, size),
-        Shape::Grid { cells, size } => shapes::cloth(cells, size),
-    };
-    let (faces, tetrahedra) = match kind {
-        BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => (faces, Vec::new()),
-        BodyKind::Solid { tetrahedra, .. } => {
-            let surface =
-                TetMesh::new(points.clone(), tetrahedra.clone()).map(|mesh| mesh.surface().to_vec());
-            (surface.unwrap_or_default(), tetrahedra)
-        }
-    };
-    Mesh {
-        points,
-        faces,
-        tetrahedra,
-    }
 }
 
 /// The selected vertices of a body whose vertices are numbered from `first` on.

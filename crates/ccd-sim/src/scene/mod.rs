@@ -30,6 +30,7 @@
 mod description;
 mod document;
 mod load;
+mod mesh;
 mod placement;
 
 pub use description::{BodyDescription, Description, ScriptDescription, Selection, Shape};

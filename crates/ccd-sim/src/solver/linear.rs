@@ -1,25 +1,28 @@
 //! The sparse linear system of a Newton iteration.
 
-use faer::linalg::solvers::Solve;
-use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::perm::PermRef;
+use faer::sparse::linalg::amd;
+use faer::sparse::linalg::cholesky::{SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky};
 use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
-use faer::{Col, Side};
+use faer::{Conj, MatMut, Par, Side};
 
 use super::pattern::Pattern;
 
 /// Factorises symmetric positive definite matrices, and keeps the analysis of a pattern for as long as it stays the same.
 ///
-/// What it keeps is a function of the pattern: results do not depend on what was solved before.
-#[derive(Clone, Default)]
+/// What it keeps is a function of the pattern, and memory: results do not depend on what was solved before.
+#[derive(Default)]
 pub(crate) struct LinearSolver {
     analysis: Option<Analysis>,
+    /// Where the factor is written.
+    factor: Vec<f64>,
 }
 
-#[derive(Clone)]
 struct Analysis {
     pattern: Pattern,
     scalars: SymbolicSparseColMat<usize>,
-    symbolic: SymbolicLlt<usize>,
+    symbolic: SymbolicCholesky<usize>,
 }
 
 /// How often the diagonal is raised when rounding has spoilt positive definiteness.
@@ -38,27 +41,42 @@ impl LinearSolver {
             .as_ref()
             .is_none_or(|analysis| analysis.pattern != pattern)
         {
-            let scalars = pattern.scalars();
-            let symbolic = SymbolicLlt::try_new(scalars.as_ref(), Side::Lower).ok()?;
-            self.analysis = Some(Analysis {
-                pattern,
-                scalars,
-                symbolic,
-            });
+            self.analysis = Some(Analysis::new(pattern)?);
         }
-        let analysis = self.analysis.as_ref()?;
+        let Analysis {
+            scalars, symbolic, ..
+        } = self.analysis.as_ref()?;
         if values.iter().chain(right).any(|value| !value.is_finite()) {
             return None;
         }
-        let diagonals = &analysis.scalars.col_ptr()[..right.len()];
+        let diagonals = &scalars.col_ptr()[..right.len()];
         let largest = diagonals
             .iter()
             .fold(0.0_f64, |largest, &place| largest.max(values[place]));
+
+        self.factor.resize(symbolic.len_val(), 0.0);
+        // One thread: sums in another order would be other results.
+        let par = Par::Seq;
+        let scratch = symbolic
+            .factorize_numeric_llt_scratch::<f64>(par, Default::default())
+            .or(symbolic.solve_in_place_scratch::<f64>(1, par));
+        let mut memory = MemBuffer::try_new(scratch).ok()?;
         for attempt in 0..ATTEMPTS {
-            let matrix = SparseColMatRef::new(analysis.scalars.as_ref(), values.as_slice());
-            if let Ok(factors) = Llt::try_new_with_symbolic(analysis.symbolic.clone(), matrix, Side::Lower) {
-                let solution = factors.solve(Col::from_fn(right.len(), |row| right[row]));
-                return Some(solution.iter().copied().collect());
+            let matrix = SparseColMatRef::new(scalars.as_ref(), values.as_slice());
+            let factorised = symbolic.factorize_numeric_llt(
+                &mut self.factor,
+                matrix,
+                Side::Lower,
+                Default::default(),
+                par,
+                MemStack::new(&mut memory),
+                Default::default(),
+            );
+            if let Ok(factor) = factorised {
+                let mut solution = right.to_vec();
+                let column = MatMut::from_column_major_slice_mut(&mut solution, right.len(), 1);
+                factor.solve_in_place_with_conj(Conj::No, column, par, MemStack::new(&mut memory));
+                return Some(solution);
             }
             let shift = largest * f64::EPSILON * 10_f64.powi(attempt);
             for &place in diagonals {
@@ -66,5 +84,44 @@ impl LinearSolver {
             }
         }
         None
+    }
+}
+
+impl Analysis {
+    /// The unknowns in an order of little fill. Three of a vertex stay together, for they have the same neighbours: to order
+    /// the vertices is the same with a ninth of the entries.
+    fn new(pattern: Pattern) -> Option<Self> {
+        let blocks = pattern.blocks();
+        let count = blocks.ncols();
+        let (mut order, mut place) = (vec![0; count], vec![0; count]);
+        let scratch = amd::order_scratch::<usize>(count, blocks.compute_nnz());
+        let mut memory = MemBuffer::try_new(scratch).ok()?;
+        amd::order(
+            &mut order,
+            &mut place,
+            blocks.as_ref(),
+            amd::Control::default(),
+            MemStack::new(&mut memory),
+        )
+        .ok()?;
+        let [order, place] = [order, place].map(|blocks| {
+            let scalars = blocks
+                .into_iter()
+                .flat_map(|block| [0, 1, 2].map(|axis: usize| 3 * block + axis));
+            scalars.collect::<Vec<usize>>()
+        });
+        let scalars = pattern.scalars();
+        let symbolic = factorize_symbolic_cholesky(
+            scalars.as_ref(),
+            Side::Lower,
+            SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, 3 * count)),
+            Default::default(),
+        )
+        .ok()?;
+        Some(Self {
+            pattern,
+            scalars,
+            symbolic,
+        })
     }
 }

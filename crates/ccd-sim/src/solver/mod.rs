@@ -1,9 +1,11 @@
 //! One time step: the minimum of an incremental potential, by projected Newton.
 
+mod line_search;
 mod linear;
 mod newton;
 mod pattern;
 mod potential;
+mod quadratic;
 mod unknowns;
 
 pub(crate) use linear::LinearSolver;

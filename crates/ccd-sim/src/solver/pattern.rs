@@ -43,6 +43,13 @@ impl Pattern {
         9 * self.rows.len() - 3 * columns
     }
 
+    /// The pattern, block by block.
+    pub(crate) fn blocks(&self) -> SymbolicSparseColMat<usize> {
+        let columns = self.starts.len() - 1;
+        let rows = self.rows.iter().map(|&row| row as usize).collect();
+        SymbolicSparseColMat::new_checked(columns, columns, self.starts.clone(), None, rows)
+    }
+
     /// The same pattern, scalar by scalar.
     pub(crate) fn scalars(&self) -> SymbolicSparseColMat<usize> {
         let columns = self.starts.len() - 1;

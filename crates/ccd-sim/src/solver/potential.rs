@@ -4,10 +4,8 @@ use ccd_mesh::Point;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::pattern::{Pattern, key};
-use super::unknowns::Unknowns;
 use crate::contact::Collisions;
-use crate::element::Element;
+use crate::element::Vector12;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::{gather, gather_some};
 use crate::integrator::Scheme;
@@ -33,19 +31,8 @@ pub(crate) struct Spring {
     pub(crate) stiffness: f64,
 }
 
-/// Gradient and Hessian of a potential with respect to the unknowns.
-pub(crate) struct Quadratic {
-    /// The gradient of all vertices.
-    pub(crate) gradient: Vec<Vector3<f64>>,
-    pub(crate) pattern: Pattern,
-    pub(crate) values: Vec<f64>,
-    /// The Hessian's columns of the vertices that are not unknown, times their given displacements: what these do to the
-    /// gradient of the unknowns.
-    pub(crate) given: Vec<Vector3<f64>>,
-}
-
 /// How many elements are derived at a time: their Hessians are large.
-const CHUNK: usize = 4096;
+const CHUNK: usize = 1024;
 
 impl Potential<'_> {
     /// The value; infinite where a solid is turned inside out.
@@ -89,11 +76,33 @@ impl Potential<'_> {
     /// The gradient without contact, friction and springs.
     pub(crate) fn smooth_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = self.inertia_gradient(points);
-        self.elastic_elements(points, |element| {
-            for (place, &vertex) in element.vertices.iter().enumerate() {
-                gradient[vertex as usize] += element.force(place);
+        let scale = self.scheme.duration * self.scheme.duration;
+        let System {
+            tetrahedra,
+            membranes,
+            hinges,
+            ..
+        } = self.system;
+        let mut add = |vertices: &[u32], forces: &Vector12| {
+            for (place, &vertex) in vertices.iter().enumerate() {
+                gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
             }
-        });
+        };
+        each(
+            tetrahedra,
+            |t| t.gradient(&gather(points, &t.vertices())),
+            |t, forces| add(&t.vertices(), forces),
+        );
+        each(
+            membranes,
+            |m| m.gradient(&gather(points, &m.vertices())),
+            |m, forces| add(&m.vertices(), forces),
+        );
+        each(
+            hinges,
+            |h| h.gradient(&gather(points, &h.vertices())),
+            |h, forces| add(&h.vertices(), forces),
+        );
         gradient
     }
 
@@ -121,119 +130,13 @@ impl Potential<'_> {
         8.0 * f64::EPSILON * (elastic + value.abs())
     }
 
-    /// The pairs of unknowns that interact by elasticity.
-    pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
-        let mut keys = Vec::new();
-        let System {
-            tetrahedra,
-            membranes,
-            hinges,
-            ..
-        } = self.system;
-        tetrahedra
-            .iter()
-            .for_each(|t| add_keys(&mut keys, unknowns, &t.vertices()));
-        membranes
-            .iter()
-            .for_each(|m| add_keys(&mut keys, unknowns, &m.vertices()));
-        hinges
-            .iter()
-            .for_each(|h| add_keys(&mut keys, unknowns, &h.vertices()));
-        keys.sort_unstable();
-        keys.dedup();
-        keys
-    }
-
-    /// Gradient and Hessian, where vertices that are not unknown are displaced by `given`.
-    pub(crate) fn quadratic(
-        &self,
-        points: &[Point],
-        collisions: &Collisions,
-        unknowns: &Unknowns,
-        elastic_keys: &[u64],
-        given: &[Vector3<f64>],
-    ) -> Quadratic {
-        let mut keys = elastic_keys.to_vec();
-        let contacts = collisions.as_slice();
-        contacts
-            .iter()
-            .for_each(|c| add_keys(&mut keys, unknowns, c.vertices()));
-        self.friction
-            .iter()
-            .for_each(|c| add_keys(&mut keys, unknowns, c.vertices()));
-        let pattern = Pattern::new(unknowns.len(), keys);
-        let mut sum = Sum {
-            values: vec![0.0; pattern.scalar_count()],
-            gradient: self.inertia_gradient(points),
-            effect: vec![Vector3::zeros(); points.len()],
-            pattern,
-            unknowns,
-            given,
-        };
-
-        for (vertex, mass) in self.inertia() {
-            sum.add_diagonal(vertex as u32, mass);
-        }
-        for spring in self.springs {
-            sum.gradient[spring.vertex as usize] += self.pull(points, spring);
-            sum.add_diagonal(spring.vertex, spring.stiffness);
-        }
-        self.elastic_elements(points, |element| sum.add(element));
-        chunked(
-            contacts,
-            |collision| {
-                let corners = gather_some(points, collision.vertices());
-                collision
-                    .derivatives(&corners, collisions.barrier(), true)
-                    .scaled(self.stiffness)
-            },
-            |element| sum.add(element),
-        );
-        chunked(
-            self.friction,
-            |contact| contact.derivatives(&self.displacements(points, contact), self.smoothing),
-            |element| sum.add(element),
-        );
-        Quadratic {
-            gradient: sum.gradient,
-            pattern: sum.pattern,
-            values: sum.values,
-            given: sum.effect,
-        }
-    }
-
-    fn elastic_elements(&self, points: &[Point], mut add: impl FnMut(&Element)) {
-        let scale = self.scheme.duration * self.scheme.duration;
-        let System {
-            tetrahedra,
-            membranes,
-            hinges,
-            ..
-        } = self.system;
-        chunked(
-            tetrahedra,
-            |t| t.derivatives(&gather(points, &t.vertices()), true).scaled(scale),
-            &mut add,
-        );
-        chunked(
-            membranes,
-            |m| m.derivatives(&gather(points, &m.vertices()), true).scaled(scale),
-            &mut add,
-        );
-        chunked(
-            hinges,
-            |h| h.derivatives(&gather(points, &h.vertices()), true).scaled(scale),
-            &mut add,
-        );
-    }
-
     /// The vertices that have inertia, with their masses.
-    fn inertia(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+    pub(super) fn inertia(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let masses = self.system.masses.iter().copied().enumerate();
         masses.filter(|&(vertex, _)| self.system.is_free(vertex))
     }
 
-    fn inertia_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
+    pub(super) fn inertia_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = vec![Vector3::zeros(); points.len()];
         for (vertex, mass) in self.inertia() {
             gradient[vertex] = self.offset(points, vertex) * mass;
@@ -245,11 +148,11 @@ impl Potential<'_> {
         at(points, vertex) - at(&self.scheme.predicted, vertex)
     }
 
-    fn pull(&self, points: &[Point], spring: &Spring) -> Vector3<f64> {
+    pub(super) fn pull(&self, points: &[Point], spring: &Spring) -> Vector3<f64> {
         (at(points, spring.vertex as usize) - Vector3::from(spring.target)) * spring.stiffness
     }
 
-    fn displacements(&self, points: &[Point], contact: &FrictionContact) -> [Vector3<f64>; 4] {
+    pub(super) fn displacements(&self, points: &[Point], contact: &FrictionContact) -> [Vector3<f64>; 4] {
         let now = gather_some(points, contact.vertices());
         let then = gather_some(&self.scheme.origin, contact.vertices());
         [0, 1, 2, 3].map(|place: usize| now[place] - then[place])
@@ -266,60 +169,17 @@ fn sum<T: Sync>(elements: &[T], value: impl Fn(&T) -> f64 + Sync) -> f64 {
     values.iter().sum()
 }
 
-/// Derives elements in parallel, and adds them in their order.
-fn chunked<T: Sync>(elements: &[T], derive: impl Fn(&T) -> Element + Sync, mut add: impl FnMut(&Element)) {
+/// Derives elements in parallel, and adds what they give in their order.
+pub(super) fn each<T: Sync, D: Send>(
+    elements: &[T],
+    derive: impl Fn(&T) -> D + Sync,
+    mut add: impl FnMut(&T, &D),
+) {
     for chunk in elements.chunks(CHUNK) {
-        let derived: Vec<Element> = chunk.par_iter().map(&derive).collect();
-        derived.iter().for_each(&mut add);
-    }
-}
-
-fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, vertices: &[u32]) {
-    for (place, &a) in vertices.iter().enumerate() {
-        let Some(a) = unknowns.number(a) else { continue };
-        let others = vertices[..place].iter().filter_map(|&b| unknowns.number(b));
-        keys.extend(others.map(|b| key(a, b)));
-    }
-}
-
-/// Gradient and Hessian while elements are added to them.
-struct Sum<'a> {
-    pattern: Pattern,
-    values: Vec<f64>,
-    gradient: Vec<Vector3<f64>>,
-    effect: Vec<Vector3<f64>>,
-    unknowns: &'a Unknowns,
-    given: &'a [Vector3<f64>],
-}
-
-impl Sum<'_> {
-    fn add_diagonal(&mut self, vertex: u32, value: f64) {
-        if let Some(number) = self.unknowns.number(vertex) {
-            let block = nalgebra::Matrix3::from_diagonal_element(value);
-            self.pattern.add(&mut self.values, number, number, &block);
-        }
-    }
-
-    fn add(&mut self, element: &Element) {
-        for (row, &vertex) in element.vertices.iter().enumerate() {
-            self.gradient[vertex as usize] += element.force(row);
-            let Some(number) = self.unknowns.number(vertex) else {
-                continue;
-            };
-            for (column, &other) in element.vertices.iter().enumerate() {
-                match self.unknowns.number(other) {
-                    None => {
-                        let given = self.given[other as usize];
-                        self.effect[vertex as usize] += element.block(row, column) * given;
-                    }
-                    // The other triangle is the same.
-                    Some(other) if other > number => {}
-                    Some(other) => {
-                        let block = element.block(row, column);
-                        self.pattern.add(&mut self.values, number, other, &block);
-                    }
-                }
-            }
-        }
+        let derived: Vec<D> = chunk.par_iter().map(&derive).collect();
+        chunk
+            .iter()
+            .zip(&derived)
+            .for_each(|(element, derived)| add(element, derived));
     }
 }

@@ -1,0 +1,135 @@
+//! A simulation, step by step.
+
+mod error;
+mod step;
+
+use ccd_mesh::Bounds;
+
+use crate::contact::Barrier;
+use crate::filter::{self, StepFilter};
+use crate::settings::Settings;
+use crate::solver::LinearSolver;
+use crate::state::State;
+use crate::system::System;
+
+pub use error::SimulationError;
+
+/// A system that moves under elasticity, gravity, contact and friction.
+///
+/// ```
+/// use ccd_sim::{Body, Settings, Simulation, System, shapes};
+///
+/// let cube = shapes::solid_box([1, 1, 1], [1.0; 3]);
+/// let system = System::new(&[cube], &[])?;
+/// let mut simulation = Simulation::new(system, Settings::default())?;
+/// let statistics = simulation.step()?;
+/// assert!(statistics.energies.kinetic > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Simulation {
+    system: System,
+    settings: Settings,
+    filter: Box<dyn StepFilter>,
+    barrier: Barrier,
+    solver: LinearSolver,
+    state: State,
+}
+
+/// How much larger than the scene at its start the box is in which [`filter::Parity`] expects it to stay.
+const ROOM: f64 = 4.0;
+
+impl Simulation {
+    /// The simulation of a system from its start.
+    ///
+    /// # Errors
+    /// [`SimulationError`] names the setting that is out of range.
+    pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
+        let state = State {
+            step: 0,
+            positions: system.start.clone(),
+            velocities: system.velocities.clone(),
+            earlier: None,
+            stiffness: None,
+        };
+        Self::resume(system, settings, state)
+    }
+
+    /// The simulation of a system from a state in which it was.
+    ///
+    /// # Errors
+    /// [`SimulationError`] names the setting that is out of range, or what of the state does not fit the system.
+    pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
+        error::check(&settings, system.size())?;
+        let expected = system.start.len();
+        let fits = |what, found| {
+            (found == expected).then_some(()).ok_or(SimulationError::State {
+                what,
+                found,
+                expected,
+            })
+        };
+        fits("positions", state.positions.len())?;
+        fits("velocities", state.velocities.len())?;
+        if let Some(earlier) = &state.earlier {
+            fits("earlier positions", earlier.positions.len())?;
+            fits("earlier velocities", earlier.velocities.len())?;
+        }
+        let filter = filter::by_name(&settings.ccd, room(&system))?;
+        let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
+        Ok(Self {
+            system,
+            settings,
+            filter,
+            barrier,
+            solver: LinearSolver::default(),
+            state,
+        })
+    }
+
+    /// The same, with another method of continuous collision detection.
+    #[must_use]
+    pub fn with_filter(mut self, filter: Box<dyn StepFilter>) -> Self {
+        self.filter = filter;
+        self
+    }
+
+    /// The same, with its filter inside of another one, which may observe what it is asked.
+    #[must_use]
+    pub fn map_filter(mut self, wrap: impl FnOnce(Box<dyn StepFilter>) -> Box<dyn StepFilter>) -> Self {
+        self.filter = wrap(self.filter);
+        self
+    }
+
+    /// The system.
+    #[must_use]
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The settings.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Where the simulation is: all that [`Simulation::resume`] needs to go on.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// The time in the simulation, in s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.state.step as f64 * self.settings.time_step
+    }
+}
+
+fn room(system: &System) -> Bounds {
+    let bounds: Bounds = system.start.iter().copied().collect();
+    let margin = 0.5 * (ROOM - 1.0) * system.size();
+    Bounds {
+        lower: bounds.lower.map(|x| x - margin),
+        upper: bounds.upper.map(|x| x + margin),
+    }
+}

@@ -1,0 +1,158 @@
+//! All bodies of a scene, as one list of vertices and lists of elements over it.
+
+mod error;
+mod parts;
+
+use std::ops::Range;
+
+use ccd_mesh::{Bounds, Frame, FrameError, Point, TriangleMesh};
+use nalgebra::Vector3;
+
+use crate::body::Body;
+use crate::contact::Surface;
+use crate::elasticity::{Hinge, Membrane, Tetrahedron};
+use crate::script::Script;
+use parts::Parts;
+
+pub use error::SystemError;
+
+/// The vertices, masses, elements and scripts of a scene.
+#[derive(Clone, Debug)]
+pub struct System {
+    pub(crate) start: Vec<Point>,
+    pub(crate) velocities: Vec<Point>,
+    pub(crate) masses: Vec<f64>,
+    pub(crate) tetrahedra: Vec<Tetrahedron>,
+    pub(crate) membranes: Vec<Membrane>,
+    pub(crate) hinges: Vec<Hinge>,
+    /// The script of each vertex that has one.
+    pub(crate) scripts: Vec<Option<Script>>,
+    pub(crate) surface: Surface,
+    /// Σ E V, in J: what elastic energies are small differences of.
+    pub(crate) rigidity: f64,
+    size: f64,
+}
+
+impl System {
+    /// The system of some bodies, whose vertices follow each other in their order. `scripts` say how some vertices move;
+    /// where there are several for one, the last counts. Obstacles without a script are fixed.
+    ///
+    /// # Errors
+    /// [`SystemError`] names the body, and what is wrong with it.
+    pub fn new(bodies: &[Body], scripts: &[(Vec<u32>, Script)]) -> Result<Self, SystemError> {
+        let mut parts = Parts::default();
+        for (index, body) in bodies.iter().enumerate() {
+            parts.add(index, body)?;
+        }
+        let vertex_count = parts.start.len();
+        for (vertices, script) in scripts {
+            for &vertex in vertices {
+                let slot = parts.scripts.get_mut(vertex as usize);
+                *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(*script);
+            }
+        }
+        let mesh = TriangleMesh::new(vertex_count, parts.faces).map_err(|error| SystemError::Index {
+            body: 0,
+            element: error.face,
+            vertex: error.vertex,
+            vertex_count,
+        })?;
+        let bounds: Bounds = parts.start.iter().copied().collect();
+        let size = if vertex_count == 0 {
+            1.0
+        } else {
+            (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
+        };
+        Ok(Self {
+            surface: Surface::new(mesh, parts.obstacle),
+            start: parts.start,
+            velocities: parts.velocities,
+            masses: parts.masses,
+            tetrahedra: parts.tetrahedra,
+            membranes: parts.membranes,
+            hinges: parts.hinges,
+            scripts: parts.scripts,
+            rigidity: parts.rigidity,
+            size,
+        })
+    }
+
+    /// The vertices of each body, in the order of the bodies.
+    #[must_use]
+    pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
+        let mut end = 0;
+        let range = |body: &Body| {
+            let start = end;
+            end += body.points.len() as u32;
+            start..end
+        };
+        bodies.iter().map(range).collect()
+    }
+
+    /// The surface of all bodies.
+    #[must_use]
+    pub fn surface(&self) -> &TriangleMesh {
+        self.surface.mesh()
+    }
+
+    /// The corners of all tetrahedra, each of positive volume at the start.
+    pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
+        self.tetrahedra.iter().map(Tetrahedron::vertices)
+    }
+
+    /// The surface alone with its vertices at these positions, which are those of all vertices: without those inside of
+    /// solids.
+    ///
+    /// # Errors
+    /// [`FrameError`] tells the first coordinate that is not finite, or that there are too few.
+    pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, FrameError> {
+        let vertices = self.surface.vertices();
+        let mut numbers = vec![0; self.start.len()];
+        for (number, &vertex) in (0..).zip(vertices) {
+            numbers[vertex as usize] = number;
+        }
+        let faces = self
+            .surface()
+            .faces()
+            .iter()
+            .map(|face| face.map(|vertex| numbers[vertex as usize]));
+        let shown = vertices
+            .iter()
+            .filter_map(|&vertex| positions.get(vertex as usize).copied());
+        Frame::new(shown.collect(), faces.collect())
+    }
+
+    /// The positions at the start, where everything is at rest, in m.
+    #[must_use]
+    pub fn start(&self) -> &[Point] {
+        &self.start
+    }
+
+    /// The mass of each vertex, in kg. Obstacles have none.
+    #[must_use]
+    pub fn masses(&self) -> &[f64] {
+        &self.masses
+    }
+
+    /// The diagonal of the box around everything at the start, in m.
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// Whether a vertex moves by the laws of motion.
+    #[must_use]
+    pub fn is_free(&self, vertex: usize) -> bool {
+        self.scripts[vertex].is_none() && self.masses[vertex] > 0.0
+    }
+
+    /// The mean mass of the vertices that are free, in kg.
+    #[must_use]
+    pub fn mean_mass(&self) -> f64 {
+        let free = (0..self.masses.len()).filter(|&vertex| self.is_free(vertex));
+        let (count, sum) = free.fold((0_u32, 0.0), |(count, sum), vertex| {
+            (count + 1, sum + self.masses[vertex])
+        });
+        if count == 0 { 0.0 } else { sum / f64::from(count) }
+    }
+}
