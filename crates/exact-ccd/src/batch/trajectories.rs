@@ -164,7 +164,11 @@ fn collisions<S: Simd, K: Kind>(
             for lane in 0..LANES.min(count - LANES * eight) {
                 if rest.lanes >> lane & 1 != 0 {
                     let query = query(lanes[lane]);
-                    let filtered = filter::collides_near_plane(&query, &rest.cubic(lane));
+                    let filtered = if rest.out_of_range >> lane & 1 == 0 {
+                        filter::collides_near_plane(&query, &rest.cubic(lane))
+                    } else {
+                        None
+                    };
                     if filtered.map_or_else(|| exact::collides(&query), |(collides, _)| collides) {
                         found(CHUNK * chunk + indices[lane], &query);
                     }
