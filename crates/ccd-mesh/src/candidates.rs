@@ -84,7 +84,7 @@ fn sorted(pairs: Mutex<Vec<[u32; 2]>>) -> Vec<[u32; 2]> {
 /// The candidates of a step as they are found.
 pub(crate) struct Overlaps<'a> {
     step: Step<'a>,
-    boxes: StepBoxes,
+    boxes: StepBoxes<'a>,
     vertices: Vec<Bounds>,
     faces: Vec<Bounds>,
     edges: Vec<Bounds>,

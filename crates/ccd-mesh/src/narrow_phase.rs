@@ -8,18 +8,25 @@ use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
 /// What is asked about candidates, laid out for many of them.
+#[derive(Clone, Debug)]
 pub(crate) struct NarrowPhase<'a> {
     mesh: &'a TriangleMesh,
     trajectories: Trajectories,
 }
 
 impl<'a> NarrowPhase<'a> {
-    pub(crate) fn new(step: &Step<'a>) -> Self {
+    /// Nothing can be asked before there is a step.
+    pub(crate) fn new(mesh: &'a TriangleMesh) -> Self {
+        let trajectories = Trajectories::new(&[], &[]).expect("as many positions as positions");
+        Self { mesh, trajectories }
+    }
+
+    /// Takes another step of the mesh.
+    pub(crate) fn begin(&mut self, step: &Step<'_>) {
         let [x0, x1] = step.positions();
-        Self {
-            mesh: step.mesh(),
-            trajectories: Trajectories::new(x0, x1).expect("the positions of a step are sound"),
-        }
+        self.trajectories
+            .set(x0, x1)
+            .expect("the positions of a step are sound");
     }
 
     /// Calls `found` with each pair that is in contact, and its query. Pairs with a common vertex are left out.

@@ -4,81 +4,113 @@ use exact_ccd::Point;
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::broad_phase::{Boxes, MovingBox, order};
+use crate::broad_phase::{Boxes, MovingBox, extent, order};
+use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges.
+/// The boxes of the vertices, faces and edges, in step after step of a mesh.
 ///
 /// All of them are in the order of the vertices along a curve that fills space: a face and an edge come where the first of
-/// their vertices does.
+/// their vertices does. That order stays as long as it is good.
 #[derive(Clone, Debug)]
-pub(crate) struct StepBoxes {
+pub(crate) struct StepBoxes<'a> {
+    mesh: &'a TriangleMesh,
     pub(crate) vertices: Boxes,
     pub(crate) faces: Boxes,
     pub(crate) edges: Boxes,
+    /// The boxes of the vertices again, in the order of the mesh.
+    moving: Vec<MovingBox>,
     /// Near the mesh, so that single precision is spent on differences.
     origin: Point,
-    /// Until when they move.
-    time: f64,
+    /// How far apart successive vertices were when they were ordered.
+    extent: f64,
 }
 
-/// Boxes are not made anew for less than this.
-const SHRINKAGE: f64 = 0.5;
+/// Vertices are ordered anew when they are so much farther from their successors than they once were.
+const WEAR: f64 = 1.5;
 
-impl StepBoxes {
+impl<'a> StepBoxes<'a> {
+    /// No boxes yet.
+    pub(crate) fn new(mesh: &'a TriangleMesh) -> Self {
+        let none = || Boxes::in_order(Vec::new());
+        Self {
+            mesh,
+            vertices: none(),
+            faces: none(),
+            edges: none(),
+            moving: Vec::new(),
+            origin: [0.0; 3],
+            extent: 0.0,
+        }
+    }
+
     /// Boxes that rest, each around all of a primitive's way.
-    pub(crate) fn swept(step: &Step<'_>) -> Self {
-        Self::new(step, |x0, x1| {
+    pub(crate) fn swept(step: &Step<'a>) -> Self {
+        let mut boxes = Self::new(step.mesh());
+        boxes.begin(step);
+        boxes.move_vertices(step, |x0, x1| {
             let all = Bounds::of(x0).union(&Bounds::of(x1));
             [all, all]
-        })
+        });
+        boxes.set_vertices_and_faces();
+        boxes.set_edges();
+        boxes
     }
 
-    /// Boxes that move as the primitives do.
-    pub(crate) fn moving(step: &Step<'_>) -> Self {
-        Self::new(step, |x0, x1| until(1.0, x0, x1))
-    }
-
-    /// The same for an earlier `time`, in the same order, if that is worth while.
-    pub(crate) fn shrink(&mut self, step: &Step<'_>, time: f64) {
-        if time > SHRINKAGE * self.time {
-            return;
-        }
-        let vertices = vertex_boxes(step, self.origin, |x0, x1| until(time, x0, x1));
-        let mesh = step.mesh();
-        self.vertices.refit(|id| vertices[id as usize]);
-        self.faces
-            .refit(|id| around(&vertices, &mesh.faces()[id as usize]));
-        self.edges
-            .refit(|id| around(&vertices, &mesh.edges()[id as usize]));
-        self.time = time;
-    }
-
-    fn new(step: &Step<'_>, ends: impl Fn(Point, Point) -> [Bounds; 2] + Sync) -> Self {
+    /// Takes another step of the mesh: which boxes are near each other in it, not yet where.
+    pub(crate) fn begin(&mut self, step: &Step<'_>) {
         let [x0, _] = step.positions();
-        let mesh = step.mesh();
         let Bounds { lower, upper } = x0.iter().copied().collect();
-        let origin = match x0 {
+        self.origin = match x0 {
             [] => [0.0; 3],
             _ => [0, 1, 2].map(|axis: usize| 0.5 * lower[axis] + 0.5 * upper[axis]),
         };
-        let vertices = vertex_boxes(step, origin, ends);
+        let is_ordered = self.vertices.len() == x0.len();
+        if is_ordered && extent(x0, self.vertices.ids()) <= WEAR * self.extent {
+            return;
+        }
         let ids = order(x0);
+        self.extent = extent(x0, &ids);
         let mut rank = vec![0; ids.len()];
         for (place, &id) in (0..).zip(&ids) {
             rank[id as usize] = place;
         }
-        Self {
-            faces: Boxes::ordered(by_first_vertex(&rank, mesh.faces()), |id| {
-                around(&vertices, &mesh.faces()[id as usize])
-            }),
-            edges: Boxes::ordered(by_first_vertex(&rank, mesh.edges()), |id| {
-                around(&vertices, &mesh.edges()[id as usize])
-            }),
-            vertices: Boxes::ordered(ids, |id| vertices[id as usize]),
-            origin,
-            time: 1.0,
-        }
+        self.vertices = Boxes::in_order(ids);
+        self.faces = Boxes::in_order(by_first_vertex(&rank, self.mesh.faces()));
+        self.edges = Boxes::in_order(by_first_vertex(&rank, self.mesh.edges()));
+    }
+
+    /// Boxes of vertices and faces that move as these do, until `time`.
+    pub(crate) fn vertices_and_faces_until(&mut self, step: &Step<'_>, time: f64) {
+        self.move_vertices(step, |x0, x1| until(time, x0, x1));
+        self.set_vertices_and_faces();
+    }
+
+    /// Boxes of edges that move as these do, until `time`.
+    pub(crate) fn edges_until(&mut self, step: &Step<'_>, time: f64) {
+        self.move_vertices(step, |x0, x1| until(time, x0, x1));
+        self.set_edges();
+    }
+
+    fn move_vertices(&mut self, step: &Step<'_>, ends: impl Fn(Point, Point) -> [Bounds; 2] + Sync) {
+        let [x0, x1] = step.positions();
+        let origin = self.origin;
+        x0.par_iter()
+            .zip(x1)
+            .with_min_len(512)
+            .map(|(&x0, &x1)| MovingBox::new(ends(x0, x1), origin))
+            .collect_into_vec(&mut self.moving);
+    }
+
+    fn set_vertices_and_faces(&mut self) {
+        let Self { mesh, moving, .. } = self;
+        self.vertices.set(|id| moving[id as usize]);
+        self.faces.set(|id| around(moving, &mesh.faces()[id as usize]));
+    }
+
+    fn set_edges(&mut self) {
+        let Self { mesh, moving, .. } = self;
+        self.edges.set(|id| around(moving, &mesh.edges()[id as usize]));
     }
 }
 
@@ -97,18 +129,6 @@ fn until(time: f64, x0: Point, x1: Point) -> [Bounds; 2] {
         end.upper[axis] = near + error;
     }
     [Bounds::of(x0), end]
-}
-
-fn vertex_boxes(
-    step: &Step<'_>,
-    origin: Point,
-    ends: impl Fn(Point, Point) -> [Bounds; 2] + Sync,
-) -> Vec<MovingBox> {
-    let [x0, x1] = step.positions();
-    let vertices = x0.par_iter().zip(x1).with_min_len(512);
-    vertices
-        .map(|(&x0, &x1)| MovingBox::new(ends(x0, x1), origin))
-        .collect()
 }
 
 #[inline(always)]

@@ -30,7 +30,9 @@ impl Boxes {
     #[must_use]
     pub fn new(boxes: &[[Bounds; 2]]) -> Self {
         let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
-        Self::ordered(order(&centres), |id| MovingBox::new(boxes[id as usize], [0.0; 3]))
+        let mut all = Self::in_order(order(&centres));
+        all.set(|id| MovingBox::new(boxes[id as usize], [0.0; 3]));
+        all
     }
 
     /// Boxes that rest.
@@ -39,15 +41,18 @@ impl Boxes {
         Self::new(&boxes.iter().map(|&b| [b, b]).collect::<Vec<_>>())
     }
 
-    /// The boxes with these indices, eight at a time.
-    pub(crate) fn ordered(ids: Vec<u32>, moving: impl Fn(u32) -> MovingBox + Sync) -> Self {
-        let block = |ids: &[u32]| fill(ids, &moving);
-        let (blocks, around) = ids.par_chunks(LANES).with_min_len(GRAIN).map(block).unzip();
-        Self { ids, blocks, around }
+    /// Boxes of nothing, with these indices, eight at a time.
+    pub(crate) fn in_order(ids: Vec<u32>) -> Self {
+        let count = ids.len().div_ceil(LANES);
+        Self {
+            ids,
+            blocks: vec![Block::EMPTY; count],
+            around: vec![MovingBox::EMPTY; count],
+        }
     }
 
-    /// Moves the boxes to other places, in the same order.
-    pub(crate) fn refit(&mut self, moving: impl Fn(u32) -> MovingBox + Sync) {
+    /// Moves each box, by its index, to another place.
+    pub(crate) fn set(&mut self, moving: impl Fn(u32) -> MovingBox + Sync) {
         let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
         let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
         blocks.for_each(|((block, around), ids)| (*block, *around) = fill(ids, &moving));
@@ -82,6 +87,11 @@ impl Boxes {
             .iter()
             .flat_map(|block| (0..LANES).map(|lane| block.get(lane)));
         self.ids.iter().copied().zip(boxes.map(|moving| moving.ends()))
+    }
+
+    /// The indices of the boxes, block by block.
+    pub(crate) fn ids(&self) -> &[u32] {
+        &self.ids
     }
 
     /// Which boxes of a block are there.

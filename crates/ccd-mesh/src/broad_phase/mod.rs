@@ -17,7 +17,7 @@ pub use bvh::Bvh;
 pub use sweep::Sweep;
 
 pub(crate) use moving_box::MovingBox;
-pub(crate) use order::order;
+pub(crate) use order::{extent, order};
 
 /// A way to find the pairs of moving boxes that meet.
 ///
@@ -56,4 +56,23 @@ pub trait BroadPhase: Sync {
     /// Finds the pairs of two boxes in `boxes`, the lesser index first.
     fn within(&self, boxes: &Boxes, visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)
     -> ControlFlow<()>;
+}
+
+impl<B: BroadPhase> BroadPhase for &B {
+    fn between(
+        &self,
+        a: &Boxes,
+        b: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        (**self).between(a, b, visit)
+    }
+
+    fn within(
+        &self,
+        boxes: &Boxes,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        (**self).within(boxes, visit)
+    }
 }
