@@ -41,11 +41,15 @@ pub struct Detector<'a, B = Bvh> {
     mesh: &'a TriangleMesh,
     broad_phase: B,
     narrow_phase: NarrowPhase<'a>,
-    boxes: StepBoxes<'a>,
+    resting: StepBoxes<'a, 1>,
+    moving: StepBoxes<'a, 2>,
 }
 
 /// One block of primitives in so many is looked at first: enough of them to find a contact that comes early among many.
 const SAMPLE: usize = 64;
+
+/// A way is short that is so much of an edge: a box around all of it is hardly larger than one that moves along it.
+const SHORT: f64 = 0.25;
 
 /// Boxes are not made anew for a limit that is not below so much of theirs.
 const SHRINKAGE: f64 = 0.5;
@@ -66,7 +70,8 @@ impl<'a, B: BroadPhase> Detector<'a, B> {
             mesh,
             broad_phase,
             narrow_phase: NarrowPhase::new(mesh),
-            boxes: StepBoxes::new(mesh),
+            resting: StepBoxes::new(mesh),
+            moving: StepBoxes::new(mesh),
         }
     }
 
@@ -111,31 +116,85 @@ impl<'a, B: BroadPhase> Detector<'a, B> {
 
     /// Shows all contacts until the wanted time, and perhaps others, or not all if it is told to break.
     fn show(&mut self, step: &Step<'_>, wanted: &impl Wanted) {
-        let (narrow_phase, boxes) = (&mut self.narrow_phase, &mut self.boxes);
-        let broad_phase = &self.broad_phase;
+        let Self {
+            mesh,
+            broad_phase,
+            narrow_phase,
+            resting,
+            moving,
+        } = self;
+        let broad_phase = &*broad_phase;
         // All of it on a thread of the pool: to come from outside costs a switch each time.
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step);
-            boxes.begin(step);
-            let vertex_face = |pairs: &[_]| wanted.look::<PointTriangle>(narrow_phase, pairs);
-            let edge_edge = |pairs: &[_]| wanted.look::<SegmentSegment>(narrow_phase, pairs);
-
-            let mut time = wanted.until();
-            boxes.vertices_and_faces_until(step, time);
-            broad_phase.between(&boxes.vertices.sample(SAMPLE), &boxes.faces, vertex_face)?;
-            if wanted.until() < SHRINKAGE * time {
-                boxes.vertices_and_faces_until(step, wanted.until());
+            let short = short(mesh, step);
+            let search = Search {
+                step,
+                broad_phase,
+                narrow_phase,
+                wanted,
+            };
+            if wanted.until() < short {
+                search.vertices_and_faces(resting)?;
+            } else {
+                search.vertices_and_faces(moving)?;
             }
-            broad_phase.between(&boxes.vertices, &boxes.faces, vertex_face)?;
-
-            time = wanted.until();
-            boxes.edges_until(step, time);
-            broad_phase.between(&boxes.edges.sample(SAMPLE), &boxes.edges, edge_edge)?;
-            if wanted.until() < SHRINKAGE * time {
-                boxes.edges_until(step, wanted.until());
+            if wanted.until() < short {
+                search.edges(resting)
+            } else {
+                search.edges(moving)
             }
-            broad_phase.within(&boxes.edges, edge_edge)
         });
+    }
+}
+
+/// Until when all ways are short, compared with the edges.
+fn short(mesh: &TriangleMesh, step: &Step<'_>) -> f64 {
+    let [x0, x1] = step.positions();
+    let length = |a: Point, b: Point| (0..3).fold(0.0, |most: f64, axis| most.max((a[axis] - b[axis]).abs()));
+    let longest = x0.iter().zip(x1).map(|(&a, &b)| length(a, b)).fold(0.0, f64::max);
+    let edges = mesh.edges().iter().step_by(SAMPLE);
+    let count = edges.len() as f64;
+    let sum: f64 = edges
+        .map(|edge| edge.map(|v| x0[v as usize]))
+        .map(|[a, b]| length(a, b))
+        .sum();
+    SHORT * sum / count / longest
+}
+
+/// What a search needs, but for the boxes.
+struct Search<'a, B, W> {
+    step: &'a Step<'a>,
+    broad_phase: &'a B,
+    narrow_phase: &'a NarrowPhase<'a>,
+    wanted: &'a W,
+}
+
+impl<B: BroadPhase, W: Wanted> Search<'_, B, W> {
+    fn vertices_and_faces<const T: usize>(&self, boxes: &mut StepBoxes<'_, T>) -> ControlFlow<()> {
+        let look = |pairs: &[_]| self.wanted.look::<PointTriangle>(self.narrow_phase, pairs);
+        let time = self.wanted.until();
+        boxes.begin(self.step);
+        boxes.vertices_and_faces_until(self.step, time);
+        let sample = boxes.vertices.sample(SAMPLE);
+        self.broad_phase.between(&sample, &boxes.faces, look)?;
+        if self.wanted.until() < SHRINKAGE * time {
+            boxes.vertices_and_faces_until(self.step, self.wanted.until());
+        }
+        self.broad_phase.between(&boxes.vertices, &boxes.faces, look)
+    }
+
+    fn edges<const T: usize>(&self, boxes: &mut StepBoxes<'_, T>) -> ControlFlow<()> {
+        let look = |pairs: &[_]| self.wanted.look::<SegmentSegment>(self.narrow_phase, pairs);
+        let time = self.wanted.until();
+        boxes.begin(self.step);
+        boxes.edges_until(self.step, time);
+        let sample = boxes.edges.sample(SAMPLE);
+        self.broad_phase.between(&sample, &boxes.edges, look)?;
+        if self.wanted.until() < SHRINKAGE * time {
+            boxes.edges_until(self.step, self.wanted.until());
+        }
+        self.broad_phase.within(&boxes.edges, look)
     }
 }
 

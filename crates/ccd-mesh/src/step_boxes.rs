@@ -8,18 +8,19 @@ use crate::broad_phase::{Boxes, MovingBox, extent, order};
 use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges, in step after step of a mesh.
+/// The boxes of the vertices, faces and edges, in step after step of a mesh: boxes that move as these do (T = 2), or that
+/// rest, each around all of a primitive's way (T = 1).
 ///
 /// All of them are in the order of the vertices along a curve that fills space: a face and an edge come where the first of
 /// their vertices does. That order stays as long as it is good.
 #[derive(Clone, Debug)]
-pub(crate) struct StepBoxes<'a> {
+pub(crate) struct StepBoxes<'a, const T: usize> {
     mesh: &'a TriangleMesh,
-    pub(crate) vertices: Boxes,
-    pub(crate) faces: Boxes,
-    pub(crate) edges: Boxes,
+    pub(crate) vertices: Boxes<T>,
+    pub(crate) faces: Boxes<T>,
+    pub(crate) edges: Boxes<T>,
     /// The boxes of the vertices again, in the order of the mesh.
-    moving: Vec<MovingBox>,
+    moving: Vec<MovingBox<T>>,
     /// Near the mesh, so that single precision is spent on differences.
     origin: Point,
     /// How far apart successive vertices were when they were ordered.
@@ -29,7 +30,7 @@ pub(crate) struct StepBoxes<'a> {
 /// Vertices are ordered anew when they are so much farther from their successors than they once were.
 const WEAR: f64 = 1.5;
 
-impl<'a> StepBoxes<'a> {
+impl<'a, const T: usize> StepBoxes<'a, T> {
     /// No boxes yet.
     pub(crate) fn new(mesh: &'a TriangleMesh) -> Self {
         let none = || Boxes::in_order(Vec::new());
@@ -44,20 +45,7 @@ impl<'a> StepBoxes<'a> {
         }
     }
 
-    /// Boxes that rest, each around all of a primitive's way.
-    pub(crate) fn swept(step: &Step<'a>) -> Self {
-        let mut boxes = Self::new(step.mesh());
-        boxes.begin(step);
-        boxes.move_vertices(step, |x0, x1| {
-            let all = Bounds::of(x0).union(&Bounds::of(x1));
-            [all, all]
-        });
-        boxes.set_vertices_and_faces();
-        boxes.set_edges();
-        boxes
-    }
-
-    /// Takes another step of the mesh: which boxes are near each other in it, not yet where.
+    /// Takes another step of the mesh: which boxes are near each other in it, not yet where they are.
     pub(crate) fn begin(&mut self, step: &Step<'_>) {
         let [x0, _] = step.positions();
         let Bounds { lower, upper } = x0.iter().copied().collect();
@@ -80,45 +68,37 @@ impl<'a> StepBoxes<'a> {
         self.edges = Boxes::in_order(by_first_vertex(&rank, self.mesh.edges()));
     }
 
-    /// Boxes of vertices and faces that move as these do, until `time`.
+    /// Places vertices and faces as they are until `time`.
     pub(crate) fn vertices_and_faces_until(&mut self, step: &Step<'_>, time: f64) {
-        self.move_vertices(step, |x0, x1| until(time, x0, x1));
-        self.set_vertices_and_faces();
-    }
-
-    /// Boxes of edges that move as these do, until `time`.
-    pub(crate) fn edges_until(&mut self, step: &Step<'_>, time: f64) {
-        self.move_vertices(step, |x0, x1| until(time, x0, x1));
-        self.set_edges();
-    }
-
-    fn move_vertices(&mut self, step: &Step<'_>, ends: impl Fn(Point, Point) -> [Bounds; 2] + Sync) {
-        let [x0, x1] = step.positions();
-        let origin = self.origin;
-        x0.par_iter()
-            .zip(x1)
-            .with_min_len(512)
-            .map(|(&x0, &x1)| MovingBox::new(ends(x0, x1), origin))
-            .collect_into_vec(&mut self.moving);
-    }
-
-    fn set_vertices_and_faces(&mut self) {
+        self.move_vertices(step, time);
         let Self { mesh, moving, .. } = self;
         self.vertices.set(|id| moving[id as usize]);
         self.faces.set(|id| around(moving, &mesh.faces()[id as usize]));
     }
 
-    fn set_edges(&mut self) {
+    /// Places edges as they are until `time`.
+    pub(crate) fn edges_until(&mut self, step: &Step<'_>, time: f64) {
+        self.move_vertices(step, time);
         let Self { mesh, moving, .. } = self;
         self.edges.set(|id| around(moving, &mesh.edges()[id as usize]));
     }
+
+    fn move_vertices(&mut self, step: &Step<'_>, time: f64) {
+        let [x0, x1] = step.positions();
+        let origin = self.origin;
+        x0.par_iter()
+            .zip(x1)
+            .with_min_len(512)
+            .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+            .collect_into_vec(&mut self.moving);
+    }
 }
 
-/// A vertex at t = 0, and a box around where it is at `time`.
+/// Boxes of a vertex: at t = 0 and at `time`, or around all of the way between.
 ///
 /// (1 − t) x₀ + t x₁ has at most three roundings on the way from x₀ and x₁, and products that may underflow; and no value
 /// between x₀ and x₁ overflows.
-fn until(time: f64, x0: Point, x1: Point) -> [Bounds; 2] {
+fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Bounds; T] {
     let mut end = Bounds::EMPTY;
     for axis in 0..3 {
         let (a, b) = (x0[axis], x1[axis]);
@@ -128,11 +108,15 @@ fn until(time: f64, x0: Point, x1: Point) -> [Bounds; 2] {
         end.lower[axis] = near - error;
         end.upper[axis] = near + error;
     }
-    [Bounds::of(x0), end]
+    let start = Bounds::of(x0);
+    match T {
+        1 => [start.union(&end); T],
+        _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
+    }
 }
 
 #[inline(always)]
-fn around<const N: usize>(boxes: &[MovingBox], vertices: &[u32; N]) -> MovingBox {
+fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u32; N]) -> MovingBox<T> {
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })

@@ -40,18 +40,18 @@ fn timed(
 }
 
 impl<B: BroadPhase> BroadPhase for Timed<B> {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         self.broad_phase.between(a, b, timed(&self.nanoseconds, visit))
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         self.broad_phase.within(boxes, timed(&self.nanoseconds, visit))

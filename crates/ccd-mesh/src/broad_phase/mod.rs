@@ -34,7 +34,7 @@ pub(crate) use order::{extent, order};
 /// use ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh};
 ///
 /// let cube = |x: f64| Bounds::of([x, 0.0, 0.0]).union(&Bounds::of([x + 1.0, 1.0, 1.0]));
-/// let cubes = Boxes::at_rest(&[0.0, 1.0, 2.5, 2.0].map(cube));
+/// let cubes = Boxes::new(&[0.0, 1.0, 2.5, 2.0].map(|x| [cube(x)]));
 /// let found = Mutex::new(Vec::new());
 /// let _ = Bvh.within(&cubes, |pairs| {
 ///     found.lock().unwrap().extend_from_slice(pairs);
@@ -46,31 +46,34 @@ pub(crate) use order::{extent, order};
 /// ```
 pub trait BroadPhase: Sync {
     /// Finds the pairs of the index of a box in `a` and that of a box in `b`.
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()>;
 
     /// Finds the pairs of two boxes in `boxes`, the lesser index first.
-    fn within(&self, boxes: &Boxes, visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)
-    -> ControlFlow<()>;
+    fn within<const T: usize>(
+        &self,
+        boxes: &Boxes<T>,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()>;
 }
 
 impl<B: BroadPhase> BroadPhase for &B {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         (**self).between(a, b, visit)
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         (**self).within(boxes, visit)
