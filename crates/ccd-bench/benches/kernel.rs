@@ -3,8 +3,8 @@
 //!
 //! `cargo bench -p ccd-bench --bench kernel [-- SCENE...]`, on one thread, over the published data sets.
 //!
-//! The scenes and kinds take turns for some rounds; a figure is the median over these. A query is built from the
-//! positions of the mesh each time, as a simulator would do. The time of one colliding query is the least of some
+//! The scenes and kinds take turns for some rounds; a figure is the median over these. A single query is built from the
+//! positions of the mesh each time, as a simulator would do; a batch is asked about the same queries by their vertices. The time of one colliding query is the least of some
 //! attempts, so that the worst of them tells of a query and not of the scheduler.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
@@ -15,12 +15,15 @@ use std::time::Instant;
 
 use ccd_bench::{DataError, DataFolder, DataKind};
 use ccd_mesh::{Bvh, Candidates, Motion, Step};
+use exact_ccd::batch::Trajectories;
 use exact_ccd::parity::Rounded;
-use exact_ccd::{PointTriangle, Query, SegmentSegment, Stage, exact};
+use exact_ccd::{ContactTimes, PointTriangle, Query, SegmentSegment, Stage, exact};
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 7;
 const ATTEMPTS: usize = 5;
+/// How many queries make a batch that is timed as it is.
+const LARGE: usize = 400_000;
 /// How many colliding queries the exact path is asked about.
 const AUDITED: usize = 1000;
 
@@ -53,8 +56,14 @@ struct Batch<'a> {
     step: Step<'a>,
     pairs: Vec<[u32; 2]>,
     functions: Functions,
+    trajectories: Trajectories,
+    vertices: Vec<[u32; 4]>,
     /// The mean over all candidates, round by round.
     means: Vec<f64>,
+    /// The same as a batch.
+    batch_means: Vec<f64>,
+    /// The same with the count and all contact times of those that collide.
+    batch_times_means: Vec<f64>,
     /// The same for the parity of the rounded query.
     parity_means: Vec<f64>,
     survey: Survey,
@@ -87,6 +96,8 @@ struct Colliding {
 struct Functions {
     count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
     count_by_parity: fn(&Step<'_>, &[[u32; 2]]) -> usize,
+    count_batch: fn(&Trajectories, &[[u32; 4]]) -> usize,
+    count_times_of_batch: fn(&Trajectories, &[[u32; 4]]) -> usize,
     survey: fn(&Step<'_>, &[[u32; 2]]) -> Survey,
 }
 
@@ -104,28 +115,73 @@ impl<'a> Batch<'a> {
         let functions = Functions {
             count_collisions: count_collisions::<K>,
             count_by_parity: count_by_parity::<K>,
+            count_batch: count_batch::<K>,
+            count_times_of_batch: count_times_of_batch::<K>,
             survey: survey::<K>,
         };
+        let [x0, x1] = step.positions();
         Self {
             name: format!("{scene} {}", K::SHORT),
             step,
             pairs: pairs.to_vec(),
             functions,
+            trajectories: Trajectories::new(x0, x1).expect("the frames of a scene are sound"),
+            vertices: pairs.iter().map(|&pair| K::vertices(step.mesh(), pair)).collect(),
             means: Vec::new(),
+            batch_means: Vec::new(),
+            batch_times_means: Vec::new(),
             parity_means: Vec::new(),
             survey: (functions.survey)(&step, pairs),
         }
     }
 
     fn time_all(&mut self) {
-        let mean = |count: fn(&Step<'_>, &[[u32; 2]]) -> usize| {
+        let Functions {
+            count_collisions,
+            count_by_parity,
+            count_batch,
+            count_times_of_batch,
+            ..
+        } = self.functions;
+        let (step, pairs) = (&self.step, &self.pairs[..]);
+        let (trajectories, vertices) = (&self.trajectories, &self.vertices[..]);
+        // Small batches are asked often enough for the clock and the caches not to matter.
+        let repetitions = LARGE.div_ceil(pairs.len().max(1));
+        let mean = |count: &dyn Fn() -> usize| {
             let clock = Instant::now();
-            black_box(count(&self.step, black_box(&self.pairs)));
-            clock.elapsed().as_secs_f64() * 1e9 / self.pairs.len() as f64
+            for _ in 0..repetitions {
+                black_box(count());
+            }
+            clock.elapsed().as_secs_f64() * 1e9 / (repetitions * pairs.len()) as f64
         };
-        self.means.push(mean(self.functions.count_collisions));
-        self.parity_means.push(mean(self.functions.count_by_parity));
+        self.means
+            .push(mean(&|| count_collisions(step, black_box(pairs))));
+        self.batch_means
+            .push(mean(&|| count_batch(trajectories, black_box(vertices))));
+        self.batch_times_means
+            .push(mean(&|| count_times_of_batch(trajectories, black_box(vertices))));
+        self.parity_means
+            .push(mean(&|| count_by_parity(step, black_box(pairs))));
     }
+}
+
+fn count_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
+    let mut count = 0;
+    trajectories
+        .collisions::<K>(vertices, |_, _| count += 1)
+        .expect("all vertices are there");
+    count
+}
+
+fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
+    let mut count = 0;
+    trajectories
+        .collisions::<K>(vertices, |_, query| match query.contact_times() {
+            ContactTimes::Finite(times) => count += black_box(times).len(),
+            interval => count += usize::from(black_box(interval).first().is_some()),
+        })
+        .expect("all vertices are there");
+    count
 }
 
 fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
@@ -184,13 +240,15 @@ fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
 
 fn print_candidates(batches: &[Batch<'_>]) {
     println!("All candidates in order, mean ns: does it collide, and by the parity of the rounded query?\n");
-    println!("| scene and kind | candidates | exact | parity |");
-    println!("|---|---:|---:|---:|");
+    println!("| scene and kind | candidates | batch | batch with count and times | one by one | parity |");
+    println!("|---|---:|---:|---:|---:|---:|");
     for batch in batches {
         println!(
-            "| {} | {} | {:.0} | {:.0} |",
+            "| {} | {} | {:.1} | {:.1} | {:.0} | {:.0} |",
             batch.name,
             batch.pairs.len(),
+            quantile(&batch.batch_means, 0.5),
+            quantile(&batch.batch_times_means, 0.5),
             quantile(&batch.means, 0.5),
             quantile(&batch.parity_means, 0.5)
         );

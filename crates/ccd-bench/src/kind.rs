@@ -26,6 +26,12 @@ pub trait DataKind: Kind + Send + Sync {
     /// If the mesh has no such primitives.
     fn query(step: &Step<'_>, indices: [u32; 2]) -> Query<Self>;
 
+    /// The vertices of two primitives of a mesh, in the order of the query.
+    ///
+    /// # Panics
+    /// If the mesh has no such primitives.
+    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4];
+
     /// The candidates of this kind.
     fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]];
 
@@ -55,6 +61,11 @@ impl DataKind for PointTriangle {
         step.vertex_face(vertex, face).expect("the mesh has both")
     }
 
+    fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> [u32; 4] {
+        let [a, b, c] = mesh.faces()[face as usize];
+        [vertex, a, b, c]
+    }
+
     fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
         candidates.vertex_face()
     }
@@ -80,6 +91,11 @@ impl DataKind for SegmentSegment {
 
     fn query(step: &Step<'_>, [a, b]: [u32; 2]) -> Query<Self> {
         step.edge_edge(a, b).expect("the mesh has both")
+    }
+
+    fn vertices(mesh: &TriangleMesh, edges: [u32; 2]) -> [u32; 4] {
+        let [[a0, a1], [b0, b1]] = edges.map(|edge| mesh.edges()[edge as usize]);
+        [a0, a1, b0, b1]
     }
 
     fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {

@@ -10,17 +10,17 @@ use std::error::Error;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use ccd_mesh::{Boxes, BroadPhase, Motion, StepReport};
+use ccd_mesh::{Bounds, Boxes, BroadPhase, Motion, StepReport};
 
 /// Sorts the boxes along x, and hands on each with those that begin before it ends: pairs may be too many, but none is
 /// forgotten.
 struct SortedAlongX;
 
 impl BroadPhase for SortedAlongX {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         let [of_a, of_b] = [a, b].map(intervals);
@@ -35,9 +35,9 @@ impl BroadPhase for SortedAlongX {
         ControlFlow::Continue(())
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         self.between(boxes, boxes, |pairs| {
@@ -48,9 +48,9 @@ impl BroadPhase for SortedAlongX {
 }
 
 /// Where each box begins and ends along x during the step, and its index, sorted.
-fn intervals(boxes: &Boxes) -> Vec<[f64; 3]> {
-    let interval = |(id, [start, end]): (u32, [ccd_mesh::Bounds; 2])| {
-        let swept = start.union(&end);
+fn intervals<const T: usize>(boxes: &Boxes<T>) -> Vec<[f64; 3]> {
+    let interval = |(id, places): (u32, [Bounds; T])| {
+        let swept = places.iter().fold(Bounds::EMPTY, |all, place| all.union(place));
         [swept.lower[0], swept.upper[0], f64::from(id)]
     };
     let mut intervals: Vec<_> = boxes.iter().map(interval).collect();

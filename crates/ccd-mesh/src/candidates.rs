@@ -70,7 +70,7 @@ impl<'a> Candidates<'a> {
 /// The candidates of a step as they are found.
 pub(crate) struct Overlaps<'a> {
     step: Step<'a>,
-    boxes: StepBoxes,
+    boxes: StepBoxes<'a, 1>,
     vertices: Vec<Bounds>,
     faces: Vec<Bounds>,
     edges: Vec<Bounds>,
@@ -82,9 +82,13 @@ impl<'a> Overlaps<'a> {
         let swept = |(&a, &b)| Bounds::of(a).union(&Bounds::of(b));
         let vertices: Vec<Bounds> = x0.par_iter().zip(x1).map(swept).collect();
         let mesh = step.mesh();
+        let mut boxes = StepBoxes::new(mesh);
+        boxes.begin(&step);
+        boxes.vertices_and_faces_until(&step, 1.0);
+        boxes.edges_until(&step, 1.0);
         Self {
             step,
-            boxes: StepBoxes::swept(&step),
+            boxes,
             faces: mesh
                 .faces()
                 .par_iter()

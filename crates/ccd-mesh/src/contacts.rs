@@ -33,7 +33,8 @@ impl StepReport {
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
         let overlaps = Overlaps::new(step);
-        let narrow_phase = NarrowPhase::new(&step);
+        let mut narrow_phase = NarrowPhase::new(step.mesh());
+        narrow_phase.begin(&step);
         let [vertex_face, edge_edge] = [Mutex::default(), Mutex::default()];
         let _ = overlaps.visit(
             broad_phase,

@@ -49,15 +49,14 @@ pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Int
             // All positions are finite.
             && EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
     };
-    let around = |vertices: &[u32]| -> Bounds { vertices.iter().map(|&vertex| point(vertex)).collect() };
-    let edge_boxes: Vec<Bounds> = edges.par_iter().map(|edge| around(edge)).collect();
-    let face_boxes: Vec<Bounds> = faces.par_iter().map(|face| around(face)).collect();
+    let around =
+        |vertices: &[u32]| -> [Bounds; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
+    let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
+    let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
     let found = Found::default();
-    let _ = Bvh.between(
-        &Boxes::at_rest(&edge_boxes),
-        &Boxes::at_rest(&face_boxes),
-        |pairs| found.keep(pairs.iter().copied().filter(meet)),
-    );
+    let _ = Bvh.between(&Boxes::new(&edge_boxes), &Boxes::new(&face_boxes), |pairs| {
+        found.keep(pairs.iter().copied().filter(meet))
+    });
     let pairs = found.sorted().into_iter();
     Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
 }

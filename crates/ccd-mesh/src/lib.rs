@@ -20,6 +20,7 @@
 //! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
 //! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
 //!   [`exact_ccd`].
+//! - [`Detector`] finds the first contact in step after step, or tells only whether there is one, without a look at all.
 //! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a sequence of frames.
 //! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can be asked about it.
 //! - [`step_size`] is the line search of an optimiser: how far along a direction is free of contact.
@@ -31,6 +32,7 @@ mod bounds;
 mod broad_phase;
 mod candidates;
 mod contacts;
+mod detector;
 mod earliest;
 mod frame;
 mod intersections;
@@ -55,6 +57,7 @@ pub use bounds::Bounds;
 pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, Found, Sweep};
 pub use candidates::Candidates;
 pub use contacts::StepReport;
+pub use detector::Detector;
 pub use earliest::EarliestContact;
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};

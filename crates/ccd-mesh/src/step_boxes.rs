@@ -4,89 +4,101 @@ use exact_ccd::Point;
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::broad_phase::{Boxes, MovingBox, order};
+use crate::broad_phase::{Boxes, MovingBox, extent, order};
+use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges.
+/// The boxes of the vertices, faces and edges, in step after step of a mesh: boxes that move as these do (T = 2), or that
+/// rest, each around all of a primitive's way (T = 1).
 ///
 /// All of them are in the order of the vertices along a curve that fills space: a face and an edge come where the first of
-/// their vertices does.
+/// their vertices does. That order stays as long as it is good.
 #[derive(Clone, Debug)]
-pub(crate) struct StepBoxes {
-    pub(crate) vertices: Boxes,
-    pub(crate) faces: Boxes,
-    pub(crate) edges: Boxes,
+pub(crate) struct StepBoxes<'a, const T: usize> {
+    mesh: &'a TriangleMesh,
+    pub(crate) vertices: Boxes<T>,
+    pub(crate) faces: Boxes<T>,
+    pub(crate) edges: Boxes<T>,
+    /// The boxes of the vertices again, in the order of the mesh.
+    moving: Vec<MovingBox<T>>,
     /// Near the mesh, so that single precision is spent on differences.
     origin: Point,
-    /// Until when they move.
-    time: f64,
+    /// How far apart successive vertices were when they were ordered.
+    extent: f64,
 }
 
-/// Boxes are not made anew for less than this.
-const SHRINKAGE: f64 = 0.5;
+/// Vertices are ordered anew when they are so much farther from their successors than they once were.
+const WEAR: f64 = 1.5;
 
-impl StepBoxes {
-    /// Boxes that rest, each around all of a primitive's way.
-    pub(crate) fn swept(step: &Step<'_>) -> Self {
-        Self::new(step, |x0, x1| {
-            let all = Bounds::of(x0).union(&Bounds::of(x1));
-            [all, all]
-        })
-    }
-
-    /// Boxes that move as the primitives do.
-    pub(crate) fn moving(step: &Step<'_>) -> Self {
-        Self::new(step, |x0, x1| until(1.0, x0, x1))
-    }
-
-    /// The same for an earlier `time`, in the same order, if that is worth while.
-    pub(crate) fn shrink(&mut self, step: &Step<'_>, time: f64) {
-        if time > SHRINKAGE * self.time {
-            return;
+impl<'a, const T: usize> StepBoxes<'a, T> {
+    /// No boxes yet.
+    pub(crate) fn new(mesh: &'a TriangleMesh) -> Self {
+        let none = || Boxes::in_order(Vec::new());
+        Self {
+            mesh,
+            vertices: none(),
+            faces: none(),
+            edges: none(),
+            moving: Vec::new(),
+            origin: [0.0; 3],
+            extent: 0.0,
         }
-        let vertices = vertex_boxes(step, self.origin, |x0, x1| until(time, x0, x1));
-        let mesh = step.mesh();
-        self.vertices.refit(|id| vertices[id as usize]);
-        self.faces
-            .refit(|id| around(&vertices, &mesh.faces()[id as usize]));
-        self.edges
-            .refit(|id| around(&vertices, &mesh.edges()[id as usize]));
-        self.time = time;
     }
 
-    fn new(step: &Step<'_>, ends: impl Fn(Point, Point) -> [Bounds; 2] + Sync) -> Self {
+    /// Takes another step of the mesh: which boxes are near each other in it, not yet where they are.
+    pub(crate) fn begin(&mut self, step: &Step<'_>) {
         let [x0, _] = step.positions();
-        let mesh = step.mesh();
         let Bounds { lower, upper } = x0.iter().copied().collect();
-        let origin = match x0 {
+        self.origin = match x0 {
             [] => [0.0; 3],
             _ => [0, 1, 2].map(|axis: usize| 0.5 * lower[axis] + 0.5 * upper[axis]),
         };
-        let vertices = vertex_boxes(step, origin, ends);
+        let is_ordered = self.vertices.len() == x0.len();
+        if is_ordered && extent(x0, self.vertices.ids()) <= WEAR * self.extent {
+            return;
+        }
         let ids = order(x0);
+        self.extent = extent(x0, &ids);
         let mut rank = vec![0; ids.len()];
         for (place, &id) in (0..).zip(&ids) {
             rank[id as usize] = place;
         }
-        Self {
-            faces: Boxes::ordered(by_first_vertex(&rank, mesh.faces()), |id| {
-                around(&vertices, &mesh.faces()[id as usize])
-            }),
-            edges: Boxes::ordered(by_first_vertex(&rank, mesh.edges()), |id| {
-                around(&vertices, &mesh.edges()[id as usize])
-            }),
-            vertices: Boxes::ordered(ids, |id| vertices[id as usize]),
-            origin,
-            time: 1.0,
-        }
+        self.vertices = Boxes::in_order(ids);
+        self.faces = Boxes::in_order(by_first_vertex(&rank, self.mesh.faces()));
+        self.edges = Boxes::in_order(by_first_vertex(&rank, self.mesh.edges()));
+    }
+
+    /// Places vertices and faces as they are until `time`.
+    pub(crate) fn vertices_and_faces_until(&mut self, step: &Step<'_>, time: f64) {
+        self.move_vertices(step, time);
+        let Self { mesh, moving, .. } = self;
+        self.vertices.set(|id| moving[id as usize]);
+        self.faces.set(|id| around(moving, &mesh.faces()[id as usize]));
+    }
+
+    /// Places edges as they are until `time`.
+    pub(crate) fn edges_until(&mut self, step: &Step<'_>, time: f64) {
+        self.move_vertices(step, time);
+        let Self { mesh, moving, .. } = self;
+        self.edges.set(|id| around(moving, &mesh.edges()[id as usize]));
+    }
+
+    fn move_vertices(&mut self, step: &Step<'_>, time: f64) {
+        let [x0, x1] = step.positions();
+        let origin = self.origin;
+        x0.par_iter()
+            .zip(x1)
+            .with_min_len(512)
+            .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+            .collect_into_vec(&mut self.moving);
     }
 }
 
-/// A vertex at t = 0, and a box around where it is at `time`.
+/// Boxes of a vertex: at t = 0 and at `time`, or around all of the way between.
 ///
 /// (1 − t) x₀ + t x₁ has at most three roundings on the way from x₀ and x₁, and products that may underflow; and no value
 /// between x₀ and x₁ overflows.
-fn until(time: f64, x0: Point, x1: Point) -> [Bounds; 2] {
+fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Bounds; T] {
     let mut end = Bounds::EMPTY;
     for axis in 0..3 {
         let (a, b) = (x0[axis], x1[axis]);
@@ -96,23 +108,15 @@ fn until(time: f64, x0: Point, x1: Point) -> [Bounds; 2] {
         end.lower[axis] = near - error;
         end.upper[axis] = near + error;
     }
-    [Bounds::of(x0), end]
-}
-
-fn vertex_boxes(
-    step: &Step<'_>,
-    origin: Point,
-    ends: impl Fn(Point, Point) -> [Bounds; 2] + Sync,
-) -> Vec<MovingBox> {
-    let [x0, x1] = step.positions();
-    let vertices = x0.par_iter().zip(x1).with_min_len(512);
-    vertices
-        .map(|(&x0, &x1)| MovingBox::new(ends(x0, x1), origin))
-        .collect()
+    let start = Bounds::of(x0);
+    match T {
+        1 => [start.union(&end); T],
+        _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
+    }
 }
 
 #[inline(always)]
-fn around<const N: usize>(boxes: &[MovingBox], vertices: &[u32; N]) -> MovingBox {
+fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u32; N]) -> MovingBox<T> {
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })

@@ -12,26 +12,23 @@ use proptest::prelude::*;
 /// A box at both ends of a step.
 type Moving = [Bounds; 2];
 
-/// Whether no axis separates two boxes the same way round at both times, by definition.
-fn meet([p0, p1]: &Moving, [q0, q1]: &Moving) -> bool {
-    let separates = |k: usize| {
-        let before = |a: &Bounds, b: &Bounds| a.upper[k] < b.lower[k];
-        (before(p0, q0) && before(p1, q1)) || (before(q0, p0) && before(q1, p1))
-    };
-    !(0..3).any(separates)
+/// Whether no axis separates two boxes the same way round at all times, by definition.
+fn meet<const T: usize>(p: &[Bounds; T], q: &[Bounds; T]) -> bool {
+    let before = |a: &[Bounds; T], b: &[Bounds; T], k: usize| (0..T).all(|t| a[t].upper[k] < b[t].lower[k]);
+    !(0..3).any(|k| before(p, q, k) || before(q, p, k))
 }
 
 /// The boxes by their indices.
-fn by_index(boxes: &Boxes) -> Vec<Moving> {
+fn by_index<const T: usize>(boxes: &Boxes<T>) -> Vec<[Bounds; T]> {
     let mut sorted: Vec<_> = boxes.iter().collect();
     sorted.sort_by_key(|(id, _)| *id);
     assert!(sorted.iter().enumerate().all(|(i, (id, _))| i == *id as usize));
-    sorted.into_iter().map(|(_, moving)| moving).collect()
+    sorted.into_iter().map(|(_, places)| places).collect()
 }
 
 /// The pairs of boxes that meet, by definition.
-fn pairs(a: &[Moving], b: &[Moving]) -> Vec<[u32; 2]> {
-    let ids = |boxes: &[Moving]| 0..boxes.len() as u32;
+fn pairs<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) -> Vec<[u32; 2]> {
+    let ids = |boxes: &[[Bounds; T]]| 0..boxes.len() as u32;
     ids(a)
         .flat_map(|i| ids(b).map(move |j| [i, j]))
         .filter(|&[i, j]| meet(&a[i as usize], &b[j as usize]))
@@ -52,15 +49,15 @@ fn sorted(
     found
 }
 
-fn between(broad_phase: &impl BroadPhase, a: &Boxes, b: &Boxes) -> Vec<[u32; 2]> {
+fn between<const T: usize>(broad_phase: &impl BroadPhase, a: &Boxes<T>, b: &Boxes<T>) -> Vec<[u32; 2]> {
     sorted(|visit| broad_phase.between(a, b, visit))
 }
 
-fn within(broad_phase: &impl BroadPhase, boxes: &Boxes) -> Vec<[u32; 2]> {
+fn within<const T: usize>(broad_phase: &impl BroadPhase, boxes: &Boxes<T>) -> Vec<[u32; 2]> {
     sorted(|visit| broad_phase.within(boxes, visit))
 }
 
-fn assert_finds_all(broad_phase: &impl BroadPhase, a: &[Moving], b: &[Moving]) {
+fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Bounds; T]], b: &[[Bounds; T]]) {
     let [coarse_a, coarse_b] = [a, b].map(Boxes::new);
     let [rounded_a, rounded_b] = [&coarse_a, &coarse_b].map(by_index);
     let found = between(broad_phase, &coarse_a, &coarse_b);
@@ -72,6 +69,13 @@ fn assert_finds_all(broad_phase: &impl BroadPhase, a: &[Moving], b: &[Moving]) {
 }
 
 fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
+    assert_each_finds_all(a, b);
+    // At rest, where they are at the start.
+    let [a, b] = [a, b].map(|boxes| boxes.iter().map(|&[start, _]| [start]).collect::<Vec<_>>());
+    assert_each_finds_all(&a, &b);
+}
+
+fn assert_each_finds_all<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) {
     assert_finds_all(&AllPairs, a, b);
     assert_finds_all(&Bvh, a, b);
     assert_finds_all(&Bvh, b, a);
@@ -143,8 +147,8 @@ fn boxes_that_touch_in_a_face_an_edge_a_corner() {
     let touching =
         [[1.0, 0.0, 0.0], [1.0, -1.0, 0.5], [-1.0, 1.0, 1.0]].map(|p| around(p, p.map(|x| x + 1.0)));
     let apart = around([1.0 + 1e-6, 0.0, 0.0], [2.0; 3]);
-    let unit = Boxes::at_rest(&[unit]);
-    let others = Boxes::at_rest(&[touching[0], touching[1], apart, touching[2]]);
+    let unit = Boxes::new(&[[unit]]);
+    let others = Boxes::new(&[touching[0], touching[1], apart, touching[2]].map(|at| [at]));
     for found in [between(&Bvh, &unit, &others), between(&AllPairs, &unit, &others)] {
         assert_eq!(found, [[0, 0], [0, 1], [0, 3]]);
     }
@@ -161,7 +165,7 @@ fn boxes_that_pass_each_other_may_meet_and_boxes_that_move_alike_do_not() {
 
 #[test]
 fn both_zeros_are_one_point() {
-    let zeros = Boxes::at_rest(&[[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(Bounds::of));
+    let zeros = Boxes::new(&[[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(|at| [Bounds::of(at)]));
     assert_eq!(within(&Bvh, &zeros), [[0, 1]]);
     assert_eq!(within(&Sweep, &zeros), [[0, 1]]);
     assert_eq!(within(&AllPairs, &zeros), [[0, 1]]);

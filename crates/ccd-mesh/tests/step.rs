@@ -2,12 +2,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use ccd_mesh::{
-    AllPairs, Boxes, BroadPhase, Bvh, Candidates, Motion, Pair, PairCounts, Point, Step, StepReport, Sweep,
-    TriangleMesh, step,
+    AllPairs, Boxes, BroadPhase, Bvh, Candidates, Detector, Motion, Pair, PairCounts, Point, Step, StepError,
+    StepReport, Sweep, TriangleMesh, advance, step,
 };
 use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexFace, exact};
 use proptest::prelude::*;
@@ -118,12 +118,11 @@ fn small_motion() -> impl Strategy<Value = Motion> {
         .prop_map(|(x0, x1, faces)| motion(x0, x1, faces))
 }
 
-/// Triangles that fly through each other, far from the origin, at speeds of all magnitudes.
-fn soup() -> impl Strategy<Value = Motion> {
-    let triangle = || {
+/// Triangles that fly through each other, far from the origin, at speeds between powers of 2.
+fn soup(speeds: RangeInclusive<i32>) -> impl Strategy<Value = Motion> {
+    let triangle = move || {
         let vector = || prop::array::uniform3(-1.0..1.0);
-        let exponent = -40..=4;
-        (vector(), vector(), vector(), vector(), exponent).prop_map(|(at, u, v, velocity, exponent)| {
+        (vector(), vector(), vector(), vector(), speeds.clone()).prop_map(|(at, u, v, velocity, exponent)| {
             let (size, speed) = (0.2, 2.0_f64.powi(exponent));
             let corner = |offset: Point| -> [Point; 2] {
                 let start = [0, 1, 2].map(|k: usize| 1000.0 + at[k] + size * offset[k]);
@@ -138,6 +137,28 @@ fn soup() -> impl Strategy<Value = Motion> {
         let at = |time: usize| corners.iter().map(|ends| ends[time]).collect();
         motion(at(0), at(1), faces.collect())
     })
+}
+
+/// Steps of one mesh that do not follow each other, some of them slow, some of them far away.
+fn steps() -> impl Strategy<Value = (TriangleMesh, Vec<[Vec<Point>; 2]>)> {
+    let coordinate = || prop_oneof![(-2..=2).prop_map(f64::from), -2.0..2.0];
+    let points = move |count| prop::collection::vec(prop::array::uniform3(coordinate()), count);
+    let step = move |count| (points(count), points(count), -30..=0, -3..=9);
+    (3_u32..40)
+        .prop_flat_map(move |count| {
+            let faces = prop::collection::vec(prop::array::uniform3(0..count), 2..40);
+            let steps = prop::collection::vec(step(count as usize), 1..6);
+            (Just(count as usize), faces, steps)
+        })
+        .prop_map(|(count, faces, steps)| {
+            let steps = steps.into_iter().map(|(x0, directions, speed, scale)| {
+                let [speed, scale] = [speed, scale].map(|exponent| 2.0_f64.powi(exponent));
+                let x0: Vec<Point> = x0.iter().map(|x| x.map(|x| scale * x)).collect();
+                let x1 = advance(&x0, &directions, scale * speed);
+                [x0, x1]
+            });
+            (TriangleMesh::new(count, faces).unwrap(), steps.collect())
+        })
 }
 
 fn assert_searches_agree(motion: &Motion, report: &StepReport) {
@@ -176,8 +197,31 @@ proptest! {
     }
 
     #[test]
-    fn the_earliest_contact_is_that_of_the_report(motion in soup()) {
+    fn the_earliest_contact_is_that_of_the_report(motion in prop_oneof![soup(-40..=4), soup(-40..=-6)]) {
         assert_searches_agree(&motion, &report(&motion, &Bvh));
+    }
+
+    #[test]
+    fn a_detector_answers_each_step_as_if_it_were_the_first((mesh, steps) in steps()) {
+        let mut detector = Detector::new(&mesh);
+        for [x0, x1] in &steps {
+            let step = Step::new(&mesh, x0, x1).unwrap();
+            prop_assert_eq!(detector.is_free(x0, x1), Ok(step.is_free(&Bvh)));
+            prop_assert_eq!(detector.earliest_contact(x0, x1), Ok(step.earliest_contact(&Bvh)));
+        }
+    }
+
+    #[test]
+    fn a_detector_answers_after_an_error((mesh, steps) in steps(), vertex in any::<prop::sample::Index>()) {
+        let mut detector = Detector::new(&mesh);
+        for [x0, x1] in &steps {
+            let mut broken = x1.clone();
+            broken[vertex.index(x1.len())][1] = f64::NAN;
+            prop_assert!(matches!(detector.is_free(x0, &broken), Err(StepError::End(_))));
+            prop_assert!(matches!(detector.earliest_contact(&broken, x1), Err(StepError::Start(_))));
+            let report = step(&mesh, x0, x1).unwrap();
+            prop_assert_eq!(detector.earliest_contact(x0, x1), Ok(report.earliest));
+        }
     }
 
     #[test]
@@ -347,18 +391,18 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
 struct Nonsense;
 
 impl BroadPhase for Nonsense {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         visit(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         self.between(boxes, boxes, visit)

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use ccd_mesh::{Bvh, Motion, Step, StepReport, TriangleMesh};
+use ccd_mesh::{Bvh, Detector, Motion, StepError, StepReport};
 use clap::value_parser;
 
 use crate::failure::Failure;
@@ -32,7 +32,8 @@ pub(crate) struct Arguments {
     /// Tell only whether there is contact: ends at the first that is found.
     #[arg(long)]
     any: bool,
-    /// Ask so many times, for measurements, and report the run of median duration.
+    /// Ask so many times, for measurements, and report the answer of median duration. As in a simulation, memory and the
+    /// order of the primitives are kept from one to the next.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..))]
     repeat: u32,
     /// Print the report as a JSON object.
@@ -45,12 +46,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let motion = during(progress::stage("reading"), |_| {
         Motion::read(&arguments.start, &arguments.end)
     })?;
-    let step = motion.step()?;
     let read = clock.elapsed();
 
-    let mut answers: Vec<Answer> = (0..arguments.repeat)
-        .map(|_| arguments.ask(&motion.mesh, step, read))
-        .collect();
+    let broad_phase = Timed::new(Bvh);
+    let mut detector = Detector::with_broad_phase(&motion.mesh, &broad_phase);
+    let mut answers = (0..arguments.repeat)
+        .map(|_| arguments.ask(&motion, &broad_phase, &mut detector, read))
+        .collect::<Result<Vec<Answer>, StepError>>()?;
     answers.sort_by(|a, b| a.seconds().total_cmp(&b.seconds()));
     let answer = answers.swap_remove(answers.len() / 2);
     let text = if arguments.json {
@@ -63,22 +65,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 impl Arguments {
-    fn ask(&self, mesh: &TriangleMesh, step: Step<'_>, read: Duration) -> Answer {
+    fn ask(
+        &self,
+        motion: &Motion,
+        broad_phase: &Timed<Bvh>,
+        detector: &mut Detector<'_, &Timed<Bvh>>,
+        read: Duration,
+    ) -> Result<Answer, StepError> {
+        let Motion { mesh, x0, x1 } = motion;
         let clock = Instant::now();
-        let broad_phase = Timed::new(Bvh);
-        let seconds = || Seconds::new(read, clock.elapsed(), broad_phase.spent_by_visitors());
+        let seconds = || Seconds::new(read, clock.elapsed(), broad_phase.take_spent_by_visitors());
         let stage = progress::stage("looking for contact");
-        if self.any {
-            let is_free = during(stage, |_| step.is_free(&broad_phase));
+        Ok(if self.any {
+            let is_free = during(stage, |_| detector.is_free(x0, x1))?;
             Answer::Free(Free::new(is_free, seconds()))
         } else if self.toi {
-            let earliest = during(stage, |_| step.earliest_contact(&broad_phase));
+            let earliest = during(stage, |_| detector.earliest_contact(x0, x1))?;
             Answer::Report(Report::earliest(mesh, earliest, seconds()))
         } else {
+            let step = motion.step()?;
             let report = during(progress::pairs(), |progress| {
-                StepReport::new(step, &broad_phase, progress)
+                StepReport::new(step, broad_phase, progress)
             });
             Answer::Report(Report::new(mesh, &report, seconds()))
-        }
+        })
     }
 }

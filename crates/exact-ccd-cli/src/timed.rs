@@ -20,9 +20,9 @@ impl<B> Timed<B> {
         }
     }
 
-    /// The time spent by visitors, as if they had been shared evenly among all threads.
-    pub(crate) fn spent_by_visitors(&self) -> Duration {
-        Duration::from_nanos(self.nanoseconds.load(Ordering::Relaxed))
+    /// The time spent by visitors since the last call, as if they had been shared evenly among all threads.
+    pub(crate) fn take_spent_by_visitors(&self) -> Duration {
+        Duration::from_nanos(self.nanoseconds.swap(0, Ordering::Relaxed))
             / rayon::current_num_threads().max(1) as u32
     }
 }
@@ -40,18 +40,18 @@ fn timed(
 }
 
 impl<B: BroadPhase> BroadPhase for Timed<B> {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         self.broad_phase.between(a, b, timed(&self.nanoseconds, visit))
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         self.broad_phase.within(boxes, timed(&self.nanoseconds, visit))

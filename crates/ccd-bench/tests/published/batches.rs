@@ -32,15 +32,11 @@ fn assert_batches_find<K: DataKind>(
     }
 }
 
-fn check_scene<K: DataKind>(
-    step: &Step<'_>,
-    pairs: &[[u32; 2]],
-    vertices: impl Fn([u32; 2]) -> [u32; 4],
-    name: &str,
-) {
+fn check_scene<K: DataKind>(step: &Step<'_>, candidates: &Candidates<'_>, name: &str) {
     let [x0, x1] = step.positions();
     let trajectories = Trajectories::new(x0, x1).unwrap();
-    let vertices: Vec<_> = pairs.iter().map(|&pair| vertices(pair)).collect();
+    let pairs = K::candidates(candidates);
+    let vertices: Vec<_> = pairs.iter().map(|&pair| K::vertices(step.mesh(), pair)).collect();
     let expected = one_by_one(pairs.iter().map(|&pair| K::query(step, pair)));
     assert!(!expected.is_empty());
     assert_batches_find::<K>(&trajectories, &vertices, &expected, name);
@@ -50,21 +46,11 @@ fn check_scene<K: DataKind>(
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn all_candidates_of_the_scenes() {
     for scene in scenes() {
-        let name = scene.name();
         let motion = scene.motion().unwrap();
         let step = motion.step().unwrap();
         let candidates = Candidates::new(step, &Bvh);
-        let (faces, edges) = (motion.mesh.faces(), motion.mesh.edges());
-        let vertex_face = |[vertex, face]: [u32; 2]| {
-            let [a, b, c] = faces[face as usize];
-            [vertex, a, b, c]
-        };
-        let edge_edge = |pair: [u32; 2]| {
-            let [[a0, a1], [b0, b1]] = pair.map(|edge| edges[edge as usize]);
-            [a0, a1, b0, b1]
-        };
-        check_scene::<PointTriangle>(&step, candidates.vertex_face(), vertex_face, &name);
-        check_scene::<SegmentSegment>(&step, candidates.edge_edge(), edge_edge, &name);
+        check_scene::<PointTriangle>(&step, &candidates, &scene.name());
+        check_scene::<SegmentSegment>(&step, &candidates, &scene.name());
     }
 }
 

@@ -1,7 +1,7 @@
 //! The steps of the scenes against a plain loop over all candidates.
 
 use ccd_bench::DataKind;
-use ccd_mesh::{Bvh, Candidates, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step};
+use ccd_mesh::{Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step};
 use exact_ccd::{PointTriangle, SegmentSegment, exact};
 use rayon::ThreadPoolBuilder;
 
@@ -93,6 +93,11 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
                     assert_eq!(earliest, report.earliest, "{}", scene.name());
                 }
                 assert_eq!(step.is_free(&Bvh), report.is_free(), "{}", scene.name());
+                let mut detector = Detector::new(&motion.mesh);
+                for _ in 0..2 {
+                    let earliest = detector.earliest_contact(&motion.x0, &motion.x1).unwrap();
+                    assert_eq!(earliest, report.earliest, "{}", scene.name());
+                }
                 report
             })
         });
@@ -143,4 +148,37 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
         check::<PointTriangle>(&step, candidates.vertex_face());
         check::<SegmentSegment>(&step, candidates.edge_edge());
     }
+}
+
+/// The same bits at any optimisation level, on any machine: `cargo test` and `cargo test --release` both compare with these.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn contacts_and_their_times_have_the_bits_that_they_always_had() {
+    let digests = scenes().into_iter().map(|scene| {
+        let motion = scene.motion().unwrap();
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        let faces = contacts::<PointTriangle>(0, &step, candidates.vertex_face());
+        let edges = contacts::<SegmentSegment>(1, &step, candidates.edge_edge());
+        let words = faces.iter().chain(&edges).flat_map(|contact| {
+            let [a, b] = contact.ids.map(u64::from);
+            [contact.toi, u64::from(contact.is_above), a, b]
+        });
+        (scene.name(), fnv_1a(words))
+    });
+    let expected = [
+        ("cloth-ball", 11676334898218327127),
+        ("cloth-funnel", 16450644589896873935),
+        ("rod-twist", 9862288484661653189),
+    ];
+    let expected: Vec<_> = expected.map(|(name, digest)| (name.to_owned(), digest)).into();
+    assert_eq!(digests.collect::<Vec<_>>(), expected);
+}
+
+/// Fowler, Noll and Vo's hash of words of eight bytes.
+fn fnv_1a(words: impl Iterator<Item = u64>) -> u64 {
+    let bytes = words.flat_map(u64::to_le_bytes);
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    })
 }

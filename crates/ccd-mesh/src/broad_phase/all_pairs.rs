@@ -14,18 +14,18 @@ use super::pairs::Pairs;
 pub struct AllPairs;
 
 impl BroadPhase for AllPairs {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, &visit)))
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, &visit)))
@@ -33,12 +33,12 @@ impl BroadPhase for AllPairs {
 }
 
 #[inline(always)]
-fn all<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+fn all<const T: usize, S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
     simd: S,
-    a: &Boxes,
-    b: &Boxes,
+    a: &Boxes<T>,
+    b: &Boxes<T>,
     first: impl Fn(usize) -> usize,
-    mut pairs: Pairs<'_, V>,
+    mut pairs: Pairs<'_, T, V>,
 ) -> ControlFlow<()> {
     for i in 0..a.blocks.len() {
         for j in first(i)..b.blocks.len() {

@@ -1,7 +1,7 @@
 //! Eight boxes, each tested against another one at the same time.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, f32x8};
+use fearless_simd::{Level, f32x8, mask32x8};
 
 use super::moving_box::MovingBox;
 
@@ -18,52 +18,52 @@ pub(super) fn level() -> Level {
 }
 
 /// A coordinate of eight boxes, by time and axis.
-type Sides = [[[f32; LANES]; 3]; 2];
+type Sides<const T: usize> = [[[f32; LANES]; 3]; T];
 
 /// Eight boxes, coordinate by coordinate.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
-pub(super) struct Block {
-    lower: Sides,
-    upper: Sides,
+pub(super) struct Block<const T: usize> {
+    lower: Sides<T>,
+    upper: Sides<T>,
 }
 
-impl Block {
+impl<const T: usize> Block<T> {
     pub(super) const EMPTY: Self = Self {
-        lower: [[[f32::INFINITY; LANES]; 3]; 2],
-        upper: [[[f32::NEG_INFINITY; LANES]; 3]; 2],
+        lower: [[[f32::INFINITY; LANES]; 3]; T],
+        upper: [[[f32::NEG_INFINITY; LANES]; 3]; T],
     };
 
     #[inline(always)]
-    pub(super) fn set(&mut self, lane: usize, moving: &MovingBox) {
-        for time in 0..2 {
+    pub(super) fn set(&mut self, lane: usize, moving: &MovingBox<T>) {
+        for time in 0..T {
             for axis in 0..3 {
-                self.lower[time][axis][lane] = moving.lower[4 * time + axis];
-                self.upper[time][axis][lane] = moving.upper[4 * time + axis];
+                self.lower[time][axis][lane] = moving.lower[time][axis];
+                self.upper[time][axis][lane] = moving.upper[time][axis];
             }
         }
     }
 
     #[inline]
-    pub(super) fn get(&self, lane: usize) -> MovingBox {
+    pub(super) fn get(&self, lane: usize) -> MovingBox<T> {
         let mut moving = MovingBox::EMPTY;
-        for time in 0..2 {
+        for time in 0..T {
             for axis in 0..3 {
-                moving.lower[4 * time + axis] = self.lower[time][axis][lane];
-                moving.upper[4 * time + axis] = self.upper[time][axis][lane];
+                moving.lower[time][axis] = self.lower[time][axis][lane];
+                moving.upper[time][axis] = self.upper[time][axis][lane];
             }
         }
         moving
     }
 
     /// The smallest box around all eight.
-    pub(super) fn union(&self) -> MovingBox {
+    pub(super) fn union(&self) -> MovingBox<T> {
         (0..LANES).fold(MovingBox::EMPTY, |union, lane| union.union(&self.get(lane)))
     }
 
     /// One of the boxes.
     #[inline(always)]
-    pub(super) fn lane(&self, lane: usize) -> Lane<'_> {
+    pub(super) fn lane(&self, lane: usize) -> Lane<'_, T> {
         Lane { block: self, lane }
     }
 
@@ -71,16 +71,32 @@ impl Block {
     /// same way round, at t = 1, hence at all times between. Boxes that rest are separated if they do not overlap.
     #[inline(always)]
     pub(super) fn meeting<S: Simd>(&self, simd: S, other: &impl Moving) -> u32 {
-        let load = |row: &[f32; LANES]| f32x8::from_slice(simd, row);
-        let all = |x: f32| f32x8::splat(simd, x);
-        let above =
-            |time: usize, axis: usize| load(&self.lower[time][axis]).simd_gt(all(other.upper(time, axis)));
-        let below =
-            |time: usize, axis: usize| load(&self.upper[time][axis]).simd_lt(all(other.lower(time, axis)));
-        let separated = ((above(0, 0) & above(1, 0)) | (below(0, 0) & below(1, 0)))
-            | ((above(0, 1) & above(1, 1)) | (below(0, 1) & below(1, 1)))
-            | ((above(0, 2) & above(1, 2)) | (below(0, 2) & below(1, 2)));
+        let separated =
+            self.separated(simd, other, 0) | self.separated(simd, other, 1) | self.separated(simd, other, 2);
         (!separated).to_bitmask() as u32
+    }
+
+    #[inline(always)]
+    fn separated<S: Simd>(&self, simd: S, other: &impl Moving, axis: usize) -> mask32x8<S> {
+        let [above, below] = self.sides(simd, other, axis, 0);
+        match T {
+            1 => above | below,
+            _ => {
+                let [above_at_end, below_at_end] = self.sides(simd, other, axis, 1);
+                (above & above_at_end) | (below & below_at_end)
+            }
+        }
+    }
+
+    /// Which boxes are above the other one, and which are below it.
+    #[inline(always)]
+    fn sides<S: Simd>(&self, simd: S, other: &impl Moving, axis: usize, time: usize) -> [mask32x8<S>; 2] {
+        let lower = f32x8::from_slice(simd, &self.lower[time][axis]);
+        let upper = f32x8::from_slice(simd, &self.upper[time][axis]);
+        [
+            lower.simd_gt(f32x8::splat(simd, other.upper(time, axis))),
+            upper.simd_lt(f32x8::splat(simd, other.lower(time, axis))),
+        ]
     }
 }
 
@@ -90,25 +106,25 @@ pub(super) trait Moving {
     fn upper(&self, time: usize, axis: usize) -> f32;
 }
 
-impl Moving for MovingBox {
+impl<const T: usize> Moving for MovingBox<T> {
     #[inline(always)]
     fn lower(&self, time: usize, axis: usize) -> f32 {
-        self.lower[4 * time + axis]
+        self.lower[time][axis]
     }
 
     #[inline(always)]
     fn upper(&self, time: usize, axis: usize) -> f32 {
-        self.upper[4 * time + axis]
+        self.upper[time][axis]
     }
 }
 
 /// A box in a block.
-pub(super) struct Lane<'a> {
-    block: &'a Block,
+pub(super) struct Lane<'a, const T: usize> {
+    block: &'a Block<T>,
     lane: usize,
 }
 
-impl Moving for Lane<'_> {
+impl<const T: usize> Moving for Lane<'_, T> {
     #[inline(always)]
     fn lower(&self, time: usize, axis: usize) -> f32 {
         self.block.lower[time][axis][self.lane]

@@ -16,38 +16,38 @@ const GRAIN: usize = 64;
 /// Each box has an index. Coordinates are rounded to single precision; rounding is monotone, so that boxes which meet
 /// still do.
 #[derive(Clone, Debug)]
-pub struct Boxes {
+pub struct Boxes<const T: usize> {
     /// The indices of the boxes, block by block.
     pub(super) ids: Vec<u32>,
     /// The last one is filled up with boxes of nothing.
-    pub(super) blocks: Vec<Block>,
+    pub(super) blocks: Vec<Block<T>>,
     /// The box around each block.
-    pub(super) around: Vec<MovingBox>,
+    pub(super) around: Vec<MovingBox<T>>,
 }
 
-impl Boxes {
+impl<const T: usize> Boxes<T> {
     /// Boxes at t = 0 and at t = 1. Their indices are those in the slice, of which there must be no more than 2³².
     #[must_use]
-    pub fn new(boxes: &[[Bounds; 2]]) -> Self {
+    pub fn new(boxes: &[[Bounds; T]]) -> Self {
+        const { assert!(T == 1 || T == 2, "boxes rest, or move from one place to another") };
         let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
-        Self::ordered(order(&centres), |id| MovingBox::new(boxes[id as usize], [0.0; 3]))
+        let mut all = Self::in_order(order(&centres));
+        all.set(|id| MovingBox::new(boxes[id as usize], [0.0; 3]));
+        all
     }
 
-    /// Boxes that rest.
-    #[must_use]
-    pub fn at_rest(boxes: &[Bounds]) -> Self {
-        Self::new(&boxes.iter().map(|&b| [b, b]).collect::<Vec<_>>())
+    /// Boxes of nothing, with these indices, eight at a time.
+    pub(crate) fn in_order(ids: Vec<u32>) -> Self {
+        let count = ids.len().div_ceil(LANES);
+        Self {
+            ids,
+            blocks: vec![Block::EMPTY; count],
+            around: vec![MovingBox::EMPTY; count],
+        }
     }
 
-    /// The boxes with these indices, eight at a time.
-    pub(crate) fn ordered(ids: Vec<u32>, moving: impl Fn(u32) -> MovingBox + Sync) -> Self {
-        let block = |ids: &[u32]| fill(ids, &moving);
-        let (blocks, around) = ids.par_chunks(LANES).with_min_len(GRAIN).map(block).unzip();
-        Self { ids, blocks, around }
-    }
-
-    /// Moves the boxes to other places, in the same order.
-    pub(crate) fn refit(&mut self, moving: impl Fn(u32) -> MovingBox + Sync) {
+    /// Moves each box, by its index, to another place.
+    pub(crate) fn set(&mut self, moving: impl Fn(u32) -> MovingBox<T> + Sync) {
         let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
         let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
         blocks.for_each(|((block, around), ids)| (*block, *around) = fill(ids, &moving));
@@ -76,12 +76,17 @@ impl Boxes {
     }
 
     /// The index of each box, and where it is at t = 0 and at t = 1, rounded.
-    pub fn iter(&self) -> impl Iterator<Item = (u32, [Bounds; 2])> {
+    pub fn iter(&self) -> impl Iterator<Item = (u32, [Bounds; T])> {
         let boxes = self
             .blocks
             .iter()
             .flat_map(|block| (0..LANES).map(|lane| block.get(lane)));
-        self.ids.iter().copied().zip(boxes.map(|moving| moving.ends()))
+        self.ids.iter().copied().zip(boxes.map(|moving| moving.places()))
+    }
+
+    /// The indices of the boxes, block by block.
+    pub(crate) fn ids(&self) -> &[u32] {
+        &self.ids
     }
 
     /// Which boxes of a block are there.
@@ -94,7 +99,7 @@ impl Boxes {
 
 /// A block, and the box around it.
 #[inline(always)]
-fn fill(ids: &[u32], moving: impl Fn(u32) -> MovingBox) -> (Block, MovingBox) {
+fn fill<const T: usize>(ids: &[u32], moving: impl Fn(u32) -> MovingBox<T>) -> (Block<T>, MovingBox<T>) {
     let (mut block, mut around) = (Block::EMPTY, MovingBox::EMPTY);
     for (lane, &id) in ids.iter().enumerate() {
         let moving = moving(id);
@@ -105,7 +110,10 @@ fn fill(ids: &[u32], moving: impl Fn(u32) -> MovingBox) -> (Block, MovingBox) {
 }
 
 /// The middle of where a box begins.
-fn centre([start, _]: &[Bounds; 2]) -> Point {
+fn centre<const T: usize>(places: &[Bounds; T]) -> Point {
+    let Some(start) = places.first() else {
+        return [0.0; 3];
+    };
     // Halved before they are added: the sum of two finite numbers may overflow. The box of nothing is nowhere.
     let middle = |axis: usize| 0.5 * start.lower[axis] + 0.5 * start.upper[axis];
     [0, 1, 2].map(|axis| {

@@ -19,10 +19,10 @@ pub struct Bvh;
 const GRAIN: usize = 32;
 
 impl BroadPhase for Bvh {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         let tree = Tree::new(b);
@@ -32,9 +32,9 @@ impl BroadPhase for Bvh {
         })
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         let tree = Tree::new(boxes);
@@ -45,7 +45,7 @@ impl BroadPhase for Bvh {
     }
 }
 
-fn grains(boxes: &Boxes) -> impl ParallelIterator<Item = Range<usize>> {
+fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Range<usize>> {
     let count = boxes.blocks.len();
     (0..count.div_ceil(GRAIN))
         .into_par_iter()
@@ -57,18 +57,18 @@ const MOST_OPEN: usize = 11 * LANES;
 
 /// The boxes around eight blocks, the boxes around eight times as many, and so on: the shape of the hierarchy is that of
 /// the indices, and it is as good as the order of the boxes is.
-struct Tree {
+struct Tree<const T: usize> {
     /// How many blocks of boxes there are.
     leaves: usize,
     /// Level by level, each from the one before; the last has one block, unless there are no boxes at all.
-    levels: Vec<Vec<Block>>,
+    levels: Vec<Vec<Block<T>>>,
 }
 
-impl Tree {
-    fn new(boxes: &Boxes) -> Self {
+impl<const T: usize> Tree<T> {
+    fn new(boxes: &Boxes<T>) -> Self {
         let mut levels = vec![above(&boxes.around)];
         while let Some(level) = levels.last().filter(|level| level.len() > 1) {
-            let around: Vec<MovingBox> = level.par_iter().with_min_len(64).map(Block::union).collect();
+            let around: Vec<MovingBox<T>> = level.par_iter().with_min_len(64).map(Block::union).collect();
             levels.push(above(&around));
         }
         Self {
@@ -83,10 +83,10 @@ impl Tree {
     fn look_up<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
         &self,
         simd: S,
-        a: &Boxes,
+        a: &Boxes<T>,
         blocks: Range<usize>,
         later: bool,
-        mut pairs: Pairs<'_, V>,
+        mut pairs: Pairs<'_, T, V>,
     ) -> ControlFlow<()> {
         let mut open = [(0, 0); MOST_OPEN];
         for block in blocks {
@@ -100,10 +100,10 @@ impl Tree {
         &self,
         simd: S,
         block: usize,
-        around: &MovingBox,
+        around: &MovingBox<T>,
         later: bool,
         open: &mut [(u32, u32); MOST_OPEN],
-        pairs: &mut Pairs<'_, V>,
+        pairs: &mut Pairs<'_, T, V>,
     ) -> ControlFlow<()> {
         open[0] = (self.levels.len() as u32, 0);
         let mut count = usize::from(self.leaves > 0);
@@ -136,8 +136,8 @@ impl Tree {
 }
 
 /// Boxes, eight to a block.
-fn above(boxes: &[MovingBox]) -> Vec<Block> {
-    let block = |eight: &[MovingBox]| {
+fn above<const T: usize>(boxes: &[MovingBox<T>]) -> Vec<Block<T>> {
+    let block = |eight: &[MovingBox<T>]| {
         let mut block = Block::EMPTY;
         for (lane, moving) in eight.iter().enumerate() {
             block.set(lane, moving);

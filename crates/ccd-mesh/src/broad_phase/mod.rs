@@ -19,7 +19,7 @@ pub use found::Found;
 pub use sweep::Sweep;
 
 pub(crate) use moving_box::MovingBox;
-pub(crate) use order::order;
+pub(crate) use order::{extent, order};
 
 /// A way to find the pairs of moving boxes that meet.
 ///
@@ -36,7 +36,7 @@ pub(crate) use order::order;
 /// use ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh};
 ///
 /// let cube = |x: f64| Bounds::of([x, 0.0, 0.0]).union(&Bounds::of([x + 1.0, 1.0, 1.0]));
-/// let cubes = Boxes::at_rest(&[0.0, 1.0, 2.5, 2.0].map(cube));
+/// let cubes = Boxes::new(&[0.0, 1.0, 2.5, 2.0].map(|x| [cube(x)]));
 /// let found = Mutex::new(Vec::new());
 /// let _ = Bvh.within(&cubes, |pairs| {
 ///     found.lock().unwrap().extend_from_slice(pairs);
@@ -48,14 +48,36 @@ pub(crate) use order::order;
 /// ```
 pub trait BroadPhase: Sync {
     /// Finds the pairs of the index of a box in `a` and that of a box in `b`.
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()>;
 
     /// Finds the pairs of two boxes in `boxes`, the lesser index first.
-    fn within(&self, boxes: &Boxes, visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)
-    -> ControlFlow<()>;
+    fn within<const T: usize>(
+        &self,
+        boxes: &Boxes<T>,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()>;
+}
+
+impl<B: BroadPhase> BroadPhase for &B {
+    fn between<const T: usize>(
+        &self,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        (**self).between(a, b, visit)
+    }
+
+    fn within<const T: usize>(
+        &self,
+        boxes: &Boxes<T>,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        (**self).within(boxes, visit)
+    }
 }

@@ -21,6 +21,15 @@ pub(crate) fn order(points: &[Point]) -> Vec<u32> {
     keyed.into_iter().map(|(_, id)| id).collect()
 }
 
+/// How long the way through the points is in an order, along the axis where each part of it is longest.
+pub(crate) fn extent(points: &[Point], order: &[u32]) -> f64 {
+    let part = |pair: &[u32]| {
+        let [a, b] = [pair[0], pair[1]].map(|id| points[id as usize]);
+        (0..3).fold(0.0, |most: f64, axis| most.max((a[axis] - b[axis]).abs()))
+    };
+    order.windows(2).map(part).sum()
+}
+
 fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
     let Bounds { lower, upper } = keyed
         .iter()

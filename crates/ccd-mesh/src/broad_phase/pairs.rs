@@ -11,18 +11,18 @@ use super::boxes::Boxes;
 const CAPACITY: usize = 1024;
 
 /// Pairs of boxes that one thread has found, handed on from time to time.
-pub(super) struct Pairs<'a, V> {
-    a: &'a Boxes,
-    b: &'a Boxes,
+pub(super) struct Pairs<'a, const T: usize, V> {
+    a: &'a Boxes<T>,
+    b: &'a Boxes<T>,
     /// Whether both are the same boxes, and a pair is wanted only once.
     is_within: bool,
     found: Vec<[u32; 2]>,
     visit: &'a V,
 }
 
-impl<'a, V: Fn(&[[u32; 2]]) -> ControlFlow<()>> Pairs<'a, V> {
+impl<'a, const T: usize, V: Fn(&[[u32; 2]]) -> ControlFlow<()>> Pairs<'a, T, V> {
     /// Of a box in `a` and one in `b`.
-    pub(super) fn between(a: &'a Boxes, b: &'a Boxes, visit: &'a V) -> Self {
+    pub(super) fn between(a: &'a Boxes<T>, b: &'a Boxes<T>, visit: &'a V) -> Self {
         Self {
             a,
             b,
@@ -33,7 +33,7 @@ impl<'a, V: Fn(&[[u32; 2]]) -> ControlFlow<()>> Pairs<'a, V> {
     }
 
     /// Of two boxes in `boxes`, the lesser index first. Of two blocks the earlier one has to be asked about the later one.
-    pub(super) fn within(boxes: &'a Boxes, visit: &'a V) -> Self {
+    pub(super) fn within(boxes: &'a Boxes<T>, visit: &'a V) -> Self {
         Self {
             is_within: true,
             ..Self::between(boxes, boxes, visit)

@@ -20,10 +20,10 @@ pub struct Sweep;
 const GRAIN: usize = 32;
 
 impl BroadPhase for Sweep {
-    fn between(
+    fn between<const T: usize>(
         &self,
-        a: &Boxes,
-        b: &Boxes,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         let axis = longest_axis(b);
@@ -41,9 +41,9 @@ impl BroadPhase for Sweep {
         })
     }
 
-    fn within(
+    fn within<const T: usize>(
         &self,
-        boxes: &Boxes,
+        boxes: &Boxes<T>,
         visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
     ) -> ControlFlow<()> {
         let intervals = Interval::sorted(boxes, longest_axis(boxes));
@@ -65,12 +65,13 @@ struct Interval {
 }
 
 impl Interval {
-    fn sorted(boxes: &Boxes, axis: usize) -> Vec<Self> {
-        let interval = |(block, around): (usize, &MovingBox)| {
-            let [start, end] = [axis, 4 + axis];
+    fn sorted<const T: usize>(boxes: &Boxes<T>, axis: usize) -> Vec<Self> {
+        let interval = |(block, around): (usize, &MovingBox<T>)| {
+            let lower = around.lower.iter().map(|point| point[axis]);
+            let upper = around.upper.iter().map(|point| point[axis]);
             Self {
-                lower: around.lower[start].min(around.lower[end]),
-                upper: around.upper[start].max(around.upper[end]),
+                lower: lower.fold(f32::INFINITY, f32::min),
+                upper: upper.fold(f32::NEG_INFINITY, f32::max),
                 block,
                 position: 0,
             }
@@ -85,22 +86,22 @@ impl Interval {
 }
 
 /// The axis along which the boxes extend the most.
-fn longest_axis(boxes: &Boxes) -> usize {
+fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
     let around = boxes
         .around
         .iter()
         .fold(MovingBox::EMPTY, |all, around| all.union(around));
-    let extent = |axis: &usize| around.upper[*axis] - around.lower[*axis];
+    let extent = |axis: &usize| around.upper[0][*axis] - around.lower[0][*axis];
     (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0)
 }
 
 /// Adds the pairs of each block with those that begin while it lasts; these are of `a`, if they are `first` in a pair.
 #[inline(always)]
-fn sweep<'i, S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+fn sweep<'i, const T: usize, S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
     simd: S,
     intervals: &[Interval],
     later: impl Fn(&Interval) -> (&'i [Interval], bool),
-    mut pairs: Pairs<'_, V>,
+    mut pairs: Pairs<'_, T, V>,
 ) -> ControlFlow<()> {
     for interval in intervals {
         let (others, first) = later(interval);

@@ -1,9 +1,11 @@
 //! Many queries over the vertices of one mesh: the filters on several at a time.
 //!
-//! [`Query::collides`] for a million candidates, at a fraction of its price: the positions are read once
+//! [`collides`] for a million candidates, at a fraction of its price: the positions are read once
 //! ([`Trajectories`]), the first filters work on vectors, whichever the processor has ([`Instructions`]), each passes on
 //! only those that it does not settle, and the rare rest goes the way of a single query. The answers are those of
-//! [`Query::collides`], on any processor: the same operations in the same order, each rounded as IEEE 754 says.
+//! [`collides`], on any processor: the same operations in the same order, each rounded as IEEE 754 says.
+//!
+//! [`collides`]: crate::Query::collides
 //!
 //! ```
 //! use exact_ccd::PointTriangle;

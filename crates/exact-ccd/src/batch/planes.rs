@@ -5,7 +5,7 @@ use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
 
 use super::row::Row;
-use crate::filter::{Cubic, Points, screen_planes};
+use crate::filter::{Cubic, Points, Screened, screen_planes};
 use crate::kind::Kind;
 
 /// How many queries.
@@ -15,6 +15,8 @@ pub(super) const LANES: usize = 8;
 pub(super) struct Rest {
     /// A bit for each query that is not settled.
     pub(super) lanes: u64,
+    /// Those of them which no filter can take.
+    pub(super) out_of_range: u64,
     /// Their cubics.
     bernstein: [[f64; LANES]; 4],
     magnitude: [f64; LANES],
@@ -51,9 +53,14 @@ pub(super) fn screen<S: Simd, K: Kind>(simd: S, rows: &[[&Row; 4]; LANES]) -> Re
             }
         }
     }
-    let (settled, cubic) = screen_planes::<K, _>(&points);
+    let Screened {
+        settled,
+        out_of_range,
+        cubic,
+    } = screen_planes::<K, _>(&points);
     Rest {
         lanes: (!settled).to_bitmask(),
+        out_of_range: out_of_range.to_bitmask(),
         bernstein: cubic.bernstein.map(Into::into),
         magnitude: cubic.magnitude.into(),
     }

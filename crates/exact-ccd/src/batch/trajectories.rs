@@ -61,19 +61,33 @@ impl Trajectories {
     /// # Errors
     /// [`TrajectoriesError`], if the counts differ or a coordinate is not finite.
     pub fn new(x0: &[Point], x1: &[Point]) -> Result<Self, TrajectoriesError> {
+        let mut trajectories = Self {
+            rows: Vec::new(),
+            instructions: Instructions::best(),
+        };
+        trajectories.set(x0, x1)?;
+        Ok(trajectories)
+    }
+
+    /// Takes other trajectories, of any number of points, into the memory of the old ones.
+    ///
+    /// # Errors
+    /// [`TrajectoriesError`], if the counts differ or a coordinate is not finite; there are no points then.
+    pub fn set(&mut self, x0: &[Point], x1: &[Point]) -> Result<(), TrajectoriesError> {
+        self.rows.clear();
         if x0.len() != x1.len() {
             return Err(TrajectoriesError::Count {
                 start: x0.len(),
                 end: x1.len(),
             });
         }
-        let rows: Vec<Row> = x0.iter().zip(x1).map(|(&a, &b)| Row::new(a, b)).collect();
-        match rows.iter().position(|row| !row.is_finite()) {
-            None => Ok(Self {
-                rows,
-                instructions: Instructions::best(),
-            }),
-            Some(vertex) => Err(TrajectoriesError::NonFinite { vertex }),
+        self.rows.extend(x0.iter().zip(x1).map(|(&a, &b)| Row::new(a, b)));
+        match self.rows.iter().position(|row| !row.is_finite()) {
+            None => Ok(()),
+            Some(vertex) => {
+                self.rows.clear();
+                Err(TrajectoriesError::NonFinite { vertex })
+            }
         }
     }
 
@@ -164,7 +178,11 @@ fn collisions<S: Simd, K: Kind>(
             for lane in 0..LANES.min(count - LANES * eight) {
                 if rest.lanes >> lane & 1 != 0 {
                     let query = query(lanes[lane]);
-                    let filtered = filter::collides_near_plane(&query, &rest.cubic(lane));
+                    let filtered = if rest.out_of_range >> lane & 1 == 0 {
+                        filter::collides_near_plane(&query, &rest.cubic(lane))
+                    } else {
+                        None
+                    };
                     if filtered.map_or_else(|| exact::collides(&query), |(collides, _)| collides) {
                         found(CHUNK * chunk + indices[lane], &query);
                     }

@@ -207,6 +207,8 @@ impl Cubic<f64> {
             3.0 * ((b2 - b1) - (b1 - b0)),
             (b3 - b0) - 3.0 * (b2 - b1),
         ];
+        // At least half of |c″|: after a step s, the value is no larger than this s², until roundings matter.
+        let curvature = a2.abs() + 3.0 * a3.abs();
         let (mut t, mut slope) = (guess, 0.0);
         for _ in 0..STEPS {
             let value = ((a3 * t + a2) * t + a1) * t + b0;
@@ -217,14 +219,11 @@ impl Cubic<f64> {
                 high = t;
             }
             let newton = t - value / slope;
-            let next = if newton > low && newton < high {
-                newton
-            } else {
-                0.5 * (low + high)
-            };
+            let is_inside = newton > low && newton < high;
+            let next = if is_inside { newton } else { 0.5 * (low + high) };
             let step = (next - t).abs();
             t = next;
-            if step * slope.abs() <= noise {
+            if step * slope.abs() <= noise || (is_inside && curvature * step * step <= noise) {
                 break;
             }
         }

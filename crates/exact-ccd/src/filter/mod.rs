@@ -99,25 +99,37 @@ fn screen<K: Kind>(query: &Query<K>) -> Screening {
     screen_rest(query, &coplanarity.cubic)
 }
 
-/// The stages `Normals` and `Coplanarity` of queries side by side: which ones they settle, and what the others need for
-/// [`collides_near_plane`].
+/// Queries side by side after the stages `Normals` and `Coplanarity`.
+pub(crate) struct Screened<T: Lanes> {
+    /// Those which these stages prove to be free of contact.
+    pub(crate) settled: T::Mask,
+    /// Those which no filter can take.
+    pub(crate) out_of_range: T::Mask,
+    /// What [`collides_near_plane`] needs about the others.
+    pub(crate) cubic: Cubic<T>,
+}
+
+/// Passes queries side by side through the stages `Normals` and `Coplanarity`.
 #[inline(always)]
-pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>) -> (T::Mask, Cubic<T>) {
+pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>) -> Screened<T> {
     let hull = Hull::new::<K>(points);
     let Coplanarity {
         cubic,
         normals: [start, end],
     } = Coplanarity::new::<K>(points);
     let [positive, negative] = cubic.constant_signs();
+    let out_of_range = hull.is_out_of_range();
     let settled = hull.is_beyond(start) | hull.is_beyond(end) | positive | negative;
-    (settled & !hull.is_out_of_range(), cubic)
+    Screened {
+        settled: settled & !out_of_range,
+        out_of_range,
+        cubic,
+    }
 }
 
-/// Whether the primitives touch, and the stage that proved it; for a query that [`screen_planes`] has not settled.
+/// Whether the primitives touch, and the stage that proved it; for a query in range that [`screen_planes`] has not
+/// settled.
 pub(crate) fn collides_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Option<(bool, Stage)> {
-    if Hull::new::<K>(query.points()).is_out_of_range() {
-        return None;
-    }
     decide(query, screen_rest(query, cubic))
 }
 

@@ -1,0 +1,76 @@
+//! Queries that a certain stage settles.
+
+use exact_ccd::{Kind, Point, Query, Stage};
+use fastrand::Rng;
+
+/// How many different ones there are, at most.
+const DIFFERENT: usize = 64;
+/// How many are looked through.
+const TRIES: usize = 20_000;
+
+/// Queries that `stage` settles when asked whether they collide.
+pub(crate) fn decided<K: Kind>(stage: Stage) -> Vec<Query<K>> {
+    found(|query: &Query<K>| query.collides_with_stage().1 == stage)
+}
+
+/// Queries that `stage` settles when asked for contact times: colliding ones, if it settles such.
+pub(crate) fn timed<K: Kind>(stage: Stage) -> Vec<Query<K>> {
+    let is_settled = |query: &Query<K>| query.contact_times_with_stage().1 == stage;
+    let colliding = found(|query| is_settled(query) && query.collides());
+    if colliding.is_empty() {
+        found(is_settled)
+    } else {
+        colliding
+    }
+}
+
+/// The same for the same condition, on every machine.
+fn found<K: Kind>(is_wanted: impl Fn(&Query<K>) -> bool) -> Vec<Query<K>> {
+    let mut random = Rng::with_seed(1);
+    (0..TRIES)
+        .map(|index| query(&mut random, FAMILIES[index % FAMILIES.len()]))
+        .filter(is_wanted)
+        .take(DIFFERENT)
+        .collect()
+}
+
+type Points = [[Point; 4]; 2];
+
+/// Of the filters, some settle what most queries are like, and some what few are.
+const FAMILIES: [fn(&mut Rng) -> Points; 4] = [anywhere, near, planar, integers];
+
+fn query<K: Kind>(random: &mut Rng, family: fn(&mut Rng) -> Points) -> Query<K> {
+    let [t0, t1] = family(random);
+    Query::new(t0, t1).expect("all coordinates are finite")
+}
+
+fn points(mut coordinate: impl FnMut() -> f64) -> Points {
+    [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate())))
+}
+
+/// From −1 to 1.
+fn centred(random: &mut Rng) -> f64 {
+    2.0 * random.f64() - 1.0
+}
+
+fn anywhere(random: &mut Rng) -> Points {
+    points(|| centred(random))
+}
+
+/// The primitives move little, as in a simulation.
+fn near(random: &mut Rng) -> Points {
+    let [t0, motion] = points(|| centred(random));
+    let end = |i: usize, axis: usize| t0[i][axis] + 0.25 * motion[i][axis];
+    let t1 = [0, 1, 2, 3].map(|i| [0, 1, 2].map(|axis| end(i, axis)));
+    [t0, t1]
+}
+
+/// All points move in the plane z = 0.
+fn planar(random: &mut Rng) -> Points {
+    anywhere(random).map(|now| now.map(|[x, y, _]| [x, y, 0.0]))
+}
+
+/// Small integers: every special position comes up by chance.
+fn integers(random: &mut Rng) -> Points {
+    points(|| f64::from(random.i8(-2..=2)))
+}
