@@ -80,27 +80,27 @@ class Ipctk:
             "any": ipctk.is_step_collision_free,
         }[ask]
 
-    def run(self, x0, x1, _files):
-        clock = time.perf_counter()
-        answer = self.ask(
-            self.mesh, x0, x1, 0.0, broad_phase=self.broad(), narrow_phase_ccd=self.narrow()
-        )
-        return time.perf_counter() - clock, answer
+    def run(self, x0, x1, _files, repeat):
+        seconds = []
+        for _ in range(repeat):
+            clock = time.perf_counter()
+            answer = self.ask(
+                self.mesh, x0, x1, 0.0, broad_phase=self.broad(), narrow_phase_ccd=self.narrow()
+            )
+            seconds.append(time.perf_counter() - clock)
+        return statistics.median(seconds), answer
 
 
 class Exact:
-    """`exact-ccd step`, without the time that it takes to read the files.
-
-    The median of three answers of one process: like ipctk, it has answered before.
-    """
+    """`exact-ccd step`, without the time that it takes to read the files."""
 
     def __init__(self, program, flags, threads):
         self.name = " ".join(["exact-ccd step", *flags])
         self.program, self.flags = program, flags
         self.environment = {**os.environ, "RAYON_NUM_THREADS": str(threads)}
 
-    def run(self, _x0, _x1, files):
-        command = [self.program, "step", *files, "--json", "--repeat", "3", *self.flags]
+    def run(self, _x0, _x1, files, repeat):
+        command = [self.program, "step", *files, "--json", "--repeat", str(repeat), *self.flags]
         done = subprocess.run(command, capture_output=True, text=True, env=self.environment)
         if done.returncode not in (0, 1):
             raise SystemExit(done.stderr)
@@ -111,13 +111,16 @@ class Exact:
         return seconds, 1.0 if report["toi"] is None else report["toi"]
 
 
-def medians(contestants, rounds, x0, x1, files):
-    """The median seconds of each, and what it answered, all of them in turns."""
+def medians(contestants, options, x0, x1, files):
+    """The median seconds of each, and what it answered, all of them in turns.
+
+    In each turn all answer as many times, and the median counts: nobody has to start with cold caches.
+    """
     seconds = [[] for _ in contestants]
     answers = [None] * len(contestants)
-    for _ in range(rounds):
+    for _ in range(options.rounds):
         for index, contestant in enumerate(contestants):
-            time_taken, answers[index] = contestant.run(x0, x1, files)
+            time_taken, answers[index] = contestant.run(x0, x1, files, options.repeat)
             seconds[index].append(time_taken)
     return [statistics.median(times) for times in seconds], answers
 
@@ -146,21 +149,21 @@ def compare(scene, options, threads):
 
     title = f"{scene.name}, {threads} thread{'s' * (threads > 1)}"
     contestants = [ours("--toi"), ours(), *theirs("step", *options.broad)]
-    seconds, answers = medians(contestants, options.rounds, x0, x1, files)
+    seconds, answers = medians(contestants, options, x0, x1, files)
     print_table(f"{title}: the collision-free step", contestants, seconds, answers)
     ours_is_largest = answers[0] >= max(answers[2:])
     print(f"\nOur step is {'' if ours_is_largest else 'NOT '}at least as large as theirs.")
     size = FREE_FRACTION * min(answers[2:])
 
     contestants = [ours("--any"), *theirs("any", *options.broad)]
-    result = medians(contestants, options.rounds, x0, x1, files)
+    result = medians(contestants, options, x0, x1, files)
     print_table(f"{title}: yes or no", contestants, *result)
 
     with tempfile.TemporaryDirectory() as folder:
         free = np.asfortranarray(x0 + size * (x1 - x0))
         end = str(Path(folder) / "end.ply")
         write_ply(end, free, faces)
-        result = medians(contestants, options.rounds, x0, free, [files[0], end])
+        result = medians(contestants, options, x0, free, [files[0], end])
         print_table(f"{title}: yes or no, on a step that is free", contestants, *result)
 
 
@@ -174,7 +177,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program", help="the program exact-ccd")
     parser.add_argument("scenes", help="a folder of scenes, each with a folder of frames", type=Path)
-    parser.add_argument("--rounds", help="how often each is run", type=int, default=5)
+    parser.add_argument("--rounds", help="how often it is each one's turn", type=int, default=5)
+    parser.add_argument("--repeat", help="how often it answers then", type=int, default=3)
     parser.add_argument("--threads", help="how many threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--broad", help="broad phases of ipctk", nargs="+", default=["LBVH"], choices=BROAD_PHASES)
     parser.add_argument("--only", help="the scene with this name")

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use crate::broad_phase::Bvh;
 use crate::candidates::Candidates;
+use crate::detector::Detector;
 use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
 use crate::step::{Step, StepError};
@@ -114,17 +115,14 @@ pub fn step_size(
     let full = Step::new(mesh, start, &end)?;
     match search {
         LineSearch::Exact => {
-            let is_free = |size: f64| -> Result<bool, StepError> {
-                let end = advance(start, direction, size);
-                Ok(Step::new(mesh, start, &end)?.is_free(&Bvh))
-            };
-            let Some(contact) = full.earliest_contact(&Bvh) else {
+            let mut detector = Detector::new(mesh);
+            let Some(contact) = detector.earliest_contact_of(&full) else {
                 return Ok(1.0);
             };
             let impact = contact.impact.time.lower();
             let mut size = impact;
             let mut retreat = impact - impact.next_down();
-            while size > 0.0 && !is_free(size)? {
+            while size > 0.0 && !detector.is_free(start, &advance(start, direction, size))? {
                 size = (impact - retreat).max(0.0);
                 retreat *= 2.0;
             }
