@@ -1,6 +1,8 @@
 //! A frame as a picture: flat shading, the edges of the mesh, and what is marked.
 
-use ccd_mesh::{Frame, Point};
+use std::collections::HashMap;
+
+use ccd_mesh::{Frame, Point, TriangleMesh};
 
 use crate::canvas::{Canvas, Colour};
 use crate::marks::Marks;
@@ -8,7 +10,14 @@ use crate::picture::Picture;
 use crate::view::{View, cross, dot, minus, unit};
 
 const BACKGROUND: Colour = [255, 255, 255];
-const SURFACE: Colour = [166, 189, 219];
+/// Those of the connected parts of a mesh, in turn.
+const SURFACES: [Colour; 5] = [
+    [166, 189, 219],
+    [253, 205, 160],
+    [171, 217, 180],
+    [203, 190, 226],
+    [248, 226, 140],
+];
 const EDGE: Colour = [70, 80, 100];
 const MARK: Colour = [215, 48, 39];
 
@@ -18,9 +27,12 @@ pub(crate) const SAMPLES: usize = 2;
 /// How much nearer to the viewer lines are taken to be than the faces that they bound, in pixels.
 const LIFT: f64 = 0.5;
 
+/// Edges that are shorter than this in the mean, in pixels, are not drawn: they would hide the faces.
+const SHORTEST: f64 = 5.0;
+
 /// The picture of a frame.
 ///
-/// Faces are lit from behind the viewer's shoulder, from either side. What is marked is red, and lies on top of what is as
+/// Connected parts have colours of their own. Faces are lit from behind the viewer's shoulder, from either side. What is marked is red, and lies on top of what is as
 /// near; marked edges and vertices are wider. A vertex that is out of the range of `f64` once it is projected is left out,
 /// with all that has it.
 #[must_use]
@@ -42,8 +54,13 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
             *marked = true;
         }
     }
-    for (face, is_marked) in frame.mesh.faces().iter().zip(is_marked) {
-        let colour = if is_marked { MARK } else { SURFACE };
+    let parts = parts(&frame.mesh);
+    for ((face, is_marked), part) in frame.mesh.faces().iter().zip(is_marked).zip(parts) {
+        let colour = if is_marked {
+            MARK
+        } else {
+            SURFACES[part % SURFACES.len()]
+        };
         let [a, b, c] = face.map(|vertex| frame.positions[vertex as usize]);
         let normal = unit(cross(minus(b, a), minus(c, a)));
         let brightness = 0.35 + 0.65 * normal.map_or(0.0, |normal| dot(normal, light).abs());
@@ -53,8 +70,15 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
         let [x, y, near] = at(vertex);
         [x, y, near + times * LIFT * samples]
     };
-    for &[a, b] in frame.mesh.edges() {
-        canvas.line(lifted(a, 1.0), lifted(b, 1.0), 1.0, EDGE);
+    let edges = frame.mesh.edges();
+    let lengths = edges
+        .iter()
+        .map(|edge| edge.map(at))
+        .map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1]));
+    if lengths.filter(|length| length.is_finite()).sum::<f64>() >= SHORTEST * samples * edges.len() as f64 {
+        for &[a, b] in edges {
+            canvas.line(lifted(a, 1.0), lifted(b, 1.0), 1.0, EDGE);
+        }
     }
     for &[a, b] in &marks.edges {
         canvas.line(lifted(a, 2.0), lifted(b, 2.0), 2.0 * samples, MARK);
@@ -63,6 +87,28 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
         canvas.dot(lifted(vertex, 2.0), 5.0 * samples, MARK);
     }
     Picture::downsampled(view.size, &canvas)
+}
+
+/// The number of the connected part that each face belongs to, in the order of their first faces.
+fn parts(mesh: &TriangleMesh) -> Vec<usize> {
+    let mut parent: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
+    let root = |parent: &mut [u32], mut vertex: u32| {
+        while parent[vertex as usize] != vertex {
+            parent[vertex as usize] = parent[parent[vertex as usize] as usize];
+            vertex = parent[vertex as usize];
+        }
+        vertex
+    };
+    for &[a, b] in mesh.edges() {
+        let [a, b] = [a, b].map(|vertex| root(&mut parent, vertex));
+        parent[a as usize] = b;
+    }
+    let mut numbers = HashMap::new();
+    let number = |[vertex, ..]: &[u32; 3]| {
+        let next = numbers.len();
+        *numbers.entry(root(&mut parent, *vertex)).or_insert(next)
+    };
+    mesh.faces().iter().map(number).collect()
 }
 
 /// A direction from above the viewer's right shoulder.

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+use std::collections::HashSet;
 use std::io::{Cursor, ErrorKind};
 
 use ccd_mesh::{Bounds, Frame, Pair, Point};
@@ -48,6 +49,47 @@ fn a_square_covers_its_area_where_it_is() {
             }
         }
     }
+}
+
+#[test]
+fn connected_parts_have_colours_of_their_own() {
+    let view = View::of(&ten_units(), ABOVE, [100, 100]);
+    let two = squares(&[square(1.0, 4.0, 0.0), square(6.0, 9.0, 0.0)]);
+    let picture = render(&two, &view, &Marks::default());
+    // Off the diagonals, where edges are.
+    let [a, b] = [pixel(&picture, 20, 70), pixel(&picture, 70, 20)];
+    assert!(a != WHITE && b != WHITE && a != b);
+    let mut faces = two.mesh.faces().to_vec();
+    faces.push([2, 4, 4]);
+    let joined = Frame::new(two.positions.clone(), faces).unwrap();
+    let picture = render(&joined, &view, &Marks::default());
+    assert_eq!([pixel(&picture, 20, 70), pixel(&picture, 70, 20)], [a, a]);
+}
+
+#[test]
+fn edges_too_short_to_be_told_apart_are_not_drawn() {
+    let cells = |count: u32| {
+        let places = (0..count * count).map(|cell| [cell % count, cell / count].map(f64::from));
+        let size = 9.0 / f64::from(count);
+        let cell = |[x, y]: [f64; 2]| {
+            square(0.0, size, 0.0).map(|[u, v, z]| [0.5 + size * x + u, 0.5 + size * y + v, z])
+        };
+        let view = View::of(&ten_units(), ABOVE, [100, 100]);
+        let mut joined = squares(&places.map(cell).collect::<Vec<_>>());
+        // All of one part, by faces without area.
+        let mut faces = joined.mesh.faces().to_vec();
+        faces.extend((1..count * count).map(|cell| [4 * (cell - 1), 4 * cell, 4 * cell]));
+        joined = Frame::new(joined.positions, faces).unwrap();
+        render(&joined, &view, &Marks::default())
+    };
+    let colours = |picture: &Picture| {
+        picture.pixels()[50 * 100 + 20..50 * 100 + 80]
+            .iter()
+            .collect::<HashSet<_>>()
+            .len()
+    };
+    assert!(colours(&cells(4)) > 1);
+    assert_eq!(colours(&cells(45)), 1);
 }
 
 #[test]
