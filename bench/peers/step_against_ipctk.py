@@ -120,7 +120,10 @@ def medians(contestants, options, x0, x1, files):
     answers = [None] * len(contestants)
     for _ in range(options.rounds):
         for index, contestant in enumerate(contestants):
-            time_taken, answers[index] = contestant.run(x0, x1, files, options.repeat)
+            time_taken, answer = contestant.run(x0, x1, files, options.repeat)
+            if answers[index] not in (None, answer):
+                raise SystemExit(f"{contestant.name} answers {answers[index]}, then {answer}")
+            answers[index] = answer
             seconds[index].append(time_taken)
     return [statistics.median(times) for times in seconds], answers
 

@@ -85,6 +85,9 @@ impl Contacts {
         all: &Mutex<Self>,
         progress: &(dyn Fn(usize) + Sync),
     ) -> ControlFlow<()> {
+        if candidates.is_empty() {
+            return ControlFlow::Continue(());
+        }
         let mut contacts = Self {
             candidates: candidates.len(),
             ..Self::default()
@@ -96,8 +99,11 @@ impl Contacts {
                 contacts.earliest = earlier(contacts.earliest, Some((time, K::pair(ids))));
             }
         });
-        let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
-        *all = all.merge(contacts);
+        {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            *all = all.merge(contacts);
+        }
+        // Without the lock, for what it does is not known: it may even wait for other threads.
         progress(candidates.len());
         ControlFlow::Continue(())
     }

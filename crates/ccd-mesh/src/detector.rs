@@ -17,8 +17,8 @@ use crate::step_boxes::StepBoxes;
 
 /// Looks for contact in step after step of one mesh.
 ///
-/// The answers are those of [`Step::earliest_contact`] and [`Step::is_free`], whatever was asked before. What stays from
-/// step to step is memory, and the order of the primitives in space, as long as it is good.
+/// No answer depends on what was asked before. What stays from step to step is the memory of boxes and trajectories, and
+/// the order of the primitives in space, as long as it is good.
 ///
 /// ```
 /// use ccd_mesh::{Detector, TriangleMesh};
@@ -51,7 +51,7 @@ const SAMPLE: usize = 64;
 /// A way is short that is so much of an edge: a box around all of it is hardly larger than one that moves along it.
 const SHORT: f64 = 0.25;
 
-/// Boxes are not made anew for a limit that is not below so much of theirs.
+/// Boxes are made anew if the time until which they are wanted has shrunk to so much.
 const SHRINKAGE: f64 = 0.5;
 
 impl<'a> Detector<'a> {
@@ -91,8 +91,8 @@ impl<'a, B: BroadPhase> Detector<'a, B> {
         Ok(self.earliest_contact_of(&Step::new(self.mesh, x0, x1)?))
     }
 
-    /// Whether no two primitives touch in the step from positions `x0` to positions `x1`. Ends at the first contact that
-    /// it comes across.
+    /// Whether no two primitives touch in the step from positions `x0` to positions `x1`. Ends soon after the first contact
+    /// that it comes across.
     ///
     /// # Errors
     /// [`StepError`] says which positions are too many, too few or not finite.
@@ -134,16 +134,21 @@ impl<'a, B: BroadPhase> Detector<'a, B> {
                 narrow_phase,
                 wanted,
             };
-            if wanted.until() < short {
+            let were_short = wanted.until() < short;
+            if were_short {
+                resting.begin(step);
                 search.vertices_and_faces(resting)?;
             } else {
+                moving.begin(step);
                 search.vertices_and_faces(moving)?;
             }
-            if wanted.until() < short {
-                search.edges(resting)
-            } else {
-                search.edges(moving)
+            if wanted.until() >= short {
+                return search.edges(moving);
             }
+            if !were_short {
+                resting.begin(step);
+            }
+            search.edges(resting)
         });
     }
 }
@@ -174,7 +179,6 @@ impl<B: BroadPhase, W: Wanted> Search<'_, B, W> {
     fn vertices_and_faces<const T: usize>(&self, boxes: &mut StepBoxes<'_, T>) -> ControlFlow<()> {
         let look = |pairs: &[_]| self.wanted.look::<PointTriangle>(self.narrow_phase, pairs);
         let time = self.wanted.until();
-        boxes.begin(self.step);
         boxes.vertices_and_faces_until(self.step, time);
         let sample = boxes.vertices.sample(SAMPLE);
         self.broad_phase.between(&sample, &boxes.faces, look)?;
@@ -187,7 +191,6 @@ impl<B: BroadPhase, W: Wanted> Search<'_, B, W> {
     fn edges<const T: usize>(&self, boxes: &mut StepBoxes<'_, T>) -> ControlFlow<()> {
         let look = |pairs: &[_]| self.wanted.look::<SegmentSegment>(self.narrow_phase, pairs);
         let time = self.wanted.until();
-        boxes.begin(self.step);
         boxes.edges_until(self.step, time);
         let sample = boxes.edges.sample(SAMPLE);
         self.broad_phase.between(&sample, &boxes.edges, look)?;
@@ -227,7 +230,7 @@ impl Wanted for IsFree {
 
 /// The first contact that any thread has found.
 struct First {
-    /// The bits of the least f64 that is not below its time: those of times have the order of the times.
+    /// The bits of the least f64 that is not below its time. Written under the lock, so that it only falls.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
 }
@@ -263,6 +266,7 @@ impl Wanted for First {
     fn look<K: PairKind>(&self, narrow_phase: &NarrowPhase<'_>, pairs: &[[u32; 2]]) -> ControlFlow<()> {
         narrow_phase.collisions::<K>(pairs, |ids, query| {
             if let Some(time) = query.contact_times().first()
+                // If they may be equal, the lesser pair comes first.
                 && time.lower() <= self.until()
             {
                 self.add(time, K::pair(ids));

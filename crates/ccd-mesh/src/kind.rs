@@ -48,6 +48,9 @@ impl PairKind for SegmentSegment {
     }
 
     fn pair([a, b]: [u32; 2]) -> Pair {
-        Pair::EdgeEdge { a, b }
+        Pair::EdgeEdge {
+            a: a.min(b),
+            b: a.max(b),
+        }
     }
 }

@@ -19,11 +19,13 @@ pub(crate) struct StepBoxes<'a, const T: usize> {
     pub(crate) vertices: Boxes<T>,
     pub(crate) faces: Boxes<T>,
     pub(crate) edges: Boxes<T>,
-    /// The boxes of the vertices again, in the order of the mesh.
+    /// The boxes of the vertices, in the order of the mesh.
     moving: Vec<MovingBox<T>>,
-    /// Near the mesh, so that single precision is spent on differences.
+    /// A vertex among many, so that single precision is spent on differences.
     origin: Point,
-    /// How far apart successive vertices were when they were ordered.
+    /// Until when these move, or NaN.
+    time: f64,
+    /// How far apart successive vertices have been at least since they were ordered.
     extent: f64,
 }
 
@@ -41,6 +43,7 @@ impl<'a, const T: usize> StepBoxes<'a, T> {
             edges: none(),
             moving: Vec::new(),
             origin: [0.0; 3],
+            time: f64::NAN,
             extent: 0.0,
         }
     }
@@ -48,15 +51,19 @@ impl<'a, const T: usize> StepBoxes<'a, T> {
     /// Takes another step of the mesh: which boxes are near each other in it, not yet where they are.
     pub(crate) fn begin(&mut self, step: &Step<'_>) {
         let [x0, _] = step.positions();
-        let Bounds { lower, upper } = x0.iter().copied().collect();
-        self.origin = match x0 {
-            [] => [0.0; 3],
-            _ => [0, 1, 2].map(|axis: usize| 0.5 * lower[axis] + 0.5 * upper[axis]),
-        };
-        let is_ordered = self.vertices.len() == x0.len();
-        if is_ordered && extent(x0, self.vertices.ids()) <= WEAR * self.extent {
-            return;
+        self.time = f64::NAN;
+        let now = extent(x0, self.vertices.ids());
+        if self.vertices.len() != x0.len() || now > WEAR * self.extent {
+            self.order(x0);
+        } else {
+            self.extent = self.extent.min(now);
         }
+        // That of most vertices is as near as it can be, however far away some are.
+        let middle = self.vertices.ids().get(x0.len() / 2);
+        self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
+    }
+
+    fn order(&mut self, x0: &[Point]) {
         let ids = order(x0);
         self.extent = extent(x0, &ids);
         let mut rank = vec![0; ids.len()];
@@ -84,6 +91,10 @@ impl<'a, const T: usize> StepBoxes<'a, T> {
     }
 
     fn move_vertices(&mut self, step: &Step<'_>, time: f64) {
+        if self.time == time {
+            return;
+        }
+        self.time = time;
         let [x0, x1] = step.positions();
         let origin = self.origin;
         x0.par_iter()

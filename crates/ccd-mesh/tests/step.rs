@@ -387,6 +387,54 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
     assert_eq!(*query.points(), [x0, x1].map(|x| [x[1], x[2], x[0], x[3]]));
 }
 
+/// Counts pairs.
+#[derive(Default)]
+struct Counted(AtomicUsize);
+
+impl BroadPhase for Counted {
+    fn between<const T: usize>(
+        &self,
+        a: &Boxes<T>,
+        b: &Boxes<T>,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        Bvh.between(a, b, |pairs| {
+            self.0.fetch_add(pairs.len(), Ordering::Relaxed);
+            visit(pairs)
+        })
+    }
+
+    fn within<const T: usize>(
+        &self,
+        boxes: &Boxes<T>,
+        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+    ) -> ControlFlow<()> {
+        Bvh.within(boxes, |pairs| {
+            self.0.fetch_add(pairs.len(), Ordering::Relaxed);
+            visit(pairs)
+        })
+    }
+}
+
+/// Single precision is not spent on the way to it.
+#[test]
+fn a_vertex_far_away_makes_no_more_pairs() {
+    let pairs = |stray: Point| {
+        let (mut x0, faces) = sheet(40, 0.0);
+        x0.push(stray);
+        let x1: Vec<Point> = x0.iter().map(|[x, y, z]| [*x, *y, z - 0.1]).collect();
+        let motion = motion(x0, x1, faces);
+        let counted = Counted::default();
+        assert!(motion.step().unwrap().is_free(&counted));
+        counted.0.into_inner()
+    };
+    let near = pairs([3.0, 4.0, 50.0]);
+    assert!(near > 10_000);
+    for far in [1e9, -1e30, f64::MAX] {
+        assert!(pairs([far; 3]) < near + near / 10, "{far}");
+    }
+}
+
 /// Names primitives that there are not.
 struct Nonsense;
 

@@ -32,8 +32,8 @@ pub(crate) struct Arguments {
     /// Tell only whether there is contact: ends at the first that is found.
     #[arg(long)]
     any: bool,
-    /// Ask so many times, for measurements, and report the answer of median duration. As in a simulation, memory and the
-    /// order of the primitives are kept from one to the next.
+    /// Ask so many times, for measurements, and report the answer of median duration. With --toi
+    /// or --any, memory and the order of the primitives are kept from one to the next, as in a simulation.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..))]
     repeat: u32,
     /// Print the report as a JSON object.

@@ -13,7 +13,7 @@ const GRAIN: usize = 64;
 
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
 ///
-/// Each box has an index. Coordinates are rounded to single precision; rounding is monotone, so that boxes which meet
+/// Each box has an index; those of a part of a mesh's primitives have gaps. Coordinates are relative to a common origin, and rounded to single precision; rounding is monotone, so that boxes which meet
 /// still do.
 #[derive(Clone, Debug)]
 pub struct Boxes<const T: usize> {
@@ -75,7 +75,8 @@ impl<const T: usize> Boxes<T> {
         self.ids.is_empty()
     }
 
-    /// The index of each box, and where it is at t = 0 and at t = 1, rounded.
+    /// The index of each box, and where it is at the start and at the end of the time that is looked at, or around all of
+    /// its way (T = 1): relative to a common origin, and rounded.
     pub fn iter(&self) -> impl Iterator<Item = (u32, [Bounds; T])> {
         let boxes = self
             .blocks

@@ -9,7 +9,7 @@ use fearless_simd::{Level, Simd};
 pub struct Instructions(Level);
 
 impl Instructions {
-    /// The widest that this processor has, found at run time with the feature `std`; without, the widest that the
+    /// The widest that this processor has, found at run time on x86 with the feature `std`; otherwise, the widest that the
     /// program is compiled for.
     #[must_use]
     pub fn best() -> Self {
