@@ -10,19 +10,14 @@ use std::error::Error;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use ccd_mesh::{Bounds, Boxes, BroadPhase, Motion, StepReport};
+use ccd_mesh::{Bounds, Boxes, BroadPhase, Motion, StepReport, Visit};
 
 /// Sorts the boxes along x, and hands on each with those that begin before it ends: pairs may be too many, but none is
 /// forgotten.
 struct SortedAlongX;
 
 impl BroadPhase for SortedAlongX {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         let [of_a, of_b] = [a, b].map(intervals);
         for [lower, upper, i] in of_a {
             let overlapping = of_b
@@ -35,12 +30,8 @@ impl BroadPhase for SortedAlongX {
         ControlFlow::Continue(())
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        self.between(boxes, boxes, |pairs| {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        self.between(boxes, boxes, &|pairs| {
             let once: Vec<[u32; 2]> = pairs.iter().copied().filter(|[i, j]| i < j).collect();
             visit(&once)
         })

@@ -6,7 +6,7 @@ use exact_ccd::{PointTriangle, SegmentSegment};
 use rayon::prelude::*;
 
 use crate::bounds::Bounds;
-use crate::broad_phase::{BroadPhase, Found};
+use crate::broad_phase::{BroadPhase, Found, Visit};
 use crate::kind::PairKind;
 use crate::pair::PairCounts;
 use crate::step::Step;
@@ -29,8 +29,8 @@ impl<'a> Candidates<'a> {
         let [vertex_face, edge_edge] = [Found::default(), Found::default()];
         let _ = Overlaps::new(step).visit(
             broad_phase,
-            |pairs| vertex_face.keep(pairs.iter().copied()),
-            |pairs| edge_edge.keep(pairs.iter().copied()),
+            &|pairs| vertex_face.keep(pairs.iter().copied()),
+            &|pairs| edge_edge.keep(pairs.iter().copied()),
         );
         Self {
             step,
@@ -107,8 +107,8 @@ impl<'a> Overlaps<'a> {
     pub(crate) fn visit(
         &self,
         broad_phase: &impl BroadPhase,
-        vertex_face: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-        edge_edge: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
+        vertex_face: &Visit<'_>,
+        edge_edge: &Visit<'_>,
     ) -> ControlFlow<()> {
         let StepBoxes {
             vertices,
@@ -116,10 +116,10 @@ impl<'a> Overlaps<'a> {
             edges,
             ..
         } = &self.boxes;
-        broad_phase.between(vertices, faces, |pairs| {
+        broad_phase.between(vertices, faces, &|pairs| {
             vertex_face(&self.among::<PointTriangle>(&self.vertices, &self.faces, pairs))
         })?;
-        broad_phase.within(edges, |pairs| {
+        broad_phase.within(edges, &|pairs| {
             edge_edge(&self.among::<SegmentSegment>(&self.edges, &self.edges, pairs))
         })
     }

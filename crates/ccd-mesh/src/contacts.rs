@@ -38,8 +38,8 @@ impl StepReport {
         let [vertex_face, edge_edge] = [Mutex::default(), Mutex::default()];
         let _ = overlaps.visit(
             broad_phase,
-            |pairs| Contacts::among::<PointTriangle>(&narrow_phase, pairs, &vertex_face, progress),
-            |pairs| Contacts::among::<SegmentSegment>(&narrow_phase, pairs, &edge_edge, progress),
+            &|pairs| Contacts::among::<PointTriangle>(&narrow_phase, pairs, &vertex_face, progress),
+            &|pairs| Contacts::among::<SegmentSegment>(&narrow_phase, pairs, &edge_edge, progress),
         );
         let [vertex_face, edge_edge] = [vertex_face, edge_edge]
             .map(|contacts: Mutex<Contacts>| contacts.into_inner().unwrap_or_else(PoisonError::into_inner));

@@ -181,11 +181,11 @@ impl<B: BroadPhase, W: Wanted> Search<'_, B, W> {
         let time = self.wanted.until();
         boxes.vertices_and_faces_until(self.step, time);
         let sample = boxes.vertices.sample(SAMPLE);
-        self.broad_phase.between(&sample, &boxes.faces, look)?;
+        self.broad_phase.between(&sample, &boxes.faces, &look)?;
         if self.wanted.until() < SHRINKAGE * time {
             boxes.vertices_and_faces_until(self.step, self.wanted.until());
         }
-        self.broad_phase.between(&boxes.vertices, &boxes.faces, look)
+        self.broad_phase.between(&boxes.vertices, &boxes.faces, &look)
     }
 
     fn edges<const T: usize>(&self, boxes: &mut StepBoxes<'_, T>) -> ControlFlow<()> {
@@ -193,11 +193,11 @@ impl<B: BroadPhase, W: Wanted> Search<'_, B, W> {
         let time = self.wanted.until();
         boxes.edges_until(self.step, time);
         let sample = boxes.edges.sample(SAMPLE);
-        self.broad_phase.between(&sample, &boxes.edges, look)?;
+        self.broad_phase.between(&sample, &boxes.edges, &look)?;
         if self.wanted.until() < SHRINKAGE * time {
             boxes.edges_until(self.step, self.wanted.until());
         }
-        self.broad_phase.within(&boxes.edges, look)
+        self.broad_phase.within(&boxes.edges, &look)
     }
 }
 

@@ -54,7 +54,7 @@ pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Int
     let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
     let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
     let found = Found::default();
-    let _ = Bvh.between(&Boxes::new(&edge_boxes), &Boxes::new(&face_boxes), |pairs| {
+    let _ = Bvh.between(&Boxes::new(&edge_boxes), &Boxes::new(&face_boxes), &|pairs| {
         found.keep(pairs.iter().copied().filter(meet))
     });
     let pairs = found.sorted().into_iter();

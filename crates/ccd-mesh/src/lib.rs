@@ -54,7 +54,7 @@ mod write;
 
 pub use audit::{Audit, Violation};
 pub use bounds::Bounds;
-pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, Found, Sweep};
+pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, Found, Sweep, Visit};
 pub use candidates::Candidates;
 pub use contacts::StepReport;
 pub use detector::Detector;

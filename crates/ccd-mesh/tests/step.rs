@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use ccd_mesh::{
     AllPairs, Boxes, BroadPhase, Bvh, Candidates, Detector, Motion, Pair, PairCounts, Point, Step, StepError,
-    StepReport, Sweep, TriangleMesh, advance, step,
+    StepReport, Sweep, TriangleMesh, Visit, advance, step,
 };
 use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexFace, exact};
 use proptest::prelude::*;
@@ -392,24 +392,15 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
 struct Counted(AtomicUsize);
 
 impl BroadPhase for Counted {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        Bvh.between(a, b, |pairs| {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        Bvh.between(a, b, &|pairs| {
             self.0.fetch_add(pairs.len(), Ordering::Relaxed);
             visit(pairs)
         })
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        Bvh.within(boxes, |pairs| {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        Bvh.within(boxes, &|pairs| {
             self.0.fetch_add(pairs.len(), Ordering::Relaxed);
             visit(pairs)
         })
@@ -439,20 +430,11 @@ fn a_vertex_far_away_makes_no_more_pairs() {
 struct Nonsense;
 
 impl BroadPhase for Nonsense {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         visit(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         self.between(boxes, boxes, visit)
     }
 }

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use ccd_mesh::{Boxes, BroadPhase};
+use ccd_mesh::{Boxes, BroadPhase, Visit};
 
 /// A broad phase that adds up the time of those who visit its pairs.
 pub(crate) struct Timed<B> {
@@ -27,10 +27,7 @@ impl<B> Timed<B> {
     }
 }
 
-fn timed(
-    nanoseconds: &AtomicU64,
-    visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync {
+fn timed(nanoseconds: &AtomicU64, visit: &Visit<'_>) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync {
     move |pairs| {
         let clock = Instant::now();
         let flow = visit(pairs);
@@ -40,20 +37,11 @@ fn timed(
 }
 
 impl<B: BroadPhase> BroadPhase for Timed<B> {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        self.broad_phase.between(a, b, timed(&self.nanoseconds, visit))
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        self.broad_phase.between(a, b, &timed(&self.nanoseconds, visit))
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        self.broad_phase.within(boxes, timed(&self.nanoseconds, visit))
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        self.broad_phase.within(boxes, &timed(&self.nanoseconds, visit))
     }
 }

@@ -125,7 +125,7 @@ fn within(bencher: Bencher<'_, '_>, broad_phase: impl BroadPhase) {
     };
     bencher
         .counter(ItemsCount::new(boxes.len()))
-        .bench(|| broad_phase.within(black_box(&boxes), visit));
+        .bench(|| broad_phase.within(black_box(&boxes), &visit));
 }
 
 #[divan::bench]

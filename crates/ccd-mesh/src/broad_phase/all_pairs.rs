@@ -4,41 +4,32 @@ use core::ops::ControlFlow;
 
 use fearless_simd::{Simd, dispatch};
 
-use super::BroadPhase;
 use super::block::level;
 use super::boxes::Boxes;
 use super::pairs::Pairs;
+use super::{BroadPhase, Visit};
 
 /// Every box against every other: the reference for the tests of the others.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AllPairs;
 
 impl BroadPhase for AllPairs {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, &visit)))
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, visit)))
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
-        dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, &visit)))
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+        dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, visit)))
     }
 }
 
 #[inline(always)]
-fn all<const T: usize, S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+fn all<const T: usize, S: Simd>(
     simd: S,
     a: &Boxes<T>,
     b: &Boxes<T>,
     first: impl Fn(usize) -> usize,
-    mut pairs: Pairs<'_, T, V>,
+    mut pairs: Pairs<'_, T>,
 ) -> ControlFlow<()> {
     for i in 0..a.blocks.len() {
         for j in first(i)..b.blocks.len() {

@@ -5,11 +5,11 @@ use core::ops::{ControlFlow, Range};
 use fearless_simd::{Simd, dispatch};
 use rayon::prelude::*;
 
-use super::BroadPhase;
 use super::block::{Block, LANES, level};
 use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
+use super::{BroadPhase, Visit};
 
 /// Finds the pairs with a hierarchy of boxes, eight below each.
 #[derive(Clone, Copy, Debug, Default)]
@@ -19,27 +19,18 @@ pub struct Bvh;
 const GRAIN: usize = 32;
 
 impl BroadPhase for Bvh {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         let tree = Tree::new(b);
         grains(a).try_for_each(|blocks| {
-            let pairs = Pairs::between(a, b, &visit);
+            let pairs = Pairs::between(a, b, visit);
             dispatch!(level(), simd => tree.look_up(simd, a, blocks, false, pairs))
         })
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         let tree = Tree::new(boxes);
         grains(boxes).try_for_each(|blocks| {
-            let pairs = Pairs::within(boxes, &visit);
+            let pairs = Pairs::within(boxes, visit);
             dispatch!(level(), simd => tree.look_up(simd, boxes, blocks, true, pairs))
         })
     }
@@ -80,13 +71,13 @@ impl<const T: usize> Tree<T> {
     /// Adds all pairs of a box in some blocks and one in the tree; if `later`, only those of a block and itself or a later
     /// one.
     #[inline(always)]
-    fn look_up<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+    fn look_up<S: Simd>(
         &self,
         simd: S,
         a: &Boxes<T>,
         blocks: Range<usize>,
         later: bool,
-        mut pairs: Pairs<'_, T, V>,
+        mut pairs: Pairs<'_, T>,
     ) -> ControlFlow<()> {
         let mut open = [(0, 0); MOST_OPEN];
         for block in blocks {
@@ -96,14 +87,14 @@ impl<const T: usize> Tree<T> {
     }
 
     #[inline(always)]
-    fn descend<S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+    fn descend<S: Simd>(
         &self,
         simd: S,
         block: usize,
         around: &MovingBox<T>,
         later: bool,
         open: &mut [(u32, u32); MOST_OPEN],
-        pairs: &mut Pairs<'_, T, V>,
+        pairs: &mut Pairs<'_, T>,
     ) -> ControlFlow<()> {
         open[0] = (self.levels.len() as u32, 0);
         let mut count = usize::from(self.leaves > 0);

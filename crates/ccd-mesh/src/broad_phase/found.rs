@@ -10,9 +10,9 @@ use rayon::prelude::*;
 /// ```
 /// use ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh, Found};
 ///
-/// let points = Boxes::at_rest(&[1.0, 4.0, 1.0, 1.0].map(|x| Bounds::of([x, 0.0, 0.0])));
+/// let points = Boxes::new(&[1.0, 4.0, 1.0, 1.0].map(|x| [Bounds::of([x, 0.0, 0.0])]));
 /// let found = Found::default();
-/// let _ = Bvh.within(&points, |pairs| found.keep(pairs.iter().copied().filter(|&pair| pair != [0, 2])));
+/// let _ = Bvh.within(&points, &|pairs| found.keep(pairs.iter().copied().filter(|&pair| pair != [0, 2])));
 /// assert_eq!(found.sorted(), [[0, 3], [2, 3]]);
 /// ```
 #[derive(Debug, Default)]

@@ -21,6 +21,9 @@ pub use sweep::Sweep;
 pub(crate) use moving_box::MovingBox;
 pub(crate) use order::{extent, order};
 
+/// Who is shown the pairs that a broad phase finds, and may tell it to break.
+pub type Visit<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
+
 /// A way to find the pairs of moving boxes that meet.
 ///
 /// Two boxes do not meet if some axis separates them at t = 0 and, the same way round, at t = 1, hence at all times
@@ -38,7 +41,7 @@ pub(crate) use order::{extent, order};
 /// let cube = |x: f64| Bounds::of([x, 0.0, 0.0]).union(&Bounds::of([x + 1.0, 1.0, 1.0]));
 /// let cubes = Boxes::new(&[0.0, 1.0, 2.5, 2.0].map(|x| [cube(x)]));
 /// let found = Mutex::new(Vec::new());
-/// let _ = Bvh.within(&cubes, |pairs| {
+/// let _ = Bvh.within(&cubes, &|pairs: &[_]| {
 ///     found.lock().unwrap().extend_from_slice(pairs);
 ///     ControlFlow::Continue(())
 /// });
@@ -48,36 +51,18 @@ pub(crate) use order::{extent, order};
 /// ```
 pub trait BroadPhase: Sync {
     /// Finds the pairs of the index of a box in `a` and that of a box in `b`.
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()>;
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()>;
 
     /// Finds the pairs of two boxes in `boxes`, the lesser index first.
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()>;
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()>;
 }
 
 impl<B: BroadPhase> BroadPhase for &B {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         (**self).between(a, b, visit)
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         (**self).within(boxes, visit)
     }
 }

@@ -4,6 +4,7 @@ use core::ops::ControlFlow;
 
 use fearless_simd::Simd;
 
+use super::Visit;
 use super::block::LANES;
 use super::boxes::Boxes;
 
@@ -11,18 +12,18 @@ use super::boxes::Boxes;
 const CAPACITY: usize = 1024;
 
 /// Pairs of boxes that one thread has found, handed on from time to time.
-pub(super) struct Pairs<'a, const T: usize, V> {
+pub(super) struct Pairs<'a, const T: usize> {
     a: &'a Boxes<T>,
     b: &'a Boxes<T>,
     /// Whether both are the same boxes, and a pair is wanted only once.
     is_within: bool,
     found: Vec<[u32; 2]>,
-    visit: &'a V,
+    visit: &'a Visit<'a>,
 }
 
-impl<'a, const T: usize, V: Fn(&[[u32; 2]]) -> ControlFlow<()>> Pairs<'a, T, V> {
+impl<'a, const T: usize> Pairs<'a, T> {
     /// Of a box in `a` and one in `b`.
-    pub(super) fn between(a: &'a Boxes<T>, b: &'a Boxes<T>, visit: &'a V) -> Self {
+    pub(super) fn between(a: &'a Boxes<T>, b: &'a Boxes<T>, visit: &'a Visit<'a>) -> Self {
         Self {
             a,
             b,
@@ -33,7 +34,7 @@ impl<'a, const T: usize, V: Fn(&[[u32; 2]]) -> ControlFlow<()>> Pairs<'a, T, V> 
     }
 
     /// Of two boxes in `boxes`, the lesser index first. Of two blocks the earlier one has to be asked about the later one.
-    pub(super) fn within(boxes: &'a Boxes<T>, visit: &'a V) -> Self {
+    pub(super) fn within(boxes: &'a Boxes<T>, visit: &'a Visit<'a>) -> Self {
         Self {
             is_within: true,
             ..Self::between(boxes, boxes, visit)

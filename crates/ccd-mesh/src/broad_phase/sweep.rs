@@ -5,11 +5,11 @@ use core::ops::ControlFlow;
 use fearless_simd::{Simd, dispatch};
 use rayon::prelude::*;
 
-use super::BroadPhase;
 use super::block::level;
 use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
+use super::{BroadPhase, Visit};
 
 /// Finds the pairs by a sweep along one axis (Cohen, Lin, Manocha, Ponamgi, *I-COLLIDE: An interactive and exact collision
 /// detection system for large-scale environments*, 1995), with blocks of eight boxes that are near each other.
@@ -20,36 +20,27 @@ pub struct Sweep;
 const GRAIN: usize = 32;
 
 impl BroadPhase for Sweep {
-    fn between<const T: usize>(
-        &self,
-        a: &Boxes<T>,
-        b: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         let axis = longest_axis(b);
         let [of_a, of_b] = [a, b].map(|boxes| Interval::sorted(boxes, axis));
         // Of two intervals that overlap, one begins in the other.
         of_a.par_chunks(GRAIN).try_for_each(|grain| {
             let after = |interval: &Interval| of_b.partition_point(|other| other.lower < interval.lower);
-            let pairs = Pairs::between(a, b, &visit);
+            let pairs = Pairs::between(a, b, visit);
             dispatch!(level(), simd => sweep(simd, grain, |i| (&of_b[after(i)..], false), pairs))
         })?;
         of_b.par_chunks(GRAIN).try_for_each(|grain| {
             let after = |interval: &Interval| of_a.partition_point(|other| other.lower <= interval.lower);
-            let pairs = Pairs::between(a, b, &visit);
+            let pairs = Pairs::between(a, b, visit);
             dispatch!(level(), simd => sweep(simd, grain, |i| (&of_a[after(i)..], true), pairs))
         })
     }
 
-    fn within<const T: usize>(
-        &self,
-        boxes: &Boxes<T>,
-        visit: impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync,
-    ) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
         let intervals = Interval::sorted(boxes, longest_axis(boxes));
         intervals.par_chunks(GRAIN).try_for_each(|grain| {
             let from = |interval: &Interval| (&intervals[interval.position..], false);
-            let pairs = Pairs::within(boxes, &visit);
+            let pairs = Pairs::within(boxes, visit);
             dispatch!(level(), simd => sweep(simd, grain, from, pairs))
         })
     }
@@ -97,11 +88,11 @@ fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
 
 /// Adds the pairs of each block with those that begin while it lasts; these are of `a`, if they are `first` in a pair.
 #[inline(always)]
-fn sweep<'i, const T: usize, S: Simd, V: Fn(&[[u32; 2]]) -> ControlFlow<()>>(
+fn sweep<'i, const T: usize, S: Simd>(
     simd: S,
     intervals: &[Interval],
     later: impl Fn(&Interval) -> (&'i [Interval], bool),
-    mut pairs: Pairs<'_, T, V>,
+    mut pairs: Pairs<'_, T>,
 ) -> ControlFlow<()> {
     for interval in intervals {
         let (others, first) = later(interval);

@@ -105,14 +105,14 @@ impl Pairs {
             [vertex_boxes, face_boxes, edge_boxes].map(|boxes| Boxes::new(&boxes));
 
         let [vertex_face, edge_edge] = [Found::default(), Found::default()];
-        let _ = Bvh.between(&vertex_boxes, &face_boxes, |pairs| {
+        let _ = Bvh.between(&vertex_boxes, &face_boxes, &|pairs| {
             let pairs = pairs
                 .iter()
                 .map(|&[place, face]| [surface.vertices[place as usize], face]);
             vertex_face
                 .keep(pairs.filter(|&[vertex, face]| surface.is_of_concern(&[vertex], &faces[face as usize])))
         });
-        let _ = Bvh.within(&edge_boxes, |pairs| {
+        let _ = Bvh.within(&edge_boxes, &|pairs| {
             edge_edge.keep(pairs.iter().copied().filter(|pair| {
                 let [a, b] = pair.map(|edge| edges[edge as usize]);
                 surface.is_of_concern(&a, &b)

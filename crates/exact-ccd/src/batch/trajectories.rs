@@ -119,9 +119,11 @@ impl Trajectories {
     pub fn collisions<K: Kind>(
         &self,
         queries: &[[u32; 4]],
-        found: impl FnMut(usize, &Query<K>),
+        mut found: impl FnMut(usize, &Query<K>),
     ) -> Result<(), VertexOutOfRange> {
         self.check(queries)?;
+        // Behind a pointer: contacts are few, and the vectors need to be compiled only once for all of whom they are shown to.
+        let found: &mut dyn FnMut(usize, &Query<K>) = &mut found;
         dispatch!(self.instructions.level(), simd => collisions(simd, &self.rows, queries, found));
         Ok(())
     }
@@ -154,7 +156,7 @@ fn collisions<S: Simd, K: Kind>(
     simd: S,
     rows: &[Row],
     queries: &[[u32; 4]],
-    mut found: impl FnMut(usize, &Query<K>),
+    found: &mut dyn FnMut(usize, &Query<K>),
 ) {
     let rows_of = |query: &[u32; 4]| query.map(|vertex| &rows[vertex as usize]);
     let mut near = [0; CHUNK + LANES];
