@@ -40,7 +40,7 @@ pub use element::{Element, Matrix12, Vector12, stack};
 pub use integrator::Integrator;
 pub use script::Script;
 pub use settings::{Friction, Length, Settings};
-pub use simulation::{Simulation, SimulationError};
+pub use simulation::{Meeting, Simulation, SimulationError};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
 pub use system::{System, SystemError};

@@ -203,9 +203,11 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
 /// The error of the settings, at the one that is wrong.
 fn in_settings(document: &Document<'_>, error: &SimulationError) -> SceneError {
     let field = match error {
+        SimulationError::Start(_) => return document.error_of(&[Name("body")], &error.to_string()),
         SimulationError::Setting { what, .. } => what,
         SimulationError::Filter(_) => "ccd",
         SimulationError::State { .. }
+        | SimulationError::NotFinite { .. }
         | SimulationError::Singular { .. }
         | SimulationError::Blocked { .. } => "",
     };

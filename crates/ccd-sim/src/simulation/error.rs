@@ -1,5 +1,6 @@
 //! Simulations that cannot start or go on.
 
+use super::start::Meeting;
 use crate::filter::UnknownFilter;
 use crate::settings::{Length, Settings};
 
@@ -29,6 +30,15 @@ pub enum SimulationError {
         /// How many vertices the system has.
         expected: usize,
     },
+    /// A number of the state is NaN or infinite.
+    #[error("the {what} of the state are not all finite")]
+    NotFinite {
+        /// `positions`, `velocities`, and so on.
+        what: &'static str,
+    },
+    /// Something intersects or touches something already.
+    #[error("{0} meet where the simulation starts, expected a distance between them")]
+    Start(Meeting),
     /// The linear system of a Newton iteration has no solution: forces are not finite, or far out of proportion.
     #[error("step {step}: the linear system has no solution")]
     Singular {

@@ -1,9 +1,10 @@
 //! A simulation, step by step.
 
 mod error;
+mod start;
 mod step;
 
-use ccd_mesh::Bounds;
+use ccd_mesh::{Bounds, Point};
 
 use crate::contact::Barrier;
 use crate::filter::{self, StepFilter};
@@ -13,6 +14,7 @@ use crate::state::State;
 use crate::system::System;
 
 pub use error::SimulationError;
+pub use start::Meeting;
 
 /// A system that moves under elasticity, gravity, contact and friction.
 ///
@@ -42,7 +44,8 @@ impl Simulation {
     /// The simulation of a system from its start.
     ///
     /// # Errors
-    /// [`SimulationError`] names the setting that is out of range.
+    /// [`SimulationError`] names the setting that is out of range, or two parts that intersect or touch at the start. A body that
+    /// is wholly inside of another one meets nothing: that is not told, and it can never come out.
     pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
         let state = State {
             step: 0,
@@ -57,7 +60,8 @@ impl Simulation {
     /// The simulation of a system from a state in which it was.
     ///
     /// # Errors
-    /// [`SimulationError`] names the setting that is out of range, or what of the state does not fit the system.
+    /// [`SimulationError`] names the setting that is out of range, what of the state does not fit the system, or what
+    /// meets in it: as in [`Simulation::new`].
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
         error::check(&settings, system.size())?;
         let expected = system.start.len();
@@ -74,6 +78,25 @@ impl Simulation {
             fits("earlier positions", earlier.positions.len())?;
             fits("earlier velocities", earlier.velocities.len())?;
         }
+        let is_finite = |points: &[Point]| points.as_flattened().iter().all(|x| x.is_finite());
+        let finite = |what, points: &[Point]| {
+            is_finite(points)
+                .then_some(())
+                .ok_or(SimulationError::NotFinite { what })
+        };
+        finite("positions", &state.positions)?;
+        finite("velocities", &state.velocities)?;
+        if let Some(earlier) = &state.earlier {
+            finite("earlier positions", &earlier.positions)?;
+            finite("earlier velocities", &earlier.velocities)?;
+        }
+        if !state
+            .stiffness
+            .is_none_or(|stiffness| stiffness >= 0.0 && stiffness.is_finite())
+        {
+            return Err(SimulationError::NotFinite { what: "stiffness" });
+        }
+        start::check(&system, &state)?;
         let filter = filter::by_name(&settings.ccd, room(&system))?;
         let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
         Ok(Self {

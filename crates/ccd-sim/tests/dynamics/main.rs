@@ -9,4 +9,5 @@ mod measure;
 mod rest;
 mod resume;
 mod scripts;
+mod start;
 mod twist;
