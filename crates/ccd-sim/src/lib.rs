@@ -14,6 +14,7 @@
 //! Lengths are in m, masses in kg, times in s. No result depends on the number of threads.
 
 mod body;
+mod checkpoint;
 pub mod contact;
 pub mod distance;
 mod drive;
@@ -36,6 +37,7 @@ mod statistics;
 mod system;
 
 pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
+pub use checkpoint::Checkpoint;
 pub use element::{Element, Matrix12, Vector12, stack};
 pub use integrator::Integrator;
 pub use script::Script;
@@ -43,4 +45,4 @@ pub use settings::{Friction, Length, Settings};
 pub use simulation::{Meeting, Simulation, SimulationError};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{System, SystemError};
+pub use system::{Fingerprint, System, SystemError};

@@ -8,9 +8,9 @@ use super::description::{BodyDescription, Description, Selection};
 use super::document::{Document, Key, SceneError};
 use super::mesh::Mesh;
 use crate::body::{Body, BodyKind};
+use crate::checkpoint::Checkpoint;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
-use crate::state::State;
 use crate::system::{System, SystemError};
 
 use Key::{Index, Name};
@@ -98,12 +98,12 @@ impl Scene {
         Simulation::new(self.system.clone(), self.settings.clone())
     }
 
-    /// The simulation from a state in which it was.
+    /// The simulation from a checkpoint of it.
     ///
     /// # Errors
-    /// As [`Simulation::resume`].
-    pub fn resume(&self, state: State) -> Result<Simulation, SimulationError> {
-        Simulation::resume(self.system.clone(), self.settings.clone(), state)
+    /// As [`Checkpoint::resume`].
+    pub fn resume(&self, checkpoint: Checkpoint) -> Result<Simulation, SimulationError> {
+        checkpoint.resume(self.system.clone(), self.settings.clone())
     }
 }
 
@@ -208,6 +208,7 @@ fn in_settings(document: &Document<'_>, error: &SimulationError) -> SceneError {
         SimulationError::Filter(_) => "ccd",
         SimulationError::State { .. }
         | SimulationError::NotFinite { .. }
+        | SimulationError::Checkpoint { .. }
         | SimulationError::Singular { .. }
         | SimulationError::Blocked { .. } => "",
     };

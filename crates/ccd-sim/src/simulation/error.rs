@@ -36,6 +36,13 @@ pub enum SimulationError {
         /// `positions`, `velocities`, and so on.
         what: &'static str,
     },
+    /// The checkpoint is that of another simulation.
+    #[error("the checkpoint is of a run with other `{what}`")]
+    Checkpoint {
+        /// The setting, as in [`Settings`] with dots and hyphens, or the part of the system: `positions`, `elements`,
+        /// `velocities`, `materials` or `scripts`.
+        what: &'static str,
+    },
     /// Something intersects or touches something already.
     #[error("{0} meet where the simulation starts, expected a distance between them")]
     Start(Meeting),

@@ -6,12 +6,13 @@ mod step;
 
 use ccd_mesh::{Bounds, Point};
 
+use crate::checkpoint::Checkpoint;
 use crate::contact::Barrier;
 use crate::filter::{self, StepFilter};
 use crate::settings::Settings;
 use crate::solver::LinearSolver;
 use crate::state::State;
-use crate::system::System;
+use crate::system::{Fingerprint, System};
 
 pub use error::SimulationError;
 pub use start::Meeting;
@@ -35,6 +36,7 @@ pub struct Simulation {
     barrier: Barrier,
     solver: LinearSolver,
     state: State,
+    fingerprint: Fingerprint,
 }
 
 /// How much larger than the scene at its start the box is in which [`filter::Parity`] expects it to stay.
@@ -100,6 +102,7 @@ impl Simulation {
         let filter = filter::by_name(&settings.ccd, room(&system))?;
         let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
         Ok(Self {
+            fingerprint: system.fingerprint(),
             system,
             settings,
             filter,
@@ -139,6 +142,16 @@ impl Simulation {
     #[must_use]
     pub fn state(&self) -> &State {
         &self.state
+    }
+
+    /// Where the simulation is, and of what: all that [`Checkpoint::resume`] needs, and checks.
+    #[must_use]
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            settings: self.settings.clone(),
+            system: self.fingerprint.clone(),
+            state: self.state.clone(),
+        }
     }
 
     /// The time in the simulation, in s.

@@ -1,6 +1,7 @@
 //! All bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod error;
+mod fingerprint;
 mod parts;
 
 use std::ops::Range;
@@ -15,6 +16,7 @@ use crate::script::Script;
 use parts::Parts;
 
 pub use error::SystemError;
+pub use fingerprint::Fingerprint;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -132,6 +134,12 @@ impl System {
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.masses
+    }
+
+    /// What tells it from other systems. It takes a look at all of it.
+    #[must_use]
+    pub fn fingerprint(&self) -> Fingerprint {
+        Fingerprint::of(self)
     }
 
     /// The diagonal of the box around everything at the start, in m.

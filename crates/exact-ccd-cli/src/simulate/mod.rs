@@ -146,7 +146,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// A simulation from its start or from the checkpoint in a folder, and the folder.
 fn open(folder: &Path, scene: &Scene, resume: bool) -> Result<(Simulation, OutputFolder), Failure> {
     let simulation = if resume {
-        scene.resume(OutputFolder::checkpoint(folder)?)?
+        OutputFolder::simulation(folder, scene)?
     } else {
         scene.simulation()?
     };
