@@ -38,7 +38,7 @@ pub struct Energies {
     pub elastic: f64,
     /// Of contact: the barrier, as a potential.
     pub barrier: f64,
-    /// What friction dissipated in the step, as its smoothed potential tells.
+    /// What friction dissipated in the step: the sum of μ N f₁ times how far it slipped, with the velocities at the end.
     pub friction: f64,
     /// Of gravity, relative to the origin.
     pub gravity: f64,

@@ -11,6 +11,7 @@ use crate::drive::Drive;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
+use crate::settings::Settings;
 use crate::solver::{Newton, Outcome, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
@@ -101,7 +102,7 @@ impl Simulation {
         statistics.script_lag = now.drive.lag(&now.positions);
         let velocities = scheme.velocities(&now.positions);
         let potential = potential(system, &scheme, now.stiffness, &friction, smoothing);
-        statistics.energies = energies(&potential, settings.gravity, &now, &velocities);
+        statistics.energies = energies(&potential, settings, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
         statistics.stiffness = touched.then_some(now.stiffness);
 
@@ -181,7 +182,14 @@ fn potential<'a>(
     }
 }
 
-fn energies(potential: &Potential<'_>, gravity: Point, now: &Outcome, velocities: &[Point]) -> Energies {
+fn energies(
+    potential: &Potential<'_>,
+    &Settings {
+        gravity, time_step, ..
+    }: &Settings,
+    now: &Outcome,
+    velocities: &[Point],
+) -> Energies {
     let masses = || potential.system.masses.iter();
     // The potential has the square of the duration as a factor.
     let scale = potential.scheme.duration.powi(-2);
@@ -193,7 +201,8 @@ fn energies(potential: &Potential<'_>, gravity: Point, now: &Outcome, velocities
             .sum(),
         elastic: potential.elastic(&now.positions),
         barrier: scale * now.stiffness * now.collisions.value(&now.positions),
-        friction: scale * potential.friction(&now.positions),
+        // Slips are velocities times the duration.
+        friction: scale * potential.friction_work(&now.positions) * time_step / potential.scheme.duration,
         gravity: masses()
             .zip(&now.positions)
             .map(|(m, x)| -m * gravity.dot(&Vector3::from(*x)))
