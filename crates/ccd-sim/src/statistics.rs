@@ -9,7 +9,7 @@ pub struct Statistics {
     pub step: u64,
     /// The time at its end, in s.
     pub time: f64,
-    /// Whether Newton's method reached its tolerance.
+    /// Whether Newton's method reached its tolerance, for each lag of friction.
     pub converged: bool,
     /// How many iterations it took, over all lags of friction.
     pub iterations: usize,

@@ -48,7 +48,7 @@ impl StiffnessRange {
     #[must_use]
     pub fn adapt(&self, stiffness: f64, before: f64, after: f64) -> f64 {
         if before < self.critical && after < self.critical && after < before {
-            (2.0 * stiffness).min(self.greatest)
+            (2.0 * stiffness).min(self.greatest).max(stiffness)
         } else {
             stiffness
         }

@@ -49,6 +49,7 @@ impl Simulation {
         let mut statistics = Statistics {
             step,
             time,
+            converged: true,
             ..Statistics::default()
         };
         let scheme = settings
@@ -90,7 +91,7 @@ impl Simulation {
                 tolerance: settings.tolerance.meters(system.size()),
                 max_iterations: settings.max_iterations,
             };
-            newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
+            statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
             if settings.friction.coefficient == 0.0 {
                 break;

@@ -6,6 +6,7 @@ mod conservation;
 mod filters;
 mod friction;
 mod measure;
+mod newton;
 mod rest;
 mod resume;
 mod scripts;
