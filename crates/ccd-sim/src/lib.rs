@@ -40,7 +40,7 @@ pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
 pub use checkpoint::Checkpoint;
 pub use element::{Element, Matrix12, Vector12, stack};
 pub use integrator::Integrator;
-pub use script::Script;
+pub use script::{Script, ScriptError};
 pub use settings::{Friction, Length, Settings};
 pub use simulation::{Meeting, Simulation, SimulationError};
 pub use state::{Earlier, State};

@@ -84,6 +84,21 @@ pub(super) fn check(settings: &Settings, size: f64) -> Result<(), SimulationErro
             });
         }
     }
+    let distance = number(settings.contact_distance);
+    if !(distance * distance).is_normal() {
+        return Err(SimulationError::Setting {
+            what: "contact-distance",
+            value: distance,
+            expected: "a length whose square is a normal number",
+        });
+    }
+    if settings.max_iterations == 0 {
+        return Err(SimulationError::Setting {
+            what: "max-iterations",
+            value: 0.0,
+            expected: "1 at least",
+        });
+    }
     let coefficient = settings.friction.coefficient;
     if !(coefficient >= 0.0 && coefficient.is_finite()) {
         return Err(SimulationError::Setting {

@@ -7,7 +7,7 @@ mod step;
 use ccd_mesh::{Bounds, Point};
 
 use crate::checkpoint::Checkpoint;
-use crate::contact::Barrier;
+use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::{self, StepFilter};
 use crate::settings::Settings;
 use crate::solver::LinearSolver;
@@ -100,7 +100,15 @@ impl Simulation {
         }
         start::check(&system, &state)?;
         let filter = filter::by_name(&settings.ccd, room(&system))?;
-        let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
+        let distance = settings.contact_distance.meters(system.size());
+        let barrier = Barrier::new(distance);
+        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_finite() {
+            return Err(SimulationError::Setting {
+                what: "contact-distance",
+                value: distance,
+                expected: "a length for which the barrier's stiffness is finite, with the masses that there are",
+            });
+        }
         Ok(Self {
             fingerprint: system.fingerprint(),
             system,

@@ -47,7 +47,11 @@ impl System {
             parts.add(index, body)?;
         }
         let vertex_count = parts.start.len();
-        for (vertices, script) in scripts {
+        for (index, (vertices, script)) in scripts.iter().enumerate() {
+            script.check().map_err(|source| SystemError::Motion {
+                script: index,
+                source,
+            })?;
             for &vertex in vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
                 *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(*script);
