@@ -16,7 +16,8 @@ pub struct State {
     pub velocities: Vec<Point>,
     /// A step earlier, for BDF2.
     pub earlier: Option<Earlier>,
-    /// The stiffness κ of the barrier, in kg/m², once there has been contact.
+    /// The stiffness of the barrier as an energy, in kg/(m² s²), once there has been contact: κ over the square of the time
+    /// that forces act, which is not that of the next step where BDF2 follows implicit Euler.
     pub stiffness: Option<f64>,
 }
 

@@ -68,7 +68,7 @@ impl Simulation {
             self.barrier.reach().sqrt(),
         );
         let collisions = Collisions::new(&system.surface, &pairs, &positions, &system.start, self.barrier);
-        let mut lagged = self.state.stiffness;
+        let mut lagged = self.kept_stiffness(&scheme);
         let mut now = Outcome {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
             drive: Drive::new(system, &positions, time),
@@ -115,7 +115,9 @@ impl Simulation {
                 positions: now.positions,
                 velocities,
                 earlier: None,
-                stiffness: statistics.stiffness,
+                stiffness: statistics
+                    .stiffness
+                    .map(|stiffness| stiffness * scheme.duration.powi(-2)),
             },
         );
         self.state.earlier = Some(Earlier {
@@ -134,7 +136,7 @@ impl Simulation {
         range: &StiffnessRange,
         smoothing: Smoothing,
     ) -> f64 {
-        let before = self.state.stiffness.unwrap_or(0.0);
+        let before = self.kept_stiffness(scheme).unwrap_or(0.0);
         if collisions.as_slice().is_empty() {
             return before.max(range.least);
         }
@@ -149,6 +151,12 @@ impl Simulation {
             }
         }
         before.max(range.balance(&energy, &barriers))
+    }
+
+    /// κ with which the barrier repels as in the step before.
+    fn kept_stiffness(&self, scheme: &Scheme) -> Option<f64> {
+        let energy = self.state.stiffness;
+        energy.map(|stiffness| stiffness * scheme.duration * scheme.duration)
     }
 
     fn friction(&self, now: &Outcome, stiffness: f64) -> Vec<FrictionContact> {

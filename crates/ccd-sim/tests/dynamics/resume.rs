@@ -48,6 +48,29 @@ fn killed_and_resumed_it_comes_to_the_same_bits() {
     }
 }
 
+/// The barrier goes on to repel as it did, though BDF2 scales its potential otherwise than its first step does, which is one of
+/// implicit Euler.
+#[test]
+fn the_barrier_of_bdf2_repels_as_that_of_its_first_step() {
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    while simulation.step().unwrap().contacts == 0 {}
+    // From there on, as if from the start.
+    let mut state = simulation.state().clone();
+    state.earlier = None;
+    // In the middle of its range, so that it is kept.
+    state.stiffness = state.stiffness.map(|stiffness| 10.0 * stiffness);
+    let expected = state.stiffness.unwrap();
+    let mut simulation = Simulation::resume(system(), settings(), state).unwrap();
+    for duration in [0.01, 0.02 / 3.0] {
+        let stiffness = simulation.step().unwrap().stiffness.unwrap();
+        let energy = stiffness / (duration * duration);
+        assert!(
+            (energy / expected - 1.0).abs() < 1e-12,
+            "{energy}, expected {expected}"
+        );
+    }
+}
+
 #[test]
 fn a_state_of_another_system_is_refused() {
     let simulation = Simulation::new(system(), settings()).unwrap();
