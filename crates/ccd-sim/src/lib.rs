@@ -11,7 +11,8 @@
 //! - [`Simulation`] takes the steps of a system, each with [`Statistics`].
 //! - [`State`] is all that it needs to go on, after it has been written and read.
 //!
-//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads.
+//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. It
+//! may depend on the processor: the sparse solver chooses vector instructions when it runs.
 
 mod body;
 mod checkpoint;

@@ -3,7 +3,8 @@
 use ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
-/// All that a simulation needs to go on. Written and read without loss, it goes on to the same bits.
+/// All that a simulation needs to go on. Written and read without loss, it goes on to the same bits, on
+/// the same machine.
 ///
 /// Friction needs nothing more: its normal forces at the start of a step are those at `positions`, with `stiffness`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -15,7 +15,8 @@ pub struct Statistics {
     pub iterations: usize,
     /// What part of each direction was taken.
     pub step_sizes: Vec<f64>,
-    /// How many features are within the contact distance, at the end.
+    /// How many pairs of features are within the contact distance, at the end: each once, however many pairs of primitives
+    /// have it in common.
     pub contacts: usize,
     /// The least distance, in m, or `None` if nothing is within the contact distance.
     pub minimal_distance: Option<f64>,
