@@ -11,9 +11,11 @@
 //! - [`Simulation`] takes the steps of a system, each with [`Statistics`].
 //! - [`State`] is all that it needs to go on, after it has been written and read.
 //!
-//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads.
+//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. It
+//! may depend on the processor: the sparse solver chooses vector instructions when it runs.
 
 mod body;
+mod checkpoint;
 pub mod contact;
 pub mod distance;
 mod drive;
@@ -36,11 +38,12 @@ mod statistics;
 mod system;
 
 pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
+pub use checkpoint::Checkpoint;
 pub use element::{Element, Matrix12, Vector12, stack};
 pub use integrator::Integrator;
-pub use script::Script;
+pub use script::{Script, ScriptError};
 pub use settings::{Friction, Length, Settings};
-pub use simulation::{Simulation, SimulationError};
+pub use simulation::{Meeting, Simulation, SimulationError};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
-pub use system::{System, SystemError};
+pub use system::{Fingerprint, System, SystemError};

@@ -31,7 +31,53 @@ pub enum Script {
     },
 }
 
+/// A number of a script is out of range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("`{field}` is out of range, expected {expected}")]
+pub struct ScriptError {
+    /// Which, after the kind of the script and a dot.
+    pub field: &'static str,
+    /// What it should be.
+    pub expected: &'static str,
+}
+
 impl Script {
+    /// Whether its numbers are in range.
+    ///
+    /// # Errors
+    /// [`ScriptError`] names the one that is not.
+    pub fn check(&self) -> Result<(), ScriptError> {
+        let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
+        let is_time = |until: Option<f64>| until.is_none_or(|until| until >= 0.0);
+        let (numbers, time) = ("finite numbers", "a number not below 0");
+        let checks = match self {
+            Self::Fixed => Vec::new(),
+            Self::Moving { velocity, until } => vec![
+                ("moving.velocity", is_finite(velocity), numbers),
+                ("moving.until", is_time(*until), time),
+            ],
+            Self::Twisting {
+                center,
+                axis,
+                rate,
+                until,
+            } => vec![
+                ("twisting.center", is_finite(center), numbers),
+                (
+                    "twisting.axis",
+                    Vector3::from(*axis).norm().is_normal(),
+                    "a direction",
+                ),
+                ("twisting.rate", rate.is_finite(), "a finite number"),
+                ("twisting.until", is_time(*until), time),
+            ],
+        };
+        match checks.into_iter().find(|(_, is_good, _)| !is_good) {
+            None => Ok(()),
+            Some((field, _, expected)) => Err(ScriptError { field, expected }),
+        }
+    }
+
     /// Where a vertex is at a time (in s) that was at `start` at time 0.
     #[must_use]
     pub fn position(&self, start: Point, time: f64) -> Point {

@@ -94,6 +94,9 @@ pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     }
 }
 
+/// How many cells a [`solid_box`], a [`cloth`] or a [`floor`] of a scene file has at most.
+pub const MOST_CELLS: u64 = 1 << 20;
+
 /// How often [`sphere`] subdivides at most: 20 · 4⁶ triangles.
 pub const FINEST_SPHERE: u8 = 6;
 

@@ -3,7 +3,8 @@
 use ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
-/// All that a simulation needs to go on. Written and read without loss, it goes on to the same bits.
+/// All that a simulation needs to go on. Written and read without loss, it goes on to the same bits, on
+/// the same machine.
 ///
 /// Friction needs nothing more: its normal forces at the start of a step are those at `positions`, with `stiffness`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -16,7 +17,8 @@ pub struct State {
     pub velocities: Vec<Point>,
     /// A step earlier, for BDF2.
     pub earlier: Option<Earlier>,
-    /// The stiffness κ of the barrier, in kg/m², once there has been contact.
+    /// The stiffness of the barrier as an energy, in kg/(m² s²), once there has been contact: κ over the square of the time
+    /// that forces act, which is not that of the next step where BDF2 follows implicit Euler.
     pub stiffness: Option<f64>,
 }
 

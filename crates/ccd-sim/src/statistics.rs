@@ -9,13 +9,14 @@ pub struct Statistics {
     pub step: u64,
     /// The time at its end, in s.
     pub time: f64,
-    /// Whether Newton's method reached its tolerance.
+    /// Whether Newton's method reached its tolerance, for each lag of friction.
     pub converged: bool,
     /// How many iterations it took, over all lags of friction.
     pub iterations: usize,
     /// What part of each direction was taken.
     pub step_sizes: Vec<f64>,
-    /// How many features are within the contact distance, at the end.
+    /// How many pairs of features are within the contact distance, at the end: each once, however many pairs of primitives
+    /// have it in common.
     pub contacts: usize,
     /// The least distance, in m, or `None` if nothing is within the contact distance.
     pub minimal_distance: Option<f64>,
@@ -38,7 +39,7 @@ pub struct Energies {
     pub elastic: f64,
     /// Of contact: the barrier, as a potential.
     pub barrier: f64,
-    /// What friction dissipated in the step, as its smoothed potential tells.
+    /// What friction dissipated in the step: the sum of μ N f₁ times how far it slipped, with the velocities at the end.
     pub friction: f64,
     /// Of gravity, relative to the origin.
     pub gravity: f64,

@@ -42,10 +42,12 @@ fn moving<'a>(simulation: &'a Simulation, state: &'a State) -> impl Iterator<Ite
 
 #[test]
 fn the_small_mat_twists_without_intersection() {
-    let (simulation, _) = run("small-mat-twist.toml", 10);
+    let (simulation, all) = run("small-mat-twist.toml", 55);
+    assert!(all.iter().any(|statistics| statistics.contacts > 0));
+    assert!(all.iter().all(|statistics| statistics.script_lag == 0.0));
     let bounds: Bounds = simulation.state().positions.iter().copied().collect();
-    // The ends, 0.5 m wide, have turned by 0.5 rad.
-    let height = 0.25 * (0.4_f64 * core::f64::consts::PI * 0.4).sin();
+    // The ends, 0.5 m wide, have turned by 2.8 rad, as their scripts say.
+    let height = 0.25 * (0.4_f64 * core::f64::consts::PI * 2.2).sin();
     assert!(bounds.upper[1] > height, "{bounds:?}");
 }
 
@@ -58,9 +60,8 @@ fn the_small_mat_is_the_same_on_any_number_of_threads() {
             .unwrap();
         let mut simulation = scene("small-mat-twist.toml").simulation().unwrap();
         pool.install(|| {
-            for _ in 0..10 {
-                simulation.step().unwrap();
-            }
+            let contacts: usize = (0..55).map(|_| simulation.step().unwrap().contacts).sum();
+            assert!(contacts > 0, "nothing came near");
         });
         // As text, in which −0.0 is not 0.0.
         serde_json::to_string(simulation.state()).unwrap()
@@ -72,7 +73,16 @@ fn the_small_mat_is_the_same_on_any_number_of_threads() {
 fn blocks_come_down_on_the_slope() {
     let (simulation, all) = run("blocks-on-slope.toml", 30);
     assert!(all.iter().any(|statistics| statistics.contacts > 0));
-    assert!(all.iter().any(|statistics| statistics.energies.friction > 0.0));
+    // Friction takes what is lost, or less: the integrator dissipates too.
+    let lost = all[0].energies.mechanical() - all[29].energies.mechanical();
+    let friction: f64 = all[1..]
+        .iter()
+        .map(|statistics| statistics.energies.friction)
+        .sum();
+    assert!(
+        friction > 0.01 * lost && friction < lost,
+        "{friction} of {lost} J"
+    );
     // The slope falls by tan 30° from (−1, ½) on.
     let slope = 30_f64.to_radians().tan();
     for [x, y, _] in moving(&simulation, simulation.state()) {

@@ -131,6 +131,94 @@ fn errors_name_file_line_and_field() {
             "scene.toml, line 35, body[1].script[1].vertices: no vertex of the body is there",
         ),
     ];
+    assert_errors(&cases);
+}
+
+#[test]
+fn numbers_out_of_range_are_told_at_their_field() {
+    let cases = [
+        (
+            "time-step = 0.02",
+            "time-step = 0.0",
+            "scene.toml, line 5, settings.time-step: `time-step` is 0, expected a positive number",
+        ),
+        (
+            "time-step = 0.02",
+            "time-step = nan",
+            "scene.toml, line 5, settings.time-step: `time-step` is NaN, expected a positive number",
+        ),
+        (
+            "contact-distance = { absolute = 1e-3 }",
+            "contact-distance = { absolute = 1e160 }",
+            "scene.toml, line 8, settings.contact-distance: `contact-distance` is 1000",
+        ),
+        (
+            "contact-distance = { absolute = 1e-3 }",
+            "contact-distance = { absolute = 1e-160 }",
+            "scene.toml, line 8, settings.contact-distance: `contact-distance` is 0.000",
+        ),
+        (
+            "max-iterations = 50",
+            "max-iterations = 0",
+            "scene.toml, line 10, settings.max-iterations: `max-iterations` is 0, expected 1 at least",
+        ),
+        // So heavy that the barrier would have to be infinitely stiff.
+        (
+            "density = 1000.0",
+            "density = 1e308",
+            "scene.toml, line 8, settings.contact-distance: `contact-distance` is 0.001, expected a length for which",
+        ),
+        (
+            "density = 300.0",
+            "density = 1e-320",
+            "scene.toml, line 28, body[1].shell.density: body 1: element 0 has a mass of 0",
+        ),
+        (
+            "axis = [1.0, 0.0, 0.0], degrees",
+            "axis = [0.0, 0.0, 0.0], degrees",
+            "scene.toml, line 22, body[0].rotate: the axis has no direction",
+        ),
+        (
+            "velocity = [0.0, 1.0, 0.0]",
+            "velocity = [0.0, nan, 0.0]",
+            "scene.toml, line 24, body[0].velocity: body 0: the velocity is [0.0, NaN, 0.0], expected finite numbers",
+        ),
+        (
+            "translate = [0.0, -1.0, 0.0]",
+            "translate = [0.0, -1.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]",
+            "scene.toml, line 41, body[2].velocity: body 2: the velocity is [1.0, 0.0, 0.0], expected none",
+        ),
+        (
+            "axis = [1.0, 0.0, 0.0], rate",
+            "axis = [0.0, 0.0, 0.0], rate",
+            "scene.toml, line 32, body[1].script[0].motion.twisting.axis: ",
+        ),
+        (
+            "rate = 2.0",
+            "rate = inf",
+            "scene.toml, line 32, body[1].script[0].motion.twisting.rate: ",
+        ),
+        (
+            "rate = 2.0",
+            "rate = 2.0, until = -1.0",
+            "scene.toml, line 32, body[1].script[0].motion.twisting.until: ",
+        ),
+        (
+            "motion = \"fixed\"",
+            "motion = { moving = { velocity = [nan, 0.0, 0.0] } }",
+            "scene.toml, line 36, body[1].script[1].motion.moving.velocity: ",
+        ),
+        (
+            "grid = { cells = [1, 1], size = [9.0, 9.0] }",
+            "grid = { cells = [2000, 2000], size = [9.0, 9.0] }",
+            "scene.toml, line 39, body[2].shape: 4000000 cells, expected at most 1048576",
+        ),
+    ];
+    assert_errors(&cases);
+}
+
+#[track_caller]
+fn assert_errors(cases: &[(&str, &str, &str)]) {
     for (from, to, expected) in cases {
         let error = error_with(from, to);
         assert!(error.starts_with(expected), "{error}\nexpected {expected}");

@@ -32,6 +32,12 @@ impl StiffnessRange {
         }
     }
 
+    /// Whether there is such a range, among f64.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.least.is_finite() && self.greatest.is_finite()
+    }
+
     /// The κ with which the barriers balance the other forces best, in the range.
     #[must_use]
     pub fn balance(&self, energy: &[Vector3<f64>], barriers: &[Vector3<f64>]) -> f64 {
@@ -48,7 +54,7 @@ impl StiffnessRange {
     #[must_use]
     pub fn adapt(&self, stiffness: f64, before: f64, after: f64) -> f64 {
         if before < self.critical && after < self.critical && after < before {
-            (2.0 * stiffness).min(self.greatest)
+            (2.0 * stiffness).min(self.greatest).max(stiffness)
         } else {
             stiffness
         }

@@ -66,11 +66,9 @@ impl Hinge {
         }
     }
 
-    /// θ − θ₀, within half a turn.
+    /// θ − θ₀. Both are within half a turn: where the angle jumps, the faces touch, and there nothing passes.
     fn bend(&self, shape: &Shape) -> f64 {
-        let turn = core::f64::consts::TAU;
-        let bend = shape.angle() - self.rest;
-        bend - turn * (bend / turn).round()
+        shape.angle() - self.rest
     }
 }
 

@@ -4,9 +4,9 @@ use ccd_mesh::{Decision, Point};
 use ccd_methods::{Answer, Method, Time};
 use exact_ccd::{EdgeEdge, VertexFace};
 
-use super::StepFilter;
 use super::bisection::Bisection;
 use super::increment::Increment;
+use super::{LAST, StepFilter};
 
 /// A method of [`ccd_methods`]: by the times that it tells, if it does, else by [`Bisection`] with what it decides.
 ///
@@ -40,7 +40,7 @@ impl StepFilter for ByMethod {
         let time = |answer: Answer| {
             answer
                 .is_contact()
-                .then(|| answer.time().unwrap_or(0.0).clamp(0.0, 1.0))
+                .then(|| answer.time().unwrap_or(0.0).clamp(0.0, LAST))
         };
         let earliest = increment.earliest(
             |query| time(method.vertex_face(query)),

@@ -7,8 +7,8 @@ use exact_ccd::batch::Trajectories;
 use exact_ccd::{ContactTime, Kind, PointTriangle, Query, SegmentSegment};
 use rayon::prelude::*;
 
-use super::StepFilter;
 use super::increment::Increment;
+use super::{LAST, StepFilter};
 
 /// The exact time of impact of the full step, and the exact decision of the step that is taken.
 #[derive(Clone, Copy, Debug, Default)]
@@ -30,7 +30,11 @@ impl StepFilter for Exact {
             |query| earliest.add(query),
             || false,
         );
-        if is_sound { earliest.time().min(1.0) } else { 0.0 }
+        if is_sound {
+            earliest.time().map_or(1.0, |time| time.min(LAST))
+        } else {
+            0.0
+        }
     }
 
     fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool {
@@ -102,8 +106,8 @@ impl Earliest {
         }
     }
 
-    /// Its time, rounded down; infinite if there is none.
-    fn time(&self) -> f64 {
-        f64::from_bits(self.0.load(Ordering::Relaxed))
+    /// Its time, rounded down.
+    fn time(&self) -> Option<f64> {
+        Some(f64::from_bits(self.0.load(Ordering::Relaxed))).filter(|time| time.is_finite())
     }
 }

@@ -19,13 +19,17 @@ pub trait StepFilter: Send + Sync {
     /// The name by which it is chosen.
     fn name(&self) -> &str;
 
-    /// How much of the increment is free of contact, from 0 to 1, according to this method.
+    /// How much of the increment is free of contact, from 0 to 1, according to this method: 1 only if all of it is, at most
+    /// [`LAST`] if there is a contact, even one at the very end.
     fn largest(&self, increment: &Increment<'_>) -> f64;
 
     /// Whether the step from the start of the increment to these positions is free of contact, according to this method.
     /// The positions lie between the start and the end of the increment.
     fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool;
 }
+
+/// The greatest part of a step that is not all of it.
+pub const LAST: f64 = 1.0_f64.next_down();
 
 /// No method has the name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

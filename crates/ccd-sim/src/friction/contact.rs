@@ -43,6 +43,13 @@ impl FrictionContact {
         self.bound * smoothing.potential(self.slip(displacements).norm())
     }
 
+    /// What the force does against the slip since the start of the step: f₁(y) y times the bound.
+    #[must_use]
+    pub fn work(&self, displacements: &[Vector3<f64>; 4], smoothing: Smoothing) -> f64 {
+        let slip = self.slip(displacements).norm();
+        self.bound * smoothing.force_over_slip(slip) * slip * slip
+    }
+
     /// The derivatives of the potential. Its Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, displacements: &[Vector3<f64>; 4], smoothing: Smoothing) -> Element {

@@ -8,9 +8,9 @@ use super::description::{BodyDescription, Description, Selection};
 use super::document::{Document, Key, SceneError};
 use super::mesh::Mesh;
 use crate::body::{Body, BodyKind};
+use crate::checkpoint::Checkpoint;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
-use crate::state::State;
 use crate::system::{System, SystemError};
 
 use Key::{Index, Name};
@@ -72,6 +72,20 @@ impl Scene {
                     ];
                     return Err(document.error_of(&path, "no vertex of the body is there"));
                 }
+                script.motion.check().map_err(|error| {
+                    let script = [
+                        Name("body"),
+                        Index(index),
+                        Name("script"),
+                        Index(number),
+                        Name("motion"),
+                    ];
+                    let path: Vec<Key<'_>> = script
+                        .into_iter()
+                        .chain(error.field.split('.').map(Name))
+                        .collect();
+                    document.error_of(&path, &error.to_string())
+                })?;
                 scripts.push((selected, script.motion));
             }
             first += body.points.len() as u32;
@@ -79,15 +93,17 @@ impl Scene {
         }
         let system =
             System::new(&bodies, &scripts).map_err(|error| locate(&document, &description, &error))?;
-        let scene = Self {
-            steps: steps(&document, description.duration, settings.time_step)?,
+        let mut scene = Self {
             system,
             settings,
+            steps: 0,
         };
-        match scene.simulation() {
-            Ok(_) => Ok(scene),
-            Err(error) => Err(in_settings(&document, &error)),
-        }
+        scene
+            .simulation()
+            .map_err(|error| in_settings(&document, &error))?;
+        // Only now is the time step known to be positive.
+        scene.steps = steps(&document, description.duration, scene.settings.time_step)?;
+        Ok(scene)
     }
 
     /// The simulation from the start.
@@ -98,12 +114,12 @@ impl Scene {
         Simulation::new(self.system.clone(), self.settings.clone())
     }
 
-    /// The simulation from a state in which it was.
+    /// The simulation from a checkpoint of it.
     ///
     /// # Errors
-    /// As [`Simulation::resume`].
-    pub fn resume(&self, state: State) -> Result<Simulation, SimulationError> {
-        Simulation::resume(self.system.clone(), self.settings.clone(), state)
+    /// As [`Checkpoint::resume`].
+    pub fn resume(&self, checkpoint: Checkpoint) -> Result<Simulation, SimulationError> {
+        checkpoint.resume(self.system.clone(), self.settings.clone())
     }
 }
 
@@ -139,6 +155,9 @@ fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static st
             return Err(("shell", "it is solid already, expected one of the two".to_owned()));
         }
     };
+    if described.rotate.is_some_and(|rotation| !rotation.has_axis()) {
+        return Err(("rotate", "the axis has no direction, expected one".to_owned()));
+    }
     let points = points.into_iter().map(|point| described.place(point)).collect();
     let velocity = described.velocity;
     Ok(Body {
@@ -179,11 +198,18 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
     let (body, field) = match error {
         SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
         SystemError::Moduli { body, source } => (*body, Some(source.field())),
+        SystemError::Mass { body, .. } => (*body, Some("density")),
+        SystemError::Velocity { body, .. } => {
+            let path = [Name("body"), Index(*body), Name("velocity")];
+            return document.error_of(&path, &error.to_string());
+        }
         SystemError::Index { body, .. }
         | SystemError::NotFinite { body, .. }
         | SystemError::Solid { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
-        SystemError::Script { .. } => return document.error_of(&[Name("body")], &error.to_string()),
+        SystemError::Script { .. } | SystemError::Motion { .. } => {
+            return document.error_of(&[Name("body")], &error.to_string());
+        }
     };
     let is_solid = description
         .body
@@ -203,9 +229,12 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
 /// The error of the settings, at the one that is wrong.
 fn in_settings(document: &Document<'_>, error: &SimulationError) -> SceneError {
     let field = match error {
+        SimulationError::Start(_) => return document.error_of(&[Name("body")], &error.to_string()),
         SimulationError::Setting { what, .. } => what,
         SimulationError::Filter(_) => "ccd",
         SimulationError::State { .. }
+        | SimulationError::NotFinite { .. }
+        | SimulationError::Checkpoint { .. }
         | SimulationError::Singular { .. }
         | SimulationError::Blocked { .. } => "",
     };

@@ -36,6 +36,14 @@ impl Mesh {
 
     /// The mesh of a shape.
     pub(super) fn generate(shape: Shape) -> Result<Self, String> {
+        let cells: u64 = match shape {
+            Shape::Box { cells, .. } => cells.map(u64::from).iter().product(),
+            Shape::Grid { cells, .. } => cells.map(u64::from).iter().product(),
+            Shape::Sphere { .. } => 0,
+        };
+        if cells > shapes::MOST_CELLS {
+            return Err(format!("{cells} cells, expected at most {}", shapes::MOST_CELLS));
+        }
         let Body { points, kind, .. } = match shape {
             Shape::Box { cells, size } => shapes::solid_box(cells, size),
             Shape::Grid { cells, size } => shapes::cloth(cells, size),

@@ -32,6 +32,13 @@ pub struct Rotation {
     pub degrees: f64,
 }
 
+impl Rotation {
+    /// Whether the axis has a direction.
+    pub(super) fn has_axis(&self) -> bool {
+        Vector3::from(self.axis).norm().is_normal()
+    }
+}
+
 impl BodyDescription {
     /// Where a point of the mesh is in the scene.
     #[must_use]

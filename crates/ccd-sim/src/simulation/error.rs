@@ -1,5 +1,6 @@
 //! Simulations that cannot start or go on.
 
+use super::start::Meeting;
 use crate::filter::UnknownFilter;
 use crate::settings::{Length, Settings};
 
@@ -29,6 +30,22 @@ pub enum SimulationError {
         /// How many vertices the system has.
         expected: usize,
     },
+    /// A number of the state is NaN or infinite.
+    #[error("the {what} of the state are not all finite")]
+    NotFinite {
+        /// `positions`, `velocities`, and so on.
+        what: &'static str,
+    },
+    /// The checkpoint is that of another simulation.
+    #[error("the checkpoint is of a run with other `{what}`")]
+    Checkpoint {
+        /// The setting, as in [`Settings`] with dots and hyphens, or the part of the system: `positions`, `elements`,
+        /// `velocities`, `materials` or `scripts`.
+        what: &'static str,
+    },
+    /// Something intersects or touches something already.
+    #[error("{0} meet where the simulation starts, expected a distance between them")]
+    Start(Meeting),
     /// The linear system of a Newton iteration has no solution: forces are not finite, or far out of proportion.
     #[error("step {step}: the linear system has no solution")]
     Singular {
@@ -66,6 +83,21 @@ pub(super) fn check(settings: &Settings, size: f64) -> Result<(), SimulationErro
                 expected,
             });
         }
+    }
+    let distance = number(settings.contact_distance);
+    if !(distance * distance).is_normal() {
+        return Err(SimulationError::Setting {
+            what: "contact-distance",
+            value: distance,
+            expected: "a length whose square is a normal number",
+        });
+    }
+    if settings.max_iterations == 0 {
+        return Err(SimulationError::Setting {
+            what: "max-iterations",
+            value: 0.0,
+            expected: "1 at least",
+        });
     }
     let coefficient = settings.friction.coefficient;
     if !(coefficient >= 0.0 && coefficient.is_finite()) {

@@ -1,18 +1,21 @@
 //! A simulation, step by step.
 
 mod error;
+mod start;
 mod step;
 
-use ccd_mesh::Bounds;
+use ccd_mesh::{Bounds, Point};
 
-use crate::contact::Barrier;
+use crate::checkpoint::Checkpoint;
+use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::{self, StepFilter};
 use crate::settings::Settings;
 use crate::solver::LinearSolver;
 use crate::state::State;
-use crate::system::System;
+use crate::system::{Fingerprint, System};
 
 pub use error::SimulationError;
+pub use start::Meeting;
 
 /// A system that moves under elasticity, gravity, contact and friction.
 ///
@@ -33,6 +36,7 @@ pub struct Simulation {
     barrier: Barrier,
     solver: LinearSolver,
     state: State,
+    fingerprint: Fingerprint,
 }
 
 /// How much larger than the scene at its start the box is in which [`filter::Parity`] expects it to stay.
@@ -42,7 +46,8 @@ impl Simulation {
     /// The simulation of a system from its start.
     ///
     /// # Errors
-    /// [`SimulationError`] names the setting that is out of range.
+    /// [`SimulationError`] names the setting that is out of range, or two parts that intersect or touch at the start. A body that
+    /// is wholly inside of another one meets nothing: that is not told, and it can never come out.
     pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
         let state = State {
             step: 0,
@@ -57,7 +62,8 @@ impl Simulation {
     /// The simulation of a system from a state in which it was.
     ///
     /// # Errors
-    /// [`SimulationError`] names the setting that is out of range, or what of the state does not fit the system.
+    /// [`SimulationError`] names the setting that is out of range, what of the state does not fit the system, or what
+    /// meets in it: as in [`Simulation::new`].
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
         error::check(&settings, system.size())?;
         let expected = system.start.len();
@@ -74,9 +80,37 @@ impl Simulation {
             fits("earlier positions", earlier.positions.len())?;
             fits("earlier velocities", earlier.velocities.len())?;
         }
+        let is_finite = |points: &[Point]| points.as_flattened().iter().all(|x| x.is_finite());
+        let finite = |what, points: &[Point]| {
+            is_finite(points)
+                .then_some(())
+                .ok_or(SimulationError::NotFinite { what })
+        };
+        finite("positions", &state.positions)?;
+        finite("velocities", &state.velocities)?;
+        if let Some(earlier) = &state.earlier {
+            finite("earlier positions", &earlier.positions)?;
+            finite("earlier velocities", &earlier.velocities)?;
+        }
+        if !state
+            .stiffness
+            .is_none_or(|stiffness| stiffness >= 0.0 && stiffness.is_finite())
+        {
+            return Err(SimulationError::NotFinite { what: "stiffness" });
+        }
+        start::check(&system, &state)?;
         let filter = filter::by_name(&settings.ccd, room(&system))?;
-        let barrier = Barrier::new(settings.contact_distance.meters(system.size()));
+        let distance = settings.contact_distance.meters(system.size());
+        let barrier = Barrier::new(distance);
+        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_finite() {
+            return Err(SimulationError::Setting {
+                what: "contact-distance",
+                value: distance,
+                expected: "a length for which the barrier's stiffness is finite, with the masses that there are",
+            });
+        }
         Ok(Self {
+            fingerprint: system.fingerprint(),
             system,
             settings,
             filter,
@@ -116,6 +150,16 @@ impl Simulation {
     #[must_use]
     pub fn state(&self) -> &State {
         &self.state
+    }
+
+    /// Where the simulation is, and of what: all that [`Checkpoint::resume`] needs, and checks.
+    #[must_use]
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            settings: self.settings.clone(),
+            system: self.fingerprint.clone(),
+            state: self.state.clone(),
+        }
     }
 
     /// The time in the simulation, in s.

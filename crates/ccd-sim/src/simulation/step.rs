@@ -11,6 +11,7 @@ use crate::drive::Drive;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
+use crate::settings::Settings;
 use crate::solver::{Newton, Outcome, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
@@ -48,6 +49,7 @@ impl Simulation {
         let mut statistics = Statistics {
             step,
             time,
+            converged: true,
             ..Statistics::default()
         };
         let scheme = settings
@@ -66,7 +68,7 @@ impl Simulation {
             self.barrier.reach().sqrt(),
         );
         let collisions = Collisions::new(&system.surface, &pairs, &positions, &system.start, self.barrier);
-        let mut lagged = self.state.stiffness;
+        let mut lagged = self.kept_stiffness(&scheme);
         let mut now = Outcome {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
             drive: Drive::new(system, &positions, time),
@@ -89,7 +91,7 @@ impl Simulation {
                 tolerance: settings.tolerance.meters(system.size()),
                 max_iterations: settings.max_iterations,
             };
-            newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
+            statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
             if settings.friction.coefficient == 0.0 {
                 break;
@@ -101,7 +103,7 @@ impl Simulation {
         statistics.script_lag = now.drive.lag(&now.positions);
         let velocities = scheme.velocities(&now.positions);
         let potential = potential(system, &scheme, now.stiffness, &friction, smoothing);
-        statistics.energies = energies(&potential, settings.gravity, &now, &velocities);
+        statistics.energies = energies(&potential, settings, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
         statistics.stiffness = touched.then_some(now.stiffness);
 
@@ -113,7 +115,9 @@ impl Simulation {
                 positions: now.positions,
                 velocities,
                 earlier: None,
-                stiffness: statistics.stiffness,
+                stiffness: statistics
+                    .stiffness
+                    .map(|stiffness| stiffness * scheme.duration.powi(-2)),
             },
         );
         self.state.earlier = Some(Earlier {
@@ -132,7 +136,7 @@ impl Simulation {
         range: &StiffnessRange,
         smoothing: Smoothing,
     ) -> f64 {
-        let before = self.state.stiffness.unwrap_or(0.0);
+        let before = self.kept_stiffness(scheme).unwrap_or(0.0);
         if collisions.as_slice().is_empty() {
             return before.max(range.least);
         }
@@ -147,6 +151,12 @@ impl Simulation {
             }
         }
         before.max(range.balance(&energy, &barriers))
+    }
+
+    /// κ with which the barrier repels as in the step before.
+    fn kept_stiffness(&self, scheme: &Scheme) -> Option<f64> {
+        let energy = self.state.stiffness;
+        energy.map(|stiffness| stiffness * scheme.duration * scheme.duration)
     }
 
     fn friction(&self, now: &Outcome, stiffness: f64) -> Vec<FrictionContact> {
@@ -181,7 +191,14 @@ fn potential<'a>(
     }
 }
 
-fn energies(potential: &Potential<'_>, gravity: Point, now: &Outcome, velocities: &[Point]) -> Energies {
+fn energies(
+    potential: &Potential<'_>,
+    &Settings {
+        gravity, time_step, ..
+    }: &Settings,
+    now: &Outcome,
+    velocities: &[Point],
+) -> Energies {
     let masses = || potential.system.masses.iter();
     // The potential has the square of the duration as a factor.
     let scale = potential.scheme.duration.powi(-2);
@@ -193,7 +210,8 @@ fn energies(potential: &Potential<'_>, gravity: Point, now: &Outcome, velocities
             .sum(),
         elastic: potential.elastic(&now.positions),
         barrier: scale * now.stiffness * now.collisions.value(&now.positions),
-        friction: scale * potential.friction(&now.positions),
+        // Slips are velocities times the duration.
+        friction: scale * potential.friction_work(&now.positions) * time_step / potential.scheme.duration,
         gravity: masses()
             .zip(&now.positions)
             .map(|(m, x)| -m * gravity.dot(&Vector3::from(*x)))

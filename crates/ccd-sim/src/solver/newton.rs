@@ -41,15 +41,14 @@ pub(crate) struct Outcome {
 }
 
 impl Newton<'_> {
-    /// Minimises the potential from where things are.
+    /// Minimises the potential from where things are. Whether it converges.
     pub(crate) fn minimise(
         &self,
         solver: &mut LinearSolver,
         now: &mut Outcome,
         statistics: &mut Statistics,
         visit: &mut dyn FnMut(&[Point]),
-    ) -> Result<(), SimulationError> {
-        statistics.converged = false;
+    ) -> Result<bool, SimulationError> {
         let mut plan: Option<(Unknowns, Vec<u64>)> = None;
         for _ in 0..self.max_iterations {
             let clock = Instant::now();
@@ -100,18 +99,20 @@ impl Newton<'_> {
             }
             let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
             let is_small = size <= self.tolerance * self.scheme.duration;
+            let stiffness = now.stiffness;
             let moved = self.search(now, &direction, size, &potential, statistics)?;
             if moved {
                 visit(&now.positions);
             }
-            if (is_small || !moved) && now.drive.is_pulling() {
+            // A barrier that has just been made stiffer makes another potential, of which this is not the minimum.
+            let is_done = !moved || is_small && now.stiffness == stiffness;
+            if is_done && now.drive.is_pulling() {
                 now.drive.put();
-            } else if is_small || !moved {
-                statistics.converged = is_small;
-                return Ok(());
+            } else if is_done {
+                return Ok(is_small);
             }
         }
-        Ok(())
+        Ok(false)
     }
 
     fn unknowns(&self, drive: &Drive) -> Unknowns {

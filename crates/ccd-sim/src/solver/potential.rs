@@ -73,6 +73,13 @@ impl Potential<'_> {
         })
     }
 
+    /// What friction does against the slips, in kg m².
+    pub(crate) fn friction_work(&self, points: &[Point]) -> f64 {
+        sum(self.friction, |contact| {
+            contact.work(&self.displacements(points, contact), self.smoothing)
+        })
+    }
+
     /// The gradient without contact, friction and springs.
     pub(crate) fn smooth_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = self.inertia_gradient(points);

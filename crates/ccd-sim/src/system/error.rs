@@ -3,6 +3,7 @@
 use ccd_mesh::{Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
+use crate::script::ScriptError;
 
 /// Bodies that make no system.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -64,6 +65,34 @@ pub enum SystemError {
         what: &'static str,
         /// Its value.
         value: f64,
+    },
+    /// An element has no mass that is a normal number.
+    #[error("body {body}: element {element} has a mass of {mass} kg, expected a positive number")]
+    Mass {
+        /// The body, from 0.
+        body: usize,
+        /// The element, from 0.
+        element: usize,
+        /// Its mass.
+        mass: f64,
+    },
+    /// The velocity at the start is none.
+    #[error("body {body}: the velocity is {velocity:?}, expected {expected}")]
+    Velocity {
+        /// The body, from 0.
+        body: usize,
+        /// Its velocity.
+        velocity: Point,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// A number of a script is out of range.
+    #[error("script {script}: {source}")]
+    Motion {
+        /// The script, from 0.
+        script: usize,
+        /// Which number.
+        source: ScriptError,
     },
     /// A script is for vertices that there are not.
     #[error("a script moves vertex {vertex}, but there are only {vertex_count} vertices")]

@@ -1,6 +1,7 @@
 //! All bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod error;
+mod fingerprint;
 mod parts;
 
 use std::ops::Range;
@@ -15,6 +16,7 @@ use crate::script::Script;
 use parts::Parts;
 
 pub use error::SystemError;
+pub use fingerprint::Fingerprint;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]
@@ -45,7 +47,11 @@ impl System {
             parts.add(index, body)?;
         }
         let vertex_count = parts.start.len();
-        for (vertices, script) in scripts {
+        for (index, (vertices, script)) in scripts.iter().enumerate() {
+            script.check().map_err(|source| SystemError::Motion {
+                script: index,
+                source,
+            })?;
             for &vertex in vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
                 *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(*script);
@@ -132,6 +138,12 @@ impl System {
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.masses
+    }
+
+    /// What tells it from other systems. It takes a look at all of it.
+    #[must_use]
+    pub fn fingerprint(&self) -> Fingerprint {
+        Fingerprint::of(self)
     }
 
     /// The diagonal of the box around everything at the start, in m.

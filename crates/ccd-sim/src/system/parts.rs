@@ -35,12 +35,24 @@ impl Parts {
                 position,
             });
         }
+        let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
+        let expected = if is_obstacle {
+            (added.velocity != [0.0; 3]).then_some("none, since only scripts move obstacles")
+        } else {
+            (!is_finite(&added.velocity)).then_some("finite numbers")
+        };
+        if let Some(expected) = expected {
+            return Err(SystemError::Velocity {
+                body,
+                velocity: added.velocity,
+                expected,
+            });
+        }
         let first = self.start.len();
         let count = added.points.len();
         self.start.extend(&added.points);
         self.velocities.extend(std::iter::repeat_n(added.velocity, count));
         self.masses.resize(first + count, 0.0);
-        let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
         self.obstacle.resize(first + count, is_obstacle);
         self.scripts
             .resize(first + count, is_obstacle.then_some(Script::Fixed));
@@ -87,8 +99,9 @@ impl Parts {
             let points = gather(&self.start, corners);
             let tetrahedron = Tetrahedron::new(*corners, &points, material.energy, material.moduli())
                 .ok_or(SystemError::Flat { body, element })?;
+            let share = mass(body, element, material.density * tetrahedron.volume())? / 4.0;
             for &corner in &*corners {
-                self.masses[corner as usize] += 0.25 * material.density * tetrahedron.volume();
+                self.masses[corner as usize] += share;
             }
             self.rigidity += material.young * tetrahedron.volume();
             self.tetrahedra.push(tetrahedron);
@@ -112,8 +125,9 @@ impl Parts {
             let points = gather(&self.start, corners);
             let membrane = Membrane::new(*corners, &points, material.thickness, material.moduli())
                 .ok_or(SystemError::Flat { body, element })?;
+            let share = mass(body, element, material.density * membrane.volume())? / 3.0;
             for &corner in corners {
-                self.masses[corner as usize] += material.density * membrane.volume() / 3.0;
+                self.masses[corner as usize] += share;
             }
             self.rigidity += material.young * membrane.volume();
             self.membranes.push(membrane);
@@ -133,6 +147,15 @@ fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemErr
         Ok(())
     } else {
         Err(SystemError::NotPositive { body, what, value })
+    }
+}
+
+/// The mass of an element, if there is any.
+fn mass(body: usize, element: usize, mass: f64) -> Result<f64, SystemError> {
+    if mass.is_normal() {
+        Ok(mass)
+    } else {
+        Err(SystemError::Mass { body, element, mass })
     }
 }
 

@@ -208,3 +208,28 @@ fn a_fold_costs_half_the_stiffness_times_the_square_of_the_angle() {
         assert!((hinge.value(&folded) / expected - 1.0).abs() < 1e-13);
     }
 }
+
+/// A hinge that is bent at rest springs back through the flat shape, however far it is bent the other way: only where its
+/// faces touch, the angle jumps.
+#[test]
+fn a_hinge_unbends_the_way_that_it_came() {
+    let bent = |angle: f64| {
+        let corner = |y: f64, z: f64| Vector3::new(0.5, y, z);
+        [
+            Vector3::zeros(),
+            Vector3::x(),
+            corner(1.0, 0.0),
+            corner(-angle.cos(), angle.sin()),
+        ]
+    };
+    let hinge = Hinge::new([0, 1, 2, 3], &bent(2.0), 1.0).unwrap();
+    for angle in (-31..=31).map(|tenths| 0.1 * f64::from(tenths)) {
+        // k = 3 |e|² / A, where the edge is 1 long and both triangles together have an area of 1.
+        let expected = 1.5 * (angle - 2.0).powi(2);
+        let found = hinge.value(&bent(angle));
+        assert!(
+            (found - expected).abs() < 1e-12,
+            "{angle}: {found}, expected {expected}"
+        );
+    }
+}

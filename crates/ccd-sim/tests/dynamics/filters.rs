@@ -3,9 +3,15 @@
 use ccd_mesh::{Bounds, Point, TriangleMesh};
 use ccd_sim::contact::{Pairs, Surface};
 use ccd_sim::filter::{self, Increment};
+use ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, System};
 
 /// A vertex that falls through a triangle at t = ¾.
 fn falling() -> (Surface, [Vec<Point>; 2]) {
+    falling_to(-1.0)
+}
+
+/// A vertex that falls from the height 3 to another one, above or below the triangle at 0.
+fn falling_to(end: f64) -> (Surface, [Vec<Point>; 2]) {
     let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
     let at = |height: f64| {
         vec![
@@ -17,7 +23,7 @@ fn falling() -> (Surface, [Vec<Point>; 2]) {
             [1.2, 1.0, height + 9.0],
         ]
     };
-    (Surface::new(mesh, vec![false; 6]), [at(3.0), at(-1.0)])
+    (Surface::new(mesh, vec![false; 6]), [at(3.0), at(end)])
 }
 
 fn room() -> Bounds {
@@ -52,6 +58,72 @@ fn the_exact_filter_stops_at_the_time_of_impact() {
     let increment = Increment::new(&surface, &pairs, &start, &end);
     let size = filter::by_name("exact", room()).unwrap().largest(&increment);
     assert_eq!(size, 0.75);
+}
+
+/// A motion that ends in contact is not free, and does not count as such.
+#[test]
+fn a_contact_at_the_very_end_is_one() {
+    for height in [0.0, -f64::MIN_POSITIVE] {
+        let (surface, [start, end]) = falling_to(height);
+        let pairs = Pairs::near(&surface, &start, &end, 0.0);
+        let increment = Increment::new(&surface, &pairs, &start, &end);
+        for name in filter::names() {
+            let filter = filter::by_name(&name, room()).unwrap();
+            let is_free = filter.is_free(&increment, &end);
+            // Some methods miss it, and say so in both ways.
+            assert_eq!(filter.largest(&increment) == 1.0, is_free, "{name}");
+            assert!(!is_free || !["exact", "bisection"].contains(&&*name), "{name}");
+        }
+    }
+}
+
+/// The line search takes no step that ends in contact: one vertex of a triangle would end exactly on a slanted one.
+#[test]
+fn no_step_ends_in_contact() {
+    let corners = [[-10.0, -1.0, -7.0], [11.0, 3.0, -6.0], [-1.0, -2.0, 13.0]];
+    let material = ShellProperties {
+        density: 1.5,
+        // So soft that it moves as its vertices would alone.
+        young: 1e-30,
+        poisson: 0.25,
+        thickness: 0.5,
+    };
+    let falling = Body {
+        points: vec![[0.0, 3.0, 0.0], [0.0, 7.0, 1.0], [0.0, 7.0, -1.0]],
+        kind: BodyKind::Shell {
+            faces: vec![[0, 1, 2]],
+            material,
+        },
+        velocity: [0.0, -6.0, 0.0],
+    };
+    for scale in 1..20 {
+        let slope = Body {
+            points: corners
+                .map(|corner| corner.map(|x| x * f64::from(scale)))
+                .to_vec(),
+            kind: BodyKind::Obstacle {
+                faces: vec![[0, 1, 2]],
+            },
+            velocity: [0.0; 3],
+        };
+        let system = System::new(&[falling.clone(), slope], &[]).unwrap();
+        let settings = Settings {
+            time_step: 0.5,
+            gravity: [0.0; 3],
+            ..Settings::default()
+        };
+        let surface = system.surface().clone();
+        let mut simulation = Simulation::new(system, settings).unwrap();
+        let mut at = simulation.state().positions.clone();
+        let mut visit = |positions: &[Point]| {
+            assert!(ccd_mesh::step(&surface, &at, positions).unwrap().is_free());
+            at = positions.to_vec();
+        };
+        simulation.step_along(&mut visit).unwrap();
+        // It would have ended at 0.
+        let height = simulation.state().positions[0][1];
+        assert!(height > 0.0 && height < 1.0, "{height}");
+    }
 }
 
 /// Obstacles do not meet each other.

@@ -1,6 +1,9 @@
 //! A simulation that goes on from a checkpoint.
 
-use ccd_sim::{Friction, Integrator, Length, Settings, Simulation, SimulationError, State, System, shapes};
+use ccd_sim::{
+    Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Settings, Simulation, SimulationError,
+    State, System, shapes,
+};
 
 fn system() -> System {
     let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
@@ -45,6 +48,29 @@ fn killed_and_resumed_it_comes_to_the_same_bits() {
     }
 }
 
+/// The barrier goes on to repel as it did, though BDF2 scales its potential otherwise than its first step does, which is one of
+/// implicit Euler.
+#[test]
+fn the_barrier_of_bdf2_repels_as_that_of_its_first_step() {
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    while simulation.step().unwrap().contacts == 0 {}
+    // From there on, as if from the start.
+    let mut state = simulation.state().clone();
+    state.earlier = None;
+    // In the middle of its range, so that it is kept.
+    state.stiffness = state.stiffness.map(|stiffness| 10.0 * stiffness);
+    let expected = state.stiffness.unwrap();
+    let mut simulation = Simulation::resume(system(), settings(), state).unwrap();
+    for duration in [0.01, 0.02 / 3.0] {
+        let stiffness = simulation.step().unwrap().stiffness.unwrap();
+        let energy = stiffness / (duration * duration);
+        assert!(
+            (energy / expected - 1.0).abs() < 1e-12,
+            "{energy}, expected {expected}"
+        );
+    }
+}
+
 #[test]
 fn a_state_of_another_system_is_refused() {
     let simulation = Simulation::new(system(), settings()).unwrap();
@@ -62,6 +88,60 @@ fn a_state_of_another_system_is_refused() {
         ),
         "{error}"
     );
+}
+
+/// A checkpoint is of some settings and a system, and goes on with no others.
+#[test]
+fn a_checkpoint_of_another_simulation_is_refused() {
+    type Change = fn(&mut Settings);
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    simulation.step().unwrap();
+    let text = serde_json::to_string(&simulation.checkpoint()).unwrap();
+    let other = |system: System, change: &dyn Fn(&mut Settings)| {
+        let checkpoint: Checkpoint = serde_json::from_str(&text).unwrap();
+        let mut settings = settings();
+        change(&mut settings);
+        match checkpoint.resume(system, settings).err() {
+            None => "none",
+            Some(SimulationError::Checkpoint { what }) => what,
+            Some(other) => panic!("{other}"),
+        }
+    };
+    assert_eq!(other(system(), &|_| ()), "none");
+    let changes: [(&str, Change); 4] = [
+        ("time-step", |settings| settings.time_step *= 0.5),
+        ("integrator", |settings| {
+            settings.integrator = Integrator::ImplicitEuler;
+        }),
+        ("friction.lags", |settings| settings.friction.lags = 1),
+        ("ccd", |settings| settings.ccd = "parity".to_owned()),
+    ];
+    for (what, change) in changes {
+        assert_eq!(other(system(), &change), what);
+    }
+    let cube = || shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
+    let floor = || shapes::floor([1, 1], [1.1, 1.2]);
+    let changed = |change: &dyn Fn(&mut Body), scripts: &[(Vec<u32>, Script)]| {
+        let mut cube = cube();
+        change(&mut cube);
+        other(System::new(&[cube, floor()], scripts).unwrap(), &|_| ())
+    };
+    assert_eq!(changed(&|_| (), &[]), "none");
+    assert_eq!(changed(&|cube| cube.points[0][0] -= 1e-9, &[]), "positions");
+    assert_eq!(changed(&|cube| cube.velocity[0] = 1e-9, &[]), "velocities");
+    assert_eq!(changed(&|_| (), &[(vec![0], Script::Fixed)]), "scripts");
+    let denser = |cube: &mut Body| {
+        if let BodyKind::Solid { material, .. } = &mut cube.kind {
+            material.density *= 1.01;
+        }
+    };
+    assert_eq!(changed(&denser, &[]), "materials");
+    let fewer = |cube: &mut Body| {
+        if let BodyKind::Solid { tetrahedra, .. } = &mut cube.kind {
+            tetrahedra.pop();
+        }
+    };
+    assert_eq!(changed(&fewer, &[]), "elements");
 }
 
 #[test]

@@ -46,6 +46,9 @@ fn what_cannot_be_reached_is_told() {
     let system = System::new(&[cloth, ceiling], &[(vec![0, 4], up)]).unwrap();
     let mut simulation = Simulation::new(system, settings()).unwrap();
     let statistics = simulation.step().unwrap();
-    assert!((0.04..0.11).contains(&statistics.script_lag), "{statistics:?}");
+    // Their targets are 0.05 m behind the ceiling, and the springs pull them up to it.
+    assert!((0.05..0.06).contains(&statistics.script_lag), "{statistics:?}");
+    let pulled = [0, 4].map(|vertex: usize| simulation.state().positions[vertex][1]);
+    assert!(pulled.iter().all(|&height| height > 0.04), "{pulled:?}");
     assert!(simulation.state().positions[..25].iter().all(|x| x[1] < 0.05));
 }

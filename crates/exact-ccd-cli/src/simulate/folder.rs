@@ -5,7 +5,8 @@ use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
 use ccd_mesh::write_pvd;
-use ccd_sim::{Simulation, State, Statistics};
+use ccd_sim::scene::Scene;
+use ccd_sim::{Checkpoint, Simulation, Statistics};
 
 use super::grid::Grid;
 use super::log::Log;
@@ -37,15 +38,19 @@ pub(super) struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// The state after the last time step in a folder.
-    pub(super) fn checkpoint(folder: &Path) -> Result<State, Failure> {
+    /// The simulation of a scene after the last time step in a folder.
+    pub(super) fn simulation(folder: &Path, scene: &Scene) -> Result<Simulation, Failure> {
         let file = folder.join(CHECKPOINT);
         let failed = |message: String| Failure::Checkpoint {
             file: file.clone(),
             message,
         };
         let reader = File::open(&file).map_err(|error| failed(error.to_string()))?;
-        serde_json::from_reader(BufReader::new(reader)).map_err(|error| failed(error.to_string()))
+        let checkpoint: Checkpoint =
+            serde_json::from_reader(BufReader::new(reader)).map_err(|error| failed(error.to_string()))?;
+        scene
+            .resume(checkpoint)
+            .map_err(|error| failed(error.to_string()))
     }
 
     /// Writes the start, in place of the results of an earlier run.
@@ -128,7 +133,7 @@ impl OutputFolder {
 
     fn write_checkpoint(&self, simulation: &Simulation) -> Result<(), Failure> {
         write_file(&self.file(CHECKPOINT), |writer| {
-            Ok(serde_json::to_writer(writer, simulation.state())?)
+            Ok(serde_json::to_writer(writer, &simulation.checkpoint())?)
         })
     }
 

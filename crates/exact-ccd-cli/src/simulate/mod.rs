@@ -38,8 +38,8 @@ use queries::QueryFolder;
 ///   statistics.csv   a row: iterations, step sizes, contacts, minimal distance,
 ///                    energies, times; the names of the columns have the units
 ///   checkpoint.json  all that --resume needs, in place of that before
-/// Whenever the program is ended, --resume goes on from the last checkpoint, to the
-/// same bits. Without it, the results of an earlier run in DIR are replaced.
+/// Whenever the program is ended, --resume goes on from the last checkpoint, on the
+/// same machine to the same bits. Without it, the results of an earlier run in DIR are replaced.
 ///
 /// Exit status: 0 success, 2 error.
 #[derive(clap::Args)]
@@ -75,7 +75,7 @@ pub(crate) struct Arguments {
     /// Keep at most so many queries in contact, and so many others, of each kind and time step, drawn at random.
     #[arg(long, value_name = "N", default_value_t = 1000, requires = "dump_queries", value_parser = value_parser!(u32).range(1..))]
     dump_most: u32,
-    /// Go on from the checkpoint in the folder of --out, to the same bits.
+    /// Go on from the checkpoint in the folder of --out, which must be of this scene.
     #[arg(long, requires = "out")]
     resume: bool,
 }
@@ -146,7 +146,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// A simulation from its start or from the checkpoint in a folder, and the folder.
 fn open(folder: &Path, scene: &Scene, resume: bool) -> Result<(Simulation, OutputFolder), Failure> {
     let simulation = if resume {
-        scene.resume(OutputFolder::checkpoint(folder)?)?
+        OutputFolder::simulation(folder, scene)?
     } else {
         scene.simulation()?
     };

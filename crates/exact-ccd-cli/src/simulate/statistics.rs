@@ -21,7 +21,7 @@ pub(super) struct Row {
     pub(super) step_size_min: Option<f64>,
     /// The mean of these parts.
     pub(super) step_size_mean: Option<f64>,
-    /// Pairs of primitives within the contact distance, at the end.
+    /// Pairs of features within the contact distance, at the end.
     pub(super) contacts: usize,
     /// The least distance among them; empty if there are none.
     #[serde(rename = "minimal_distance_m")]

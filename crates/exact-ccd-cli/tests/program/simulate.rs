@@ -212,5 +212,34 @@ fn errors_say_where() {
     fs::create_dir(folder.path("empty")).unwrap();
     folder.write("empty/checkpoint.json", "{\"step\": 3}");
     let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
-    assert_error(&run, "empty/checkpoint.json: missing field `positions`");
+    assert_error(&run, "empty/checkpoint.json: missing field `settings`");
+}
+
+/// A checkpoint goes on with the scene of which it is, and with no other.
+#[test]
+fn a_checkpoint_of_another_scene_is_refused() {
+    let folder = folder();
+    let simulate = |scene: &str, more: &[&str]| {
+        let arguments = ["simulate", scene, "--out", "out", "--steps", "2"];
+        folder.run(&[arguments.as_slice(), more].concat())
+    };
+    assert_eq!(simulate("scene.toml", &[]).status, 0);
+    assert_eq!(simulate("scene.toml", &["--resume"]).status, 0);
+    let changes = [
+        ("time-step = 0.02", "time-step = 0.01", "time-step"),
+        ("young = 1e6", "young = 2e6", "materials"),
+        ("translate = [0.2, 0.05", "translate = [0.2, 0.06", "positions"),
+    ];
+    for (from, to, what) in changes {
+        assert!(SCENE.contains(from), "{from}");
+        folder.write("other.toml", SCENE.replace(from, to));
+        let run = simulate("other.toml", &["--resume"]);
+        let expected = format!("out/checkpoint.json: the checkpoint is of a run with other `{what}`");
+        assert_error(&run, &expected);
+    }
+    let run = simulate("scene.toml", &["--resume", "--ccd", "bisection"]);
+    assert_error(
+        &run,
+        "out/checkpoint.json: the checkpoint is of a run with other `ccd`",
+    );
 }

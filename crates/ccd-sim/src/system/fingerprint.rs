@@ -1,0 +1,74 @@
+//! What tells two systems apart.
+
+use std::fmt::{self, Debug, Write};
+
+use serde::{Deserialize, Serialize};
+
+use super::System;
+
+/// Hashes of the parts of a [`System`]: two systems with other parts have other hashes, but for a chance of 2⁻⁶⁴.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fingerprint {
+    /// Of the positions at the start.
+    positions: String,
+    /// Of the velocities at the start.
+    velocities: String,
+    /// Of the corners of faces and tetrahedra.
+    elements: String,
+    /// Of masses and stiffnesses.
+    materials: String,
+    /// Of the scripts.
+    scripts: String,
+}
+
+impl Fingerprint {
+    pub(super) fn of(system: &System) -> Self {
+        let tetrahedra: Vec<[u32; 4]> = system.tetrahedra().collect();
+        Self {
+            positions: hash(&system.start),
+            velocities: hash(&system.velocities),
+            elements: hash(&(system.surface().faces(), tetrahedra)),
+            materials: hash(&(
+                &system.masses,
+                &system.tetrahedra,
+                &system.membranes,
+                &system.hinges,
+            )),
+            scripts: hash(&system.scripts),
+        }
+    }
+
+    /// The first part in which two systems differ.
+    pub(crate) fn difference(&self, other: &Self) -> Option<&'static str> {
+        let parts = [
+            ("positions", &self.positions, &other.positions),
+            ("elements", &self.elements, &other.elements),
+            ("velocities", &self.velocities, &other.velocities),
+            ("materials", &self.materials, &other.materials),
+            ("scripts", &self.scripts, &other.scripts),
+        ];
+        let different = parts.into_iter().find(|(_, a, b)| a != b);
+        different.map(|(name, ..)| name)
+    }
+}
+
+/// The hash of what is written of a value, which of numbers is exact.
+fn hash(value: &impl Debug) -> String {
+    let mut hash = Fnv1a(0xcbf2_9ce4_8422_2325);
+    // It takes all that is written.
+    let _ = write!(hash, "{value:?}");
+    format!("{:016x}", hash.0)
+}
+
+/// The hash function FNV-1a with 64 bits: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, T. Hansen, *The FNV
+/// Non-Cryptographic Hash Algorithm*.
+struct Fnv1a(u64);
+
+impl Write for Fnv1a {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for byte in text.bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+        Ok(())
+    }
+}
