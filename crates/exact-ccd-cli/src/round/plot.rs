@@ -1,13 +1,12 @@
 //! The histogram as a drawing.
 
-use plotters::prelude::*;
+use ccd_plot::plotters::prelude::*;
+use ccd_plot::{Area, Axis, Drawn, Frame, color};
 
 use super::histogram::Histogram;
 
 /// Wide enough for every decade that f64 has to be seen.
 const SIZE: (u32, u32) = (1000, 500);
-
-const BAR: RGBColor = RGBColor(86, 120, 196);
 
 /// How many powers of ten are written on the axis, at most.
 const LABELS: i32 = 12;
@@ -15,15 +14,10 @@ const LABELS: i32 = 12;
 /// An SVG file: a bar for each decade on an axis of log₁₀ ε, as in figure 5 of the paper, and to the left of them one
 /// for the zeros.
 pub(super) fn svg(errors: &Histogram) -> String {
-    let mut drawing = String::new();
-    draw(errors, SVGBackend::with_string(&mut drawing, SIZE)).expect("a string takes all that is drawn");
-    drawing
+    ccd_plot::svg(SIZE, |area| draw(errors, area))
 }
 
-fn draw<DB: DrawingBackend>(
-    errors: &Histogram,
-    backend: DB,
-) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+fn draw<'a>(errors: &Histogram, area: &Area<'a>) -> Drawn<'a> {
     let decades = errors.counts().filter_map(|(decade, _)| decade);
     let (first, last) = decades.fold((i32::MAX, i32::MIN), |(first, last), k| {
         (first.min(k), last.max(k + 1))
@@ -48,26 +42,23 @@ fn draw<DB: DrawingBackend>(
     };
     let top = errors.highest() + errors.highest() / 20 + 1;
 
-    let root = backend.into_drawing_area();
-    root.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&root)
-        .margin(20)
-        .x_label_area_size(50)
-        .y_label_area_size(100)
-        .build_cartesian_2d((zero - step - 1..2 * last + 1).with_key_points(ticks), 0..top)?;
-    chart
-        .configure_mesh()
-        .disable_x_mesh()
-        .light_line_style(TRANSPARENT)
-        .label_style(("sans-serif", 18))
-        .axis_desc_style(("sans-serif", 20))
-        .x_label_formatter(&label)
-        .x_desc("log₁₀ ε of the rounding errors ε = |x + e − fl(x + e)|")
-        .y_desc("coordinates")
-        .draw()?;
+    let frame = Frame {
+        title: "",
+        x: Axis {
+            title: "log₁₀ ε of the rounding errors ε = |x + e − fl(x + e)|",
+            label: &label,
+        },
+        y: Axis {
+            title: "coordinates",
+            label: &|count: &usize| count.to_string(),
+        },
+        legend: 20,
+    };
+    let bars = (zero - step - 1..2 * last + 1).with_key_points(ticks);
+    let mut chart = frame.draw(area, bars, 0..top)?;
     chart.draw_series(errors.counts().map(|(decade, count)| {
         let left = decade.map_or(zero - 1, |k| 2 * k);
-        Rectangle::new([(left, 0), (left + 2, count)], BAR.filled())
+        Rectangle::new([(left, 0), (left + 2, count)], color(1).filled())
     }))?;
-    root.present()
+    Ok(())
 }

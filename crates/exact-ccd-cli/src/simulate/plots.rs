@@ -1,8 +1,9 @@
 //! Energies and the minimal distance over time, as drawings.
 
-use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
-use plotters::prelude::*;
-use plotters::series::LineSeries;
+use ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
+use ccd_plot::plotters::prelude::*;
+use ccd_plot::plotters::series::LineSeries;
+use ccd_plot::{Area, Axis, Drawn, Frame, color, decades, number, svg, write};
 
 use super::folder::{DISTANCE, ENERGIES, OutputFolder};
 use super::statistics::Row;
@@ -13,16 +14,6 @@ const SIZE: (u32, u32) = (1000, 640);
 
 /// Room for the names beside the drawing.
 const LEGEND: i32 = 170;
-
-/// Colours that can be told apart, those of `exact-ccd bench`.
-const COLORS: [RGBColor; 6] = [
-    RGBColor(0, 0, 0),
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(150, 120, 0),
-];
 
 /// A line of a plot: a name, and values at times, which may be missing.
 struct Line {
@@ -82,20 +73,16 @@ fn minimal_distance(rows: &[Row], contact_distance: f64) -> String {
     plot(&lines, "distance / m", true)
 }
 
-type Drawn<B> = Result<(), DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>>;
-
 fn plot(lines: &[Line], unit: &str, is_logarithmic: bool) -> String {
-    let mut drawing = String::new();
-    let backend = SVGBackend::with_string(&mut drawing, SIZE);
-    let drawn = if is_logarithmic {
-        let (first, last) = decades(lines);
-        draw_lines(lines, unit, (first..last).log_scale(), backend)
-    } else {
-        let (first, last) = range(lines);
-        draw_lines(lines, unit, first..last, backend)
-    };
-    drawn.expect("a string takes all that is drawn");
-    drawing
+    svg(SIZE, |area| {
+        if is_logarithmic {
+            let (first, last) = decades(values(lines));
+            draw_lines(lines, unit, (first..last).log_scale(), area)
+        } else {
+            let (first, last) = range(lines);
+            draw_lines(lines, unit, first..last, area)
+        }
+    })
 }
 
 fn values(lines: &[Line]) -> impl Iterator<Item = f64> {
@@ -116,70 +103,34 @@ fn range(lines: &[Line]) -> (f64, f64) {
     }
 }
 
-/// The powers of ten around all values.
-fn decades(lines: &[Line]) -> (f64, f64) {
-    let (least, most) = values(lines)
-        .filter(|value| *value > 0.0)
-        .fold((f64::INFINITY, 0.0_f64), |(least, most), value| {
-            (least.min(value), most.max(value))
-        });
-    if least > most {
-        return (0.1, 1.0);
-    }
-    let first = least.log10().floor();
-    (
-        10f64.powf(first),
-        10f64.powf(most.log10().ceil().max(first + 1.0)),
-    )
-}
-
-/// A number on an axis, with three digits at most.
-fn label(number: &f64) -> String {
-    let rounded: f64 = format!("{number:.2e}").parse().unwrap_or(*number);
-    if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
-}
-
-fn draw_lines<Y, B>(
+fn draw_lines<'a, Y>(
     lines: &[Line],
     unit: &str,
     range: impl AsRangedCoord<CoordDescType = Y, Value = f64>,
-    backend: B,
-) -> Drawn<B>
+    area: &Area<'a>,
+) -> Drawn<'a>
 where
     Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
-    B: DrawingBackend,
 {
-    let root = backend.into_drawing_area();
-    root.fill(&WHITE)?;
     let times = lines
         .iter()
         .flat_map(|line| line.points.iter().map(|(time, _)| *time));
     let end = Some(times.fold(0.0, f64::max))
         .filter(|&end| end > 0.0)
         .unwrap_or(1.0);
-    let mut chart = ChartBuilder::on(&root)
-        .margin(15)
-        .margin_right(LEGEND)
-        .x_label_area_size(55)
-        .y_label_area_size(95)
-        .build_cartesian_2d(0.0..end, range)?;
-    chart
-        .configure_mesh()
-        .light_line_style(TRANSPARENT)
-        .bold_line_style(BLACK.mix(0.12))
-        .label_style(("sans-serif", 16))
-        .axis_desc_style(("sans-serif", 18))
-        .x_label_formatter(&label)
-        .y_label_formatter(&label)
-        .x_desc("time / s")
-        .y_desc(unit)
-        .draw()?;
+    let axis = |title| Axis {
+        title,
+        label: &number,
+    };
+    let frame = Frame {
+        title: "",
+        x: axis("time / s"),
+        y: axis(unit),
+        legend: LEGEND,
+    };
+    let mut chart = frame.draw(area, 0.0..end, range)?;
     for (index, line) in lines.iter().enumerate() {
-        let style = COLORS[index % COLORS.len()].stroke_width(2);
+        let style = color(index).stroke_width(2);
         for piece in line.points.split(|(_, value)| value.is_none()) {
             let points: Vec<(f64, f64)> = piece
                 .iter()
@@ -192,19 +143,8 @@ where
             }
         }
         let (x, y) = (SIZE.0 as i32 - LEGEND + 8, 30 + 24 * index as i32);
-        root.draw(&PathElement::new([(x, y), (x + 16, y)], style))?;
-        root.draw(&Text::new(line.name, (x + 22, y - 8), ("sans-serif", 16)))?;
+        area.draw(&PathElement::new([(x, y), (x + 16, y)], style))?;
+        write(area, line.name, (x + 22, y - 8))?;
     }
-    root.present()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::label;
-
-    #[test]
-    fn labels_are_short() {
-        let labels = [0.0, 0.30000000000000004, 1500.0, -2.5e7, 1e-4].map(|x| label(&x));
-        assert_eq!(labels, ["0", "0.3", "1500", "-2.5e7", "1e-4"]);
-    }
+    Ok(())
 }

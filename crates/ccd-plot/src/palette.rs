@@ -1,0 +1,24 @@
+//! Colours.
+
+use plotters::style::RGBColor;
+
+/// How many colours there are.
+pub const COLORS: usize = 7;
+
+/// The colour of a line or symbol, black for the first, after [`COLORS`] of them from the beginning again. All eyes can tell
+/// them apart: B. Wong, *Points of view: Color blindness*, Nature Methods 8, 2011, without its yellow and with a darker
+/// orange, for white paper.
+#[must_use]
+pub fn color(index: usize) -> RGBColor {
+    const PALETTE: [(u8, u8, u8); COLORS] = [
+        (0, 0, 0),
+        (0, 114, 178),
+        (213, 94, 0),
+        (0, 158, 115),
+        (204, 121, 167),
+        (150, 120, 0),
+        (86, 180, 233),
+    ];
+    let (r, g, b) = PALETTE[index % COLORS];
+    RGBColor(r, g, b)
+}
