@@ -6,7 +6,8 @@ use rayon::prelude::*;
 
 use super::barrier::Barrier;
 use super::collision::Collision;
-use super::proximity::{Pairs, Surface};
+use super::pairs::Pairs;
+use super::surface::Surface;
 use crate::distance::{Mollifier, edge_edge, point_triangle};
 use crate::gather::{gather, gather_some};
 

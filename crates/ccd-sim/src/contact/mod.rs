@@ -3,11 +3,13 @@
 mod barrier;
 mod collision;
 mod collisions;
-mod proximity;
+mod pairs;
 mod stiffness;
+mod surface;
 
 pub use barrier::Barrier;
 pub use collision::Collision;
 pub use collisions::Collisions;
-pub use proximity::{Pairs, Surface};
+pub use pairs::Pairs;
 pub use stiffness::StiffnessRange;
+pub use surface::Surface;

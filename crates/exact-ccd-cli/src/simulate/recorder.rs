@@ -4,10 +4,10 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use ccd_bench::DataKind;
 use ccd_bench::comparison::{Subject, Subjects};
-use ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
+use ccd_mesh::{Bounds, Point, Step};
+use ccd_sim::Simulation;
 use ccd_sim::filter::{Increment, StepFilter};
-use ccd_sim::{Simulation, System};
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{PointTriangle, Query, SegmentSegment};
 use rayon::prelude::*;
 
 /// How many queries are decided at a time.
@@ -40,11 +40,9 @@ impl Recording {
     pub(super) fn of(simulation: Simulation, most: usize) -> (Simulation, Self) {
         let samples = Arc::new(Mutex::new(Samples::new(most)));
         let recording = Self { samples, most };
-        let surface = Surface::of(simulation.system());
         let recorder = |filter| -> Box<dyn StepFilter> {
             Box::new(Recorder {
                 filter,
-                surface,
                 recording: recording.clone(),
             })
         };
@@ -56,6 +54,17 @@ impl Recording {
         std::mem::replace(&mut *self.lock(), Samples::new(self.most))
     }
 
+    /// Samples the queries of the step to these positions whose boxes overlap, the others being free at a glance.
+    fn record(&self, increment: &Increment<'_>, end: &[Point]) {
+        let (mesh, pairs) = (increment.surface().mesh(), increment.pairs());
+        // There are no queries about positions that are not finite.
+        if let Ok(step) = Step::new(mesh, increment.start(), end) {
+            let samples = &mut *self.lock();
+            add(&step, &pairs.vertex_face, 1, &mut samples.vertex_face);
+            add(&step, &pairs.edge_edge, 2, &mut samples.edge_edge);
+        }
+    }
+
     fn lock(&self) -> MutexGuard<'_, Samples> {
         self.samples.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -64,7 +73,6 @@ impl Recording {
 /// A filter that is observed: its answers are those of the filter inside.
 struct Recorder {
     filter: Box<dyn StepFilter>,
-    surface: Surface,
     recording: Recording,
 }
 
@@ -74,78 +82,22 @@ impl StepFilter for Recorder {
     }
 
     fn largest(&self, increment: &Increment<'_>) -> f64 {
-        self.surface
-            .record(increment.start(), increment.end(), &mut self.recording.lock());
+        self.recording.record(increment, increment.end());
         self.filter.largest(increment)
     }
 
     fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool {
-        self.surface
-            .record(increment.start(), end, &mut self.recording.lock());
+        self.recording.record(increment, end);
         self.filter.is_free(increment, end)
     }
 }
 
-/// The surface of a system, without the vertices inside of solids.
-struct Surface {
-    mesh: TriangleMesh,
-    /// The number that each vertex has among those of the system.
-    vertices: Vec<u32>,
-    is_obstacle: Vec<bool>,
-}
-
-impl Surface {
-    fn of(system: &System) -> Self {
-        let faces = system.surface().faces();
-        let mut vertices = faces.as_flattened().to_vec();
-        vertices.sort_unstable();
-        vertices.dedup();
-        // All of them are there.
-        let number = |vertex: u32| vertices.binary_search(&vertex).unwrap_or_default() as u32;
-        let faces = faces.iter().map(|face| face.map(number)).collect();
-        Self {
-            mesh: TriangleMesh::new(vertices.len(), faces).expect("every corner has its vertex"),
-            is_obstacle: vertices
-                .iter()
-                .map(|&vertex| system.masses()[vertex as usize] == 0.0)
-                .collect(),
-            vertices,
-        }
-    }
-
-    /// Records the queries of a step: those whose boxes overlap, the others being free at a glance. There is no query
-    /// between obstacles.
-    fn record(&self, start: &[Point], end: &[Point], samples: &mut Samples) {
-        let on_surface = |points: &[Point]| -> Vec<Point> {
-            let points = self.vertices.iter().map(|&vertex| points[vertex as usize]);
-            points.collect()
-        };
-        let (start, end) = (on_surface(start), on_surface(end));
-        // There are no queries about positions that are not finite.
-        let Ok(step) = Step::new(&self.mesh, &start, &end) else {
-            return;
-        };
-        let candidates = Candidates::new(step, &Bvh);
-        // All corners of a primitive belong to one body.
-        let face = |face: u32| self.is_obstacle[self.mesh.faces()[face as usize][0] as usize];
-        let edge = |edge: u32| self.is_obstacle[self.mesh.edges()[edge as usize][0] as usize];
-        record(&candidates, &mut samples.vertex_face, |[v, f]| {
-            self.is_obstacle[v as usize] && face(f)
-        });
-        record(&candidates, &mut samples.edge_edge, |[a, b]| edge(a) && edge(b));
-    }
-}
-
-/// Adds the candidates of a kind to a sample, in order.
-fn record<K: DataKind>(
-    candidates: &Candidates<'_>,
-    sample: &mut Subjects<K>,
-    is_between_obstacles: impl Fn([u32; 2]) -> bool + Sync,
-) {
-    for pairs in K::candidates(candidates).chunks(CHUNK) {
+/// Adds those of some pairs whose boxes overlap to a sample, in order; `first` is how many points belong to the first primitive.
+fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &mut Subjects<K>) {
+    for pairs in pairs.chunks(CHUNK) {
         let subject = |&pair: &[u32; 2]| {
-            let query = K::query(&candidates.step(), pair);
-            (!is_between_obstacles(pair)).then(|| Subject {
+            let query = K::query(step, pair);
+            do_boxes_overlap(&query, first).then(|| Subject {
                 query,
                 collides: query.collides(),
                 first: None,
@@ -154,4 +106,14 @@ fn record<K: DataKind>(
         let subjects: Vec<_> = pairs.par_iter().filter_map(subject).collect();
         subjects.into_iter().for_each(|subject| sample.add(subject));
     }
+}
+
+/// Whether the boxes around the ways of two primitives overlap.
+fn do_boxes_overlap<K: DataKind>(query: &Query<K>, first: usize) -> bool {
+    let [start, end] = query.points();
+    let around = |range: std::ops::Range<usize>| -> Bounds {
+        let points = start[range.clone()].iter().chain(&end[range]);
+        points.copied().collect()
+    };
+    around(0..first).overlaps(&around(first..4))
 }
