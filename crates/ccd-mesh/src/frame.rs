@@ -84,4 +84,28 @@ impl Frame {
     pub fn parse(bytes: &[u8], format: Format) -> Result<Self, ParseError> {
         read::parse(bytes, format)
     }
+
+    /// Some faces alone, and for each of their vertices the number that it has among all positions, increasing. All corners
+    /// are there.
+    pub(crate) fn of_faces(positions: &[Point], faces: &[[u32; 3]]) -> (Self, Vec<u32>) {
+        let mut vertices = faces.as_flattened().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut number = vec![0; positions.len()];
+        for (new, &old) in (0..).zip(&vertices) {
+            number[old as usize] = new;
+        }
+        let faces = faces
+            .iter()
+            .map(|face| face.map(|vertex| number[vertex as usize]));
+        let frame = Self {
+            mesh: TriangleMesh::new(vertices.len(), faces.collect())
+                .expect("all vertices of the faces are there"),
+            positions: vertices
+                .iter()
+                .map(|&vertex| positions[vertex as usize])
+                .collect(),
+        };
+        (frame, vertices)
+    }
 }

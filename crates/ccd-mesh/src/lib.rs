@@ -28,6 +28,7 @@
 //! No result depends on the number of threads, and no input makes anything here panic.
 
 mod audit;
+mod boundary;
 mod bounds;
 mod broad_phase;
 mod candidates;

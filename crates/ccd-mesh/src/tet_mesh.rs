@@ -5,8 +5,8 @@ use std::path::Path;
 
 use exact_ccd::{Point, orientation};
 
+use crate::boundary::Sides;
 use crate::frame::Frame;
-use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
 use crate::read::{self, ParseError, ReadError};
 
@@ -52,21 +52,6 @@ pub enum TetMeshError {
     },
 }
 
-/// The faces of a tetrahedron of positive volume, outward: (b − a) · ((c − a) × (d − a)) > 0.
-const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
-
-/// One side of a face, with what it takes to sort them.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Side {
-    /// The vertices in increasing order.
-    face: [u32; 3],
-    /// Whether the face, seen from outside of the tetrahedron, turns as these vertices do.
-    even: bool,
-    tetrahedron: usize,
-    /// Which face of the tetrahedron.
-    number: usize,
-}
-
 impl TetMesh {
     /// The mesh of these tetrahedra, each four indices into `positions`.
     ///
@@ -88,7 +73,19 @@ impl TetMesh {
     /// without volume, or two of which one must be inside out.
     pub fn new(positions: Vec<Point>, tetrahedra: Vec<[u32; 4]>) -> Result<Self, TetMeshError> {
         positions::check_all(positions.len(), &positions)?;
-        let surface = surface(&positions, &tetrahedra)?;
+        let oriented = tetrahedra
+            .iter()
+            .enumerate()
+            .map(|(tetrahedron, &corners)| oriented(&positions, tetrahedron, corners));
+        let sides = Sides::of(oriented.collect::<Result<Vec<_>, _>>()?);
+        if let Some([first, second]) = sides.overlap() {
+            return Err(TetMeshError::Overlap {
+                first: first.tetrahedron,
+                second: second.tetrahedron,
+                face: first.face,
+            });
+        }
+        let surface = sides.boundary();
         Ok(Self {
             positions,
             tetrahedra,
@@ -151,102 +148,12 @@ impl TetMesh {
     /// Vertices that are inside, or in no tetrahedron, are left out: a surface that passes over its own inside is no contact.
     #[must_use]
     pub fn surface_frame(&self) -> (Frame, Vec<u32>) {
-        self.frame_of(&self.surface)
-    }
-
-    /// The surface, and those of some triangles that are no faces of tetrahedra, as shells beside solids, without vertices
-    /// that are in none of them.
-    pub(crate) fn surface_with_shells(&self, triangles: &[[u32; 3]]) -> Frame {
-        let shells = self.no_faces(triangles).map(|triangle| triangles[triangle]);
-        let faces: Vec<[u32; 3]> = self.surface.iter().copied().chain(shells).collect();
-        self.frame_of(&faces).0
-    }
-
-    /// These faces alone, and for each of their vertices the number that it has here, increasing.
-    fn frame_of(&self, faces: &[[u32; 3]]) -> (Frame, Vec<u32>) {
-        let mut vertices = faces.as_flattened().to_vec();
-        vertices.sort_unstable();
-        vertices.dedup();
-        let mut number = vec![0; self.positions.len()];
-        for (new, &old) in (0..).zip(&vertices) {
-            number[old as usize] = new;
-        }
-        let renumber = |face: &[u32; 3]| face.map(|vertex| number[vertex as usize]);
-        let faces = faces.iter().map(renumber).collect();
-        let frame = Frame {
-            mesh: TriangleMesh::new(vertices.len(), faces).expect("all vertices of the faces are there"),
-            positions: vertices
-                .iter()
-                .map(|&vertex| self.positions[vertex as usize])
-                .collect(),
-        };
-        (frame, vertices)
-    }
-
-    /// Those of these triangles that are not faces of any tetrahedron, by their places, increasing.
-    pub(crate) fn no_faces(&self, triangles: &[[u32; 3]]) -> impl Iterator<Item = usize> {
-        let corners = self.tetrahedra.iter().filter(|_| !triangles.is_empty());
-        let mut faces: Vec<[u32; 3]> = corners
-            .flat_map(|corners| FACES.map(|face| sorted(face.map(|k| corners[k]))))
-            .collect();
-        faces.sort_unstable();
-        let is_no_face = move |triangle: [u32; 3]| faces.binary_search(&sorted(triangle)).is_err();
-        triangles
-            .iter()
-            .enumerate()
-            .filter(move |&(_, &triangle)| is_no_face(triangle))
-            .map(|(place, _)| place)
+        Frame::of_faces(&self.positions, &self.surface)
     }
 }
 
-fn sorted(mut face: [u32; 3]) -> [u32; 3] {
-    face.sort_unstable();
-    face
-}
-
-fn surface(positions: &[Point], tetrahedra: &[[u32; 4]]) -> Result<Vec<[u32; 3]>, TetMeshError> {
-    let mut sides = Vec::with_capacity(4 * tetrahedra.len());
-    for (tetrahedron, &corners) in tetrahedra.iter().enumerate() {
-        for (number, face) in outward_faces(positions, tetrahedron, corners)?
-            .into_iter()
-            .enumerate()
-        {
-            let [a, b, c] = face;
-            sides.push(Side {
-                face: sorted(face),
-                even: (a < b) == ((b < c) == (a < c)),
-                tetrahedron,
-                number,
-            });
-        }
-    }
-    sides.sort_unstable();
-    let mut boundary = Vec::new();
-    for same_face in sides.chunk_by(|s, t| s.face == t.face) {
-        if let Some(pair) = same_face.windows(2).find(|pair| pair[0].even == pair[1].even) {
-            return Err(TetMeshError::Overlap {
-                first: pair[0].tetrahedron,
-                second: pair[1].tetrahedron,
-                face: pair[0].face,
-            });
-        }
-        if let [side] = same_face {
-            boundary.push(*side);
-        }
-    }
-    boundary.sort_unstable_by_key(|side| (side.tetrahedron, side.number));
-    let outward = |side: Side| {
-        let [a, b, c] = side.face;
-        if side.even { [a, b, c] } else { [a, c, b] }
-    };
-    Ok(boundary.into_iter().map(outward).collect())
-}
-
-fn outward_faces(
-    positions: &[Point],
-    tetrahedron: usize,
-    corners: [u32; 4],
-) -> Result<[[u32; 3]; 4], TetMeshError> {
+/// The corners of a tetrahedron, with two of them swapped if its volume is negative.
+fn oriented(positions: &[Point], tetrahedron: usize, corners: [u32; 4]) -> Result<[u32; 4], TetMeshError> {
     let vertex_count = positions.len();
     if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
         return Err(TetMeshError::Index {
@@ -256,10 +163,10 @@ fn outward_faces(
         });
     }
     let volume = orientation(corners.map(|vertex| positions[vertex as usize]));
-    let faces = FACES.map(|face| face.map(|k| corners[k]));
+    let [a, b, c, d] = corners;
     match volume {
-        Ok(Ordering::Greater) => Ok(faces),
-        Ok(Ordering::Less) => Ok(faces.map(|[a, b, c]| [a, c, b])),
+        Ok(Ordering::Greater) => Ok(corners),
+        Ok(Ordering::Less) => Ok([b, a, c, d]),
         // All coordinates are finite.
         Ok(Ordering::Equal) | Err(_) => Err(TetMeshError::Flat { tetrahedron }),
     }

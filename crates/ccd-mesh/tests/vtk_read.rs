@@ -57,10 +57,39 @@ fn big_endian_with_short_headers_and_numbers() {
 #[test]
 fn of_tetrahedra_it_is_the_surface() {
     let positions = [TRIANGLE.as_slice(), &[[5.0; 3], [9.0; 3]]].concat();
-    let mesh = TetMesh::new(positions, vec![[0, 1, 2, 4]]).unwrap();
+    let mesh = TetMesh::new(positions, vec![[0, 2, 1, 4]]).unwrap();
     let mut file = Vec::new();
     mesh.write_vtu(&mut file).unwrap();
     assert_eq!(Frame::parse(&file, Format::Vtu).unwrap(), mesh.surface_frame().0);
+}
+
+#[test]
+fn the_surface_is_the_same_wherever_tetrahedra_are_pushed() {
+    // An octahedron of eight tetrahedra around vertex 0, which may leave it.
+    let sphere = |z: f64| -> Vec<[f64; 3]> {
+        let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let around = axes.into_iter().chain(axes.map(|axis| axis.map(|x: f64| -x)));
+        [[0.0, 0.0, z]].into_iter().chain(around).collect()
+    };
+    let quarters = [[1, 2], [2, 4], [4, 5], [5, 1]];
+    let tetrahedra = quarters.map(|[a, b]| [[0, a, b, 3], [0, b, a, 6]]).concat();
+    let frame = |z: f64| {
+        let grid = UnstructuredGrid {
+            positions: &sphere(z),
+            tetrahedra: &tetrahedra,
+            triangles: &[],
+            velocities: None,
+        };
+        let mut file = Vec::new();
+        grid.write_vtu(&mut file).unwrap();
+        Frame::parse(&file, Format::Vtu).unwrap()
+    };
+    let round = TetMesh::new(sphere(0.0), tetrahedra.clone()).unwrap();
+    assert_eq!(frame(0.0), round.surface_frame().0);
+    // In the plane of a face, so that one has no volume; and outside, so that some are inside out.
+    for z in [1.0, 3.0, -0.0, -8.0] {
+        assert_eq!(frame(z), frame(0.0));
+    }
 }
 
 #[test]

@@ -3,8 +3,10 @@
 use exact_ccd::Point;
 
 use super::error::{Fault, ParseError, Place};
+use crate::boundary::Sides;
 use crate::frame::Frame;
-use crate::tet_mesh::TetMesh;
+use crate::positions;
+use crate::tet_mesh::{TetMesh, TetMeshError};
 
 #[derive(Default)]
 pub(super) struct Cells {
@@ -23,13 +25,24 @@ impl Cells {
         Ok(self.into_tet_mesh()?.surface_frame().0)
     }
 
-    /// The surface of the tetrahedra, and the triangles that are no faces of them, as shells beside solids.
-    pub(super) fn into_scene(mut self) -> Result<Frame, ParseError> {
+    /// The surface of the tetrahedra, and the triangles that are no faces of them, as shells beside solids. Bodies that have been
+    /// deformed have the same surface, inside out or not.
+    pub(super) fn into_scene(self) -> Result<Frame, ParseError> {
         if self.tetrahedra.is_empty() {
             return self.into_frame();
         }
-        let triangles = std::mem::take(&mut self.triangles);
-        Ok(self.into_tet_mesh()?.surface_with_shells(&triangles))
+        positions::check_all(self.positions.len(), &self.positions)
+            .map_err(|error| Fault::Frame(error.into()).at(Place::File))?;
+        if let Some(tetrahedron) = self.tetrahedra.iter().position(|corners| !are_distinct(corners)) {
+            return Err(Fault::TetMesh(TetMeshError::Flat { tetrahedron }).at(Place::File));
+        }
+        let sides = Sides::of(self.tetrahedra);
+        let shells = self
+            .triangles
+            .into_iter()
+            .filter(|&triangle| !sides.contain(triangle));
+        let faces: Vec<[u32; 3]> = sides.boundary().into_iter().chain(shells).collect();
+        Ok(Frame::of_faces(&self.positions, &faces).0)
     }
 
     /// Triangles may be listed, but each must be a face of a tetrahedron: what else is it to be?
@@ -37,10 +50,15 @@ impl Cells {
         let at_file = |fault: Fault| fault.at(Place::File);
         let mesh =
             TetMesh::new(self.positions, self.tetrahedra).map_err(|error| at_file(Fault::TetMesh(error)))?;
-        let sheet = mesh.no_faces(&self.triangles).next();
-        match sheet {
+        let sides = Sides::of(mesh.tetrahedra().iter().copied());
+        let is_sheet = |&triangle: &[u32; 3]| !sides.contain(triangle);
+        match self.triangles.iter().position(is_sheet) {
             None => Ok(mesh),
             Some(triangle) => Err(at_file(Fault::Sheet { triangle })),
         }
     }
+}
+
+fn are_distinct(corners: &[u32; 4]) -> bool {
+    (1..4).all(|k| !corners[..k].contains(&corners[k]))
 }
