@@ -85,26 +85,14 @@ impl Frame {
         read::parse(bytes, format)
     }
 
-    /// Some faces alone, and for each of their vertices the number that it has among all positions, increasing. All corners
-    /// are there.
-    pub(crate) fn of_faces(positions: &[Point], faces: &[[u32; 3]]) -> (Self, Vec<u32>) {
-        let mut vertices = faces.as_flattened().to_vec();
-        vertices.sort_unstable();
-        vertices.dedup();
-        let mut number = vec![0; positions.len()];
-        for (new, &old) in (0..).zip(&vertices) {
-            number[old as usize] = new;
-        }
-        let faces = faces
-            .iter()
-            .map(|face| face.map(|vertex| number[vertex as usize]));
+    /// The frame without the vertices that no face names, and for each of the others the number that it has here, increasing.
+    #[must_use]
+    pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
+        let (mesh, vertices) = self.mesh.without_loose_vertices();
+        let positions = vertices.iter().map(|&vertex| self.positions[vertex as usize]);
         let frame = Self {
-            mesh: TriangleMesh::new(vertices.len(), faces.collect())
-                .expect("all vertices of the faces are there"),
-            positions: vertices
-                .iter()
-                .map(|&vertex| positions[vertex as usize])
-                .collect(),
+            positions: positions.collect(),
+            mesh,
         };
         (frame, vertices)
     }

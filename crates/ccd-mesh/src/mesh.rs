@@ -43,6 +43,36 @@ impl TriangleMesh {
         })
     }
 
+    /// The same faces among those vertices alone that have one, in the same order; and the number that each of these has here.
+    ///
+    /// ```
+    /// use ccd_mesh::TriangleMesh;
+    ///
+    /// let mesh = TriangleMesh::new(9, vec![[7, 4, 2]])?;
+    /// let (alone, vertices) = mesh.without_loose_vertices();
+    /// assert_eq!((alone.vertex_count(), alone.faces()), (3, &[[2, 1, 0]][..]));
+    /// assert_eq!(vertices, [2, 4, 7]);
+    /// # Ok::<(), ccd_mesh::IndexOutOfRange>(())
+    /// ```
+    #[must_use]
+    pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
+        let mut vertices = self.faces.as_flattened().to_vec();
+        vertices.sort_unstable();
+        vertices.dedup();
+        let mut numbers = vec![0; self.vertex_count];
+        for (number, &vertex) in (0..).zip(&vertices) {
+            numbers[vertex as usize] = number;
+        }
+        let number = |vertex: u32| numbers[vertex as usize];
+        let mesh = Self {
+            vertex_count: vertices.len(),
+            faces: self.faces.iter().map(|face| face.map(number)).collect(),
+            // Numbers increase as vertices do: edges keep their order.
+            edges: self.edges.iter().map(|edge| edge.map(number)).collect(),
+        };
+        (mesh, vertices)
+    }
+
     /// How many vertices there are.
     #[must_use]
     pub fn vertex_count(&self) -> usize {

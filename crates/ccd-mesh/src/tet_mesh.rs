@@ -148,7 +148,10 @@ impl TetMesh {
     /// Vertices that are inside, or in no tetrahedron, are left out: a surface that passes over its own inside is no contact.
     #[must_use]
     pub fn surface_frame(&self) -> (Frame, Vec<u32>) {
-        Frame::of_faces(&self.positions, &self.surface)
+        let frame = Frame::new(self.positions.clone(), self.surface.clone());
+        frame
+            .expect("its positions and faces are sound")
+            .without_loose_vertices()
     }
 }
 

@@ -3,30 +3,35 @@
 /// How far beyond a power of ten values may be, in powers of ten, without that another decade is shown for them.
 const SLACK: f64 = 0.15;
 
-/// The ends of a logarithmic axis for all values that are positive and finite: powers of ten around them, at least one decade. The
-/// last power is left out where values are only a little beyond the one before.
+/// How many decades an axis has at most; one of thousands would have no room for its numbers.
+const MOST_DECADES: i32 = 40;
+
+/// The ends of a logarithmic axis for all values that are positive and normal numbers: powers of ten around them, at least one
+/// decade. The last power is left out where values are only a little beyond the one before. Of too many decades, the lowest
+/// are left out.
 #[must_use]
 pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let positive = values.filter(|value| *value > 0.0 && value.is_finite());
-    let (least, most) = positive
-        .map(f64::log10)
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), power| {
-            (least.min(power), most.max(power))
-        });
+    let positive = values.filter(|value| *value > 0.0 && value.is_normal());
+    let (least, most) = positive.fold((f64::INFINITY, 0.0_f64), |(least, most), value| {
+        (least.min(value), most.max(value))
+    });
     if least > most {
         return (0.1, 1.0);
     }
-    let first = if least.ceil() - least < SLACK {
+    let (low, high) = (least.log10(), most.log10());
+    let power = |exponent: f64| 10f64.powi(exponent as i32);
+    let first = if low.ceil() - low < SLACK {
         least
     } else {
-        least.floor()
+        power(low.floor()).min(least)
     };
-    let last = if most - most.floor() < SLACK {
+    let last = if high - high.floor() < SLACK || high > 308.0 {
         most
     } else {
-        most.ceil()
+        power(high.ceil()).max(most)
     };
-    (10f64.powf(first), 10f64.powf(last.max(first + 1.0)))
+    let last = last.max(10.0 * first);
+    (first.max(last / 10f64.powi(MOST_DECADES)), last)
 }
 
 /// A number, with three digits at most.
@@ -59,21 +64,26 @@ mod tests {
     #[test]
     fn axes_hold_all_values_in_few_decades() {
         for values in [
-            vec![3.0],
-            vec![1.0],
-            vec![0.99, 20.0],
-            vec![1e-300, 1e300],
-            vec![9.0, 11.0],
-            vec![1e4, 1.05e7],
+            [3.0, 3.0],
+            [1.0, 1.0],
+            [0.99, 20.0],
+            [9.0, 11.0],
+            [1e4, 1.05e7],
+            [1e-300, 9e-280],
+            [1e300, 1e308],
         ] {
-            let (first, last) = decades(values.iter().copied());
-            let decades = (last / first).log10();
-            let (least, most) = (values[0], values[values.len() - 1]);
+            let (first, last) = decades(values.into_iter());
+            let [least, most] = values;
             assert!(first <= least && most <= last, "{values:?}");
-            assert!(decades < (most / least).log10() + 2.0, "{values:?}");
+            let decades = (last / first).log10();
+            assert!(
+                decades < (most / least).log10() + 2.0 && decades > 0.99,
+                "{values:?}"
+            );
         }
-        let nothing = [0.0, -1.0, f64::NAN, f64::INFINITY];
+        let nothing = [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-320];
         assert_eq!(decades(nothing.into_iter()), (0.1, 1.0));
+        assert_eq!(decades([1e-300, 1.0].into_iter()), (1e-40, 1.0));
     }
 
     #[test]

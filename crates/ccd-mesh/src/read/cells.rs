@@ -5,7 +5,6 @@ use exact_ccd::Point;
 use super::error::{Fault, ParseError, Place};
 use crate::boundary::Sides;
 use crate::frame::Frame;
-use crate::positions;
 use crate::tet_mesh::{TetMesh, TetMeshError};
 
 #[derive(Default)]
@@ -31,8 +30,6 @@ impl Cells {
         if self.tetrahedra.is_empty() {
             return self.into_frame();
         }
-        positions::check_all(self.positions.len(), &self.positions)
-            .map_err(|error| Fault::Frame(error.into()).at(Place::File))?;
         if let Some(tetrahedron) = self.tetrahedra.iter().position(|corners| !are_distinct(corners)) {
             return Err(Fault::TetMesh(TetMeshError::Flat { tetrahedron }).at(Place::File));
         }
@@ -42,7 +39,8 @@ impl Cells {
             .into_iter()
             .filter(|&triangle| !sides.contain(triangle));
         let faces: Vec<[u32; 3]> = sides.boundary().into_iter().chain(shells).collect();
-        Ok(Frame::of_faces(&self.positions, &faces).0)
+        let frame = Frame::new(self.positions, faces).map_err(|error| Fault::Frame(error).at(Place::File))?;
+        Ok(frame.without_loose_vertices().0)
     }
 
     /// Triangles may be listed, but each must be a face of a tetrahedron: what else is it to be?

@@ -16,9 +16,9 @@ use std::io;
 /// # Errors
 /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a time that is not finite or a path with a
 /// character that XML does not have.
-pub fn write_pvd<'a>(
+pub fn write_pvd(
     mut writer: impl io::Write,
-    frames: impl IntoIterator<Item = (f64, &'a str)>,
+    frames: impl IntoIterator<Item = (f64, impl AsRef<str>)>,
 ) -> io::Result<()> {
     let invalid = |what: String| io::Error::new(io::ErrorKind::InvalidInput, what);
     let mut file = String::from(
@@ -27,6 +27,7 @@ pub fn write_pvd<'a>(
          <Collection>\n",
     );
     for (time, path) in frames {
+        let path = path.as_ref();
         if !time.is_finite() {
             return Err(invalid(format!("the time {time} is not finite")));
         }

@@ -16,9 +16,7 @@ impl Surface {
     /// two of these is no concern.
     #[must_use]
     pub fn new(mesh: TriangleMesh, obstacle: Vec<bool>) -> Self {
-        let mut vertices: Vec<u32> = mesh.faces().iter().flatten().copied().collect();
-        vertices.sort_unstable();
-        vertices.dedup();
+        let (_, vertices) = mesh.without_loose_vertices();
         Self {
             mesh,
             vertices,

@@ -112,20 +112,8 @@ impl System {
     /// # Errors
     /// [`FrameError`] tells the first coordinate that is not finite, or that there are too few.
     pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, FrameError> {
-        let vertices = self.surface.vertices();
-        let mut numbers = vec![0; self.start.len()];
-        for (number, &vertex) in (0..).zip(vertices) {
-            numbers[vertex as usize] = number;
-        }
-        let faces = self
-            .surface()
-            .faces()
-            .iter()
-            .map(|face| face.map(|vertex| numbers[vertex as usize]));
-        let shown = vertices
-            .iter()
-            .filter_map(|&vertex| positions.get(vertex as usize).copied());
-        Frame::new(shown.collect(), faces.collect())
+        let frame = Frame::new(positions.to_vec(), self.surface().faces().to_vec())?;
+        Ok(frame.without_loose_vertices().0)
     }
 
     /// The positions at the start, where everything is at rest, in m.

@@ -11,4 +11,5 @@ mod rest;
 mod resume;
 mod scripts;
 mod start;
+mod stiffness;
 mod twist;

@@ -45,7 +45,14 @@ impl OutputFolder {
             file: file.clone(),
             message,
         };
-        let reader = File::open(&file).map_err(|error| failed(error.to_string()))?;
+        let reader = File::open(&file).map_err(|error| {
+            failed(match error.kind() {
+                io::ErrorKind::NotFound => {
+                    "there is no run to go on with; without --resume, one begins".to_owned()
+                }
+                _ => error.to_string(),
+            })
+        })?;
         let checkpoint: Checkpoint =
             serde_json::from_reader(BufReader::new(reader)).map_err(|error| failed(error.to_string()))?;
         scene
@@ -55,15 +62,16 @@ impl OutputFolder {
 
     /// Writes the start, in place of the results of an earlier run.
     pub(super) fn begin(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
-        let checkpoint = folder.join(CHECKPOINT);
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
-        // The checkpoint first: it stands for what is removed after it.
-        match fs::remove_file(&checkpoint) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                return Err(Failure::write(&checkpoint, error));
+        // These first: they stand for what is removed after them.
+        for file in [CHECKPOINT, COLLECTION].map(|name| folder.join(name)) {
+            match fs::remove_file(&file) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(Failure::write(&file, error));
+                }
+                _ => {}
             }
-            _ => {}
         }
         remove_after(folder, None)?;
         let this = Self {
@@ -85,6 +93,13 @@ impl OutputFolder {
             log: Log::resume(folder.join(STATISTICS), last)?,
             grid: Grid::new(simulation.system()),
         };
+        let grid = this.grid_file(last);
+        if !grid.is_file() {
+            return Err(Failure::Checkpoint {
+                file: this.file(CHECKPOINT),
+                message: format!("it is of time step {last}, but {} is not there", grid.display()),
+            });
+        }
         // The collection first: it names no file that is not there.
         this.write_collection(simulation)?;
         remove_after(folder, Some(last))?;
@@ -112,8 +127,9 @@ impl OutputFolder {
         write_file(&self.frame(state.step), |writer| {
             frame.map_err(io::Error::other)?.write_ply(writer)
         })?;
-        let grid = self.file(GRIDS).join(steps::name(state.step, "vtu"));
-        write_file(&grid, |writer| self.grid.write(state, writer))?;
+        write_file(&self.grid_file(state.step), |writer| {
+            self.grid.write(state, writer)
+        })?;
         self.write_collection(simulation)
     }
 
@@ -125,10 +141,8 @@ impl OutputFolder {
                 format!("{GRIDS}/{}", steps::name(step, "vtu")),
             )
         };
-        let frames: Vec<_> = (0..=simulation.state().step).map(frame).collect();
-        write_file(&self.file(COLLECTION), |writer| {
-            write_pvd(writer, frames.iter().map(|(time, file)| (*time, file.as_str())))
-        })
+        let frames = (0..=simulation.state().step).map(frame);
+        write_file(&self.file(COLLECTION), |writer| write_pvd(writer, frames))
     }
 
     fn write_checkpoint(&self, simulation: &Simulation) -> Result<(), Failure> {
@@ -145,6 +159,10 @@ impl OutputFolder {
     /// The file of the surface after a time step.
     pub(super) fn frame(&self, step: u64) -> PathBuf {
         self.file(FRAMES).join(steps::name(step, "ply"))
+    }
+
+    fn grid_file(&self, step: u64) -> PathBuf {
+        self.file(GRIDS).join(steps::name(step, "vtu"))
     }
 
     /// A file in the folder.

@@ -1,8 +1,36 @@
-//! One time step as a line of text.
+//! A scene and a time step, each as a line of text.
 
 use std::fmt::Write;
 
-use ccd_sim::Statistics;
+use ccd_sim::{Simulation, Statistics};
+
+/// What a simulation is about, up to so many time steps: whether its units are meant shows here first.
+pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
+    let (system, settings) = (simulation.system(), simulation.settings());
+    let done = simulation.state().step;
+    let mut line = format!(
+        "{} vertices, {} faces, {:.3} m across; contact distance {:.2e} m; ",
+        system.start().len(),
+        system.surface().faces().len(),
+        system.size(),
+        settings.contact_distance.meters(system.size()),
+    );
+    // Writing to a string does not fail.
+    let _ = match done {
+        0 => write!(line, "{steps} time steps of {} s", settings.time_step),
+        _ if done < steps => write!(
+            line,
+            "time steps {} to {steps} of {} s",
+            done + 1,
+            settings.time_step
+        ),
+        _ => write!(
+            line,
+            "time step {done} is there already, up to {steps} nothing is left to do"
+        ),
+    };
+    line
+}
 
 /// What matters of a time step.
 pub(super) fn of(statistics: &Statistics) -> String {

@@ -29,7 +29,7 @@ use queries::QueryFolder;
 ///
 /// SCENE is a TOML file with bodies, materials, scripted motions and the numbers of
 /// the simulation; the name of its method of continuous collision detection is
-/// `settings.ccd`. Prints one line for each time step.
+/// `settings.ccd`. Prints one line for the scene and one for each time step.
 ///
 /// With --out, DIR gets, of each time step N,
 ///   frames/N.ply     the surface
@@ -53,8 +53,7 @@ pub(crate) struct Arguments {
     /// Where the mesh files are; if not given, where the scene file is.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
-    /// The method of continuous collision detection, in place of the scene's.
-    #[arg(long, value_name = "NAME")]
+    #[arg(long, value_name = "NAME", help = ccd_help())]
     ccd: Option<String>,
     /// How many time steps to take, in place of those of the scene's duration.
     #[arg(long, value_name = "N")]
@@ -80,6 +79,11 @@ pub(crate) struct Arguments {
     resume: bool,
 }
 
+fn ccd_help() -> String {
+    let names = ccd_sim::filter::names().join(", ");
+    format!("The method of continuous collision detection, in place of the scene's: {names}")
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut scene = Scene::read(&arguments.scene, arguments.meshes.as_deref())?;
     if let Some(ccd) = &arguments.ccd {
@@ -103,7 +107,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
     let steps = arguments.steps.unwrap_or(scene.steps);
     let remaining = steps.saturating_sub(simulation.state().step);
+    print(&line::of_scene(&simulation, steps))?;
     let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
+    let lines = bar.clone();
     during(bar, |progress| -> Result<(), Failure> {
         while simulation.state().step < steps {
             let mut path = folder
@@ -124,7 +130,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             if let Some(folder) = &mut folder {
                 folder.add(&simulation, &statistics)?;
             }
-            print(&line::of(&statistics))?;
+            // The bar makes room for the line.
+            lines.suspend(|| print(&line::of(&statistics)))?;
             progress(1);
         }
         Ok(())

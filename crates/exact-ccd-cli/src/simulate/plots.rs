@@ -21,6 +21,22 @@ struct Line {
     points: Vec<(f64, Option<f64>)>,
 }
 
+/// Beyond this, there is no axis: a table that was written elsewhere may hold any number.
+const GREATEST: f64 = 1e300;
+
+impl Line {
+    /// The line through the values of rows.
+    fn new(name: &'static str, rows: &[Row], value: impl Fn(&Row) -> Option<f64>) -> Self {
+        let is_drawn = |x: &f64| x.abs() <= GREATEST;
+        let rows = rows.iter().filter(|row| is_drawn(&row.time));
+        let points = rows.map(|row| (row.time, value(row).filter(is_drawn)));
+        Self {
+            name,
+            points: points.collect(),
+        }
+    }
+}
+
 /// Draws the rows of the statistics in a folder. `contact_distance` is d̂, in m.
 pub(super) fn draw(folder: &OutputFolder, contact_distance: f64) -> Result<(), Failure> {
     let rows = folder.statistics()?;
@@ -38,10 +54,7 @@ fn energies(rows: &[Row]) -> String {
     let lowest = rows
         .iter()
         .fold(f64::INFINITY, |least, row| least.min(row.gravity));
-    let line = |name, energy: &dyn Fn(&Row) -> f64| Line {
-        name,
-        points: rows.iter().map(|row| (row.time, Some(energy(row)))).collect(),
-    };
+    let line = |name, energy: &dyn Fn(&Row) -> f64| Line::new(name, rows, |row| Some(energy(row)));
     let sum = |row: &Row| row.kinetic + row.elastic + row.barrier + row.gravity - lowest;
     let lines = [
         line("sum", &sum),
@@ -58,17 +71,9 @@ fn energies(rows: &[Row]) -> String {
 
 /// The minimal distance, in m, where anything is within the contact distance, and that distance.
 fn minimal_distance(rows: &[Row], contact_distance: f64) -> String {
-    let points =
-        |value: &dyn Fn(&Row) -> Option<f64>| rows.iter().map(|row| (row.time, value(row))).collect();
     let lines = [
-        Line {
-            name: "minimal distance",
-            points: points(&|row| row.minimal_distance),
-        },
-        Line {
-            name: "contact distance",
-            points: points(&|_| Some(contact_distance)),
-        },
+        Line::new("minimal distance", rows, |row| row.minimal_distance),
+        Line::new("contact distance", rows, |_| Some(contact_distance)),
     ];
     plot(&lines, "distance / m", true)
 }

@@ -212,7 +212,7 @@ fn a_collection_is_taken_in_its_order() {
     assert_report(&run, 1, &report);
 
     let mut nothing = Vec::new();
-    ccd_mesh::write_pvd(&mut nothing, []).unwrap();
+    ccd_mesh::write_pvd(&mut nothing, [(0.0, ""); 0]).unwrap();
     folder.write("nothing.pvd", nothing);
     assert!(
         folder

@@ -42,8 +42,12 @@ fn every_step_is_printed_and_free_of_contact() {
     let run = folder.run(&["simulate", "scene.toml", "--out", "result"]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let lines: Vec<&str> = run.stdout.lines().collect();
-    assert_eq!(lines.len(), 10);
-    assert!(lines[9].starts_with("step 10, 0.2000 s: "), "{}", lines[9]);
+    assert_eq!(lines.len(), 11);
+    assert_eq!(
+        lines[0],
+        "12 vertices, 14 faces, 1.517 m across; contact distance 2.00e-3 m; 10 time steps of 0.02 s"
+    );
+    assert!(lines[10].starts_with("step 10, 0.2000 s: "), "{}", lines[10]);
 
     assert_eq!(fs::read_dir(folder.path("result/frames")).unwrap().count(), 11);
     let audit = folder.run(&["audit", "result/frames"]);
@@ -187,7 +191,7 @@ fn the_method_can_be_chosen() {
     let folder = folder();
     for ccd in ["bisection", "parity", "ti"] {
         let run = folder.run(&["simulate", "scene.toml", "--ccd", ccd, "--steps", "6"]);
-        assert_eq!((run.status, run.stdout.lines().count()), (0, 6), "{ccd}");
+        assert_eq!((run.status, run.stdout.lines().count()), (0, 7), "{ccd}");
     }
     let run = folder.run(&["simulate", "scene.toml", "--ccd", "luck"]);
     assert_error(
@@ -208,7 +212,7 @@ fn errors_say_where() {
     let run = folder.run(&["simulate", "missing.toml"]);
     assert_error(&run, "missing.toml: ");
     let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
-    assert_error(&run, "empty/checkpoint.json: ");
+    assert_error(&run, "empty/checkpoint.json: there is no run to go on with");
     fs::create_dir(folder.path("empty")).unwrap();
     folder.write("empty/checkpoint.json", "{\"step\": 3}");
     let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
@@ -226,20 +230,99 @@ fn a_checkpoint_of_another_scene_is_refused() {
     assert_eq!(simulate("scene.toml", &[]).status, 0);
     assert_eq!(simulate("scene.toml", &["--resume"]).status, 0);
     let changes = [
-        ("time-step = 0.02", "time-step = 0.01", "time-step"),
-        ("young = 1e6", "young = 2e6", "materials"),
-        ("translate = [0.2, 0.05", "translate = [0.2, 0.06", "positions"),
+        (
+            "time-step = 0.02",
+            "time-step = 0.01",
+            "`time-step` = 0.02, now it is 0.01",
+        ),
+        ("young = 1e6", "young = 2e6", "other materials"),
+        (
+            "translate = [0.2, 0.05",
+            "translate = [0.2, 0.06",
+            "other positions",
+        ),
     ];
     for (from, to, what) in changes {
         assert!(SCENE.contains(from), "{from}");
         folder.write("other.toml", SCENE.replace(from, to));
         let run = simulate("other.toml", &["--resume"]);
-        let expected = format!("out/checkpoint.json: the checkpoint is of a run with other `{what}`");
+        let expected = format!("out/checkpoint.json: the checkpoint is of a run with {what}");
         assert_error(&run, &expected);
     }
     let run = simulate("scene.toml", &["--resume", "--ccd", "bisection"]);
     assert_error(
         &run,
-        "out/checkpoint.json: the checkpoint is of a run with other `ccd`",
+        "out/checkpoint.json: the checkpoint is of a run with `ccd` = \"exact\", now it is \"bisection\"",
     );
+}
+
+#[test]
+fn what_is_there_already_is_not_done_again() {
+    let folder = folder();
+    let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "2"];
+    assert_eq!(folder.run(&arguments).status, 0);
+    let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    assert!(
+        run.stdout
+            .ends_with("; time step 2 is there already, up to 2 nothing is left to do\n"),
+        "{run:?}"
+    );
+}
+
+/// A checkpoint stands for files: one that says more than there is would be counted up to.
+#[test]
+fn a_checkpoint_of_a_step_that_is_not_there_is_refused() {
+    let folder = folder();
+    let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "2"];
+    assert_eq!(folder.run(&arguments).status, 0);
+    let checkpoint = folder.read("out/checkpoint.json");
+    assert!(checkpoint.contains("\"step\":2,"));
+    for (step, error) in [
+        (
+            "1000000000000000",
+            "it is of time step 1000000000000000, but out/vtu/1000000000000000.vtu",
+        ),
+        (
+            "18446744073709551615",
+            "the state is after 18446744073709551615 steps",
+        ),
+    ] {
+        folder.write(
+            "out/checkpoint.json",
+            checkpoint.replace("\"step\":2,", &format!("\"step\":{step},")),
+        );
+        let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
+        assert_error(&run, &format!("out/checkpoint.json: {error}"));
+    }
+}
+
+/// Whatever numbers a table holds, the plots come to an end.
+#[test]
+fn plots_of_any_numbers_are_drawn() {
+    let folder = folder();
+    let arguments = [
+        "simulate",
+        "scene.toml",
+        "--out",
+        "out",
+        "--steps",
+        "2",
+        "--render",
+    ];
+    assert_eq!(folder.run(&arguments).status, 0);
+    let statistics = folder.read("out/statistics.csv");
+    let row = statistics.lines().nth(1).unwrap();
+    for number in ["inf", "-inf", "NaN", "1e308", "-1e308", "1e-320", "-0"] {
+        // Time, minimal distance, and energies.
+        let changed = row.split(',').enumerate().map(|(column, value)| match column {
+            1 | 7 | 10..=14 => number,
+            _ => value,
+        });
+        let changed: Vec<&str> = changed.collect();
+        folder.write("out/statistics.csv", statistics.replace(row, &changed.join(",")));
+        let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{number}");
+        assert!(folder.read("out/energies.svg").ends_with("</svg>\n"));
+    }
 }

@@ -60,11 +60,12 @@ fn arguments<'a>(out: &'a str, queries: &'a str, more: &[&'a str]) -> Vec<&'a st
     [all.as_slice(), more].concat()
 }
 
-/// Starts the program and ends it, with SIGKILL where there are signals, when it has printed so many lines.
-fn kill_after(folder: &Folder, arguments: &[&str], lines: usize) {
+/// Starts the program and ends it, with SIGKILL where there are signals, when it has taken so many time steps.
+fn kill_after(folder: &Folder, arguments: &[&str], steps: usize) {
     let mut program = folder.program(arguments).stdout(Stdio::piped()).spawn().unwrap();
     let mut output = BufReader::new(program.stdout.take().unwrap());
-    for _ in 0..lines {
+    // A line for the scene, and one for each.
+    for _ in 0..=steps {
         output.read_line(&mut String::new()).unwrap();
     }
     program.kill().unwrap();
@@ -77,14 +78,14 @@ fn a_killed_simulation_comes_to_the_same_bytes() {
     let run = folder.run(&arguments("whole", "whole/queries", &["--threads", "1"]));
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     for threads in ["1", "2"] {
-        for lines in [1, 4, 5, 9] {
-            let out = format!("{threads}-{lines}");
+        for steps in [1, 4, 5, 9] {
+            let out = format!("{threads}-{steps}");
             let queries = format!("{out}/queries");
             let threads = ["--threads", threads];
-            kill_after(&folder, &arguments(&out, &queries, &threads), lines);
+            kill_after(&folder, &arguments(&out, &queries, &threads), steps);
             // What the collection names is there at any time.
             let frames = ccd_mesh::read_pvd(folder.path(&format!("{out}/motion.pvd"))).unwrap();
-            assert!(frames.len() > lines && frames.iter().all(|(_, file)| file.is_file()));
+            assert!(frames.len() > steps && frames.iter().all(|(_, file)| file.is_file()));
 
             let resume = ["--resume", threads[0], threads[1]];
             let run = folder.run(&arguments(&out, &queries, &resume));
