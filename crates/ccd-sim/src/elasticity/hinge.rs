@@ -7,8 +7,12 @@ use crate::element::{Element, Matrix12, Vector12};
 use crate::psd;
 
 /// Two triangles that share an edge resist bending about it: ½ k (θ − θ₀)² with the angle θ between their normals, the
-/// angle θ₀ at rest and k = 3 D |e|² / A for the flexural rigidity D, the length of the edge and the area of both triangles:
-/// E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003.
+/// angle θ₀ at rest and k = D |e|² / A for the flexural rigidity D, the length of the edge and the area of both triangles: the
+/// energy of E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, with the factor (there it is open, and often 3)
+/// with which a plate that is rolled into a cylinder of curvature κ has ½ D κ² per area.
+///
+/// Along a generator of the cylinder, that is: faces of width w beside an edge as long have A = w |e| and bend by θ = κ w, so
+/// that ½ k θ² = ½ D κ² A. Thin shells bend like that, for a sphere would have to stretch them.
 #[derive(Clone, Debug)]
 pub struct Hinge {
     vertices: [u32; 4],
@@ -26,7 +30,7 @@ impl Hinge {
         let degenerate = shape.normals.iter().any(|normal| normal.norm_squared() == 0.0);
         (!degenerate).then(|| Self {
             vertices,
-            stiffness: 3.0 * rigidity * shape.edge.norm_squared() / area,
+            stiffness: rigidity * shape.edge.norm_squared() / area,
             rest: shape.angle(),
         })
     }

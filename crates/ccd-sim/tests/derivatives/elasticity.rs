@@ -1,6 +1,7 @@
 //! Elastic energies.
 
 use ccd_sim::elasticity::{ElasticModuli, Hinge, Membrane, SolidMaterial, Tetrahedron};
+use ccd_sim::{Body, BodyKind};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::differences::{
@@ -203,8 +204,8 @@ fn a_fold_costs_half_the_stiffness_times_the_square_of_the_angle() {
     for angle in [-3.0_f64, -1.0, 0.25, 2.5] {
         let mut folded = rest;
         folded[3] = Vector3::new(-angle.cos(), angle.sin(), 0.0);
-        // 3 D |e|² / A = 3 · 2 · 1 / 1.
-        let expected = 0.5 * 6.0 * angle * angle;
+        // D |e|² / A = 2 · 1 / 1.
+        let expected = 0.5 * 2.0 * angle * angle;
         assert!((hinge.value(&folded) / expected - 1.0).abs() < 1e-13);
     }
 }
@@ -224,12 +225,92 @@ fn a_hinge_unbends_the_way_that_it_came() {
     };
     let hinge = Hinge::new([0, 1, 2, 3], &bent(2.0), 1.0).unwrap();
     for angle in (-31..=31).map(|tenths| 0.1 * f64::from(tenths)) {
-        // k = 3 |e|² / A, where the edge is 1 long and both triangles together have an area of 1.
-        let expected = 1.5 * (angle - 2.0).powi(2);
+        // k = |e|² / A, where the edge is 1 long and both triangles together have an area of 1.
+        let expected = 0.5 * (angle - 2.0).powi(2);
         let found = hinge.value(&bent(angle));
         assert!(
             (found - expected).abs() < 1e-12,
             "{angle}: {found}, expected {expected}"
         );
+    }
+}
+
+/// A plate that is rolled into a cylinder of curvature κ has the energy ½ D κ² per area, whichever mesh it is of and whichever
+/// way it is rolled, but at its rim, where there are no hinges.
+#[test]
+fn a_rolled_plate_has_the_energy_of_its_curvature() {
+    const RIGIDITY: f64 = 0.7;
+    const CURVATURE: f64 = 0.5;
+    let squares = |n: u16| ccd_sim::shapes::cloth([n, n], [1.0, 1.0]);
+    // Equilateral triangles, if rows are sheared and made lower.
+    let triangles = |n: u16| {
+        let n = u32::from(n);
+        let at = |i: u32, j: u32| i + j * (n + 1);
+        let points = (0..=n).flat_map(|j| (0..=n).map(move |i| (i, j)));
+        let point = |(i, j): (u32, u32)| {
+            let (x, z) = (f64::from(i) + 0.5 * f64::from(j), 0.75_f64.sqrt() * f64::from(j));
+            Vector3::new(x, 0.0, z) / f64::from(n)
+        };
+        let cells = (0..n).flat_map(|j| (0..n).map(move |i| (i, j)));
+        let faces = cells.flat_map(|(i, j)| {
+            [
+                [at(i, j), at(i, j + 1), at(i + 1, j)],
+                [at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)],
+            ]
+        });
+        (points.map(point).collect::<Vec<_>>(), faces.collect::<Vec<_>>())
+    };
+    let energy = |points: &[Vector3<f64>], faces: &[[u32; 3]], turn: f64| {
+        let (sin, cos) = turn.sin_cos();
+        let rolled = |p: &Vector3<f64>| {
+            let (across, along) = (cos * p.x + sin * p.z, cos * p.z - sin * p.x);
+            let angle = CURVATURE * across;
+            Vector3::new(angle.sin(), 1.0 - angle.cos(), CURVATURE * along) / CURVATURE
+        };
+        let bent: Vec<_> = points.iter().map(rolled).collect();
+        let mut energy = 0.0;
+        for (place, &[a, b, c]) in faces.iter().enumerate() {
+            for [from, to, left] in [[a, b, c], [b, c, a], [c, a, b]] {
+                for &[a, b, c] in &faces[place + 1..] {
+                    for [first, second, right] in [[a, b, c], [b, c, a], [c, a, b]] {
+                        if [from, to] == [second, first] {
+                            let vertices = [from, to, left, right];
+                            let rest = vertices.map(|v| points[v as usize]);
+                            let hinge = Hinge::new(vertices, &rest, RIGIDITY).unwrap();
+                            energy += hinge.value(&vertices.map(|v| bent[v as usize]));
+                        }
+                    }
+                }
+            }
+        }
+        energy
+    };
+    let area = |points: &[Vector3<f64>], faces: &[[u32; 3]]| -> f64 {
+        let area = |face: &[u32; 3]| {
+            let [a, b, c] = face.map(|v| points[v as usize]);
+            0.5 * (b - a).cross(&(c - a)).norm()
+        };
+        faces.iter().map(area).sum()
+    };
+    let check = |points: &[Vector3<f64>], faces: &[[u32; 3]], turn: f64, n: u16| {
+        let expected = 0.5 * RIGIDITY * CURVATURE * CURVATURE * area(points, faces);
+        let ratio = energy(points, faces, turn) / expected;
+        // Of n rows of faces, one is at the rim.
+        let rim = 3.0 / f64::from(n);
+        assert!((1.0 - rim..=1.001).contains(&ratio), "{n}, {turn}: {ratio}");
+    };
+    for n in [10, 20] {
+        let Body { points, kind, .. } = squares(n);
+        let BodyKind::Shell { faces, .. } = kind else {
+            panic!("cloth is a shell")
+        };
+        let points: Vec<_> = points.into_iter().map(Vector3::from).collect();
+        for turn in [0.0, core::f64::consts::FRAC_PI_2] {
+            check(&points, &faces, turn, n);
+        }
+        let (points, faces) = triangles(n);
+        for turn in [0.0, 0.3, 1.0, 2.0] {
+            check(&points, &faces, turn, n);
+        }
     }
 }
