@@ -1,13 +1,16 @@
 //! Where a simulation is, and of what.
 
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
-use crate::settings::{Friction, Settings};
+use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
 /// A state with the settings and the system of which it is: only with these, it goes on as if it had never stopped.
+///
+/// To be written and read without loss as JSON, it needs the feature `float_roundtrip` of `serde_json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
     /// The numbers of the simulation.
@@ -22,49 +25,38 @@ impl Checkpoint {
     /// The simulation, which goes on.
     ///
     /// # Errors
-    /// [`SimulationError::Checkpoint`] names the first setting, or part of the system, that is another one than that of the
-    /// checkpoint. Others are as in [`Simulation::resume`].
+    /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name what is not as in the checkpoint. Others are as
+    /// in [`Simulation::resume`].
     pub fn resume(self, system: System, settings: Settings) -> Result<Simulation, SimulationError> {
-        let difference = difference(&self.settings, &settings);
-        match difference.or_else(|| self.system.difference(&system.fingerprint())) {
+        if let Some(different) = different_setting(&self.settings, &settings) {
+            return Err(different);
+        }
+        match self.system.difference(&system.fingerprint()) {
             None => Simulation::resume(system, settings, self.state),
-            Some(what) => Err(SimulationError::Checkpoint { what }),
+            Some(what) => Err(SimulationError::OtherSystem { what }),
         }
     }
 }
 
 /// The first setting that differs.
-fn difference(a: &Settings, b: &Settings) -> Option<&'static str> {
-    let Settings {
-        time_step,
-        gravity,
-        integrator,
-        contact_distance,
-        friction,
-        tolerance,
-        max_iterations,
-        ccd,
-    } = a;
-    let Friction {
-        coefficient,
-        static_velocity,
-        lags,
-    } = friction;
-    let are_same = [
-        ("time-step", *time_step == b.time_step),
-        ("gravity", *gravity == b.gravity),
-        ("integrator", *integrator == b.integrator),
-        ("contact-distance", *contact_distance == b.contact_distance),
-        ("friction.coefficient", *coefficient == b.friction.coefficient),
-        (
-            "friction.static-velocity",
-            *static_velocity == b.friction.static_velocity,
-        ),
-        ("friction.lags", *lags == b.friction.lags),
-        ("tolerance", *tolerance == b.tolerance),
-        ("max-iterations", *max_iterations == b.max_iterations),
-        ("ccd", *ccd == b.ccd),
-    ];
-    let different = are_same.into_iter().find(|(_, same)| !same);
-    different.map(|(what, _)| what)
+fn different_setting(there: &Settings, here: &Settings) -> Option<SimulationError> {
+    // All of them can be written.
+    let [there, here] = [there, here].map(|settings| serde_json::to_value(settings).unwrap_or_default());
+    difference("", &there, &here)
+}
+
+fn difference(name: &str, there: &Value, here: &Value) -> Option<SimulationError> {
+    match (there, here) {
+        _ if there == here => None,
+        (Value::Object(there), Value::Object(here)) if there.keys().eq(here.keys()) => {
+            let dot = if name.is_empty() { "" } else { "." };
+            let mut pairs = there.iter().zip(here.values());
+            pairs.find_map(|((key, there), here)| difference(&format!("{name}{dot}{key}"), there, here))
+        }
+        _ => Some(SimulationError::OtherSetting {
+            what: name.to_owned(),
+            there: there.to_string(),
+            here: here.to_string(),
+        }),
+    }
 }

@@ -83,7 +83,7 @@ impl Drive {
 
     /// Something is in the way: pull, or pull harder. If springs are as stiff as they get, the vertices stay.
     pub(crate) fn pull(&mut self, system: &System) {
-        let mass = Some(system.mean_mass()).filter(|&mass| mass > 0.0).unwrap_or(1.0);
+        let mass = system.mean_mass();
         let [first, last] = STIFFNESS.map(|masses| masses * mass);
         let stiffer = STIFFER * self.stiffness;
         self.mode = if stiffer > last { Mode::Done } else { Mode::Pull };

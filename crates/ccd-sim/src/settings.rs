@@ -19,12 +19,85 @@ pub struct Settings {
     pub contact_distance: Length,
     /// Friction.
     pub friction: Friction,
-    /// When Newton's method stops: all vertices' next displacements, per time step, are below this length per second.
+    /// When Newton's method stops: no vertex would go on faster than this length per second, over the time that forces act, which is
+    /// the time step or, of BDF2, two thirds of it.
     pub tolerance: Length,
     /// How many iterations of Newton's method to do at most, for each lag of friction.
     pub max_iterations: usize,
     /// The name of the method of continuous collision detection, see [`filter::names`](crate::filter::names).
     pub ccd: String,
+}
+
+/// A number of the settings is out of range.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("`{what}` is {value}, expected {expected}")]
+pub struct SettingError {
+    /// Which, as in [`Settings`] with dots and hyphens.
+    pub what: &'static str,
+    /// Its value; that of a length in m.
+    pub value: f64,
+    /// What it should be.
+    pub expected: &'static str,
+}
+
+impl Settings {
+    /// Whether all numbers are in range, for a scene of a size (in m).
+    ///
+    /// # Errors
+    /// [`SettingError`] names the first that is not.
+    pub fn check(&self, size: f64) -> Result<(), SettingError> {
+        let is_positive = |x: f64| x > 0.0 && x.is_finite();
+        let (distance, tolerance) = (self.contact_distance.meters(size), self.tolerance.meters(size));
+        let slow = self.friction.static_velocity.meters(size);
+        let friction = self.friction.coefficient;
+        let positive = "a positive number";
+        let checks = [
+            ("time-step", self.time_step, is_positive(self.time_step), positive),
+            ("contact-distance", distance, is_positive(distance), positive),
+            (
+                "contact-distance",
+                distance,
+                (distance * distance).is_normal(),
+                "a length whose square is a normal number",
+            ),
+            // Beyond it, everything would be in contact with everything.
+            (
+                "contact-distance",
+                distance,
+                distance <= size,
+                "a length not above the diagonal of the box around the scene",
+            ),
+            ("tolerance", tolerance, is_positive(tolerance), positive),
+            ("friction.static-velocity", slow, is_positive(slow), positive),
+            (
+                "friction.coefficient",
+                friction,
+                friction >= 0.0 && friction.is_finite(),
+                "a number not below 0",
+            ),
+            (
+                "max-iterations",
+                self.max_iterations as f64,
+                self.max_iterations > 0,
+                "1 at least",
+            ),
+        ];
+        let gravity = self
+            .gravity
+            .map(|g| ("gravity", g, g.is_finite(), "finite numbers"));
+        match checks
+            .into_iter()
+            .chain(gravity)
+            .find(|(_, _, is_good, _)| !is_good)
+        {
+            None => Ok(()),
+            Some((what, value, _, expected)) => Err(SettingError {
+                what,
+                value,
+                expected,
+            }),
+        }
+    }
 }
 
 /// A length.

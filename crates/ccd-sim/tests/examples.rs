@@ -51,6 +51,18 @@ fn the_small_mat_twists_without_intersection() {
     assert!(bounds.upper[1] > height, "{bounds:?}");
 }
 
+/// The corners of the cloth are where they are led, and it swings without passing through itself.
+#[test]
+fn the_cloth_hangs_by_its_corners() {
+    let (simulation, all) = run("pinned-cloth.toml", 20);
+    assert!(all.iter().all(|statistics| statistics.script_lag == 0.0));
+    let positions = &simulation.state().positions;
+    assert_eq!(positions[0], [0.0; 3]);
+    assert!((positions[16][0] - (1.0 - 0.4 * 0.4)).abs() < 1e-12 && positions[16][1] == 0.0);
+    let lowest = positions.iter().map(|x| x[1]).fold(0.0, f64::min);
+    assert!(lowest < -0.3, "{lowest}");
+}
+
 #[test]
 fn the_small_mat_is_the_same_on_any_number_of_threads() {
     let on = |threads: usize| {

@@ -108,12 +108,12 @@ fn errors_name_file_line_and_field() {
         (
             "young = 1e6, poisson = 0.4",
             "young = 1e6, poisson = 0.5",
-            "scene.toml, line 20, body[0].solid.poisson: body 0: Poisson's ratio is 0.5, expected a number in [0, 0.5)",
+            "scene.toml, line 20, body[0].solid.poisson: Poisson's ratio is 0.5, expected a number in [0, 0.5)",
         ),
         (
             "density = 300.0",
             "density = 0.0",
-            "scene.toml, line 28, body[1].shell.density: body 1: the density is 0, expected a positive number",
+            "scene.toml, line 28, body[1].shell.density: the density is 0, expected a positive number",
         ),
         (
             "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
@@ -127,8 +127,9 @@ fn errors_name_file_line_and_field() {
         ),
         (
             "lower = [1.9,",
-            "lower = [2.9,",
-            "scene.toml, line 35, body[1].script[1].vertices: no vertex of the body is there",
+            "lower = [2.05,",
+            "scene.toml, line 35, body[1].script[1].vertices: no vertex of the body is there: placed, it goes from \
+             [0.0, 0.0, 0.0] to [2.0, 0.0, 1.0]",
         ),
     ];
     assert_errors(&cases);
@@ -166,12 +167,12 @@ fn numbers_out_of_range_are_told_at_their_field() {
         (
             "density = 1000.0",
             "density = 1e308",
-            "scene.toml, line 8, settings.contact-distance: `contact-distance` is 0.001, expected a length for which",
+            "scene.toml, line 8, settings.contact-distance: `contact-distance` is 0.001, expected a length with which",
         ),
         (
             "density = 300.0",
             "density = 1e-320",
-            "scene.toml, line 28, body[1].shell.density: body 1: element 0 has a mass of 0",
+            "scene.toml, line 28, body[1].shell.density: element 0 has a mass of 0",
         ),
         (
             "axis = [1.0, 0.0, 0.0], degrees",
@@ -181,12 +182,12 @@ fn numbers_out_of_range_are_told_at_their_field() {
         (
             "velocity = [0.0, 1.0, 0.0]",
             "velocity = [0.0, nan, 0.0]",
-            "scene.toml, line 24, body[0].velocity: body 0: the velocity is [0.0, NaN, 0.0], expected finite numbers",
+            "scene.toml, line 24, body[0].velocity: the velocity is [0.0, NaN, 0.0], expected finite numbers",
         ),
         (
             "translate = [0.0, -1.0, 0.0]",
             "translate = [0.0, -1.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]",
-            "scene.toml, line 41, body[2].velocity: body 2: the velocity is [1.0, 0.0, 0.0], expected none",
+            "scene.toml, line 41, body[2].velocity: the velocity is [1.0, 0.0, 0.0], expected none",
         ),
         (
             "axis = [1.0, 0.0, 0.0], rate",
@@ -211,10 +212,59 @@ fn numbers_out_of_range_are_told_at_their_field() {
         (
             "grid = { cells = [1, 1], size = [9.0, 9.0] }",
             "grid = { cells = [2000, 2000], size = [9.0, 9.0] }",
-            "scene.toml, line 39, body[2].shape: 4000000 cells, expected at most 1048576",
+            "scene.toml, line 39, body[2].shape: 4000000 cells, expected 1 at least and 1048576 at most",
+        ),
+        (
+            "grid = { cells = [1, 1], size = [9.0, 9.0] }",
+            "grid = { cells = [0, 4], size = [9.0, 9.0] }",
+            "scene.toml, line 39, body[2].shape: 0 cells, expected 1 at least",
+        ),
+        // An obstacle without volume has no surface.
+        (
+            "grid = { cells = [1, 1], size = [9.0, 9.0] }",
+            "box = { cells = [1, 1, 1], size = [9.0, 0.0, 9.0] }",
+            "scene.toml, line 39, body[2].shape: a length of 0 m, expected a positive number",
+        ),
+        (
+            "grid = { cells = [1, 1], size = [9.0, 9.0] }",
+            "sphere = { subdivisions = 1, radius = -2.0 }",
+            "scene.toml, line 39, body[2].shape: a length of -2 m, expected a positive number",
+        ),
+        (
+            "contact-distance = { absolute = 1e-3 }",
+            "contact-distance = { absolute = 1000.0 }",
+            "scene.toml, line 8, settings.contact-distance: `contact-distance` is 1000, expected a length not above",
+        ),
+        (
+            "lower = [1.9,",
+            "lower = [2.9,",
+            "scene.toml, line 35, body[1].script[1].vertices: the box from [2.9, -0.1, -0.1] to [2.1, 0.1, 2.0] is empty",
+        ),
+        (
+            "duration = 0.1",
+            "duration = -1.0",
+            "scene.toml, line 2, duration: -1, expected a number of seconds, not below 0",
+        ),
+        // Right through the cloth, which is body 1.
+        (
+            "translate = [0.0, 0.0, 3.0]",
+            "translate = [0.2, 0.1, 0.6]",
+            "scene.toml, line 26, body[1]: ",
         ),
     ];
     assert_errors(&cases);
+    let meeting = error_with("translate = [0.0, 0.0, 3.0]", "translate = [0.2, 0.1, 0.6]");
+    assert!(
+        meeting.contains("of body[1] and ")
+            && meeting.contains("of body[0], near [")
+            && meeting.contains("meet at"),
+        "{meeting}"
+    );
+    let empty = parse("duration = 1.0").err().unwrap();
+    assert_eq!(
+        empty,
+        "scene.toml, line 1, body: there is none, expected at least one `[[body]]`"
+    );
 }
 
 #[track_caller]
@@ -244,4 +294,17 @@ fn unknown_fields_and_methods_are_told() {
     );
     let error = parse("duration = 1.0\nbody = 3 4").err().unwrap();
     assert!(error.starts_with("scene.toml, line 2, "), "{error}");
+}
+
+/// The documentation shows a scene with everything in it.
+#[test]
+fn the_scene_of_the_documentation_is_one() {
+    let documentation = include_str!("../../../docs/scenes.md");
+    let (_, rest) = documentation.split_once("```toml\n").unwrap();
+    let (text, _) = rest.split_once("```").unwrap();
+    let scene = parse(text).unwrap();
+    assert_eq!(scene.steps, 50);
+    // What it says of settings is what they are if it says nothing.
+    assert_eq!(scene.settings, ccd_sim::Settings::default());
+    scene.simulation().unwrap().step().unwrap();
 }

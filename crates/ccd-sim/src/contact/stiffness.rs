@@ -32,10 +32,10 @@ impl StiffnessRange {
         }
     }
 
-    /// Whether there is such a range, among f64.
+    /// Whether there is such a range, among positive f64.
     #[must_use]
-    pub fn is_finite(&self) -> bool {
-        self.least.is_finite() && self.greatest.is_finite()
+    pub fn is_sound(&self) -> bool {
+        self.least > 0.0 && self.greatest.is_finite()
     }
 
     /// The κ with which the barriers balance the other forces best, in the range.
@@ -45,8 +45,8 @@ impl StiffnessRange {
         let (along, squared) = pairs.fold((0.0, 0.0), |(along, squared), (energy, barrier)| {
             (along + energy.dot(barrier), squared + barrier.norm_squared())
         });
-        let balance = if squared > 0.0 { -along / squared } else { 0.0 };
-        balance.clamp(self.least, self.greatest)
+        // NaN, of barriers that are infinite or none, is the least.
+        (-along / squared).max(self.least).min(self.greatest)
     }
 
     /// κ after an iteration that took the least distance from `before` to `after`: twice as stiff if both are critical and

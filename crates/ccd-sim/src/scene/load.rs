@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use ccd_mesh::Point;
+use ccd_mesh::{Bounds, Point};
 
 use super::description::{BodyDescription, Description, Selection};
 use super::document::{Document, Key, SceneError};
@@ -10,7 +10,7 @@ use super::mesh::Mesh;
 use crate::body::{Body, BodyKind};
 use crate::checkpoint::Checkpoint;
 use crate::settings::Settings;
-use crate::simulation::{Simulation, SimulationError};
+use crate::simulation::{Primitive, Simulation, SimulationError};
 use crate::system::{System, SystemError};
 
 use Key::{Index, Name};
@@ -53,6 +53,9 @@ impl Scene {
         let settings = description.settings.clone();
         let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
 
+        if description.body.is_empty() {
+            return Err(document.error_of(&[Name("body")], "there is none, expected at least one `[[body]]`"));
+        }
         let mut bodies = Vec::new();
         let mut scripts = Vec::new();
         let mut first = 0;
@@ -61,8 +64,7 @@ impl Scene {
                 document.error_of(&[Name("body"), Index(index), Name(field)], &message)
             })?;
             for (number, script) in described.script.iter().enumerate() {
-                let selected = select(script.vertices, &body.points, first);
-                if selected.is_empty() {
+                let selected = select(script.vertices, &body.points, first).map_err(|message| {
                     let path = [
                         Name("body"),
                         Index(index),
@@ -70,8 +72,8 @@ impl Scene {
                         Index(number),
                         Name("vertices"),
                     ];
-                    return Err(document.error_of(&path, "no vertex of the body is there"));
-                }
+                    document.error_of(&path, &message)
+                })?;
                 script.motion.check().map_err(|error| {
                     let script = [
                         Name("body"),
@@ -100,7 +102,7 @@ impl Scene {
         };
         scene
             .simulation()
-            .map_err(|error| in_settings(&document, &error))?;
+            .map_err(|error| in_settings(&document, &bodies, &error))?;
         // Only now is the time step known to be positive.
         scene.steps = steps(&document, description.duration, scene.settings.time_step)?;
         Ok(scene)
@@ -167,19 +169,30 @@ fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static st
     })
 }
 
-/// The selected vertices of a body whose vertices are numbered from `first` on.
-fn select(selection: Selection, points: &[Point], first: u32) -> Vec<u32> {
-    let is_selected = |point: &Point| match selection {
-        Selection::All => true,
-        Selection::Box { lower, upper } => {
-            (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&point[axis]))
-        }
+/// The selected vertices of a body whose vertices are numbered from `first` on, or why there are none.
+fn select(selection: Selection, points: &[Point], first: u32) -> Result<Vec<u32>, String> {
+    let all = (first..).zip(points);
+    let Selection::Box { lower, upper } = selection else {
+        return Ok(all.map(|(vertex, _)| vertex).collect());
     };
-    (first..)
-        .zip(points)
+    if (0..3).any(|axis| lower[axis] > upper[axis]) {
+        return Err(format!(
+            "the box from {lower:?} to {upper:?} is empty, expected `lower` below `upper`"
+        ));
+    }
+    let is_selected = |point: &Point| (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&point[axis]));
+    let selected: Vec<u32> = all
         .filter(|(_, point)| is_selected(point))
         .map(|(vertex, _)| vertex)
-        .collect()
+        .collect();
+    if selected.is_empty() {
+        let body: Bounds = points.iter().copied().collect();
+        return Err(format!(
+            "no vertex of the body is there: placed, it goes from {:?} to {:?}",
+            body.lower, body.upper
+        ));
+    }
+    Ok(selected)
 }
 
 fn steps(document: &Document<'_>, duration: f64, time_step: f64) -> Result<u64, SceneError> {
@@ -188,22 +201,27 @@ fn steps(document: &Document<'_>, duration: f64, time_step: f64) -> Result<u64, 
     if duration >= 0.0 && steps < 1e15 {
         Ok(steps as u64)
     } else {
-        let message = format!("{duration}, expected a number of seconds, and not too many time steps");
+        let message = format!(
+            "{duration}, expected a number of seconds, not below 0 and of fewer than 10¹⁵ time steps"
+        );
         Err(document.error_of(&[Name("duration")], &message))
     }
 }
 
 /// The error of a system, at the body.
 fn locate(document: &Document<'_>, description: &Description, error: &SystemError) -> SceneError {
+    // The field says of which body it is.
+    let message = |body: usize| error.to_string().replacen(&format!("body {body}: "), "", 1);
     let (body, field) = match error {
         SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
         SystemError::Moduli { body, source } => (*body, Some(source.field())),
         SystemError::Mass { body, .. } => (*body, Some("density")),
         SystemError::Velocity { body, .. } => {
             let path = [Name("body"), Index(*body), Name("velocity")];
-            return document.error_of(&path, &error.to_string());
+            return document.error_of(&path, &message(*body));
         }
         SystemError::Index { body, .. }
+        | SystemError::Empty { body }
         | SystemError::NotFinite { body, .. }
         | SystemError::Solid { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
@@ -223,22 +241,34 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
         Name(field.unwrap_or("")),
     ];
     let depth = if field.is_some() { 4 } else { 3 };
-    document.error_of(&path[..depth], &error.to_string())
+    document.error_of(&path[..depth], &message(body))
 }
 
-/// The error of the settings, at the one that is wrong.
-fn in_settings(document: &Document<'_>, error: &SimulationError) -> SceneError {
+/// The error of a simulation, at the setting that is wrong, or at the second of two bodies that meet.
+fn in_settings(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
     let field = match error {
-        SimulationError::Start(_) => return document.error_of(&[Name("body")], &error.to_string()),
-        SimulationError::Setting { what, .. } => what,
+        SimulationError::Start(primitives) => return in_start(document, bodies, *primitives),
+        SimulationError::Setting(setting) => setting.what,
         SimulationError::Filter(_) => "ccd",
-        SimulationError::State { .. }
-        | SimulationError::NotFinite { .. }
-        | SimulationError::Checkpoint { .. }
-        | SimulationError::Singular { .. }
-        | SimulationError::Blocked { .. } => "",
+        _ => "",
     };
     let names = field.split('.').filter(|name| !name.is_empty()).map(Name);
     let path: Vec<Key<'_>> = std::iter::once(Name("settings")).chain(names).collect();
     document.error_of(&path, &error.to_string())
+}
+
+/// The error of two primitives that meet, named as in their mesh files.
+fn in_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2]) -> SceneError {
+    let ranges = System::ranges(bodies);
+    // Both have vertices, and each is that of a body.
+    let [(a, first), (b, second)] = primitives.map(|primitive| {
+        let vertex = primitive.vertices()[0];
+        let body = ranges.partition_point(|range| range.end <= vertex);
+        (body, primitive.map(|vertex| vertex - ranges[body].start))
+    });
+    let place = bodies[a].points[first.vertices()[0] as usize];
+    let message = format!(
+        "{second} of body[{b}] and {first} of body[{a}], near {place:?}, meet at the start, expected a distance between them"
+    );
+    document.error_of(&[Name("body"), Index(b)], &message)
 }

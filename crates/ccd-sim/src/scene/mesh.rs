@@ -36,13 +36,18 @@ impl Mesh {
 
     /// The mesh of a shape.
     pub(super) fn generate(shape: Shape) -> Result<Self, String> {
-        let cells: u64 = match shape {
-            Shape::Box { cells, .. } => cells.map(u64::from).iter().product(),
-            Shape::Grid { cells, .. } => cells.map(u64::from).iter().product(),
-            Shape::Sphere { .. } => 0,
+        let (cells, lengths): (u64, &[f64]) = match &shape {
+            Shape::Box { cells, size } => (cells.map(u64::from).iter().product(), size),
+            Shape::Grid { cells, size } => (cells.map(u64::from).iter().product(), size),
+            Shape::Sphere { radius, .. } => (1, std::slice::from_ref(radius)),
         };
-        if cells > shapes::MOST_CELLS {
-            return Err(format!("{cells} cells, expected at most {}", shapes::MOST_CELLS));
+        if !(1..=shapes::MOST_CELLS).contains(&cells) {
+            let most = shapes::MOST_CELLS;
+            return Err(format!("{cells} cells, expected 1 at least and {most} at most"));
+        }
+        let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
+        if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
+            return Err(format!("a length of {length} m, expected a positive number"));
         }
         let Body { points, kind, .. } = match shape {
             Shape::Box { cells, size } => shapes::solid_box(cells, size),
@@ -56,9 +61,9 @@ impl Mesh {
         let (faces, tetrahedra) = match kind {
             BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => (faces, Vec::new()),
             BodyKind::Solid { tetrahedra, .. } => {
-                let surface =
-                    TetMesh::new(points.clone(), tetrahedra.clone()).map(|mesh| mesh.surface().to_vec());
-                (surface.unwrap_or_default(), tetrahedra)
+                let mesh = TetMesh::new(points.clone(), tetrahedra.clone());
+                let mesh = mesh.map_err(|error| error.to_string())?;
+                (mesh.surface().to_vec(), tetrahedra)
             }
         };
         Ok(Self {

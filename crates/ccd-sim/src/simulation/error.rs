@@ -1,22 +1,15 @@
 //! Simulations that cannot start or go on.
 
-use super::start::Meeting;
+use super::start::Primitive;
 use crate::filter::UnknownFilter;
-use crate::settings::{Length, Settings};
+use crate::settings::SettingError;
 
 /// What keeps a simulation from starting or from going on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SimulationError {
     /// A number of the settings is out of range.
-    #[error("`{what}` is {value}, expected {expected}")]
-    Setting {
-        /// Which, as in [`Settings`] with dots and hyphens.
-        what: &'static str,
-        /// Its value.
-        value: f64,
-        /// What it should be.
-        expected: &'static str,
-    },
+    #[error(transparent)]
+    Setting(#[from] SettingError),
     /// There is no such method of continuous collision detection.
     #[error(transparent)]
     Filter(#[from] UnknownFilter),
@@ -36,16 +29,31 @@ pub enum SimulationError {
         /// `positions`, `velocities`, and so on.
         what: &'static str,
     },
-    /// The checkpoint is that of another simulation.
-    #[error("the checkpoint is of a run with other `{what}`")]
-    Checkpoint {
-        /// The setting, as in [`Settings`] with dots and hyphens, or the part of the system: `positions`, `elements`,
-        /// `velocities`, `materials` or `scripts`.
+    /// More steps are said to have been taken than can be counted in f64.
+    #[error("the state is after {step} steps, expected fewer than 2⁵³")]
+    Late {
+        /// How many.
+        step: u64,
+    },
+    /// The checkpoint is that of a run with another setting.
+    #[error("the checkpoint is of a run with `{what}` = {there}, now it is {here}")]
+    OtherSetting {
+        /// Which, as in [`Settings`](crate::Settings) with dots and hyphens.
+        what: String,
+        /// Its value in the checkpoint, as JSON.
+        there: String,
+        /// Its value now.
+        here: String,
+    },
+    /// The checkpoint is that of another system.
+    #[error("the checkpoint is of a run with other {what}")]
+    OtherSystem {
+        /// What differs: `positions`, `elements`, `velocities`, `materials` or `scripts`.
         what: &'static str,
     },
     /// Something intersects or touches something already.
-    #[error("{0} meet where the simulation starts, expected a distance between them")]
-    Start(Meeting),
+    #[error("{} and {} meet where the simulation starts, expected a distance between them", .0[0], .0[1])]
+    Start([Primitive; 2]),
     /// The linear system of a Newton iteration has no solution: forces are not finite, or far out of proportion.
     #[error("step {step}: the linear system has no solution")]
     Singular {
@@ -60,59 +68,4 @@ pub enum SimulationError {
         /// The method of continuous collision detection.
         filter: String,
     },
-}
-
-/// Whether the settings are in range, for a scene of a size (in m).
-pub(super) fn check(settings: &Settings, size: f64) -> Result<(), SimulationError> {
-    let number = |length: Length| length.meters(size);
-    let positive = [
-        ("time-step", settings.time_step),
-        ("contact-distance", number(settings.contact_distance)),
-        ("tolerance", number(settings.tolerance)),
-        (
-            "friction.static-velocity",
-            number(settings.friction.static_velocity),
-        ),
-    ];
-    for (what, value) in positive {
-        if !(value > 0.0 && value.is_finite()) {
-            let expected = "a positive number";
-            return Err(SimulationError::Setting {
-                what,
-                value,
-                expected,
-            });
-        }
-    }
-    let distance = number(settings.contact_distance);
-    if !(distance * distance).is_normal() {
-        return Err(SimulationError::Setting {
-            what: "contact-distance",
-            value: distance,
-            expected: "a length whose square is a normal number",
-        });
-    }
-    if settings.max_iterations == 0 {
-        return Err(SimulationError::Setting {
-            what: "max-iterations",
-            value: 0.0,
-            expected: "1 at least",
-        });
-    }
-    let coefficient = settings.friction.coefficient;
-    if !(coefficient >= 0.0 && coefficient.is_finite()) {
-        return Err(SimulationError::Setting {
-            what: "friction.coefficient",
-            value: coefficient,
-            expected: "a number not below 0",
-        });
-    }
-    match settings.gravity.iter().find(|g| !g.is_finite()) {
-        None => Ok(()),
-        Some(&value) => Err(SimulationError::Setting {
-            what: "gravity",
-            value,
-            expected: "finite numbers",
-        }),
-    }
 }

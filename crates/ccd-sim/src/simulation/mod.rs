@@ -9,13 +9,13 @@ use ccd_mesh::{Bounds, Point};
 use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::{self, StepFilter};
-use crate::settings::Settings;
+use crate::settings::{SettingError, Settings};
 use crate::solver::LinearSolver;
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
 pub use error::SimulationError;
-pub use start::Meeting;
+pub use start::Primitive;
 
 /// A system that moves under elasticity, gravity, contact and friction.
 ///
@@ -65,7 +65,10 @@ impl Simulation {
     /// [`SimulationError`] names the setting that is out of range, what of the state does not fit the system, or what
     /// meets in it: as in [`Simulation::new`].
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
-        error::check(&settings, system.size())?;
+        settings.check(system.size())?;
+        if state.step >= 1 << f64::MANTISSA_DIGITS {
+            return Err(SimulationError::Late { step: state.step });
+        }
         let expected = system.start.len();
         let fits = |what, found| {
             (found == expected).then_some(()).ok_or(SimulationError::State {
@@ -102,12 +105,13 @@ impl Simulation {
         let filter = filter::by_name(&settings.ccd, room(&system))?;
         let distance = settings.contact_distance.meters(system.size());
         let barrier = Barrier::new(distance);
-        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_finite() {
-            return Err(SimulationError::Setting {
+        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_sound() {
+            return Err(SettingError {
                 what: "contact-distance",
                 value: distance,
-                expected: "a length for which the barrier's stiffness is finite, with the masses that there are",
-            });
+                expected: "a length with which, and with the masses that there are, the barrier's stiffness is positive and finite",
+            }
+            .into());
         }
         Ok(Self {
             fingerprint: system.fingerprint(),
@@ -120,9 +124,11 @@ impl Simulation {
         })
     }
 
-    /// The same, with another method of continuous collision detection.
+    /// The same, with another method of continuous collision detection, whose name is then that of its settings and checkpoints.
+    /// What has been resumed goes on as it was if it gets the same filter again.
     #[must_use]
     pub fn with_filter(mut self, filter: Box<dyn StepFilter>) -> Self {
+        self.settings.ccd = filter.name().to_owned();
         self.filter = filter;
         self
     }

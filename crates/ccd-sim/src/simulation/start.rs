@@ -8,23 +8,44 @@ use super::SimulationError;
 use crate::state::State;
 use crate::system::System;
 
-/// Two primitives of a system, by their vertices.
+/// A primitive of a surface, by its vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Meeting {
-    /// A vertex and a face.
-    VertexFace(u32, [u32; 3]),
-    /// Two edges.
-    EdgeEdge([u32; 2], [u32; 2]),
-    /// An edge and a face.
-    EdgeFace([u32; 2], [u32; 3]),
+pub enum Primitive {
+    /// A vertex.
+    Vertex(u32),
+    /// An edge.
+    Edge([u32; 2]),
+    /// A face.
+    Face([u32; 3]),
 }
 
-impl fmt::Display for Meeting {
+impl Primitive {
+    /// Its vertices.
+    #[must_use]
+    pub fn vertices(&self) -> &[u32] {
+        match self {
+            Self::Vertex(vertex) => std::slice::from_ref(vertex),
+            Self::Edge(edge) => edge,
+            Self::Face(face) => face,
+        }
+    }
+
+    /// The same with other numbers of its vertices.
+    pub(crate) fn map(self, number: impl Fn(u32) -> u32) -> Self {
+        match self {
+            Self::Vertex(vertex) => Self::Vertex(number(vertex)),
+            Self::Edge(edge) => Self::Edge(edge.map(number)),
+            Self::Face(face) => Self::Face(face.map(number)),
+        }
+    }
+}
+
+impl fmt::Display for Primitive {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::VertexFace(vertex, face) => write!(f, "the vertex {vertex} and the face {face:?}"),
-            Self::EdgeEdge(a, b) => write!(f, "the edges {a:?} and {b:?}"),
-            Self::EdgeFace(edge, face) => write!(f, "the edge {edge:?} and the face {face:?}"),
+            Self::Vertex(vertex) => write!(f, "vertex {vertex}"),
+            Self::Edge(edge) => write!(f, "edge {edge:?}"),
+            Self::Face(face) => write!(f, "face {face:?}"),
         }
     }
 }
@@ -43,17 +64,15 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
 }
 
 /// What meets, with the numbers that its vertices have in the system.
-fn meeting(system: &System, mesh: &TriangleMesh, violation: &Violation) -> Meeting {
-    let vertex = |vertex: u32| system.surface.vertices()[vertex as usize];
-    let edge = |edge: u32| mesh.edges()[edge as usize].map(vertex);
-    let face = |face: u32| mesh.faces()[face as usize].map(vertex);
-    match violation {
-        Violation::Intersection { intersection, .. } => {
-            Meeting::EdgeFace(edge(intersection.edge), face(intersection.face))
-        }
+fn meeting(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [Primitive; 2] {
+    let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
+    let face = |face: u32| Primitive::Face(mesh.faces()[face as usize]);
+    let primitives = match violation {
+        Violation::Intersection { intersection, .. } => [edge(intersection.edge), face(intersection.face)],
         Violation::Contact { contact, .. } => match contact.pair {
-            Pair::VertexFace { vertex: v, face: f } => Meeting::VertexFace(vertex(v), face(f)),
-            Pair::EdgeEdge { a, b } => Meeting::EdgeEdge(edge(a), edge(b)),
+            Pair::VertexFace { vertex, face: f } => [Primitive::Vertex(vertex), face(f)],
+            Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
         },
-    }
+    };
+    primitives.map(|primitive| primitive.map(|vertex| system.surface.vertices()[vertex as usize]))
 }

@@ -22,6 +22,12 @@ pub enum SystemError {
         /// How many vertices the body has.
         vertex_count: usize,
     },
+    /// There is nothing that could touch anything.
+    #[error("body {body}: there are no faces or tetrahedra, expected some")]
+    Empty {
+        /// The body, from 0.
+        body: usize,
+    },
     /// A coordinate is NaN or infinite.
     #[error("body {body}: vertex {vertex} is at {position:?}, expected finite numbers")]
     NotFinite {

@@ -146,13 +146,16 @@ impl System {
         self.scripts[vertex].is_none() && self.masses[vertex] > 0.0
     }
 
-    /// The mean mass of the vertices that are free, in kg.
+    /// The mean mass of the vertices that are free, in kg; of all that have one, if none is free, and 1 kg if none has.
     #[must_use]
     pub fn mean_mass(&self) -> f64 {
-        let free = (0..self.masses.len()).filter(|&vertex| self.is_free(vertex));
-        let (count, sum) = free.fold((0_u32, 0.0), |(count, sum), vertex| {
-            (count + 1, sum + self.masses[vertex])
-        });
-        if count == 0 { 0.0 } else { sum / f64::from(count) }
+        let mean = |are_counted: &dyn Fn(usize) -> bool| -> Option<f64> {
+            let masses = self.masses.iter().enumerate();
+            let counted = masses.filter(|&(vertex, &mass)| mass > 0.0 && are_counted(vertex));
+            let (count, sum) = counted.fold((0_u32, 0.0), |(count, sum), (_, mass)| (count + 1, sum + mass));
+            (count > 0).then(|| sum / f64::from(count))
+        };
+        let mean = mean(&|vertex| self.is_free(vertex)).or_else(|| mean(&|_| true));
+        mean.unwrap_or(1.0)
     }
 }

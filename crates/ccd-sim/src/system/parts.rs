@@ -56,6 +56,13 @@ impl Parts {
         self.obstacle.resize(first + count, is_obstacle);
         self.scripts
             .resize(first + count, is_obstacle.then_some(Script::Fixed));
+        let is_empty = match &added.kind {
+            BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } => faces.is_empty(),
+            BodyKind::Solid { tetrahedra, .. } => tetrahedra.is_empty(),
+        };
+        if is_empty {
+            return Err(SystemError::Empty { body });
+        }
         match &added.kind {
             BodyKind::Obstacle { faces } => {
                 let faces = placed(body, faces, first, count)?;

@@ -2,7 +2,7 @@
 
 use ccd_sim::{
     Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Settings, Simulation, SimulationError,
-    State, System, shapes,
+    State, System, filter, shapes,
 };
 
 fn system() -> System {
@@ -102,8 +102,12 @@ fn a_checkpoint_of_another_simulation_is_refused() {
         let mut settings = settings();
         change(&mut settings);
         match checkpoint.resume(system, settings).err() {
-            None => "none",
-            Some(SimulationError::Checkpoint { what }) => what,
+            None => "none".to_owned(),
+            Some(SimulationError::OtherSetting { what, there, here }) => {
+                assert_ne!(there, here);
+                what
+            }
+            Some(SimulationError::OtherSystem { what }) => what.to_owned(),
             Some(other) => panic!("{other}"),
         }
     };
@@ -161,5 +165,19 @@ fn settings_out_of_range_are_refused() {
     let error = with(|settings| settings.ccd = "guess".to_owned());
     assert!(error.starts_with(
         "there is no method `guess` of continuous collision detection, expected one of: exact, "
+    ));
+}
+
+/// The name of a filter that is put in is that of the checkpoint: without it, it does not go on unnoticed.
+#[test]
+fn a_checkpoint_tells_of_a_filter_that_was_put_in() {
+    let simulation = Simulation::new(system(), settings()).unwrap();
+    let checkpoint = simulation
+        .with_filter(filter::by_name("bisection", ccd_mesh::Bounds::EMPTY).unwrap())
+        .checkpoint();
+    assert_eq!(checkpoint.settings.ccd, "bisection");
+    assert!(matches!(
+        checkpoint.resume(system(), settings()).err(),
+        Some(SimulationError::OtherSetting { what, .. }) if what == "ccd"
     ));
 }

@@ -1,6 +1,6 @@
 //! A simulation starts only where nothing meets.
 
-use ccd_sim::{Body, BodyKind, Meeting, Settings, Simulation, SimulationError, System, shapes};
+use ccd_sim::{Body, BodyKind, Primitive, Settings, Simulation, SimulationError, System, shapes};
 
 /// An obstacle of one triangle in the plane of x and z, at a height.
 fn triangle(height: f64) -> Body {
@@ -18,7 +18,7 @@ fn start(bodies: &[Body]) -> Result<Simulation, SimulationError> {
 }
 
 /// What meets at the start, with its vertices.
-fn meeting(bodies: &[Body]) -> Meeting {
+fn meeting(bodies: &[Body]) -> [Primitive; 2] {
     match start(bodies).err().unwrap() {
         SimulationError::Start(meeting) => meeting,
         other => panic!("{other}"),
@@ -38,7 +38,7 @@ fn what_meets_at_the_start_is_named() {
             "{error}"
         );
     }
-    let Meeting::EdgeFace(edge, face) = meeting(&[triangle(0.1), cube()]) else {
+    let [Primitive::Edge(edge), Primitive::Face(face)] = meeting(&[triangle(0.1), cube()]) else {
         panic!("an edge passes through the face")
     };
     assert_eq!(face, [0, 1, 2]);
@@ -49,7 +49,8 @@ fn what_meets_at_the_start_is_named() {
 #[test]
 fn obstacles_do_not_meet_either() {
     let steep = triangle(0.0).placed(|[x, y, z]| [x, y + x, z]);
-    assert!(matches!(meeting(&[triangle(0.0), steep]), Meeting::EdgeFace(..)));
+    let meeting = meeting(&[triangle(0.0), steep]);
+    assert!(matches!(meeting, [Primitive::Edge(_), Primitive::Face(_)]));
 }
 
 #[test]
@@ -68,6 +69,8 @@ fn a_state_in_which_things_meet_is_refused() {
     assert_eq!(lost, Some(SimulationError::NotFinite { what: "positions" }));
     let fast = resume(&|state| state.velocities[3][1] = f64::INFINITY);
     assert_eq!(fast, Some(SimulationError::NotFinite { what: "velocities" }));
+    let late = resume(&|state| state.step = u64::MAX);
+    assert_eq!(late, Some(SimulationError::Late { step: u64::MAX }));
     let stiff = resume(&|state| state.stiffness = Some(f64::NAN));
     assert_eq!(stiff, Some(SimulationError::NotFinite { what: "stiffness" }));
 }

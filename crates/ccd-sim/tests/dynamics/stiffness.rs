@@ -1,6 +1,7 @@
 //! How stiff the barrier is made.
 
 use ccd_sim::contact::{Barrier, StiffnessRange};
+use ccd_sim::{Length, Script, Settings, Simulation, System, shapes};
 use nalgebra::Vector3;
 
 const SIZE: f64 = 3.0;
@@ -75,4 +76,37 @@ fn a_barrier_that_is_too_soft_is_doubled() {
     assert_eq!(range.adapt(stiff, near, nearer), range.greatest);
     let stiffer = 3.0 * range.greatest;
     assert_eq!(range.adapt(stiffer, near, nearer), stiffer);
+}
+
+/// Where scripts move everything, no vertex is free; the barrier repels nonetheless, and what is in the way is waited for.
+#[test]
+fn there_is_a_barrier_where_no_vertex_is_free() {
+    let cloth = shapes::cloth([2, 2], [1.0, 1.0]);
+    let ceiling = shapes::floor([1, 1], [3.0, 3.0]).placed(|[x, y, z]| [x - 1.0, y + 0.05, z - 1.0]);
+    let up = Script::Moving {
+        velocity: [0.0, 1.0, 0.0],
+        until: None,
+    };
+    let system = System::new(&[cloth, ceiling], &[((0..9).collect(), up)]).unwrap();
+    let settings = Settings {
+        time_step: 0.02,
+        contact_distance: Length::Absolute(2e-3),
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::new(system, settings).unwrap();
+    for step in 1..=4 {
+        let statistics = simulation.step().unwrap();
+        let highest = simulation.state().positions[..9]
+            .iter()
+            .map(|x| x[1])
+            .fold(0.0, f64::max);
+        assert!(highest < 0.05, "{highest}");
+        if step > 2 {
+            assert!(statistics.stiffness.unwrap() > 0.0 && statistics.script_lag > 0.0);
+            assert!(
+                statistics.converged && statistics.minimal_distance.unwrap() > 1e-12,
+                "{statistics:?}"
+            );
+        }
+    }
 }
