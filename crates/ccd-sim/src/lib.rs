@@ -7,9 +7,27 @@
 //! ([`contact`], [`distance`]) and lagged [`friction`], by projected Newton. How far each Newton step may go, a [`filter`]
 //! says: the exact one, or any method of [`ccd_methods`], to see what these let through.
 //!
-//! - [`Body`] is a mesh with its material; bodies and [`Script`]s make a [`System`].
+//! - [`Body`] is a mesh with its material; bodies and [`Script`]s make a [`System`], whose vertices are those of its bodies, one
+//!   body after the other ([`System::ranges`]).
 //! - [`Simulation`] takes the steps of a system, each with [`Statistics`].
-//! - [`State`] is all that it needs to go on, after it has been written and read.
+//! - [`Checkpoint`] is all that it needs to go on, after it has been written and read.
+//! - [`scene`] reads all of this from a file.
+//!
+//! ```
+//! use ccd_sim::{Settings, Simulation, System, shapes};
+//!
+//! let cube = shapes::solid_box([2, 2, 2], [0.3; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.01, z + 0.3]);
+//! let system = System::new(&[cube, shapes::floor([1, 1], [1.0, 1.0])], &[])?;
+//! let mut simulation = Simulation::new(system, Settings::default())?;
+//! for _ in 0..5 {
+//!     let statistics = simulation.step()?;
+//!     assert!(statistics.converged);
+//! }
+//! // The corner at the lowest coordinates has come down, and is above the floor.
+//! let corner = simulation.state().positions[0];
+//! assert!(0.0 < corner[1] && corner[1] < 0.01);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. It
 //! may depend on the processor: the sparse solver chooses vector instructions when it runs.
