@@ -1,5 +1,6 @@
 //! Gradients and Hessians of all energies against finite differences, and that projected Hessians are semi-definite.
 
+mod collisions;
 mod contact;
 mod differences;
 mod distance;
