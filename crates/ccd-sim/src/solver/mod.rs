@@ -6,6 +6,8 @@ mod newton;
 mod pattern;
 mod potential;
 mod quadratic;
+#[cfg(test)]
+mod tests;
 mod unknowns;
 
 pub(crate) use linear::LinearSolver;

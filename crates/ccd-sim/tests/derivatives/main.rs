@@ -1,5 +1,8 @@
 //! Gradients and Hessians of all energies against finite differences, and that projected Hessians are semi-definite.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod collisions;
 mod contact;
 mod differences;
 mod distance;

@@ -3,10 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod conservation;
+mod decisions;
 mod filters;
 mod friction;
 mod measure;
 mod newton;
+mod pairs;
 mod rest;
 mod resume;
 mod scripts;
