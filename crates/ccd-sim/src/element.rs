@@ -41,9 +41,3 @@ impl Element {
         self
     }
 }
-
-/// Four points as one vector.
-#[must_use]
-pub fn stack(points: &[Vector3<f64>; 4]) -> Vector12 {
-    Vector12::from_fn(|row, _| points[row / 3][row % 3])
-}

@@ -57,7 +57,7 @@ mod system;
 
 pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
 pub use checkpoint::Checkpoint;
-pub use element::{Element, Matrix12, Vector12, stack};
+pub use element::{Element, Matrix12, Vector12};
 pub use integrator::Integrator;
 pub use script::{Script, ScriptError};
 pub use settings::{Friction, Length, SettingError, Settings};

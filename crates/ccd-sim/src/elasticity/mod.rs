@@ -1,5 +1,6 @@
 //! Elastic energies: solids of tetrahedra, shells of triangles.
 
+mod elastic;
 mod hinge;
 mod isotropic;
 mod lame;
@@ -8,6 +9,7 @@ mod neo_hookean;
 mod stable_neo_hookean;
 mod tetrahedron;
 
+pub use elastic::Elastic;
 pub use hinge::Hinge;
 pub use isotropic::{Curvature, Isotropic, Principal};
 pub use lame::{ElasticModuli, ModuliError};

@@ -13,50 +13,50 @@ use crate::settings::Settings;
 /// A scene.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Description {
+pub(super) struct Description {
     /// How long to simulate, in s.
-    pub duration: f64,
+    pub(super) duration: f64,
     /// The numbers of the simulation.
     #[serde(default)]
-    pub settings: Settings,
+    pub(super) settings: Settings,
     /// The bodies, `[[body]]`.
     #[serde(default)]
-    pub body: Vec<BodyDescription>,
+    pub(super) body: Vec<BodyDescription>,
 }
 
 /// A body. With neither `solid` nor `shell`, it is an obstacle.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct BodyDescription {
+pub(super) struct BodyDescription {
     /// A mesh file: of tetrahedra (.msh) for a solid, else any that [`ccd_mesh::Frame::read`] reads, or the surface of
     /// tetrahedra.
-    pub mesh: Option<PathBuf>,
+    pub(super) mesh: Option<PathBuf>,
     /// A shape instead of a file.
-    pub shape: Option<Shape>,
+    pub(super) shape: Option<Shape>,
     /// The material of a solid.
-    pub solid: Option<SolidProperties>,
+    pub(super) solid: Option<SolidProperties>,
     /// The material of a shell.
-    pub shell: Option<ShellProperties>,
+    pub(super) shell: Option<ShellProperties>,
     /// How it is scaled first, about the origin.
     #[serde(default)]
-    pub scale: Scale,
+    pub(super) scale: Scale,
     /// How it is rotated then, about the origin.
-    pub rotate: Option<Rotation>,
+    pub(super) rotate: Option<Rotation>,
     /// How far it is translated then, in m.
     #[serde(default)]
-    pub translate: Point,
+    pub(super) translate: Point,
     /// The velocity at the start, in m/s.
     #[serde(default)]
-    pub velocity: Point,
+    pub(super) velocity: Point,
     /// How vertices of it move, `[[body.script]]`; of several for one vertex, the last.
     #[serde(default)]
-    pub script: Vec<ScriptDescription>,
+    pub(super) script: Vec<ScriptDescription>,
 }
 
 /// A generated mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum Shape {
+pub(super) enum Shape {
     /// [`shapes::solid_box`](crate::shapes::solid_box).
     Box {
         /// How many cubes there are along each axis.
@@ -83,18 +83,18 @@ pub enum Shape {
 /// Some vertices, and how they move.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct ScriptDescription {
+pub(super) struct ScriptDescription {
     /// Which vertices of the body.
     #[serde(default)]
-    pub vertices: Selection,
+    pub(super) vertices: Selection,
     /// How they move.
-    pub motion: Script,
+    pub(super) motion: Script,
 }
 
 /// Some vertices of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub enum Selection {
+pub(super) enum Selection {
     /// All.
     #[default]
     All,

@@ -33,7 +33,5 @@ mod load;
 mod mesh;
 mod placement;
 
-pub use description::{BodyDescription, Description, ScriptDescription, Selection, Shape};
 pub use document::SceneError;
 pub use load::Scene;
-pub use placement::{Rotation, Scale};

@@ -9,7 +9,7 @@ use super::description::BodyDescription;
 /// A factor for all axes, or one for each.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "expected a number or three")]
-pub enum Scale {
+pub(super) enum Scale {
     /// For all axes.
     Uniform(f64),
     /// For x, y and z.
@@ -25,11 +25,11 @@ impl Default for Scale {
 /// A rotation about an axis through the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub struct Rotation {
+pub(super) struct Rotation {
     /// The direction of the axis.
-    pub axis: Point,
+    pub(super) axis: Point,
     /// The angle, counterclockwise seen against the axis.
-    pub degrees: f64,
+    pub(super) degrees: f64,
 }
 
 impl Rotation {
@@ -42,7 +42,7 @@ impl Rotation {
 impl BodyDescription {
     /// Where a point of the mesh is in the scene.
     #[must_use]
-    pub fn place(&self, point: Point) -> Point {
+    pub(super) fn place(&self, point: Point) -> Point {
         let factors = match self.scale {
             Scale::Uniform(factor) => [factor; 3],
             Scale::Axes(factors) => factors,

@@ -4,6 +4,8 @@ mod error;
 mod start;
 mod step;
 
+use std::fmt;
+
 use ccd_mesh::{Bounds, Point};
 
 use crate::checkpoint::Checkpoint;
@@ -172,6 +174,16 @@ impl Simulation {
     #[must_use]
     pub fn time(&self) -> f64 {
         self.state.step as f64 * self.settings.time_step
+    }
+}
+
+impl fmt::Debug for Simulation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Simulation")
+            .field("settings", &self.settings)
+            .field("filter", &self.filter.name())
+            .field("state", &self.state)
+            .finish_non_exhaustive()
     }
 }
 

@@ -5,9 +5,8 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use crate::contact::Collisions;
-use crate::element::Vector12;
 use crate::friction::{FrictionContact, Smoothing};
-use crate::gather::{gather, gather_some};
+use crate::gather::gather_some;
 use crate::integrator::Scheme;
 use crate::system::System;
 
@@ -55,15 +54,7 @@ impl Potential<'_> {
 
     /// Ψ, in J.
     pub(crate) fn elastic(&self, points: &[Point]) -> f64 {
-        let System {
-            tetrahedra,
-            membranes,
-            hinges,
-            ..
-        } = self.system;
-        sum(tetrahedra, |t| t.value(&gather(points, &t.vertices())))
-            + sum(membranes, |m| m.value(&gather(points, &m.vertices())))
-            + sum(hinges, |h| h.value(&gather(points, &h.vertices())))
+        sum(&self.system.elements, |element| element.value(points))
     }
 
     /// The potential of friction, in kg m².
@@ -84,31 +75,14 @@ impl Potential<'_> {
     pub(crate) fn smooth_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = self.inertia_gradient(points);
         let scale = self.scheme.duration * self.scheme.duration;
-        let System {
-            tetrahedra,
-            membranes,
-            hinges,
-            ..
-        } = self.system;
-        let mut add = |vertices: &[u32], forces: &Vector12| {
-            for (place, &vertex) in vertices.iter().enumerate() {
-                gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
-            }
-        };
         each(
-            tetrahedra,
-            |t| t.gradient(&gather(points, &t.vertices())),
-            |t, forces| add(&t.vertices(), forces),
-        );
-        each(
-            membranes,
-            |m| m.gradient(&gather(points, &m.vertices())),
-            |m, forces| add(&m.vertices(), forces),
-        );
-        each(
-            hinges,
-            |h| h.gradient(&gather(points, &h.vertices())),
-            |h, forces| add(&h.vertices(), forces),
+            &self.system.elements,
+            |element| element.gradient(points),
+            |element, forces| {
+                for (place, vertex) in element.vertices().into_iter().enumerate() {
+                    gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
+                }
+            },
         );
         gradient
     }

@@ -8,8 +8,7 @@ use super::potential::{Potential, each};
 use super::unknowns::Unknowns;
 use crate::contact::Collisions;
 use crate::element::Element;
-use crate::gather::{gather, gather_some};
-use crate::system::System;
+use crate::gather::gather_some;
 
 /// Gradient and Hessian of a potential with respect to the unknowns.
 pub(crate) struct Quadratic {
@@ -26,21 +25,9 @@ impl Potential<'_> {
     /// The pairs of unknowns that interact by elasticity.
     pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
         let mut keys = Vec::new();
-        let System {
-            tetrahedra,
-            membranes,
-            hinges,
-            ..
-        } = self.system;
-        tetrahedra
-            .iter()
-            .for_each(|t| add_keys(&mut keys, unknowns, &t.vertices()));
-        membranes
-            .iter()
-            .for_each(|m| add_keys(&mut keys, unknowns, &m.vertices()));
-        hinges
-            .iter()
-            .for_each(|h| add_keys(&mut keys, unknowns, &h.vertices()));
+        for element in &self.system.elements {
+            add_keys(&mut keys, unknowns, &element.vertices());
+        }
         keys.sort_unstable();
         keys.dedup();
         keys
@@ -80,7 +67,12 @@ impl Potential<'_> {
             sum.gradient[spring.vertex as usize] += self.pull(points, spring);
             sum.add_diagonal(spring.vertex, spring.stiffness);
         }
-        self.elastic_elements(points, |element| sum.add(element));
+        let scale = self.scheme.duration * self.scheme.duration;
+        each(
+            &self.system.elements,
+            |element| element.derivatives(points, true).scaled(scale),
+            |_, element| sum.add(element),
+        );
         each(
             contacts,
             |collision| {
@@ -102,31 +94,6 @@ impl Potential<'_> {
             values: sum.values,
             given: sum.effect,
         }
-    }
-
-    fn elastic_elements(&self, points: &[Point], mut add: impl FnMut(&Element)) {
-        let scale = self.scheme.duration * self.scheme.duration;
-        let System {
-            tetrahedra,
-            membranes,
-            hinges,
-            ..
-        } = self.system;
-        each(
-            tetrahedra,
-            |t| t.derivatives(&gather(points, &t.vertices()), true).scaled(scale),
-            |_, element| add(element),
-        );
-        each(
-            membranes,
-            |m| m.derivatives(&gather(points, &m.vertices()), true).scaled(scale),
-            |_, element| add(element),
-        );
-        each(
-            hinges,
-            |h| h.derivatives(&gather(points, &h.vertices()), true).scaled(scale),
-            |_, element| add(element),
-        );
     }
 }
 

@@ -12,7 +12,7 @@ use super::unknowns::Unknowns;
 use crate::contact::{Barrier, Collisions, Pairs};
 use crate::element::Element;
 use crate::friction::{FrictionContact, Smoothing};
-use crate::gather::{gather, gather_some};
+use crate::gather::gather_some;
 use crate::integrator::Scheme;
 use crate::shapes;
 use crate::system::System;
@@ -137,14 +137,8 @@ impl Fixture {
         };
         let potential = self.potential();
         let scale = self.scheme.duration * self.scheme.duration;
-        for t in &self.system.tetrahedra {
-            add(&t.derivatives(&gather(points, &t.vertices()), true), scale);
-        }
-        for m in &self.system.membranes {
-            add(&m.derivatives(&gather(points, &m.vertices()), true), scale);
-        }
-        for h in &self.system.hinges {
-            add(&h.derivatives(&gather(points, &h.vertices()), true), scale);
+        for element in &self.system.elements {
+            add(&element.derivatives(points, true), scale);
         }
         for c in collisions.as_slice() {
             let corners = gather_some(points, c.vertices());

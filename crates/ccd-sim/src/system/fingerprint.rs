@@ -28,12 +28,7 @@ impl Fingerprint {
             positions: hash(&system.start),
             velocities: hash(&system.velocities),
             elements: hash(&(system.surface().faces(), tetrahedra)),
-            materials: hash(&(
-                &system.masses,
-                &system.tetrahedra,
-                &system.membranes,
-                &system.hinges,
-            )),
+            materials: hash(&(&system.masses, &system.elements)),
             scripts: hash(&system.scripts),
         }
     }

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 
 use crate::body::Body;
 use crate::contact::Surface;
-use crate::elasticity::{Hinge, Membrane, Tetrahedron};
+use crate::elasticity::Elastic;
 use crate::script::Script;
 use parts::Parts;
 
@@ -24,9 +24,7 @@ pub struct System {
     pub(crate) start: Vec<Point>,
     pub(crate) velocities: Vec<Point>,
     pub(crate) masses: Vec<f64>,
-    pub(crate) tetrahedra: Vec<Tetrahedron>,
-    pub(crate) membranes: Vec<Membrane>,
-    pub(crate) hinges: Vec<Hinge>,
+    pub(crate) elements: Vec<Elastic>,
     /// The script of each vertex that has one.
     pub(crate) scripts: Vec<Option<Script>>,
     pub(crate) surface: Surface,
@@ -74,9 +72,7 @@ impl System {
             start: parts.start,
             velocities: parts.velocities,
             masses: parts.masses,
-            tetrahedra: parts.tetrahedra,
-            membranes: parts.membranes,
-            hinges: parts.hinges,
+            elements: parts.elements,
             scripts: parts.scripts,
             rigidity: parts.rigidity,
             size,
@@ -103,7 +99,10 @@ impl System {
 
     /// The corners of all tetrahedra, each of positive volume at the start.
     pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
-        self.tetrahedra.iter().map(Tetrahedron::vertices)
+        self.elements.iter().filter_map(|element| match element {
+            Elastic::Tetrahedron(tetrahedron) => Some(tetrahedron.vertices()),
+            Elastic::Membrane(_) | Elastic::Hinge(_) => None,
+        })
     }
 
     /// The surface alone with its vertices at these positions, which are those of all vertices: without those inside of

@@ -4,7 +4,7 @@ use ccd_mesh::{Point, TetMesh};
 
 use super::error::SystemError;
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
-use crate::elasticity::{Hinge, Membrane, Tetrahedron};
+use crate::elasticity::{Elastic, Hinge, Membrane, Tetrahedron};
 use crate::gather::gather;
 use crate::hinges::hinges;
 use crate::script::Script;
@@ -16,9 +16,7 @@ pub(super) struct Parts {
     pub(super) velocities: Vec<Point>,
     pub(super) masses: Vec<f64>,
     pub(super) faces: Vec<[u32; 3]>,
-    pub(super) tetrahedra: Vec<Tetrahedron>,
-    pub(super) membranes: Vec<Membrane>,
-    pub(super) hinges: Vec<Hinge>,
+    pub(super) elements: Vec<Elastic>,
     pub(super) scripts: Vec<Option<Script>>,
     pub(super) obstacle: Vec<bool>,
     pub(super) rigidity: f64,
@@ -111,7 +109,7 @@ impl Parts {
                 self.masses[corner as usize] += share;
             }
             self.rigidity += material.young * tetrahedron.volume();
-            self.tetrahedra.push(tetrahedron);
+            self.elements.push(Elastic::Tetrahedron(tetrahedron));
         }
         Ok(())
     }
@@ -137,12 +135,12 @@ impl Parts {
                 self.masses[corner as usize] += share;
             }
             self.rigidity += material.young * membrane.volume();
-            self.membranes.push(membrane);
+            self.elements.push(Elastic::Membrane(membrane));
         }
         let rigidity = material.moduli().flexural_rigidity(material.thickness);
         for corners in hinges(&faces) {
-            self.hinges
-                .extend(Hinge::new(corners, &gather(&self.start, &corners), rigidity));
+            let hinge = Hinge::new(corners, &gather(&self.start, &corners), rigidity);
+            self.elements.extend(hinge.map(Elastic::Hinge));
         }
         self.faces.extend(faces);
         Ok(())

@@ -3,7 +3,6 @@
 use ccd_mesh::{Point, TriangleMesh};
 use ccd_sim::contact::{Barrier, Collisions, Pairs, Surface};
 use ccd_sim::distance::Mollifier;
-use ccd_sim::stack;
 use nalgebra::Vector3;
 
 use crate::differences::{Points, random_rotation, random_vector};
@@ -139,10 +138,9 @@ impl Naive {
             return;
         }
         let fade = mollifier.map_or(1.0, |mollifier| mollifier.value(corners));
-        let fades = mollifier.map_or_else(
-            || stack(corners) * 0.0,
-            |mollifier| mollifier.derivatives(corners).0,
-        );
+        let fades = mollifier.map_or_else(ccd_sim::Vector12::zeros, |mollifier| {
+            mollifier.derivatives(corners).0
+        });
         self.value += fade * barrier.value(squared);
         for (place, &vertex) in vertices.iter().enumerate() {
             let push = vector * (2.0 * weights[place] * barrier.slope(squared) * fade);
