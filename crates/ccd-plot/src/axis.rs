@@ -1,5 +1,7 @@
 //! Where axes end, and how their numbers are written.
 
+use plotters::coord::combinators::{BindKeyPoints, IntoLogRange, LogCoord, WithKeyPoints};
+
 /// How far beyond a power of ten values may be, in powers of ten, without that another decade is shown for them.
 const SLACK: f64 = 0.15;
 
@@ -34,6 +36,26 @@ pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (first.max(last / 10f64.powi(MOST_DECADES)), last)
 }
 
+/// A logarithmic axis between two positive numbers, with the powers of ten marked; over less than two decades, twice and five times
+/// these too.
+#[must_use]
+pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
+    let steps: &[f64] = if last / first < 100.0 {
+        &[1.0, 2.0, 5.0]
+    } else {
+        &[1.0]
+    };
+    let exponents = first.log10().floor() as i32..=last.log10().ceil() as i32;
+    let marks = exponents.flat_map(|exponent| {
+        let power = 10f64.powi(exponent);
+        steps.iter().map(move |step| step * power)
+    });
+    // Powers of ten that are computed may be a little off.
+    let around = first * (1.0 - 1e-9)..=last * (1.0 + 1e-9);
+    let marks: Vec<f64> = marks.filter(|mark| around.contains(mark)).collect();
+    (first..last).log_scale().with_key_points(marks)
+}
+
 /// A number, with three digits at most.
 #[must_use]
 pub fn number(number: &f64) -> String {
@@ -59,7 +81,19 @@ pub fn seconds(time: &f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{decades, number, seconds};
+    use plotters::coord::ranged1d::Ranged;
+
+    use super::{decades, logarithmic, number, seconds};
+
+    #[test]
+    fn axes_have_marks_at_least_at_powers_of_ten() {
+        let marks = |first: f64, last: f64| logarithmic(first, last).key_points(20);
+        assert_eq!(marks(1e-3, 1.0), [1e-3, 1e-2, 1e-1, 1.0]);
+        assert_eq!(marks(0.012, 0.1), [0.02, 0.05, 0.1]);
+        for (first, last) in [(1e-9, 1e-8), (1.2e-3, 0.013), (1e-40, 1.0), (9.0, 90.0)] {
+            assert!(marks(first, last).len() > 1, "{first} {last}");
+        }
+    }
 
     #[test]
     fn axes_hold_all_values_in_few_decades() {

@@ -7,7 +7,7 @@ mod axis;
 mod frame;
 mod palette;
 
-pub use axis::{decades, number, seconds};
+pub use axis::{decades, logarithmic, number, seconds};
 pub use frame::{Area, Axis, Chart, Drawn, Frame, svg, write};
 pub use palette::{COLORS, color};
 pub use plotters;

@@ -40,8 +40,16 @@ impl Checkpoint {
 
 /// The first setting that differs.
 fn different_setting(there: &Settings, here: &Settings) -> Option<SimulationError> {
-    // All of them can be written.
-    let [there, here] = [there, here].map(|settings| serde_json::to_value(settings).unwrap_or_default());
+    let [there, here] = [there, here].map(|settings| {
+        // Names of methods are the same in upper and lower case.
+        let ccd = settings.ccd.to_lowercase();
+        let settings = Settings {
+            ccd,
+            ..settings.clone()
+        };
+        // All of them can be written.
+        serde_json::to_value(settings).unwrap_or_default()
+    });
     difference("", &there, &here)
 }
 

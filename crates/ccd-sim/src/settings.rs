@@ -20,7 +20,7 @@ pub struct Settings {
     /// Friction.
     pub friction: Friction,
     /// When Newton's method stops: no vertex would go on faster than this length per second, over the time that forces act, which is
-    /// the time step or, of BDF2, two thirds of it.
+    /// the time step or, of BDF2, two thirds of it; nor would more energy be set free than that of all masses at this speed.
     pub tolerance: Length,
     /// How many iterations of Newton's method to do at most, for each lag of friction.
     pub max_iterations: usize,
@@ -76,6 +76,12 @@ impl Settings {
                 "a number not below 0",
             ),
             (
+                "friction.lags",
+                self.friction.lags as f64,
+                self.friction.lags > 0,
+                "1 at least",
+            ),
+            (
                 "max-iterations",
                 self.max_iterations as f64,
                 self.max_iterations > 0,
@@ -102,7 +108,10 @@ impl Settings {
 
 /// A length.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[serde(
+    rename_all = "kebab-case",
+    expecting = "expected `{ absolute = … }`, in m, or `{ relative = … }`, in diagonals of the scene"
+)]
 pub enum Length {
     /// In m.
     Absolute(f64),

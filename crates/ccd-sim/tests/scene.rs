@@ -245,6 +245,21 @@ fn numbers_out_of_range_are_told_at_their_field() {
             "duration = -1.0",
             "scene.toml, line 2, duration: -1, expected a number of seconds, not below 0",
         ),
+        (
+            "lags = 2",
+            "lags = 0",
+            "scene.toml, line 16, settings.friction.lags: `friction.lags` is 0, expected 1 at least",
+        ),
+        (
+            "scale = 0.5",
+            "scale = [1.0, 0.0, 1.0]",
+            "scene.toml, line 21, body[0].scale: expected factors that are not zero",
+        ),
+        (
+            "contact-distance = { absolute = 1e-3 }",
+            "contact-distance = 1e-3",
+            "scene.toml, line 8, settings.contact-distance: ",
+        ),
         // Right through the cloth, which is body 1.
         (
             "translate = [0.0, 0.0, 3.0]",

@@ -2,7 +2,7 @@
 
 use ccd_plot::plotters::prelude::*;
 use ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use ccd_plot::{Area, Axis, Drawn, Frame, color, decades, seconds, write};
+use ccd_plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, seconds, write};
 
 use crate::curve::{Cost, Curve};
 
@@ -41,7 +41,7 @@ fn draw_panel<'a>(curves: &[Curve], cost: Cost, area: &Area<'a>) -> Drawn<'a> {
         y: Axis { title, label: &label },
         legend: 30,
     };
-    let mut chart = frame.draw(area, (first..last).log_scale(), (least..most).log_scale())?;
+    let mut chart = frame.draw(area, logarithmic(first, last), logarithmic(least, most))?;
     // Through the largest of the first curve, as far down as the panel goes.
     if let Some((x, y)) = curves.first().and_then(|curve| curve.places(cost).last()) {
         let start = first.max(x * least / y);

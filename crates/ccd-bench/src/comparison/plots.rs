@@ -2,7 +2,7 @@
 
 use ccd_plot::plotters::prelude::*;
 use ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use ccd_plot::{Area, Axis, COLORS, Drawn, Frame, color, decades, svg, write};
+use ccd_plot::{Area, Axis, COLORS, Drawn, Frame, color, decades, logarithmic, svg, write};
 
 use super::table::{Row, Table};
 
@@ -77,8 +77,8 @@ fn draw_tails<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
         },
         legend: LEGEND,
     };
-    let shares = (least_share..1.0).log_scale();
-    let mut chart = frame.draw(area, (first..last).log_scale(), shares)?;
+    let shares = logarithmic(least_share, 1.0);
+    let mut chart = frame.draw(area, logarithmic(first, last), shares)?;
     for (index, row) in table.rows.iter().enumerate() {
         let line = exceedance(row, first, least_share);
         let style = color(index).stroke_width(2);
@@ -130,7 +130,7 @@ fn draw_accuracy<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
         },
         legend: LEGEND,
     };
-    let mut chart = frame.draw(area, (first..last).log_scale(), -0.03 * top..top)?;
+    let mut chart = frame.draw(area, logarithmic(first, last), -0.03 * top..top)?;
     for (index, (row, [invented, missed])) in table.rows.iter().zip(rates).enumerate() {
         let Some(mean) = row.mean else { continue };
         chart.draw_series([EmptyElement::at((mean, invented)) + triangle(index)])?;

@@ -128,7 +128,17 @@ impl Scene {
 /// A body, or the field that is wrong and why.
 fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
     let mesh = match (&described.mesh, described.shape) {
-        (Some(path), None) => Mesh::read(&folder.join(path)).map_err(|message| ("mesh", message))?,
+        (Some(path), None) => {
+            let path = folder.join(path);
+            if !path.is_file() {
+                let file = path.display();
+                let message = format!(
+                    "there is no file {file}: meshes are sought beside the scene, or in the folder of --meshes"
+                );
+                return Err(("mesh", message));
+            }
+            Mesh::read(&path).map_err(|message| ("mesh", message))?
+        }
         (None, Some(shape)) => Mesh::generate(shape).map_err(|message| ("shape", message))?,
         (Some(_), Some(_)) => {
             return Err((
@@ -157,6 +167,9 @@ fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static st
             return Err(("shell", "it is solid already, expected one of the two".to_owned()));
         }
     };
+    if !described.scale.is_sound() {
+        return Err(("scale", "expected factors that are not zero".to_owned()));
+    }
     if described.rotate.is_some_and(|rotation| !rotation.has_axis()) {
         return Err(("rotate", "the axis has no direction, expected one".to_owned()));
     }
@@ -247,7 +260,7 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
 /// The error of a simulation, at the setting that is wrong, or at the second of two bodies that meet.
 fn in_settings(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
     let field = match error {
-        SimulationError::Start(primitives) => return in_start(document, bodies, *primitives),
+        SimulationError::Start { primitives, near } => return in_start(document, bodies, *primitives, *near),
         SimulationError::Setting(setting) => setting.what,
         SimulationError::Filter(_) => "ccd",
         _ => "",
@@ -258,7 +271,7 @@ fn in_settings(document: &Document<'_>, bodies: &[Body], error: &SimulationError
 }
 
 /// The error of two primitives that meet, named as in their mesh files.
-fn in_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2]) -> SceneError {
+fn in_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2], near: Point) -> SceneError {
     let ranges = System::ranges(bodies);
     // Both have vertices, and each is that of a body.
     let [(a, first), (b, second)] = primitives.map(|primitive| {
@@ -266,9 +279,8 @@ fn in_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2]
         let body = ranges.partition_point(|range| range.end <= vertex);
         (body, primitive.map(|vertex| vertex - ranges[body].start))
     });
-    let place = bodies[a].points[first.vertices()[0] as usize];
     let message = format!(
-        "{second} of body[{b}] and {first} of body[{a}], near {place:?}, meet at the start, expected a distance between them"
+        "{second} of body[{b}] and {first} of body[{a}], near {near:?}, meet at the start, expected a distance between them"
     );
     document.error_of(&[Name("body"), Index(b)], &message)
 }

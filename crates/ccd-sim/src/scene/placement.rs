@@ -16,6 +16,20 @@ pub(super) enum Scale {
     Axes(Point),
 }
 
+impl Scale {
+    pub(super) fn factors(self) -> Point {
+        match self {
+            Self::Uniform(factor) => [factor; 3],
+            Self::Axes(factors) => factors,
+        }
+    }
+
+    /// Whether it leaves every axis.
+    pub(super) fn is_sound(self) -> bool {
+        self.factors().iter().all(|factor| factor.is_normal())
+    }
+}
+
 impl Default for Scale {
     fn default() -> Self {
         Self::Uniform(1.0)
@@ -43,11 +57,7 @@ impl BodyDescription {
     /// Where a point of the mesh is in the scene.
     #[must_use]
     pub(super) fn place(&self, point: Point) -> Point {
-        let factors = match self.scale {
-            Scale::Uniform(factor) => [factor; 3],
-            Scale::Axes(factors) => factors,
-        };
-        let scaled = Vector3::from(point).component_mul(&Vector3::from(factors));
+        let scaled = Vector3::from(point).component_mul(&Vector3::from(self.scale.factors()));
         let axis = self.rotate.and_then(|rotation| {
             let axis = Unit::try_new(Vector3::from(rotation.axis), 0.0)?;
             Some((axis, rotation.degrees.to_radians()))

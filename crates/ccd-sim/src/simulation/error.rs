@@ -1,5 +1,7 @@
 //! Simulations that cannot start or go on.
 
+use ccd_mesh::Point;
+
 use super::start::Primitive;
 use crate::filter::UnknownFilter;
 use crate::settings::SettingError;
@@ -52,8 +54,13 @@ pub enum SimulationError {
         what: &'static str,
     },
     /// Something intersects or touches something already.
-    #[error("{} and {} meet where the simulation starts, expected a distance between them", .0[0], .0[1])]
-    Start([Primitive; 2]),
+    #[error("{} and {}, near {near:?}, meet where the simulation starts, expected a distance between them", primitives[0], primitives[1])]
+    Start {
+        /// What meets.
+        primitives: [Primitive; 2],
+        /// Where a vertex of them is, in m.
+        near: Point,
+    },
     /// The linear system of a Newton iteration has no solution: forces are not finite, or far out of proportion.
     #[error("step {step}: the linear system has no solution")]
     Singular {

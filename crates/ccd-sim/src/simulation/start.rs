@@ -59,7 +59,11 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     let violation = Audit::default().examine(frame).map_err(|_| not_finite())?;
     match violation {
         None => Ok(()),
-        Some(violation) => Err(SimulationError::Start(meeting(system, &mesh, &violation))),
+        Some(violation) => {
+            let primitives = meeting(system, &mesh, &violation);
+            let near = state.positions[primitives[0].vertices()[0] as usize];
+            Err(SimulationError::Start { primitives, near })
+        }
     }
 }
 

@@ -20,7 +20,7 @@ fn start(bodies: &[Body]) -> Result<Simulation, SimulationError> {
 /// What meets at the start, with its vertices.
 fn meeting(bodies: &[Body]) -> [Primitive; 2] {
     match start(bodies).err().unwrap() {
-        SimulationError::Start(meeting) => meeting,
+        SimulationError::Start { primitives, .. } => primitives,
         other => panic!("{other}"),
     }
 }
@@ -64,7 +64,7 @@ fn a_state_in_which_things_meet_is_refused() {
     };
     assert_eq!(resume(&|_| ()), None);
     let sunk = resume(&|state| state.positions[..8].iter_mut().for_each(|x| x[1] -= 0.3));
-    assert!(matches!(sunk, Some(SimulationError::Start(_))), "{sunk:?}");
+    assert!(matches!(sunk, Some(SimulationError::Start { .. })), "{sunk:?}");
     let lost = resume(&|state| state.positions[3][1] = f64::NAN);
     assert_eq!(lost, Some(SimulationError::NotFinite { what: "positions" }));
     let fast = resume(&|state| state.velocities[3][1] = f64::INFINITY);

@@ -22,6 +22,9 @@ use report::{Report, ReportedViolation, Seconds};
 /// none, then no frame passes through itself, nor does the mesh at any time between; otherwise, the first violation is
 /// named. Parts of the mesh that have a vertex in common are neighbours and may touch.
 ///
+/// Of a run of `exact-ccd simulate --out DIR --path`, DIR/path is the way that is free of contact. Straight from one time
+/// step to the next, as in DIR/frames, parts that turn around each other may touch.
+///
 /// Exit status: 0 free, 1 violation, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {

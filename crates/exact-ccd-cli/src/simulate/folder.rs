@@ -53,8 +53,11 @@ impl OutputFolder {
                 _ => error.to_string(),
             })
         })?;
-        let checkpoint: Checkpoint =
-            serde_json::from_reader(BufReader::new(reader)).map_err(|error| failed(error.to_string()))?;
+        let checkpoint: Checkpoint = serde_json::from_reader(BufReader::new(reader)).map_err(|error| {
+            failed(format!(
+                "{error}: it is no checkpoint, or damaged; without --resume, the run begins again"
+            ))
+        })?;
         scene
             .resume(checkpoint)
             .map_err(|error| failed(error.to_string()))
@@ -65,7 +68,7 @@ impl OutputFolder {
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
         // These first: they stand for what is removed after them.
-        for file in [CHECKPOINT, COLLECTION].map(|name| folder.join(name)) {
+        for file in FILES.map(|name| folder.join(name)) {
             match fs::remove_file(&file) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => {
                     return Err(Failure::write(&file, error));

@@ -55,7 +55,7 @@ pub(crate) struct Arguments {
     meshes: Option<PathBuf>,
     #[arg(long, value_name = "NAME", help = ccd_help())]
     ccd: Option<String>,
-    /// How many time steps to take, in place of those of the scene's duration.
+    /// The time step at which to end, counted from the start, in place of that of the scene's duration.
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
     /// Write the way too: the surface after each increment of a time step, as `path/STEP-INCREMENT.ply`. That is what is free

@@ -3,7 +3,7 @@
 use ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use ccd_plot::plotters::prelude::*;
 use ccd_plot::plotters::series::LineSeries;
-use ccd_plot::{Area, Axis, Drawn, Frame, color, decades, number, svg, write};
+use ccd_plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, number, svg, write};
 
 use super::folder::{DISTANCE, ENERGIES, OutputFolder};
 use super::statistics::Row;
@@ -82,7 +82,7 @@ fn plot(lines: &[Line], unit: &str, is_logarithmic: bool) -> String {
     svg(SIZE, |area| {
         if is_logarithmic {
             let (first, last) = decades(values(lines));
-            draw_lines(lines, unit, (first..last).log_scale(), area)
+            draw_lines(lines, unit, logarithmic(first, last), area)
         } else {
             let (first, last) = range(lines);
             draw_lines(lines, unit, first..last, area)

@@ -143,9 +143,14 @@ fn what_is_later_than_the_checkpoint_is_dropped() {
 #[test]
 fn a_new_simulation_replaces_an_earlier_one() {
     let folder = folder();
-    for (out, steps) in [("whole", "3"), ("again", "6"), ("again", "3")] {
+    let runs: [(&str, &[&str]); 3] = [
+        ("whole", &["--steps", "3"]),
+        ("again", &["--steps", "6", "--render"]),
+        ("again", &["--steps", "3"]),
+    ];
+    for (out, more) in runs {
         let queries = format!("{out}/queries");
-        let run = folder.run(&arguments(out, &queries, &["--steps", steps]));
+        let run = folder.run(&arguments(out, &queries, more));
         assert_eq!(run.status, 0);
     }
     assert_same(&folder, "again", "whole");
