@@ -81,13 +81,13 @@ pub fn seconds(time: &f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use plotters::coord::ranged1d::Ranged;
+    use plotters::coord::ranged1d::{BoldPoints, Ranged};
 
     use super::{decades, logarithmic, number, seconds};
 
     #[test]
     fn axes_have_marks_at_least_at_powers_of_ten() {
-        let marks = |first: f64, last: f64| logarithmic(first, last).key_points(20);
+        let marks = |first: f64, last: f64| logarithmic(first, last).key_points(BoldPoints(20));
         assert_eq!(marks(1e-3, 1.0), [1e-3, 1e-2, 1e-1, 1.0]);
         assert_eq!(marks(0.012, 0.1), [0.02, 0.05, 0.1]);
         for (first, last) in [(1e-9, 1e-8), (1.2e-3, 0.013), (1e-40, 1.0), (9.0, 90.0)] {

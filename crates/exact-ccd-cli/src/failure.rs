@@ -42,7 +42,7 @@ pub(crate) enum Failure {
     Method { name: String, known: Vec<String> },
     #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
     NoDataSet(PathBuf),
-    #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu, as in its folders, if it has any", .0.display())]
+    #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]
     NoFrames(PathBuf),
     #[error(transparent)]
     Scene(#[from] SceneError),
