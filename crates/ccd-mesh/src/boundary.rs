@@ -1,16 +1,18 @@
 //! The faces of tetrahedra, and which of them lie on the boundary.
 
+use crate::tet_mesh::TetMeshError;
+
 /// The faces of a tetrahedron of positive volume, outward: (b − a) · ((c − a) × (d − a)) > 0.
 const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 
 /// A face as one tetrahedron sees it, with what it takes to sort them.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Side {
+struct Side {
     /// The vertices in increasing order.
-    pub(crate) face: [u32; 3],
+    face: [u32; 3],
     /// Whether the face, seen from outside of the tetrahedron, turns as these vertices do.
     even: bool,
-    pub(crate) tetrahedron: usize,
+    tetrahedron: usize,
     /// Which face of the tetrahedron.
     number: usize,
 }
@@ -45,10 +47,20 @@ impl Sides {
         Self(sides)
     }
 
-    /// The first two tetrahedra that are on the same side of a face; of three that have one in common, there are always two.
-    pub(crate) fn overlap(&self) -> Option<[Side; 2]> {
+    /// Whether no two tetrahedra are on the same side of a face; of three that have one in common, two are.
+    ///
+    /// # Errors
+    /// [`TetMeshError::Overlap`] names the first two that are.
+    pub(crate) fn check(&self) -> Result<(), TetMeshError> {
         let mut pairs = self.0.windows(2).map(|pair| [pair[0], pair[1]]);
-        pairs.find(|[s, t]| s.face == t.face && s.even == t.even)
+        match pairs.find(|[s, t]| s.face == t.face && s.even == t.even) {
+            None => Ok(()),
+            Some([first, second]) => Err(TetMeshError::Overlap {
+                first: first.tetrahedron,
+                second: second.tetrahedron,
+                face: first.face,
+            }),
+        }
     }
 
     /// The faces that belong to one tetrahedron only, outward, in the order of the tetrahedra.

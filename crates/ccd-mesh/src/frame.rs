@@ -57,7 +57,8 @@ impl Frame {
     ///
     /// Vertices and faces keep the numbers that they have in the file, counted from 0. Each coordinate is the `f64`
     /// nearest to the decimal text, or exactly the binary number. An STL file knows no shared vertices: it reads as
-    /// three vertices for each face. Of a file of tetrahedra, it is the surface alone, see [`TetMesh::surface_frame`].
+    /// three vertices for each face. Of a .msh file of tetrahedra, it is the surface alone, see [`TetMesh::surface_frame`]; of a
+    /// .vtu file, that and the triangles beside it, with tetrahedra taken to be positive in their order.
     ///
     /// # Errors
     /// [`ReadError`] names the file, the place in it, and what was expected there.
@@ -89,7 +90,9 @@ impl Frame {
     #[must_use]
     pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
         let (mesh, vertices) = self.mesh.without_loose_vertices();
-        let positions = vertices.iter().map(|&vertex| self.positions[vertex as usize]);
+        let positions = vertices
+            .iter()
+            .filter_map(|&vertex| self.positions.get(vertex as usize).copied());
         let frame = Self {
             positions: positions.collect(),
             mesh,

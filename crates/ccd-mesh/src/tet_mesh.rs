@@ -78,13 +78,7 @@ impl TetMesh {
             .enumerate()
             .map(|(tetrahedron, &corners)| oriented(&positions, tetrahedron, corners));
         let sides = Sides::of(oriented.collect::<Result<Vec<_>, _>>()?);
-        if let Some([first, second]) = sides.overlap() {
-            return Err(TetMeshError::Overlap {
-                first: first.tetrahedron,
-                second: second.tetrahedron,
-                face: first.face,
-            });
-        }
+        sides.check()?;
         let surface = sides.boundary();
         Ok(Self {
             positions,

@@ -8,12 +8,15 @@ const SLACK: f64 = 0.15;
 /// How many decades an axis has at most; one of thousands would have no room for its numbers.
 const MOST_DECADES: i32 = 40;
 
-/// The ends of a logarithmic axis for all values that are positive and normal numbers: powers of ten around them, at least one
-/// decade. The last power is left out where values are only a little beyond the one before. Of too many decades, the lowest
-/// are left out.
+/// Numbers that are larger, of either sign, have no place on an axis.
+pub const GREATEST: f64 = 1e300;
+
+/// The ends of a logarithmic axis for all values that are positive, normal and at most [`GREATEST`]: the powers of ten around
+/// them or, where values are only a little beyond one, the last of these themselves; at least one decade apart. Of more than
+/// forty decades, the lowest are left out.
 #[must_use]
 pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    let positive = values.filter(|value| *value > 0.0 && value.is_normal());
+    let positive = values.filter(|value| value.is_normal() && (0.0..=GREATEST).contains(value));
     let (least, most) = positive.fold((f64::INFINITY, 0.0_f64), |(least, most), value| {
         (least.min(value), most.max(value))
     });
@@ -27,7 +30,7 @@ pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     } else {
         power(low.floor()).min(least)
     };
-    let last = if high - high.floor() < SLACK || high > 308.0 {
+    let last = if high - high.floor() < SLACK {
         most
     } else {
         power(high.ceil()).max(most)
@@ -36,8 +39,8 @@ pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (first.max(last / 10f64.powi(MOST_DECADES)), last)
 }
 
-/// A logarithmic axis between two positive numbers, with the powers of ten marked; over less than two decades, twice and five times
-/// these too.
+/// A logarithmic axis between two positive numbers, with the powers of ten marked; over less than two decades, twice and
+/// five times these too.
 #[must_use]
 pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
     let steps: &[f64] = if last / first < 100.0 {
@@ -104,7 +107,7 @@ mod tests {
             [9.0, 11.0],
             [1e4, 1.05e7],
             [1e-300, 9e-280],
-            [1e300, 1e308],
+            [1e290, 1e300],
         ] {
             let (first, last) = decades(values.into_iter());
             let [least, most] = values;
@@ -115,7 +118,7 @@ mod tests {
                 "{values:?}"
             );
         }
-        let nothing = [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-320];
+        let nothing = [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-320, 1e308];
         assert_eq!(decades(nothing.into_iter()), (0.1, 1.0));
         assert_eq!(decades([1e-300, 1.0].into_iter()), (1e-40, 1.0));
     }

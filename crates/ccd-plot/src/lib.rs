@@ -1,13 +1,13 @@
 //! How the charts of exact-ccd look, whatever they show: drawings by [`plotters`] as SVG, in one [`Frame`], with one
-//! [palette](color()), and axes that go from one [power of ten](decades()) to another.
+//! [palette](color()), and logarithmic [axes](decades()) with marks at powers of ten.
 //!
-//! What a chart shows is drawn with plotters itself, whose [`prelude`](plotters::prelude) is exported here.
+//! What a chart shows is drawn with plotters itself, which is exported here.
 
 mod axis;
 mod frame;
 mod palette;
 
-pub use axis::{decades, logarithmic, number, seconds};
+pub use axis::{GREATEST, decades, logarithmic, number, seconds};
 pub use frame::{Area, Axis, Chart, Drawn, Frame, svg, write};
-pub use palette::{COLORS, color};
+pub use palette::{COLOR_COUNT, color};
 pub use plotters;

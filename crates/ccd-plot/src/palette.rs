@@ -3,14 +3,14 @@
 use plotters::style::RGBColor;
 
 /// How many colours there are.
-pub const COLORS: usize = 7;
+pub const COLOR_COUNT: usize = 7;
 
-/// The colour of a line or symbol, black for the first, after [`COLORS`] of them from the beginning again. All eyes can tell
+/// The colour of a line or symbol, black for the first, after [`COLOR_COUNT`] of them from the beginning again. All eyes can tell
 /// them apart: B. Wong, *Points of view: Color blindness*, Nature Methods 8, 2011, without its yellow and with a darker
 /// orange, for white paper.
 #[must_use]
 pub fn color(index: usize) -> RGBColor {
-    const PALETTE: [(u8, u8, u8); COLORS] = [
+    const PALETTE: [(u8, u8, u8); COLOR_COUNT] = [
         (0, 0, 0),
         (0, 114, 178),
         (213, 94, 0),
@@ -19,6 +19,6 @@ pub fn color(index: usize) -> RGBColor {
         (150, 120, 0),
         (86, 180, 233),
     ];
-    let (r, g, b) = PALETTE[index % COLORS];
+    let (r, g, b) = PALETTE[index % COLOR_COUNT];
     RGBColor(r, g, b)
 }

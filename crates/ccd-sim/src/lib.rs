@@ -10,7 +10,7 @@
 //! - [`Body`] is a mesh with its material; bodies and [`Script`]s make a [`System`], whose vertices are those of its bodies, one
 //!   body after the other ([`System::ranges`]).
 //! - [`Simulation`] takes the steps of a system, each with [`Statistics`].
-//! - [`Checkpoint`] is all that it needs to go on, after it has been written and read.
+//! - [`Checkpoint`] is what it needs, with the same system and settings, to go on after it has been written and read.
 //! - [`scene`] reads all of this from a file.
 //!
 //! ```

@@ -19,8 +19,9 @@ pub struct Settings {
     pub contact_distance: Length,
     /// Friction.
     pub friction: Friction,
-    /// When Newton's method stops: no vertex would go on faster than this length per second, over the time that forces act, which is
-    /// the time step or, of BDF2, two thirds of it; nor would more energy be set free than that of all masses at this speed.
+    /// When Newton's method stops: along no axis would a vertex go on faster than this length per second, over the time that
+    /// forces act, which is the time step or, of BDF2, two thirds of it; nor would more energy be set free than that of all free
+    /// masses at this speed.
     pub tolerance: Length,
     /// How many iterations of Newton's method to do at most, for each lag of friction.
     pub max_iterations: usize,
@@ -108,10 +109,7 @@ impl Settings {
 
 /// A length.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(
-    rename_all = "kebab-case",
-    expecting = "expected `{ absolute = … }`, in m, or `{ relative = … }`, in diagonals of the scene"
-)]
+#[serde(rename_all = "kebab-case")]
 pub enum Length {
     /// In m.
     Absolute(f64),

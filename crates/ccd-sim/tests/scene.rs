@@ -253,12 +253,12 @@ fn numbers_out_of_range_are_told_at_their_field() {
         (
             "scale = 0.5",
             "scale = [1.0, 0.0, 1.0]",
-            "scene.toml, line 21, body[0].scale: expected factors that are not zero",
+            "scene.toml, line 21, body[0].scale: expected finite factors that are not zero",
         ),
         (
             "contact-distance = { absolute = 1e-3 }",
             "contact-distance = 1e-3",
-            "scene.toml, line 8, settings.contact-distance: ",
+            "scene.toml, line 8, settings.contact-distance: wanted string or table",
         ),
         // Right through the cloth, which is body 1.
         (

@@ -82,9 +82,11 @@ fn draw_legend<'a>(curves: &[Curve], area: &Area<'a>) -> Drawn<'a> {
 fn power_of_ten(value: &f64) -> String {
     let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
     let power = value.log10().round();
+    let is_power = power >= 0.0 && (value.log10() - power).abs() < 1e-9;
     digits
         .get(power as usize)
-        .map_or_else(|| format!("{value:e}"), |digit| format!("10{digit}"))
+        .filter(|_| is_power)
+        .map_or_else(|| ccd_plot::number(value), |digit| format!("10{digit}"))
 }
 
 fn amount(mebibytes: &f64) -> String {

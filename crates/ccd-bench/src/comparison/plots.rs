@@ -2,7 +2,7 @@
 
 use ccd_plot::plotters::prelude::*;
 use ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use ccd_plot::{Area, Axis, COLORS, Drawn, Frame, color, decades, logarithmic, svg, write};
+use ccd_plot::{Area, Axis, COLOR_COUNT, Drawn, Frame, color, decades, logarithmic, svg, write};
 
 use super::table::{Row, Table};
 
@@ -23,7 +23,7 @@ pub(super) fn accuracy(table: &Table) -> String {
 
 /// Whether the colours are used again: for dashed lines and open symbols.
 fn is_second_round(index: usize) -> bool {
-    index >= COLORS
+    index >= COLOR_COUNT
 }
 
 /// A triangle around a point that the drawing gives; those of plotters are never open.

@@ -24,16 +24,18 @@ impl Cells {
         Ok(self.into_tet_mesh()?.surface_frame().0)
     }
 
-    /// The surface of the tetrahedra, and the triangles that are no faces of them, as shells beside solids. Bodies that have been
-    /// deformed have the same surface, inside out or not.
+    /// The surface of the tetrahedra, and the triangles that are no faces of them, as shells beside solids. Tetrahedra count
+    /// as positive in the order of their corners: of a body that is deformed, inside out or not, the surface stays the same.
     pub(super) fn into_scene(self) -> Result<Frame, ParseError> {
         if self.tetrahedra.is_empty() {
             return self.into_frame();
         }
+        let at_file = |error| Fault::TetMesh(error).at(Place::File);
         if let Some(tetrahedron) = self.tetrahedra.iter().position(|corners| !are_distinct(corners)) {
-            return Err(Fault::TetMesh(TetMeshError::Flat { tetrahedron }).at(Place::File));
+            return Err(at_file(TetMeshError::Flat { tetrahedron }));
         }
         let sides = Sides::of(self.tetrahedra);
+        sides.check().map_err(at_file)?;
         let shells = self
             .triangles
             .into_iter()
@@ -48,6 +50,9 @@ impl Cells {
         let at_file = |fault: Fault| fault.at(Place::File);
         let mesh =
             TetMesh::new(self.positions, self.tetrahedra).map_err(|error| at_file(Fault::TetMesh(error)))?;
+        if self.triangles.is_empty() {
+            return Ok(mesh);
+        }
         let sides = Sides::of(mesh.tetrahedra().iter().copied());
         let is_sheet = |&triangle: &[u32; 3]| !sides.contain(triangle);
         match self.triangles.iter().position(is_sheet) {

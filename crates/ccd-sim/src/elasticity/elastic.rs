@@ -9,7 +9,7 @@ use crate::gather::gather;
 
 /// A piece of a solid, of a shell, or what bends between two of these, among the vertices of a system.
 #[derive(Clone, Debug)]
-pub enum Elastic {
+pub(crate) enum Elastic {
     /// A piece of a solid.
     Tetrahedron(Tetrahedron),
     /// A piece of a shell, in its plane.
@@ -21,7 +21,7 @@ pub enum Elastic {
 impl Elastic {
     /// The vertices.
     #[must_use]
-    pub fn vertices(&self) -> ArrayVec<u32, 4> {
+    pub(crate) fn vertices(&self) -> ArrayVec<u32, 4> {
         match self {
             Self::Tetrahedron(tetrahedron) => tetrahedron.vertices().into(),
             Self::Membrane(membrane) => membrane.vertices().into_iter().collect(),

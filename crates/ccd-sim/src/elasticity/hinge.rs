@@ -7,12 +7,13 @@ use crate::element::{Element, Matrix12, Vector12};
 use crate::psd;
 
 /// Two triangles that share an edge resist bending about it: ½ k (θ − θ₀)² with the angle θ between their normals, the
-/// angle θ₀ at rest and k = D |e|² / A for the flexural rigidity D, the length of the edge and the area of both triangles: the
-/// energy of E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, with the factor (there it is open, and often 3)
-/// with which a plate that is rolled into a cylinder of curvature κ has ½ D κ² per area.
+/// angle θ₀ at rest and k = D |e|² / A for the flexural rigidity D, the length of the edge and the area of both triangles.
 ///
-/// Along a generator of the cylinder, that is: faces of width w beside an edge as long have A = w |e| and bend by θ = κ w, so
-/// that ½ k θ² = ½ D κ² A. Thin shells bend like that, for a sphere would have to stretch them.
+/// That is the energy of E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, with the factor (there it
+/// is open, and often 3) with which a plate that is rolled into a cylinder of curvature κ has ½ D κ² per area if edges run
+/// along the cylinder: two faces of height w on such an edge have A = w |e|, and θ = κ w, so that ½ k θ² = ½ D κ² A.
+/// Equilateral triangles have it whichever way they are rolled; squares that are rolled along a diagonal have 1.5 times as
+/// much with diagonals in turn, once or three times with parallel ones.
 #[derive(Clone, Debug)]
 pub struct Hinge {
     vertices: [u32; 4],

@@ -9,7 +9,7 @@ mod neo_hookean;
 mod stable_neo_hookean;
 mod tetrahedron;
 
-pub use elastic::Elastic;
+pub(crate) use elastic::Elastic;
 pub use hinge::Hinge;
 pub use isotropic::{Curvature, Isotropic, Principal};
 pub use lame::{ElasticModuli, ModuliError};

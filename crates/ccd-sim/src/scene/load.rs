@@ -102,7 +102,7 @@ impl Scene {
         };
         scene
             .simulation()
-            .map_err(|error| in_settings(&document, &bodies, &error))?;
+            .map_err(|error| in_simulation(&document, &bodies, &error))?;
         // Only now is the time step known to be positive.
         scene.steps = steps(&document, description.duration, scene.settings.time_step)?;
         Ok(scene)
@@ -168,7 +168,7 @@ fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static st
         }
     };
     if !described.scale.is_sound() {
-        return Err(("scale", "expected factors that are not zero".to_owned()));
+        return Err(("scale", "expected finite factors that are not zero".to_owned()));
     }
     if described.rotate.is_some_and(|rotation| !rotation.has_axis()) {
         return Err(("rotate", "the axis has no direction, expected one".to_owned()));
@@ -190,7 +190,7 @@ fn select(selection: Selection, points: &[Point], first: u32) -> Result<Vec<u32>
     };
     if (0..3).any(|axis| lower[axis] > upper[axis]) {
         return Err(format!(
-            "the box from {lower:?} to {upper:?} is empty, expected `lower` below `upper`"
+            "the box from {lower:?} to {upper:?} is empty, expected `lower` not above `upper`"
         ));
     }
     let is_selected = |point: &Point| (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&point[axis]));
@@ -224,7 +224,11 @@ fn steps(document: &Document<'_>, duration: f64, time_step: f64) -> Result<u64, 
 /// The error of a system, at the body.
 fn locate(document: &Document<'_>, description: &Description, error: &SystemError) -> SceneError {
     // The field says of which body it is.
-    let message = |body: usize| error.to_string().replacen(&format!("body {body}: "), "", 1);
+    let message = |body: usize| {
+        let message = error.to_string();
+        let rest = message.strip_prefix(&format!("body {body}: ")).map(str::to_owned);
+        rest.unwrap_or(message)
+    };
     let (body, field) = match error {
         SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
         SystemError::Moduli { body, source } => (*body, Some(source.field())),
@@ -258,19 +262,25 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
 }
 
 /// The error of a simulation, at the setting that is wrong, or at the second of two bodies that meet.
-fn in_settings(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
+fn in_simulation(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
     let field = match error {
         SimulationError::Start { primitives, near } => return in_start(document, bodies, *primitives, *near),
         SimulationError::Setting(setting) => setting.what,
         SimulationError::Filter(_) => "ccd",
-        _ => "",
+        SimulationError::State { .. }
+        | SimulationError::NotFinite { .. }
+        | SimulationError::Late { .. }
+        | SimulationError::OtherSetting { .. }
+        | SimulationError::OtherSystem { .. }
+        | SimulationError::Singular { .. }
+        | SimulationError::Blocked { .. } => "",
     };
     let names = field.split('.').filter(|name| !name.is_empty()).map(Name);
     let path: Vec<Key<'_>> = std::iter::once(Name("settings")).chain(names).collect();
     document.error_of(&path, &error.to_string())
 }
 
-/// The error of two primitives that meet, named as in their mesh files.
+/// The error of two primitives that meet, with the numbers that vertices have in their bodies.
 fn in_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2], near: Point) -> SceneError {
     let ranges = System::ranges(bodies);
     // Both have vertices, and each is that of a body.

@@ -24,7 +24,7 @@ impl Scale {
         }
     }
 
-    /// Whether it leaves every axis.
+    /// Whether every factor is finite and not zero.
     pub(super) fn is_sound(self) -> bool {
         self.factors().iter().all(|factor| factor.is_normal())
     }

@@ -126,8 +126,9 @@ impl Simulation {
         })
     }
 
-    /// The same, with another method of continuous collision detection, whose name is then that of its settings and checkpoints.
-    /// What has been resumed goes on as it was if it gets the same filter again.
+    /// The same, with another method of continuous collision detection, whose name is then that of its settings and
+    /// checkpoints. If [`filter::by_name`] does not know the name, [`Checkpoint::resume`] refuses it: give its state to
+    /// [`Simulation::resume`], and the filter to this again.
     #[must_use]
     pub fn with_filter(mut self, filter: Box<dyn StepFilter>) -> Self {
         self.settings.ccd = filter.name().to_owned();

@@ -49,7 +49,7 @@ impl Newton<'_> {
         statistics: &mut Statistics,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<bool, SimulationError> {
-        let mass: f64 = self.system.masses.iter().sum();
+        let mass = self.system.free_mass();
         let mut plan: Option<(Unknowns, Vec<u64>)> = None;
         for _ in 0..self.max_iterations {
             let clock = Instant::now();
@@ -99,8 +99,8 @@ impl Newton<'_> {
                 continue;
             }
             let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
-            // Twice what the potential falls by, as its quadratic has it. Where the barrier is deep, short steps do much: they
-            // are small if they do no more than stop all masses that move at the tolerance.
+            // Twice what the quadratic falls by. Deep in the barrier, a short step may still set much energy free: it counts as
+            // small only if that is no more than the kinetic energy of all free masses at the tolerance.
             let decrease: f64 = right.iter().zip(&solution).map(|(a, b)| a * b).sum();
             let length = self.tolerance * self.scheme.duration;
             let is_small = size <= length && decrease <= mass * length * length;

@@ -145,16 +145,27 @@ impl System {
         self.scripts[vertex].is_none() && self.masses[vertex] > 0.0
     }
 
-    /// The mean mass of the vertices that are free, in kg; of all that have one, if none is free, and 1 kg if none has.
+    /// The mass of the vertices that are free, in kg; of all, if none is free, and 1 kg if none has any.
+    #[must_use]
+    pub fn free_mass(&self) -> f64 {
+        self.counted_masses().iter().sum()
+    }
+
+    /// Their mean mass, in kg.
     #[must_use]
     pub fn mean_mass(&self) -> f64 {
-        let mean = |are_counted: &dyn Fn(usize) -> bool| -> Option<f64> {
-            let masses = self.masses.iter().enumerate();
-            let counted = masses.filter(|&(vertex, &mass)| mass > 0.0 && are_counted(vertex));
-            let (count, sum) = counted.fold((0_u32, 0.0), |(count, sum), (_, mass)| (count + 1, sum + mass));
-            (count > 0).then(|| sum / f64::from(count))
+        self.free_mass() / self.counted_masses().len() as f64
+    }
+
+    /// At least one.
+    fn counted_masses(&self) -> Vec<f64> {
+        let masses = |is_counted: &dyn Fn(usize) -> bool| -> Vec<f64> {
+            let masses = self.masses.iter().copied().enumerate();
+            let counted = masses.filter(|&(vertex, mass)| mass > 0.0 && is_counted(vertex));
+            counted.map(|(_, mass)| mass).collect()
         };
-        let mean = mean(&|vertex| self.is_free(vertex)).or_else(|| mean(&|_| true));
-        mean.unwrap_or(1.0)
+        let free = masses(&|vertex| self.is_free(vertex));
+        let counted = if free.is_empty() { masses(&|_| true) } else { free };
+        if counted.is_empty() { vec![1.0] } else { counted }
     }
 }

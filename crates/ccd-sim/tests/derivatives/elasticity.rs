@@ -235,8 +235,8 @@ fn a_hinge_unbends_the_way_that_it_came() {
     }
 }
 
-/// A plate that is rolled into a cylinder of curvature κ has the energy ½ D κ² per area, whichever mesh it is of and whichever
-/// way it is rolled, but at its rim, where there are no hinges.
+/// A plate that is rolled into a cylinder of curvature κ has the energy ½ D κ² per area: one of squares along their sides, one of
+/// equilateral triangles whichever way; but at the rim, where there are no hinges.
 #[test]
 fn a_rolled_plate_has_the_energy_of_its_curvature() {
     const RIGIDITY: f64 = 0.7;

@@ -91,18 +91,18 @@ impl OutputFolder {
     /// is dropped.
     pub(super) fn resume(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
         let last = simulation.state().step;
+        let grid = grid_file(folder, last);
+        if !grid.is_file() {
+            return Err(Failure::Checkpoint {
+                file: folder.join(CHECKPOINT),
+                message: format!("it is of time step {last}, but {} is not there", grid.display()),
+            });
+        }
         let this = Self {
             folder: folder.to_owned(),
             log: Log::resume(folder.join(STATISTICS), last)?,
             grid: Grid::new(simulation.system()),
         };
-        let grid = this.grid_file(last);
-        if !grid.is_file() {
-            return Err(Failure::Checkpoint {
-                file: this.file(CHECKPOINT),
-                message: format!("it is of time step {last}, but {} is not there", grid.display()),
-            });
-        }
         // The collection first: it names no file that is not there.
         this.write_collection(simulation)?;
         remove_after(folder, Some(last))?;
@@ -130,7 +130,7 @@ impl OutputFolder {
         write_file(&self.frame(state.step), |writer| {
             frame.map_err(io::Error::other)?.write_ply(writer)
         })?;
-        write_file(&self.grid_file(state.step), |writer| {
+        write_file(&grid_file(&self.folder, state.step), |writer| {
             self.grid.write(state, writer)
         })?;
         self.write_collection(simulation)
@@ -164,14 +164,14 @@ impl OutputFolder {
         self.file(FRAMES).join(steps::name(step, "ply"))
     }
 
-    fn grid_file(&self, step: u64) -> PathBuf {
-        self.file(GRIDS).join(steps::name(step, "vtu"))
-    }
-
     /// A file in the folder.
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
+}
+
+fn grid_file(folder: &Path, step: u64) -> PathBuf {
+    folder.join(GRIDS).join(steps::name(step, "vtu"))
 }
 
 pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {

@@ -4,12 +4,12 @@ use std::fmt::Write;
 
 use ccd_sim::{Simulation, Statistics};
 
-/// What a simulation is about, up to so many time steps: whether its units are meant shows here first.
+/// What a simulation is about, up to so many time steps: wrong units show here first.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
     let done = simulation.state().step;
     let mut line = format!(
-        "{} vertices, {} faces, {:.3} m across; contact distance {:.2e} m; ",
+        "{} vertices, {} faces, {:.3e} m across; contact distance {:.2e} m; ",
         system.start().len(),
         system.surface().faces().len(),
         system.size(),

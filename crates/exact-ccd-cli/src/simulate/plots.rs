@@ -3,7 +3,7 @@
 use ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use ccd_plot::plotters::prelude::*;
 use ccd_plot::plotters::series::LineSeries;
-use ccd_plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, number, svg, write};
+use ccd_plot::{Area, Axis, Drawn, Frame, GREATEST, color, decades, logarithmic, number, svg, write};
 
 use super::folder::{DISTANCE, ENERGIES, OutputFolder};
 use super::statistics::Row;
@@ -21,12 +21,10 @@ struct Line {
     points: Vec<(f64, Option<f64>)>,
 }
 
-/// Beyond this, there is no axis: a table that was written elsewhere may hold any number.
-const GREATEST: f64 = 1e300;
-
 impl Line {
     /// The line through the values of rows.
     fn new(name: &'static str, rows: &[Row], value: impl Fn(&Row) -> Option<f64>) -> Self {
+        // A table that was written elsewhere may hold any number.
         let is_drawn = |x: &f64| x.abs() <= GREATEST;
         let rows = rows.iter().filter(|row| is_drawn(&row.time));
         let points = rows.map(|row| (row.time, value(row).filter(is_drawn)));
