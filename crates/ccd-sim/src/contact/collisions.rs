@@ -21,6 +21,9 @@ pub struct Collisions {
 
 impl Collisions {
     /// The collisions among some pairs, with the vertices at `points`. `rest` tells how long edges are at rest.
+    ///
+    /// # Panics
+    /// If a vertex of a pair has no position.
     #[must_use]
     pub fn new(surface: &Surface, pairs: &Pairs, points: &[Point], rest: &[Point], barrier: Barrier) -> Self {
         let distance = barrier.reach().sqrt();

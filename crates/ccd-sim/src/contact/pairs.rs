@@ -21,6 +21,9 @@ pub struct Pairs {
 impl Pairs {
     /// All pairs that come within a distance of each other while the vertices move in straight lines from `start` to `end`,
     /// or from `start` to rounded positions on the way; and some more, those whose boxes do.
+    ///
+    /// # Panics
+    /// If a vertex of the surface has no position.
     #[must_use]
     pub fn near(surface: &Surface, start: &[Point], end: &[Point], distance: f64) -> Self {
         let (faces, edges) = (surface.mesh().faces(), surface.mesh().edges());

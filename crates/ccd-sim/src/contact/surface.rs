@@ -13,9 +13,10 @@ pub struct Surface {
 
 impl Surface {
     /// The surface of a mesh. `obstacle` tells of each vertex whether it belongs to an obstacle: contact between
-    /// two of these is no concern.
+    /// two of these is no concern. Vertices of which it tells nothing do not.
     #[must_use]
-    pub fn new(mesh: TriangleMesh, obstacle: Vec<bool>) -> Self {
+    pub fn new(mesh: TriangleMesh, mut obstacle: Vec<bool>) -> Self {
+        obstacle.resize(mesh.vertex_count(), false);
         let (_, vertices) = mesh.without_loose_vertices();
         Self {
             mesh,
@@ -37,6 +38,9 @@ impl Surface {
     }
 
     /// The vertices of a pair of a vertex and a face.
+    ///
+    /// # Panics
+    /// If there is no such face.
     #[must_use]
     pub fn vertex_face(&self, [vertex, face]: [u32; 2]) -> [u32; 4] {
         let [a, b, c] = self.mesh.faces()[face as usize];
@@ -44,6 +48,9 @@ impl Surface {
     }
 
     /// The vertices of a pair of edges.
+    ///
+    /// # Panics
+    /// If there is no such edge.
     #[must_use]
     pub fn edge_edge(&self, pair: [u32; 2]) -> [u32; 4] {
         let [[a, b], [c, d]] = pair.map(|edge| self.mesh.edges()[edge as usize]);
