@@ -58,6 +58,16 @@ fn duration(time: &f64) -> String {
     ccd_plot::seconds(&(1e-6 * time))
 }
 
+/// Over times, with room for the names of the methods.
+fn frame<'a, Y>(title: &'a str, times: &'a str, y: Axis<'a, Y>) -> Frame<'a, f64, Y> {
+    let x = Axis {
+        title: times,
+        label: &duration,
+    };
+    let legend = LEGEND;
+    Frame { title, x, y, legend }
+}
+
 fn draw_tails<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
     let times = table
         .rows
@@ -65,20 +75,13 @@ fn draw_tails<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
         .flat_map(|row| row.distribution.iter().map(|(time, _)| *time));
     let (first, last) = decades(times);
     let least_share = 1e-4;
-    let frame = Frame {
-        title: &title(table),
-        x: Axis {
-            title: "time",
-            label: &duration,
-        },
-        y: Axis {
-            title: "share of the queries that take longer",
-            label: &|share: &f64| share.to_string(),
-        },
-        legend: LEGEND,
+    let share = Axis {
+        title: "share of the queries that take longer",
+        label: &|share: &f64| share.to_string(),
     };
     let shares = logarithmic(least_share, 1.0);
-    let mut chart = frame.draw(area, logarithmic(first, last), shares)?;
+    let title = title(table);
+    let mut chart = frame(&title, "time", share).draw(area, logarithmic(first, last), shares)?;
     for (index, row) in table.rows.iter().enumerate() {
         let line = exceedance(row, first, least_share);
         let style = color(index).stroke_width(2);
@@ -118,19 +121,13 @@ fn draw_accuracy<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
         .as_flattened()
         .iter()
         .fold(1.0_f64, |top, rate| top.max(1.1 * rate));
-    let frame = Frame {
-        title: &title(table),
-        x: Axis {
-            title: "mean time",
-            label: &duration,
-        },
-        y: Axis {
-            title: "wrong: ▲ of the free are said to collide, ● of the colliding are missed",
-            label: &|rate: &f64| format!("{rate:.0} %"),
-        },
-        legend: LEGEND,
+    let wrong = Axis {
+        title: "wrong: ▲ of the free are said to collide, ● of the colliding are missed",
+        label: &|rate: &f64| format!("{rate:.0} %"),
     };
-    let mut chart = frame.draw(area, logarithmic(first, last), -0.03 * top..top)?;
+    let title = title(table);
+    let mut chart =
+        frame(&title, "mean time", wrong).draw(area, logarithmic(first, last), -0.03 * top..top)?;
     for (index, (row, [invented, missed])) in table.rows.iter().zip(rates).enumerate() {
         let Some(mean) = row.mean else { continue };
         chart.draw_series([EmptyElement::at((mean, invented)) + triangle(index)])?;

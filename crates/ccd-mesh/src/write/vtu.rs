@@ -64,6 +64,9 @@ impl Frame {
 impl TetMesh {
     /// Writes the vertices and tetrahedra as a VTK file of an unstructured grid, `.vtu`, bit for bit.
     ///
+    /// VTK takes tetrahedra to be positive in the order of their corners: if some are and others are not, a
+    /// [`Frame`](crate::Frame) of the file is an error.
+    ///
     /// # Errors
     /// Those of the writer.
     pub fn write_vtu(&self, writer: impl io::Write) -> io::Result<()> {

@@ -64,28 +64,20 @@ impl Scene {
                 document.error_of(&[Name("body"), Index(index), Name(field)], &message)
             })?;
             for (number, script) in described.script.iter().enumerate() {
-                let selected = select(script.vertices, &body.points, first).map_err(|message| {
-                    let path = [
+                let of_script = |field| {
+                    [
                         Name("body"),
                         Index(index),
                         Name("script"),
                         Index(number),
-                        Name("vertices"),
-                    ];
-                    document.error_of(&path, &message)
-                })?;
+                        Name(field),
+                    ]
+                };
+                let selected = select(script.vertices, &body.points, first)
+                    .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
                 script.motion.check().map_err(|error| {
-                    let script = [
-                        Name("body"),
-                        Index(index),
-                        Name("script"),
-                        Index(number),
-                        Name("motion"),
-                    ];
-                    let path: Vec<Key<'_>> = script
-                        .into_iter()
-                        .chain(error.field.split('.').map(Name))
-                        .collect();
+                    let of_motion = error.field.split('.').map(Name);
+                    let path: Vec<Key<'_>> = of_script("motion").into_iter().chain(of_motion).collect();
                     document.error_of(&path, &error.to_string())
                 })?;
                 scripts.push((selected, script.motion));

@@ -151,13 +151,13 @@ impl System {
         self.counted_masses().iter().sum()
     }
 
-    /// Their mean mass, in kg.
+    /// The mean mass of the same vertices, in kg.
     #[must_use]
     pub fn mean_mass(&self) -> f64 {
         self.free_mass() / self.counted_masses().len() as f64
     }
 
-    /// At least one.
+    /// The masses that [`System::free_mass`] sums: at least one.
     fn counted_masses(&self) -> Vec<f64> {
         let masses = |is_counted: &dyn Fn(usize) -> bool| -> Vec<f64> {
             let masses = self.masses.iter().copied().enumerate();
