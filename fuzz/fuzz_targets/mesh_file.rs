@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use ccd_mesh::{Format, Frame, TetMesh};
+use exact_ccd_mesh::{Format, Frame, TetMesh};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 

@@ -21,7 +21,7 @@ mod symmetry;
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd::parity::Rounded;
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_fuzz::coordinate;
 use libfuzzer_sys::fuzz_target;
 
@@ -54,8 +54,8 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     let recipe = recipe(bytes)?;
     let symmetry = symmetry(bytes)?;
     let points = points(bytes)?;
-    check_kind::<PointTriangle>(&recipe, &symmetry, points);
-    check_kind::<SegmentSegment>(&recipe, &symmetry, points);
+    check_kind::<VertexFace>(&recipe, &symmetry, points);
+    check_kind::<EdgeEdge>(&recipe, &symmetry, points);
     Ok(())
 }
 

@@ -5,9 +5,9 @@
 use std::fmt::Debug;
 
 use arbitrary::{Result, Unstructured};
-use ccd_bench::{DataKind, QueryReader, Rounding, Sample};
+use exact_ccd_bench::{DataKind, QueryReader, Rounding, Sample};
 use dashu_ratio::RBig;
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 
@@ -41,8 +41,8 @@ fuzz_target!(|bytes: &[u8]| {
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
     let text = file(bytes, WORDS)?;
-    check_kind::<PointTriangle>(&text);
-    check_kind::<SegmentSegment>(&text);
+    check_kind::<VertexFace>(&text);
+    check_kind::<EdgeEdge>(&text);
     Ok(())
 }
 

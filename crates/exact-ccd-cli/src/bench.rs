@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use ccd_bench::DataKind;
-use ccd_bench::comparison::{Comparison, Contestant, Peer, Report, Source, Table};
 use clap::value_parser;
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_bench::DataKind;
+use exact_ccd_bench::comparison::{Comparison, Contestant, Peer, Report, Source, Table};
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -79,7 +79,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let bar = progress::thousandths(2 * 1000 * sources.len() as u64);
     during(bar, |progress| {
         for source in &sources {
-            for kind in [compare::<PointTriangle>, compare::<SegmentSegment>] {
+            for kind in [compare::<VertexFace>, compare::<EdgeEdge>] {
                 let Some(table) = kind(&mut comparison, source, arguments.sample, progress)? else {
                     continue;
                 };
@@ -98,7 +98,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
 /// The methods that were asked for, and the peers.
 fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
-    let mut contestants: Vec<_> = ccd_methods::all().into_iter().map(Contestant::Method).collect();
+    let mut contestants: Vec<_> = exact_ccd_methods::all()
+        .into_iter()
+        .map(Contestant::Method)
+        .collect();
     for command in &arguments.peers {
         contestants.extend(Peer::start(command)?.into_iter().map(Contestant::Peer));
     }

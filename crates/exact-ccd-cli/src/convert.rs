@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use ccd_bench::{DataKind, Record, Rounding, Scene, Seventh};
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_bench::{DataKind, Record, Rounding, Scene, Seventh};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
@@ -63,8 +63,8 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     during(progress::queries(), |progress| match arguments.kind {
-        Kind::Vf => convert::<PointTriangle>(arguments, progress),
-        Kind::Ee => convert::<SegmentSegment>(arguments, progress),
+        Kind::Vf => convert::<VertexFace>(arguments, progress),
+        Kind::Ee => convert::<EdgeEdge>(arguments, progress),
     })?;
     Ok(ExitCode::SUCCESS)
 }

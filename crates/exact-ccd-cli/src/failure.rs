@@ -3,12 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use ccd_bench::DataError;
-use ccd_bench::comparison::PeerError;
-use ccd_mesh::{ReadError, ReadMotionError, StepError};
-use ccd_sim::SimulationError;
-use ccd_sim::scene::SceneError;
 use exact_ccd::parity::RoundingError;
+use exact_ccd_bench::DataError;
+use exact_ccd_bench::comparison::PeerError;
+use exact_ccd_mesh::{ReadError, ReadMotionError, StepError};
+use exact_ccd_sim::SimulationError;
+use exact_ccd_sim::scene::SceneError;
 
 /// Why the program has no answer.
 #[derive(Debug, thiserror::Error)]

@@ -4,8 +4,8 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use ccd_bench::{DataKind, Rounding, Sample};
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_bench::{DataKind, Rounding, Sample};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
@@ -71,8 +71,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         progress::queries()
     };
     let tally = during(bar, |progress| match arguments.kind {
-        Kind::Vf => answer_all::<PointTriangle>(arguments, progress),
-        Kind::Ee => answer_all::<SegmentSegment>(arguments, progress),
+        Kind::Vf => answer_all::<VertexFace>(arguments, progress),
+        Kind::Ee => answer_all::<EdgeEdge>(arguments, progress),
     });
     match tally {
         Ok(tally) => tally.report(),

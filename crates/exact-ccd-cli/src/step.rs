@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use ccd_mesh::{Bvh, Detector, Motion, StepError, StepReport};
 use clap::value_parser;
+use exact_ccd_mesh::{Bvh, Detector, Motion, StepError, StepReport};
 
 use crate::failure::Failure;
 use crate::output::print;

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use ccd_mesh::{EarliestContact, Pair, PairCounts, StepReport, TriangleMesh};
+use exact_ccd_mesh::{EarliestContact, Pair, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
 use crate::kind::Kind;

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use ccd_mesh::{Boxes, BroadPhase, Visit};
+use exact_ccd_mesh::{Boxes, BroadPhase, Visit};
 
 /// A broad phase that adds up the time of those who visit its pairs.
 pub(crate) struct Timed<B> {

@@ -46,19 +46,19 @@ pub(crate) mod tables {
 }
 pub(crate) use tables::Tables;
 
-/// The kind of a [`Query`](crate::Query): [`PointTriangle`] or [`SegmentSegment`]. Sealed.
+/// The kind of a [`Query`](crate::Query): [`VertexFace`] or [`EdgeEdge`]. Sealed.
 pub trait Kind: Tables + Copy {}
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PointTriangle;
+pub struct VertexFace;
 
 /// Marks a query of an edge a₀ a₁ = x₀ x₁ against an edge b₀ b₁ = x₂ x₃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SegmentSegment;
+pub struct EdgeEdge;
 
-impl Kind for PointTriangle {}
-impl Kind for SegmentSegment {}
+impl Kind for VertexFace {}
+impl Kind for EdgeEdge {}
 
 const fn side(
     vertex: usize,
@@ -77,7 +77,7 @@ const fn side(
 }
 
 /// p lies in the triangle if it lies to the left of its three edges; their areas with p are its barycentric coordinates.
-impl Tables for PointTriangle {
+impl Tables for VertexFace {
     const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
     const PATCHES: &'static [[usize; 4]] = &[
         [0, 1, 2, 2],
@@ -98,7 +98,7 @@ impl Tables for PointTriangle {
 /// The segments cross if the ends of each lie on different sides of the line of the other: with n = e₁ × e₂,
 /// a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four sides are u ≥ 0, u ≤ 1,
 /// v ≥ 0 and v ≤ 1.
-impl Tables for SegmentSegment {
+impl Tables for EdgeEdge {
     const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
     const PATCHES: &'static [[usize; 4]] = &[
         [0, 1, 3, 2],

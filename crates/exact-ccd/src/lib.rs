@@ -10,10 +10,10 @@
 //! - and says what a solver needs to know about the earliest contact: [`Query::impact`].
 //!
 //! ```
-//! use exact_ccd::VertexFace;
+//! use exact_ccd::{Query, VertexFace};
 //!
 //! // A vertex falls through a resting triangle.
-//! let query = VertexFace::new(
+//! let query = Query::<VertexFace>::new(
 //!     [[0.25, 0.25, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //!     [[0.25, 0.25, -2.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //! )?;
@@ -23,7 +23,7 @@
 //! # Ok::<(), exact_ccd::NonFinite>(())
 //! ```
 //!
-//! For a mesh at rest, [`EdgeFace::intersects`] tells whether an edge meets a face, as exactly.
+//! For a mesh at rest, [`predicates::EdgeFace::intersects`] tells whether an edge meets a face, as exactly.
 //!
 //! *Contact* is a common point of the closed primitives at a time of the closed step: touching counts, at
 //! t = 0 and t = 1 too. The integers of [`exact`] define every answer; floating-point filters answer first
@@ -36,21 +36,20 @@ compile_error!("the error bounds of the filters need f64 arithmetic without exce
 extern crate alloc;
 
 pub mod batch;
+mod ccd;
 mod contact;
 pub mod exact;
 mod filter;
 mod impact;
-mod intersection;
 mod kind;
-mod orientation;
 pub mod parity;
+pub mod predicates;
 mod query;
 mod time;
 
+pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use contact::Stage;
 pub use impact::Impact;
-pub use intersection::EdgeFace;
-pub use kind::{Kind, PointTriangle, SegmentSegment};
-pub use orientation::orientation;
-pub use query::{EdgeEdge, NonFinite, Point, Query, VertexFace};
+pub use kind::{EdgeEdge, Kind, VertexFace};
+pub use query::{NonFinite, Point, Query};
 pub use time::{ContactTime, ContactTimes, Times};

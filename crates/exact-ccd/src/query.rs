@@ -3,12 +3,12 @@
 use core::fmt;
 use core::marker::PhantomData;
 
-use crate::kind::{Kind, PointTriangle, SegmentSegment};
+use crate::kind::Kind;
 
 /// A point in space.
 pub type Point = [f64; 3];
 
-/// Two primitives of a moving mesh over one time step; see [`VertexFace`] and [`EdgeEdge`].
+/// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and [`EdgeEdge`](crate::EdgeEdge).
 ///
 /// Each of the four points moves in a straight line, at constant speed, from where it is at t = 0 to where it is at
 /// t = 1. Any finite coordinates are allowed: faces without area, edges without length, coincident points and
@@ -19,12 +19,6 @@ pub struct Query<K> {
     points: [[Point; 4]; 2],
     kind: PhantomData<K>,
 }
-
-/// A vertex p against a face v₁ v₂ v₃, in this order.
-pub type VertexFace = Query<PointTriangle>;
-
-/// An edge a₀ a₁ against an edge b₀ b₁, in this order.
-pub type EdgeEdge = Query<SegmentSegment>;
 
 /// A coordinate is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -73,8 +67,8 @@ impl NonFinite {
 }
 
 impl<K: Kind> Query<K> {
-    /// The query of four points at the start and at the end of the time step, in the order of [`VertexFace`] or
-    /// [`EdgeEdge`].
+    /// The query of four points at the start and at the end of the time step, in the order of the kind:
+    /// [`VertexFace`](crate::VertexFace) or [`EdgeEdge`](crate::EdgeEdge).
     ///
     /// # Errors
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.

@@ -99,18 +99,18 @@ proptest! {
 
     #[test]
     fn vertex_and_face_meet_at_the_parameters(points in any()) {
-        check(&VertexFace::new(points[0], points[1]).unwrap(), VERTEX_FACE)?;
+        check(&Query::<VertexFace>::new(points[0], points[1]).unwrap(), VERTEX_FACE)?;
     }
 
     #[test]
     fn edges_meet_at_the_parameters(points in any()) {
-        check(&EdgeEdge::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
+        check(&Query::<EdgeEdge>::new(points[0], points[1]).unwrap(), EDGE_EDGE)?;
     }
 
     #[test]
     fn the_normal_of_a_face_at_rest_is_where_the_vertex_comes_from(points in any()) {
         let [[from, a, b, c], [to, ..]] = points;
-        let query = VertexFace::new([from, a, b, c], [to, a, b, c]).unwrap();
+        let query = Query::<VertexFace>::new([from, a, b, c], [to, a, b, c]).unwrap();
         let motion: Point = core::array::from_fn(|axis| to[axis] - from[axis]);
         if let Some(Impact { normal: Some(normal), .. }) = query.impact() {
             prop_assert!(dot(normal, motion) <= 4.0 * ACCURACY * dot(motion, motion).sqrt());
@@ -120,8 +120,8 @@ proptest! {
     #[test]
     fn swapped_edges_swap_the_answer([start, end] in meeting(in_general_position())) {
         let swap = |[a0, a1, b0, b1]: [Point; 4]| [b0, b1, a0, a1];
-        let impact = EdgeEdge::new(start, end).unwrap().impact();
-        let swapped = EdgeEdge::new(swap(start), swap(end)).unwrap().impact();
+        let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact();
+        let swapped = Query::<EdgeEdge>::new(swap(start), swap(end)).unwrap().impact();
         prop_assert_eq!(impact.map(|impact| impact.time), swapped.map(|impact| impact.time));
         if let (Some(impact), Some(swapped)) = (impact, swapped) {
             let [u, v] = swapped.parameters;
@@ -137,7 +137,7 @@ const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 #[track_caller]
 fn on_face(from: Point, to: Point) -> Impact {
     let [a, b, c] = FACE;
-    let query = VertexFace::new([from, a, b, c], [to, a, b, c]).unwrap();
+    let query = Query::<VertexFace>::new([from, a, b, c], [to, a, b, c]).unwrap();
     query.impact().unwrap()
 }
 
@@ -162,7 +162,7 @@ fn a_face_turns_up_to_a_vertex() {
     // Its corner at (4, 0) rises by 4: the vertex at (1, 1) is reached when that is done.
     let start = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
     let end = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 0.0]];
-    let query = VertexFace::new(start, end).unwrap();
+    let query = Query::<VertexFace>::new(start, end).unwrap();
     let impact = query.impact().unwrap();
     assert_eq!(impact.time.lower(), 1.0);
     assert!(close(
@@ -200,7 +200,7 @@ fn a_vertex_in_the_plane_of_a_face_starts_inside() {
 #[test]
 fn a_flat_face_is_its_edges() {
     let [a, b] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
-    let query = VertexFace::new([[1.0, 1.0, 2.0], a, b, b], [[1.0, -1.0, -2.0], a, b, b]).unwrap();
+    let query = Query::<VertexFace>::new([[1.0, 1.0, 2.0], a, b, b], [[1.0, -1.0, -2.0], a, b, b]).unwrap();
     let impact = query.impact().unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.25, 0.0]);
@@ -214,7 +214,7 @@ fn a_flat_face_is_its_edges() {
 fn parallel_edges_meet() {
     let [b0, b1] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
     let [start, end] = [2.0, -2.0].map(|z| [[1.0, 0.0, z], [2.0, 0.0, z], b0, b1]);
-    let impact = EdgeEdge::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.0, 0.25]);
     assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
@@ -231,7 +231,7 @@ fn an_end_of_the_second_edge_meets_the_first() {
             [1.0, 0.0, z + 3.0],
         ]
     });
-    let impact = EdgeEdge::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.25, 0.0]);
     assert_eq!(impact.normal, Some([0.0, 0.0, -1.0]));
@@ -241,7 +241,7 @@ fn an_end_of_the_second_edge_meets_the_first() {
 fn points_meet() {
     let still = [0.0; 3];
     let [start, end] = [[2.0, 1.0, 2.0], [-2.0, -1.0, -2.0]].map(|p: Point| [p, still, still, still]);
-    let impact = VertexFace::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<VertexFace>::new(start, end).unwrap().impact().unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.0, 0.0]);
     assert!(close(&impact.normal.unwrap(), &[2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0]));
@@ -250,7 +250,7 @@ fn points_meet() {
 #[test]
 fn what_rests_has_no_normal() {
     let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 3.0]];
-    let impact = EdgeEdge::new(points, points).unwrap().impact().unwrap();
+    let impact = Query::<EdgeEdge>::new(points, points).unwrap().impact().unwrap();
     assert!(impact.touching_at_start());
     assert_eq!(impact.parameters, [0.25, 0.0]);
     assert_eq!(impact.normal, None);
@@ -261,7 +261,7 @@ fn lengths_of_very_different_size() {
     let (tiny, huge) = (1e-300, 1e300);
     let [a, b, c] = [[0.0, 0.0, 0.0], [tiny, 0.0, 0.0], [0.0, huge, 0.0]];
     let [start, end] = [1.0, -1.0].map(|z| [[tiny / 4.0, huge / 2.0, z], a, b, c]);
-    let impact = VertexFace::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<VertexFace>::new(start, end).unwrap().impact().unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert!(close(&impact.parameters, &[0.25, 0.5]));
     assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
@@ -270,7 +270,7 @@ fn lengths_of_very_different_size() {
 #[test]
 fn no_contact_no_impact() {
     let [a, b, c] = FACE;
-    let query = VertexFace::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, 0.5], a, b, c]).unwrap();
+    let query = Query::<VertexFace>::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, 0.5], a, b, c]).unwrap();
     assert_eq!(query.impact(), None);
     assert_eq!(exact::impact(&query), None);
 }

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use exact_ccd::{EdgeEdge, Point};
+use exact_ccd::{EdgeEdge, Point, Query};
 
 const START: [Point; 4] = [
     [0.0, 0.0, 1.0],
@@ -18,8 +18,8 @@ const END: [Point; 4] = [
 ];
 
 fn assert_same<P: Into<Point>>(convert: fn(Point) -> P) {
-    let query = EdgeEdge::from_points(START.map(convert), END.map(convert)).unwrap();
-    assert_eq!(query, EdgeEdge::new(START, END).unwrap());
+    let query = Query::<EdgeEdge>::from_points(START.map(convert), END.map(convert)).unwrap();
+    assert_eq!(query, Query::<EdgeEdge>::new(START, END).unwrap());
 }
 
 #[test]

@@ -4,7 +4,9 @@ use std::cmp::Ordering;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ccd_mesh::{Format, Frame, MotionError, ReadError, ReadMotionError, TriangleMesh, Welding, read_pvd};
+use exact_ccd_mesh::{
+    Format, Frame, MotionError, ReadError, ReadMotionError, TriangleMesh, Welding, read_pvd,
+};
 
 use crate::failure::Failure;
 

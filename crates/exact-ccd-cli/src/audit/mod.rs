@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use ccd_mesh::Audit;
+use exact_ccd_mesh::Audit;
 
 use crate::failure::Failure;
 use crate::output::print;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use ccd_mesh::{TriangleMesh, Violation};
+use exact_ccd_mesh::{TriangleMesh, Violation};
 use serde::Serialize;
 
 use super::frames::Frames;

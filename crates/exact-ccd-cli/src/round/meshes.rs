@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use ccd_mesh::{Bounds, Format, Frame};
+use exact_ccd_mesh::{Bounds, Format, Frame};
 
 use super::report::Report;
 use super::{Arguments, shared_displacement};

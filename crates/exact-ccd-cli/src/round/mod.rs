@@ -10,9 +10,9 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use ccd_mesh::Bounds;
 use exact_ccd::parity::{Displacement, RoundingError};
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_mesh::Bounds;
 
 use crate::failure::Failure;
 use crate::kind::Kind;
@@ -65,8 +65,8 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let report = during(progress::stage("rounding"), |_| match arguments.kind {
         None => meshes::round(arguments),
-        Some(Kind::Vf) => queries::round::<PointTriangle>(arguments),
-        Some(Kind::Ee) => queries::round::<SegmentSegment>(arguments),
+        Some(Kind::Vf) => queries::round::<VertexFace>(arguments),
+        Some(Kind::Ee) => queries::round::<EdgeEdge>(arguments),
     })?;
     if let Some(file) = &arguments.plot {
         let drawing = plot::svg(&report.errors);

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use ccd_bench::{DataKind, Record, Rounding, Seventh};
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
 use exact_ccd::{Kind, NonFinite, Query};
+use exact_ccd_bench::{DataKind, Record, Rounding, Seventh};
 use rayon::prelude::*;
 
 use super::report::Report;

@@ -4,9 +4,9 @@ use std::fs::{self, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
-use ccd_mesh::write_pvd;
-use ccd_sim::scene::Scene;
-use ccd_sim::{Checkpoint, Simulation, Statistics};
+use exact_ccd_mesh::write_pvd;
+use exact_ccd_sim::scene::Scene;
+use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
 use super::grid::Grid;
 use super::log::Log;

@@ -2,8 +2,8 @@
 
 use std::io;
 
-use ccd_mesh::UnstructuredGrid;
-use ccd_sim::{State, System};
+use exact_ccd_mesh::UnstructuredGrid;
+use exact_ccd_sim::{State, System};
 
 /// The cells of a system.
 pub(super) struct Grid {

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use ccd_sim::{Simulation, Statistics};
+use exact_ccd_sim::{Simulation, Statistics};
 
 /// What a simulation is about, up to so many time steps: wrong units show here first.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {

@@ -15,9 +15,9 @@ mod steps;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use ccd_sim::Simulation;
-use ccd_sim::scene::Scene;
 use clap::value_parser;
+use exact_ccd_sim::Simulation;
+use exact_ccd_sim::scene::Scene;
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -80,7 +80,7 @@ pub(crate) struct Arguments {
 }
 
 fn ccd_help() -> String {
-    let names = ccd_sim::filter::names().join(", ");
+    let names = exact_ccd_sim::filter::names().join(", ");
     format!("The method of continuous collision detection, in place of the scene's: {names}")
 }
 

@@ -3,8 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
-use ccd_mesh::Point;
-use ccd_sim::System;
+use exact_ccd_mesh::Point;
+use exact_ccd_sim::System;
 
 use super::folder::make_folder;
 use crate::failure::Failure;

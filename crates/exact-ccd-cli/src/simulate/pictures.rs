@@ -1,8 +1,8 @@
 //! Pictures of all times.
 
-use ccd_mesh::{Bounds, Frame, Point};
-use ccd_render::{Animation, Marks, View, render};
-use ccd_sim::Simulation;
+use exact_ccd_mesh::{Bounds, Frame, Point};
+use exact_ccd_render::{Animation, Marks, View, render};
+use exact_ccd_sim::Simulation;
 
 use super::folder::{ANIMATION, OutputFolder, PICTURES, make_folder};
 use super::steps;

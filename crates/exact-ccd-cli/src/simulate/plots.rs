@@ -1,9 +1,9 @@
 //! Energies and the minimal distance over time, as drawings.
 
-use ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
-use ccd_plot::plotters::prelude::*;
-use ccd_plot::plotters::series::LineSeries;
-use ccd_plot::{Area, Axis, Drawn, Frame, GREATEST, color, decades, logarithmic, number, svg, write};
+use exact_ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
+use exact_ccd_plot::plotters::prelude::*;
+use exact_ccd_plot::plotters::series::LineSeries;
+use exact_ccd_plot::{Area, Axis, Drawn, Frame, GREATEST, color, decades, logarithmic, number, svg, write};
 
 use super::folder::{DISTANCE, ENERGIES, OutputFolder};
 use super::statistics::Row;

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use ccd_bench::comparison::Subjects;
-use ccd_bench::{DataKind, Record, Sample, Seventh};
-use ccd_sim::Simulation;
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_bench::comparison::Subjects;
+use exact_ccd_bench::{DataKind, Record, Sample, Seventh};
+use exact_ccd_sim::Simulation;
 use serde::{Deserialize, Serialize};
 
 use super::folder::make_folder;
@@ -56,7 +56,7 @@ impl QueryFolder {
         most: usize,
     ) -> Result<(Simulation, Self), Failure> {
         let last = simulation.state().step;
-        for kind in [PointTriangle::FOLDER, SegmentSegment::FOLDER] {
+        for kind in [VertexFace::FOLDER, EdgeEdge::FOLDER] {
             make_folder(&folder.join(kind))?;
             steps::remove_after(&folder.join(kind), Some(last))?;
         }

@@ -2,12 +2,12 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use ccd_bench::DataKind;
-use ccd_bench::comparison::{Subject, Subjects};
-use ccd_mesh::{Bounds, Point, Step};
-use ccd_sim::Simulation;
-use ccd_sim::filter::{Increment, StepFilter};
-use exact_ccd::{PointTriangle, Query, SegmentSegment};
+use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd_bench::DataKind;
+use exact_ccd_bench::comparison::{Subject, Subjects};
+use exact_ccd_mesh::{Bounds, Point, Step};
+use exact_ccd_sim::Simulation;
+use exact_ccd_sim::filter::{Increment, StepFilter};
 use rayon::prelude::*;
 
 /// How many queries are decided at a time.
@@ -15,8 +15,8 @@ const CHUNK: usize = 1 << 16;
 
 /// Random samples of the queries of a time step: of each kind, of those in contact and of the others.
 pub(super) struct Samples {
-    pub(super) vertex_face: Subjects<PointTriangle>,
-    pub(super) edge_edge: Subjects<SegmentSegment>,
+    pub(super) vertex_face: Subjects<VertexFace>,
+    pub(super) edge_edge: Subjects<EdgeEdge>,
 }
 
 impl Samples {

@@ -1,6 +1,6 @@
 //! What a time step took and led to, as a row of `statistics.csv`.
 
-use ccd_sim::Statistics;
+use exact_ccd_sim::Statistics;
 use serde::{Deserialize, Serialize};
 
 use super::log;

@@ -1,6 +1,6 @@
 //! What `exact-ccd audit` reports about a sequence of frames.
 
-use ccd_mesh::Frame;
+use exact_ccd_mesh::Frame;
 use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
@@ -203,7 +203,7 @@ fn a_collection_is_taken_in_its_order() {
         folder.write(&format!("frames/{name}"), file);
     }
     let mut collection = Vec::new();
-    ccd_mesh::write_pvd(&mut collection, files.map(|(name, _)| (0.0, name))).unwrap();
+    exact_ccd_mesh::write_pvd(&mut collection, files.map(|(name, _)| (0.0, name))).unwrap();
     folder.write("frames/all.pvd", collection);
     let run = folder.run(&["audit", "frames/all.pvd"]);
     let report = format!(
@@ -212,7 +212,7 @@ fn a_collection_is_taken_in_its_order() {
     assert_report(&run, 1, &report);
 
     let mut nothing = Vec::new();
-    ccd_mesh::write_pvd(&mut nothing, [(0.0, ""); 0]).unwrap();
+    exact_ccd_mesh::write_pvd(&mut nothing, [(0.0, ""); 0]).unwrap();
     folder.write("nothing.pvd", nothing);
     assert!(
         folder

@@ -2,15 +2,15 @@
 
 use std::fs;
 
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
 
 use crate::folder::Folder;
 use crate::query_rows::rows;
 
 /// A vertex that falls through a face, or beside it.
-fn fall(x: f64) -> VertexFace {
+fn fall(x: f64) -> Query<VertexFace> {
     let at = |z: f64| [[x, 1.0, z], [0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-    VertexFace::new(at(1.0), at(-1.0)).unwrap()
+    Query::<VertexFace>::new(at(1.0), at(-1.0)).unwrap()
 }
 
 fn folder() -> Folder {
@@ -35,7 +35,7 @@ fn every_method_has_a_row_in_every_table() {
         ["### data, vertex-face", "### data, rounded, vertex-face"]
     );
     assert_eq!(run.stdout.matches("2 queries, 1 in contact.").count(), 2);
-    for method in ccd_methods::all() {
+    for method in exact_ccd_methods::all() {
         let row = format!("\n| {} | all | ", method.name());
         assert_eq!(run.stdout.matches(&row).count(), 2, "{row}: {run:?}");
     }

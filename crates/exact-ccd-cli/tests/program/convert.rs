@@ -2,16 +2,16 @@
 
 use std::fs;
 
-use ccd_bench::{ColumnReader, Record};
-use ccd_mesh::Frame;
-use exact_ccd::{PointTriangle, VertexFace};
+use exact_ccd::{Query, VertexFace};
+use exact_ccd_bench::{ColumnReader, Record};
+use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
 use crate::queries::{HEADER, miss, pass, slide};
 use crate::query_rows::{file, rows};
 
 /// A file as this program writes it, with this in the seventh column of each query.
-fn canonical(queries: &[VertexFace], seventh: &[&str]) -> String {
+fn canonical(queries: &[Query<VertexFace>], seventh: &[&str]) -> String {
     let text = String::from_utf8(file(queries)).unwrap();
     let ending = |index: usize| {
         seventh
@@ -24,7 +24,7 @@ fn canonical(queries: &[VertexFace], seventh: &[&str]) -> String {
         .collect()
 }
 
-fn records(folder: &Folder, name: &str) -> Vec<Record<PointTriangle>> {
+fn records(folder: &Folder, name: &str) -> Vec<Record<VertexFace>> {
     let reader = ColumnReader::open(&folder.path(name)).unwrap();
     reader.records().map(|record| record.unwrap()).collect()
 }

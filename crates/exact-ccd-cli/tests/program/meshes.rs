@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use ccd_mesh::Frame;
+use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
 

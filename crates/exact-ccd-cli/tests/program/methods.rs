@@ -1,7 +1,7 @@
 //! What the methods of `exact-ccd queries` answer.
 
 use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{Kind, Point, PointTriangle, Query, SegmentSegment, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -9,8 +9,8 @@ use crate::queries::{HEADER, grid_points, miss, pass, slide};
 use crate::query_rows::{file, rows};
 
 /// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at y = z = 1/8: t (1 − t) = 1/8, twice.
-fn pass_twice() -> VertexFace {
-    VertexFace::new(
+fn pass_twice() -> Query<VertexFace> {
+    Query::<VertexFace>::new(
         [[1.0, 0.125, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         [[0.0, 0.125, 0.125], [0.0; 3], [1.0, 0.0, 1.0], [0.0, 1.0, 0.0]],
     )
@@ -18,11 +18,11 @@ fn pass_twice() -> VertexFace {
 }
 
 /// Coordinates from 1 to 2 and, on one axis of the last point, one that is as far as it can be.
-fn far(axis: usize) -> VertexFace {
+fn far(axis: usize) -> Query<VertexFace> {
     let t0 = [[1.0, 1.0, 1.5], [1.0; 3], [2.0, 1.0, 1.0], [1.0, 2.0, 1.0]];
     let mut t1 = t0;
     t1[3][axis] = f64::MIN;
-    VertexFace::new(t0, t1).unwrap()
+    Query::<VertexFace>::new(t0, t1).unwrap()
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn the_method_is_exact_if_none_is_named() {
 fn only_the_rounded_method_rounds() {
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let at = |z| [[-2f64.powi(-60), 0.25, z], face[0], face[1], face[2]];
-    let query = VertexFace::new(at(1.0), at(-1.0)).unwrap();
+    let query = Query::<VertexFace>::new(at(1.0), at(-1.0)).unwrap();
     let folder = Folder::new();
     folder.write("vf.csv", file(&[query]));
     for (method, answer) in [("parity", "1,boundary,"), ("parity-rational", "0,even,")] {
@@ -135,7 +135,7 @@ proptest! {
 
     #[test]
     fn parities_are_those_of_the_library(points in prop::collection::vec(grid_points(), 100)) {
-        assert_answers::<PointTriangle>("vf", &points);
-        assert_answers::<SegmentSegment>("ee", &points);
+        assert_answers::<VertexFace>("vf", &points);
+        assert_answers::<EdgeEdge>("ee", &points);
     }
 }

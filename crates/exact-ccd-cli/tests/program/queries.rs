@@ -1,6 +1,6 @@
 //! What `exact-ccd queries` answers.
 
-use exact_ccd::{ContactTime, EdgeEdge, Kind, Point, PointTriangle, Query, SegmentSegment, VertexFace};
+use exact_ccd::{ContactTime, EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -9,36 +9,36 @@ use crate::query_rows::rows;
 pub(crate) const HEADER: &str = "query,contact,count,toi\n";
 
 /// A vertex that moves against the face (0, 0, 0), (1, 0, 0), (0, 1, 0), which stays where it is.
-fn against_resting_face(from: Point, to: Point) -> VertexFace {
+fn against_resting_face(from: Point, to: Point) -> Query<VertexFace> {
     let with_face = |point| [point, [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    VertexFace::new(with_face(from), with_face(to)).unwrap()
+    Query::<VertexFace>::new(with_face(from), with_face(to)).unwrap()
 }
 
-pub(crate) fn miss() -> VertexFace {
+pub(crate) fn miss() -> Query<VertexFace> {
     against_resting_face([2.0, 2.0, 1.0], [2.0, 2.0, -1.0])
 }
 
-pub(crate) fn pass() -> VertexFace {
+pub(crate) fn pass() -> Query<VertexFace> {
     against_resting_face([0.25, 0.25, 1.0], [0.25, 0.25, -2.0])
 }
 
 /// Comes in over the edge x = 0 at t = 1/2 and stays.
-pub(crate) fn slide() -> VertexFace {
+pub(crate) fn slide() -> Query<VertexFace> {
     against_resting_face([-0.25, 0.25, 0.0], [0.25, 0.25, 0.0])
 }
 
 /// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at z = 1/8: t (1 − t) = 1/8, twice.
-fn pass_twice() -> VertexFace {
-    VertexFace::new(
+fn pass_twice() -> Query<VertexFace> {
+    Query::<VertexFace>::new(
         [[1.0, 0.0, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         [[0.0, 0.0, 0.125], [0.0; 3], [1.0, 0.0, 1.0], [0.0, 1.0, 0.0]],
     )
     .unwrap()
 }
 
-fn crossing_edges() -> EdgeEdge {
+fn crossing_edges() -> Query<EdgeEdge> {
     let at = |z| [[-1.0, 0.0, z], [1.0, 0.0, z], [0.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
-    EdgeEdge::new(at(1.0), at(-1.0)).unwrap()
+    Query::<EdgeEdge>::new(at(1.0), at(-1.0)).unwrap()
 }
 
 #[test]
@@ -200,7 +200,7 @@ proptest! {
 
     #[test]
     fn answers_are_those_of_the_library(points in prop::collection::vec(grid_points(), 200)) {
-        assert_answers::<PointTriangle>("vf", &points);
-        assert_answers::<SegmentSegment>("ee", &points);
+        assert_answers::<VertexFace>("vf", &points);
+        assert_answers::<EdgeEdge>("ee", &points);
     }
 }

@@ -1,6 +1,6 @@
 //! Query files that `exact-ccd queries` cannot use.
 
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
 
 use crate::folder::Folder;
 use crate::query_rows::rows;
@@ -9,7 +9,7 @@ use crate::query_rows::rows;
 fn lines() -> Vec<String> {
     let face = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let at = |z| [[0.25, 0.25, z], face[0], face[1], face[2]];
-    let query = VertexFace::new(at(1.0), at(-1.0)).unwrap();
+    let query = Query::<VertexFace>::new(at(1.0), at(-1.0)).unwrap();
     rows(&query, ",1").lines().map(str::to_owned).collect()
 }
 

@@ -1,7 +1,7 @@
 //! What `exact-ccd round` cannot use.
 
-use ccd_mesh::Frame;
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
+use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
 use crate::meshes::ply;
@@ -52,10 +52,10 @@ fn files_that_cannot_be_read() {
 }
 
 /// A query whose first point is at `x` on this axis at t = 1; all other coordinates of it are shifted by 1 or not at all.
-fn far(axis: usize, x: f64) -> VertexFace {
+fn far(axis: usize, x: f64) -> Query<VertexFace> {
     let mut points = [[[0.0; 3], [0.0; 3], [1.0; 3], [1.0; 3]]; 2];
     points[1][0][axis] = x;
-    VertexFace::new(points[0], points[1]).unwrap()
+    Query::<VertexFace>::new(points[0], points[1]).unwrap()
 }
 
 #[test]

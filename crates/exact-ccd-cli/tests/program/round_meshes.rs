@@ -1,6 +1,6 @@
 //! What `exact-ccd round` makes of meshes.
 
-use ccd_mesh::{Frame, Motion};
+use exact_ccd_mesh::{Frame, Motion};
 
 use crate::folder::Folder;
 use crate::meshes::{obj, off, ply, stl, tip_above_square};

@@ -1,9 +1,9 @@
 //! What `exact-ccd round` makes of query files.
 
-use ccd_bench::DataKind;
-use ccd_mesh::Bounds;
 use exact_ccd::parity::{Displacement, Rounded};
-use exact_ccd::{Point, PointTriangle, Query, SegmentSegment, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd_bench::DataKind;
+use exact_ccd_mesh::Bounds;
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -32,7 +32,10 @@ fn the_report_tells_displacement_and_errors() {
     points[0][0][0] = 2f64.powi(-54);
     points[1][0][0] = 2f64.powi(-60);
     let folder = Folder::new();
-    folder.write("vf.csv", file(&[VertexFace::new(points[0], points[1]).unwrap()]));
+    folder.write(
+        "vf.csv",
+        file(&[Query::<VertexFace>::new(points[0], points[1]).unwrap()]),
+    );
     let run = folder.run(&["round", "--kind", "vf", "vf.csv"]);
     assert_eq!(
         run.stdout,
@@ -55,7 +58,7 @@ fn errors_of_all_magnitudes_have_their_bars() {
     for (point, x) in points.as_flattened_mut().iter_mut().zip(x) {
         point[0] = x;
     }
-    let query = VertexFace::new(points[0], points[1]).unwrap();
+    let query = Query::<VertexFace>::new(points[0], points[1]).unwrap();
     let folder = Folder::new();
     folder.write("vf.csv", file(&[query]));
     let report = Report::of(&folder.run(&["round", "--kind", "vf", "vf.csv", "--plot", "plot.svg"]));
@@ -87,7 +90,7 @@ fn several_files_have_one_displacement_and_one_output() {
     let report = Report::of(&run);
     assert_eq!(report.displacement, displacement.along_axes());
     let expected = points.map(|times| times.map(|points| points.map(|point| displacement.apply(point))));
-    assert_eq!(points_in::<PointTriangle>(&folder, "rounded.csv"), expected);
+    assert_eq!(points_in::<VertexFace>(&folder, "rounded.csv"), expected);
 }
 
 #[test]
@@ -205,13 +208,13 @@ proptest! {
 
     #[test]
     fn all_queries_are_moved_by_the_displacement_of_their_box(points in points(20)) {
-        assert_shared::<PointTriangle>("vf", &points);
-        assert_shared::<SegmentSegment>("ee", &points);
+        assert_shared::<VertexFace>("vf", &points);
+        assert_shared::<EdgeEdge>("ee", &points);
     }
 
     #[test]
     fn each_query_is_moved_by_its_own_displacement_on_request(points in points(20)) {
-        assert_per_query::<PointTriangle>("vf", &points);
-        assert_per_query::<SegmentSegment>("ee", &points);
+        assert_per_query::<VertexFace>("vf", &points);
+        assert_per_query::<EdgeEdge>("ee", &points);
     }
 }

@@ -1,6 +1,6 @@
 //! What `exact-ccd step` reports.
 
-use ccd_mesh::{Frame, Motion, Pair, Point, StepReport, step};
+use exact_ccd_mesh::{Frame, Motion, Pair, Point, StepReport, step};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! Mesh files that `exact-ccd step` cannot use.
 
-use ccd_mesh::Frame;
+use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
 use crate::meshes::{fall, obj, off, ply, tip_above_square};

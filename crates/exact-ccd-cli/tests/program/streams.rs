@@ -1,15 +1,15 @@
 //! Standard input, and output that nobody takes.
 
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
 
 use crate::folder::{Folder, Run};
 use crate::meshes::fall;
 use crate::query_rows::rows;
 
 /// A query in contact at all times.
-fn resting() -> VertexFace {
+fn resting() -> Query<VertexFace> {
     let at = [[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-    VertexFace::new(at, at).unwrap()
+    Query::<VertexFace>::new(at, at).unwrap()
 }
 
 #[test]

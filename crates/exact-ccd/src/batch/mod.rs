@@ -8,7 +8,7 @@
 //! [`collides`]: crate::Query::collides
 //!
 //! ```
-//! use exact_ccd::PointTriangle;
+//! use exact_ccd::VertexFace;
 //! use exact_ccd::batch::Trajectories;
 //!
 //! // Two vertices fall, one of them through a resting triangle.
@@ -18,7 +18,7 @@
 //!
 //! let trajectories = Trajectories::new(&x0, &x1)?;
 //! let mut colliding = Vec::new();
-//! trajectories.collisions::<PointTriangle>(&[[0, 2, 3, 4], [1, 2, 3, 4]], |index, query| {
+//! trajectories.collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], |index, query| {
 //!     colliding.push((index, query.time_of_impact()));
 //! })?;
 //! assert_eq!(colliding, [(0, Some(0.5))]);

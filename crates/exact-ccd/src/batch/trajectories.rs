@@ -128,7 +128,7 @@ impl Trajectories {
         Ok(())
     }
 
-    fn check(&self, queries: &[[u32; 4]]) -> Result<(), VertexOutOfRange> {
+    pub(crate) fn check(&self, queries: &[[u32; 4]]) -> Result<(), VertexOutOfRange> {
         let vertex_count = self.rows.len();
         let largest = queries
             .as_flattened()

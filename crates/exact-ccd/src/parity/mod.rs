@@ -11,11 +11,11 @@
 //! paper's answer. The chapter `docs/parity.md` of the repository explains the method.
 //!
 //! ```
-//! use exact_ccd::VertexFace;
+//! use exact_ccd::{Query, VertexFace};
 //! use exact_ccd::parity::{Parity, Rounded};
 //!
 //! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-//! let falls = |end| VertexFace::new([[1.0, 1.0, 1.0], face[0], face[1], face[2]], [end, face[0], face[1], face[2]]);
+//! let falls = |end| Query::<VertexFace>::new([[1.0, 1.0, 1.0], face[0], face[1], face[2]], [end, face[0], face[1], face[2]]);
 //! assert_eq!(Rounded::shift(&falls([1.0, 1.0, -1.0])?)?.parity(), Parity::Odd);
 //! assert_eq!(Rounded::shift(&falls([1.0, 1.0, 0.5])?)?.parity(), Parity::Even);
 //! assert_eq!(Rounded::shift(&falls([1.0, 1.0, 0.0])?)?.parity(), Parity::Boundary);
@@ -166,7 +166,7 @@ mod tests {
 
     use super::*;
     use crate::query::Point;
-    use crate::{PointTriangle, SegmentSegment};
+    use crate::{EdgeEdge, VertexFace};
 
     /// The edges of the domain and the diagonals of its faces. Each rejects two rays at most.
     const LINES_OF_PRISM: u32 = 9 + 6;
@@ -186,7 +186,7 @@ mod tests {
     /// The corners of a prism, of which those with indices 3 and 7 do not count.
     fn rejected_by_prism(mut corners: [Point; 8]) -> u32 {
         (corners[3], corners[7]) = (corners[2], corners[6]);
-        rejected::<PointTriangle>(&corners)
+        rejected::<VertexFace>(&corners)
     }
 
     /// A linear map that takes the k-th ray to the (k + shift)-th.
@@ -212,7 +212,7 @@ mod tests {
         assert!((12..=2 * LINES_OF_PRISM).contains(&count), "{count}");
 
         let later = PARALLELOGRAM.map(|corner| forward(8.0, corner));
-        let count = rejected::<SegmentSegment>([PARALLELOGRAM, later].as_flattened().try_into().unwrap());
+        let count = rejected::<EdgeEdge>([PARALLELOGRAM, later].as_flattened().try_into().unwrap());
         assert!((16..=2 * LINES_OF_HEXAHEDRON).contains(&count), "{count}");
     }
 
@@ -236,7 +236,7 @@ mod tests {
         #[test]
         fn few_rays_are_rejected(corners in uniform8(corner())) {
             prop_assert!(rejected_by_prism(corners) <= 2 * LINES_OF_PRISM);
-            prop_assert!(rejected::<SegmentSegment>(&corners) <= 2 * LINES_OF_HEXAHEDRON);
+            prop_assert!(rejected::<EdgeEdge>(&corners) <= 2 * LINES_OF_HEXAHEDRON);
         }
     }
 }

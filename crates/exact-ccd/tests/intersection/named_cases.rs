@@ -1,6 +1,7 @@
 //! Cases that one can picture.
 
-use exact_ccd::{EdgeFace, NonFinite, Point, orientation};
+use exact_ccd::predicates::{EdgeFace, orient3d};
+use exact_ccd::{NonFinite, Point};
 
 const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
@@ -94,8 +95,5 @@ fn numbers_that_are_not_finite_are_named() {
         EdgeFace::new([v1, v2], face).map(drop),
         error(4, 2, f64::NEG_INFINITY)
     );
-    assert_eq!(
-        orientation([v1, v2, end, v1]).map(drop),
-        error(2, 1, f64::INFINITY)
-    );
+    assert_eq!(orient3d([v1, v2, end, v1]).map(drop), error(2, 1, f64::INFINITY));
 }

@@ -1,6 +1,7 @@
 //! Configurations of all kinds, most of them about to touch.
 
-use exact_ccd::{EdgeFace, Point, orientation};
+use exact_ccd::Point;
+use exact_ccd::predicates::{EdgeFace, orient3d};
 use proptest::array::uniform5;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -111,10 +112,10 @@ proptest! {
     #[test]
     fn orientations_are_those_of_the_definition([a, b, c, d, _] in configuration()) {
         let expected = oracle::orientation([a, b, c, d]);
-        prop_assert_eq!(orientation([a, b, c, d]), Ok(expected));
-        prop_assert_eq!(orientation([b, a, c, d]), Ok(expected.reverse()));
-        prop_assert_eq!(orientation([b, c, a, d]), Ok(expected));
-        prop_assert_eq!(orientation([d, c, b, a]), Ok(expected));
+        prop_assert_eq!(orient3d([a, b, c, d]), Ok(expected));
+        prop_assert_eq!(orient3d([b, a, c, d]), Ok(expected.reverse()));
+        prop_assert_eq!(orient3d([b, c, a, d]), Ok(expected));
+        prop_assert_eq!(orient3d([d, c, b, a]), Ok(expected));
     }
 }
 
@@ -130,7 +131,7 @@ fn the_configurations_are_of_all_kinds() {
         let [a, b, v1, v2, v3] = points;
         let in_plane = [a, b]
             .into_iter()
-            .filter(|&p| orientation([v1, v2, v3, p]).unwrap().is_eq());
+            .filter(|&p| orient3d([v1, v2, v3, p]).unwrap().is_eq());
         counts[in_plane.count()][usize::from(intersect(points))] += 1;
     }
     assert!(

@@ -2,7 +2,7 @@
 //! that in integers all the same.
 
 use exact_ccd::parity::{Parity, Rounded};
-use exact_ccd::{Kind, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 use proptest::array::{uniform2, uniform3, uniform4};
 use proptest::prelude::*;
 
@@ -34,7 +34,7 @@ fn uneven() -> impl Strategy<Value = Points> {
 fn around_origin(cases: u32, faces: impl Strategy<Value = Points>) {
     for_all(cases, faces, |points| {
         let points = points.map(|[_, v1, v2, v3]| [[0.0; 3], v1, v2, v3]);
-        checked_parity(&Rounded::check(query::<PointTriangle>(&points)).unwrap());
+        checked_parity(&Rounded::check(query::<VertexFace>(&points)).unwrap());
     });
 }
 
@@ -60,7 +60,7 @@ fn of_a_falling_vertex_in_any_units() {
             let falls = |x: f64, y: f64| {
                 let around =
                     |z: f64| [[x, y, z], [-1.0, -1.0, 0.0], [2.0, -1.0, 0.0], [-1.0, 2.0, 0.0]].map(place);
-                checked_parity(&Rounded::check(query::<PointTriangle>(&[around(1.0), around(-1.0)])).unwrap())
+                checked_parity(&Rounded::check(query::<VertexFace>(&[around(1.0), around(-1.0)])).unwrap())
             };
             assert_eq!(falls(0.25, 0.25), Parity::Odd, "{axes:?} {units:?}");
             assert_eq!(falls(0.75, 0.25), Parity::Boundary, "{axes:?} {units:?}");
@@ -79,7 +79,7 @@ fn of_corners_on_axes_at_any_distance() {
         [0.0, -LARGE, 0.0],
         [0.0, 0.0, -SMALL],
     ];
-    let rounded = Rounded::check(query::<PointTriangle>(&[start, end])).unwrap();
+    let rounded = Rounded::check(query::<VertexFace>(&[start, end])).unwrap();
     assert_eq!(checked_parity(&rounded), Parity::Even);
 }
 
@@ -91,12 +91,12 @@ fn in_uneven_units<K: Kind>() {
 
 #[test]
 fn of_a_vertex_and_a_face_in_uneven_units() {
-    in_uneven_units::<PointTriangle>();
+    in_uneven_units::<VertexFace>();
 }
 
 #[test]
 fn of_edges_in_uneven_units() {
-    in_uneven_units::<SegmentSegment>();
+    in_uneven_units::<EdgeEdge>();
 }
 
 /// What is left of queries of mixed magnitudes when the largest ones have displaced the others.
@@ -116,10 +116,10 @@ fn after_a_shift<K: Kind>() {
 
 #[test]
 fn of_a_vertex_and_a_face_after_a_shift() {
-    after_a_shift::<PointTriangle>();
+    after_a_shift::<VertexFace>();
 }
 
 #[test]
 fn of_edges_after_a_shift() {
-    after_a_shift::<SegmentSegment>();
+    after_a_shift::<EdgeEdge>();
 }

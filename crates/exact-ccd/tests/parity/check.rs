@@ -2,7 +2,7 @@
 
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use exact_ccd::parity::{Rounded, RoundingError};
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
@@ -50,10 +50,10 @@ fn refuses_inexact_differences<K: Corners + Primitives>() {
 
 #[test]
 fn refuses_inexact_differences_of_a_vertex_and_a_face() {
-    refuses_inexact_differences::<PointTriangle>();
+    refuses_inexact_differences::<VertexFace>();
 }
 
 #[test]
 fn refuses_inexact_differences_of_edges() {
-    refuses_inexact_differences::<SegmentSegment>();
+    refuses_inexact_differences::<EdgeEdge>();
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Debug;
 
-use exact_ccd::{Kind, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
 use crate::primitives::Points;
 
@@ -20,10 +20,10 @@ pub(crate) trait Corners: Kind + PartialEq + Debug {
     }
 }
 
-impl Corners for PointTriangle {
+impl Corners for VertexFace {
     const DIFFERENCES: &'static [[usize; 2]] = &[[0, 1], [0, 2], [0, 3]];
 }
 
-impl Corners for SegmentSegment {
+impl Corners for EdgeEdge {
     const DIFFERENCES: &'static [[usize; 2]] = &[[0, 2], [0, 3], [1, 2], [1, 3]];
 }

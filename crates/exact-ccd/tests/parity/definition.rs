@@ -1,7 +1,7 @@
 //! The parity is what the definition of contact makes it, on queries that are special in every way.
 
 use exact_ccd::parity::Rounded;
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
 use proptest::prelude::*;
 
 use crate::expected::Rim;
@@ -28,12 +28,12 @@ fn on_integers<K: Rim + Primitives>() {
 
 #[test]
 fn of_a_vertex_and_a_face_at_integers() {
-    on_integers::<PointTriangle>();
+    on_integers::<VertexFace>();
 }
 
 #[test]
 fn of_edges_at_integers() {
-    on_integers::<SegmentSegment>();
+    on_integers::<EdgeEdge>();
 }
 
 fn shifted<K: Rim>(cases: u32, points: impl Strategy<Value = Points>) {
@@ -52,10 +52,10 @@ fn on_rounded_numbers<K: Rim + Primitives>() {
 
 #[test]
 fn of_a_vertex_and_a_face_at_rounded_numbers() {
-    on_rounded_numbers::<PointTriangle>();
+    on_rounded_numbers::<VertexFace>();
 }
 
 #[test]
 fn of_edges_at_rounded_numbers() {
-    on_rounded_numbers::<SegmentSegment>();
+    on_rounded_numbers::<EdgeEdge>();
 }

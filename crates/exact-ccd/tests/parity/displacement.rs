@@ -4,7 +4,7 @@
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
-use exact_ccd::{EdgeEdge, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
@@ -59,12 +59,12 @@ fn moves_by_as_little_as_it_must<K: Corners>() {
 
 #[test]
 fn moves_a_vertex_and_a_face_by_as_little_as_it_must() {
-    moves_by_as_little_as_it_must::<PointTriangle>();
+    moves_by_as_little_as_it_must::<VertexFace>();
 }
 
 #[test]
 fn moves_edges_by_as_little_as_it_must() {
-    moves_by_as_little_as_it_must::<SegmentSegment>();
+    moves_by_as_little_as_it_must::<EdgeEdge>();
 }
 
 fn brings_points_near<K: Corners>() {
@@ -91,12 +91,12 @@ fn brings_points_near<K: Corners>() {
 
 #[test]
 fn brings_a_vertex_near_a_face() {
-    brings_points_near::<PointTriangle>();
+    brings_points_near::<VertexFace>();
 }
 
 #[test]
 fn brings_edges_near() {
-    brings_points_near::<SegmentSegment>();
+    brings_points_near::<EdgeEdge>();
 }
 
 /// One shift serves all queries in a box.
@@ -125,7 +125,7 @@ fn of_a_box_brings_all_its_points_near() {
                 "{a:?}, {b:?}: {inside:?}"
             );
         }
-        let query = EdgeEdge::new([p, q, r, s], [t, u, v, w]).unwrap();
+        let query = Query::<EdgeEdge>::new([p, q, r, s], [t, u, v, w]).unwrap();
         assert!(Rounded::check(query).is_ok(), "{query:?}");
     });
 }

@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use exact_ccd::parity::{Parity, Rounded};
-use exact_ccd::{EdgeEdge, Kind, Point, Query, SegmentSegment, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 
 use crate::generators::small_integers;
 use crate::laws::{assert_defined, query};
@@ -154,13 +154,15 @@ const BACK: Point = [-1.0, 0.0, 0.0];
 fn is_passed_by_the_edge_of_a_face() {
     are_passed(|[q0, q1, q2, q3]| {
         let apex = [-2.0, 0.0, 0.0];
-        VertexFace::new([BACK, q0, q3, apex], [BACK, q1, q2, apex]).unwrap()
+        Query::<VertexFace>::new([BACK, q0, q3, apex], [BACK, q1, q2, apex]).unwrap()
     });
 }
 
 #[test]
 fn is_passed_by_an_edge() {
-    are_passed(|[q0, q1, q2, q3]| EdgeEdge::new([FRONT, BACK, q0, q3], [FRONT, BACK, q1, q2]).unwrap());
+    are_passed(|[q0, q1, q2, q3]| {
+        Query::<EdgeEdge>::new([FRONT, BACK, q0, q3], [FRONT, BACK, q1, q2]).unwrap()
+    });
 }
 
 /// The parity is the same in the definition for edges among small integers, and the side of the domain along which the first
@@ -169,7 +171,7 @@ fn is_passed_by_an_edge() {
 fn has_all_signs() {
     let found = RefCell::new(BTreeMap::<Signs, u32>::new());
     for_all(60_000, small_integers(1), |points| {
-        let rounded = Rounded::check(query::<SegmentSegment>(&points)).unwrap();
+        let rounded = Rounded::check(query::<EdgeEdge>(&points)).unwrap();
         assert_defined(&rounded);
         let corner = |time: usize, b: usize| {
             [0, 1, 2].map(|axis| (points[time][0][axis] - points[time][b][axis]) as i64)

@@ -2,7 +2,7 @@
 //! the planes of faces.
 
 use exact_ccd::parity::Rounded;
-use exact_ccd::{Point, PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, Point, VertexFace};
 use proptest::array::{uniform2, uniform3};
 use proptest::prelude::*;
 
@@ -26,7 +26,7 @@ fn are_defined<K: Rim>(points_of: impl Fn([Point; 3]) -> [Point; 4]) {
 
 #[test]
 fn that_meet_the_prism_of_a_vertex_and_a_face() {
-    are_defined::<PointTriangle>(|[a, b, c]| {
+    are_defined::<VertexFace>(|[a, b, c]| {
         let opposite = |point: Point| point.map(|x| -x);
         [[0.0; 3], opposite(a), opposite(b), opposite(c)]
     });
@@ -34,5 +34,5 @@ fn that_meet_the_prism_of_a_vertex_and_a_face() {
 
 #[test]
 fn that_meet_the_hexahedron_of_edges() {
-    are_defined::<SegmentSegment>(|[a, b, c]| [a, b, [0.0; 3], combine([1.0, -1.0], [a, c])]);
+    are_defined::<EdgeEdge>(|[a, b, c]| [a, b, [0.0; 3], combine([1.0, -1.0], [a, c])]);
 }

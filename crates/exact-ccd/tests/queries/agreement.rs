@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use exact_ccd::{PointTriangle, SegmentSegment, Stage};
+use exact_ccd::{EdgeEdge, Stage, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
@@ -25,13 +25,13 @@ macro_rules! agrees {
 
             #[test]
             fn vertex_face() {
-                type K = PointTriangle;
+                type K = VertexFace;
                 agrees::<K>($cases, $points);
             }
 
             #[test]
             fn edge_edge() {
-                type K = SegmentSegment;
+                type K = EdgeEdge;
                 agrees::<K>($cases, $points);
             }
         }
@@ -83,6 +83,6 @@ fn every_stage_settles_some<K: Primitives>() {
 
 #[test]
 fn every_stage_settles_some_queries() {
-    every_stage_settles_some::<PointTriangle>();
-    every_stage_settles_some::<SegmentSegment>();
+    every_stage_settles_some::<VertexFace>();
+    every_stage_settles_some::<EdgeEdge>();
 }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use exact_ccd::batch::{Instructions, Trajectories, TrajectoriesError, VertexOutOfRange};
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
 
 use crate::generators::mixed;
 use crate::laws::query;
@@ -59,26 +59,23 @@ fn answers_as_one_by_one<K: Primitives>() {
 
 #[test]
 fn vertex_face_as_one_by_one() {
-    answers_as_one_by_one::<PointTriangle>();
+    answers_as_one_by_one::<VertexFace>();
 }
 
 #[test]
 fn edge_edge_as_one_by_one() {
-    answers_as_one_by_one::<SegmentSegment>();
+    answers_as_one_by_one::<EdgeEdge>();
 }
 
 #[test]
 fn a_query_of_vertices_is_that_of_their_positions() {
-    let queries = queries::<SegmentSegment>();
-    let (trajectories, vertices) = meshed::<SegmentSegment>(&queries);
+    let queries = queries::<EdgeEdge>();
+    let (trajectories, vertices) = meshed::<EdgeEdge>(&queries);
     for (points, vertices) in queries.iter().zip(vertices) {
-        assert_eq!(
-            trajectories.query(vertices),
-            Some(query::<SegmentSegment>(points))
-        );
+        assert_eq!(trajectories.query(vertices), Some(query::<EdgeEdge>(points)));
     }
     let beyond = trajectories.vertex_count() as u32;
-    assert_eq!(trajectories.query::<SegmentSegment>([0, 1, 2, beyond]), None);
+    assert_eq!(trajectories.query::<EdgeEdge>([0, 1, 2, beyond]), None);
 }
 
 #[test]
@@ -93,7 +90,7 @@ fn names_what_is_wrong() {
         TrajectoriesError::NonFinite { vertex: 1 }
     );
     let trajectories = Trajectories::new(&[o; 5], &[o; 5]).unwrap();
-    let found = trajectories.collisions::<PointTriangle>(&[[0, 1, 2, 3], [4, 9, 5, 0]], |_, _| {
+    let found = trajectories.collisions::<VertexFace>(&[[0, 1, 2, 3], [4, 9, 5, 0]], |_, _| {
         unreachable!("nothing is found");
     });
     let expected = VertexOutOfRange {

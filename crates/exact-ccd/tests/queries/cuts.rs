@@ -1,6 +1,6 @@
 //! A step or a primitive cut in two at the middle has the contacts of the whole. Exact on integers.
 
-use exact_ccd::{ContactTime, ContactTimes, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
@@ -114,20 +114,20 @@ fn cuts<K: Primitives>(check: impl Fn(&Points)) {
 
 #[test]
 fn of_the_step_of_a_vertex_and_a_face() {
-    cuts::<PointTriangle>(halves_of_the_step::<PointTriangle>);
+    cuts::<VertexFace>(halves_of_the_step::<VertexFace>);
 }
 
 #[test]
 fn of_the_step_of_two_edges() {
-    cuts::<SegmentSegment>(halves_of_the_step::<SegmentSegment>);
+    cuts::<EdgeEdge>(halves_of_the_step::<EdgeEdge>);
 }
 
 #[test]
 fn of_a_face() {
-    cuts::<PointTriangle>(halves_of_a_primitive::<PointTriangle>);
+    cuts::<VertexFace>(halves_of_a_primitive::<VertexFace>);
 }
 
 #[test]
 fn of_an_edge() {
-    cuts::<SegmentSegment>(halves_of_a_primitive::<SegmentSegment>);
+    cuts::<EdgeEdge>(halves_of_a_primitive::<EdgeEdge>);
 }

@@ -1,6 +1,6 @@
 //! The answers do not depend on names, axes, units, the direction of time, or the frame of reference.
 
-use exact_ccd::{EdgeEdge, Point, PointTriangle, SegmentSegment, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 use proptest::array::{uniform2, uniform3};
 use proptest::prelude::*;
 
@@ -33,21 +33,21 @@ fn names_axes_and_units<K: Primitives>() {
 
 #[test]
 fn names_axes_and_units_do_not_matter_to_a_vertex_and_a_face() {
-    names_axes_and_units::<PointTriangle>();
+    names_axes_and_units::<VertexFace>();
 }
 
 #[test]
 fn names_axes_and_units_do_not_matter_to_edges() {
-    names_axes_and_units::<SegmentSegment>();
+    names_axes_and_units::<EdgeEdge>();
 }
 
 #[test]
 fn time_can_run_backwards() {
-    for_all(6_000, mixed::<PointTriangle>(), |points| {
-        assert_reversible::<PointTriangle>(&points);
+    for_all(6_000, mixed::<VertexFace>(), |points| {
+        assert_reversible::<VertexFace>(&points);
     });
-    for_all(6_000, mixed::<SegmentSegment>(), |points| {
-        assert_reversible::<SegmentSegment>(&points);
+    for_all(6_000, mixed::<EdgeEdge>(), |points| {
+        assert_reversible::<EdgeEdge>(&points);
     });
 }
 
@@ -80,17 +80,17 @@ fn frames_of_reference<K: Primitives>() {
 
 #[test]
 fn the_frame_of_reference_does_not_matter() {
-    frames_of_reference::<PointTriangle>();
-    frames_of_reference::<SegmentSegment>();
+    frames_of_reference::<VertexFace>();
+    frames_of_reference::<EdgeEdge>();
 }
 
 /// A face with two corners in one place is an edge, and a vertex is an edge without length.
 #[test]
 fn a_collapsed_face_is_an_edge() {
-    for_all(6_000, mixed::<SegmentSegment>(), |points| {
+    for_all(6_000, mixed::<EdgeEdge>(), |points| {
         let face = points.map(|[p, _, x, y]| [p, x, y, y]);
         let edge = points.map(|[p, _, x, y]| [p, p, x, y]);
-        let (face, edge): (VertexFace, EdgeEdge) = (query(&face), query(&edge));
+        let (face, edge): (Query<VertexFace>, Query<EdgeEdge>) = (query(&face), query(&edge));
         assert_same_times(&face, &edge);
     });
 }

@@ -1,6 +1,6 @@
 //! Queries made to touch at a known time. All arithmetic is exact on integers.
 
-use exact_ccd::{ContactTime, ContactTimes, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::array::uniform3;
 use proptest::prelude::*;
 
@@ -36,12 +36,12 @@ fn contact_at_a_known_time<K: Primitives>() {
 
 #[test]
 fn a_vertex_touches_a_face_at_a_known_time() {
-    contact_at_a_known_time::<PointTriangle>();
+    contact_at_a_known_time::<VertexFace>();
 }
 
 #[test]
 fn edges_touch_at_a_known_time() {
-    contact_at_a_known_time::<SegmentSegment>();
+    contact_at_a_known_time::<EdgeEdge>();
 }
 
 fn graze_at_a_known_time<K: Primitives>() {
@@ -64,10 +64,10 @@ fn graze_at_a_known_time<K: Primitives>() {
 
 #[test]
 fn a_vertex_grazes_a_face_at_a_known_time() {
-    graze_at_a_known_time::<PointTriangle>();
+    graze_at_a_known_time::<VertexFace>();
 }
 
 #[test]
 fn edges_graze_at_a_known_time() {
-    graze_at_a_known_time::<SegmentSegment>();
+    graze_at_a_known_time::<EdgeEdge>();
 }

@@ -1,13 +1,13 @@
 //! Coordinates that are no numbers are refused by name.
 
-use exact_ccd::{EdgeEdge, NonFinite, Point, VertexFace};
+use exact_ccd::{EdgeEdge, NonFinite, Point, Query, VertexFace};
 
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 fn errors(points: [[Point; 4]; 2]) -> [NonFinite; 2] {
     [
-        VertexFace::new(points[0], points[1]).unwrap_err(),
-        EdgeEdge::new(points[0], points[1]).unwrap_err(),
+        Query::<VertexFace>::new(points[0], points[1]).unwrap_err(),
+        Query::<EdgeEdge>::new(points[0], points[1]).unwrap_err(),
     ]
 }
 
@@ -57,7 +57,7 @@ fn the_first_one_is_named() {
 fn the_largest_and_the_smallest_numbers_are_fine() {
     for value in [f64::MAX, f64::MIN, 5e-324, -0.0] {
         let points = [[value; 3]; 4];
-        assert!(VertexFace::new(points, points).is_ok());
-        assert!(EdgeEdge::new(points, points).is_ok());
+        assert!(Query::<VertexFace>::new(points, points).is_ok());
+        assert!(Query::<EdgeEdge>::new(points, points).is_ok());
     }
 }

@@ -1,6 +1,6 @@
 //! F as its definition reads, apart from the algebra of the kernel.
 
-use exact_ccd::{Kind, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
 /// The four points of a query at t = 0 and at t = 1.
 pub(crate) type Points = [[Point; 4]; 2];
@@ -21,7 +21,7 @@ pub(crate) trait Primitives: Kind + 'static {
     fn in_domain(u: f64, v: f64) -> [f64; 2];
 }
 
-impl Primitives for PointTriangle {
+impl Primitives for VertexFace {
     const FIRST: usize = 1;
     const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     const RENAMINGS: &'static [[usize; 4]] = &[
@@ -46,7 +46,7 @@ impl Primitives for PointTriangle {
     }
 }
 
-impl Primitives for SegmentSegment {
+impl Primitives for EdgeEdge {
     const FIRST: usize = 2;
     const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
     const RENAMINGS: &'static [[usize; 4]] = &[

@@ -10,14 +10,14 @@ use crate::laws::checked_times;
 use crate::runner::for_all;
 
 /// A vertex at (n t, 0, m) meets the tilting plane z = t x when n t² = m.
-fn square_root(m: f64, n: f64) -> VertexFace {
+fn square_root(m: f64, n: f64) -> Query<VertexFace> {
     const L: f64 = 8192.0;
     let at = |t: f64| [[n * t, 0.0, m], [-L, -L, -L * t], [L, -L, L * t], [0.0, L, 0.0]];
     Query::new(at(0.0), at(1.0)).unwrap()
 }
 
 /// The lines y = t, z = n t x − m and x = t y, z = 0 meet when n t³ = m.
-fn cube_root(m: f64, n: f64) -> EdgeEdge {
+fn cube_root(m: f64, n: f64) -> Query<EdgeEdge> {
     const L: f64 = 2.0;
     let at = |t: f64| {
         let end = |x: f64| [x, t, n * t * x - m];

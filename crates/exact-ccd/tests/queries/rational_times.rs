@@ -1,6 +1,6 @@
 //! At simple fractions of the step, whether the primitives touch is a system of three linear equations in u and v.
 
-use exact_ccd::{PointTriangle, SegmentSegment};
+use exact_ccd::{EdgeEdge, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
@@ -87,10 +87,10 @@ fn touch_at_reported_times_only<K: Primitives>() {
 
 #[test]
 fn a_vertex_touches_a_face_at_reported_times_only() {
-    touch_at_reported_times_only::<PointTriangle>();
+    touch_at_reported_times_only::<VertexFace>();
 }
 
 #[test]
 fn edges_touch_at_reported_times_only() {
-    touch_at_reported_times_only::<SegmentSegment>();
+    touch_at_reported_times_only::<EdgeEdge>();
 }

@@ -1,6 +1,6 @@
 //! Queries made to stay apart, on two sides of a plane. All arithmetic is exact on integers.
 
-use exact_ccd::{ContactTimes, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::array::{uniform2, uniform3};
 use proptest::prelude::*;
 
@@ -56,12 +56,12 @@ fn never_across_a_plane<K: Primitives>() {
 
 #[test]
 fn a_plane_keeps_a_vertex_from_a_face() {
-    never_across_a_plane::<PointTriangle>();
+    never_across_a_plane::<VertexFace>();
 }
 
 #[test]
 fn a_plane_keeps_edges_apart() {
-    never_across_a_plane::<SegmentSegment>();
+    never_across_a_plane::<EdgeEdge>();
 }
 
 /// Whether a turning plane separates the primitives: n(t) · F is quadratic in t for n(t) = (1 − t) n₀ + t n₁, and
@@ -98,10 +98,10 @@ fn never_across_a_turning_plane<K: Primitives>() {
 
 #[test]
 fn a_turning_plane_keeps_a_vertex_from_a_face() {
-    never_across_a_turning_plane::<PointTriangle>();
+    never_across_a_turning_plane::<VertexFace>();
 }
 
 #[test]
 fn a_turning_plane_keeps_edges_apart() {
-    never_across_a_turning_plane::<SegmentSegment>();
+    never_across_a_turning_plane::<EdgeEdge>();
 }

@@ -2,7 +2,7 @@
 //! at the corners. Boxes whose image a plane parts from the origin are free of contact, the others are cut until they
 //! are too small to matter. On small integers, nothing comes that close without touching.
 
-use exact_ccd::{ContactTime, ContactTimes, Point, PointTriangle, SegmentSegment};
+use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
@@ -119,10 +119,10 @@ fn checked<K: Primitives>() {
 
 #[test]
 fn finds_the_contacts_of_a_vertex_and_a_face() {
-    checked::<PointTriangle>();
+    checked::<VertexFace>();
 }
 
 #[test]
 fn finds_the_contacts_of_edges() {
-    checked::<SegmentSegment>();
+    checked::<EdgeEdge>();
 }

@@ -9,7 +9,7 @@ mod double_root;
 pub(crate) mod integers;
 
 use exact_ccd::parity::Parity;
-use exact_ccd::{ContactTimes, EdgeEdge, Kind, Point, PointTriangle, Query, SegmentSegment, exact};
+use exact_ccd::{ContactTimes, EdgeEdge, Kind, Point, Query, VertexFace, exact};
 
 use double_root::double_root;
 
@@ -19,11 +19,11 @@ pub(crate) trait Rim: Kind {
     const MEETINGS: &'static [[usize; 3]];
 }
 
-impl Rim for PointTriangle {
+impl Rim for VertexFace {
     const MEETINGS: &'static [[usize; 3]] = &[[0, 1, 2], [0, 2, 3], [0, 3, 1]];
 }
 
-impl Rim for SegmentSegment {
+impl Rim for EdgeEdge {
     const MEETINGS: &'static [[usize; 3]] = &[[0, 2, 3], [1, 2, 3], [2, 0, 1], [3, 0, 1]];
 }
 
@@ -52,7 +52,7 @@ fn touches_on_boundary<K: Rim>(query: &Query<K>) -> bool {
         let [start, end] = query
             .points()
             .map(|now| [now[*vertex], now[*vertex], now[*x], now[*y]]);
-        EdgeEdge::new(start, end).unwrap().collides()
+        Query::<EdgeEdge>::new(start, end).unwrap().collides()
     };
     let touches_at = |now: &[Point; 4]| Query::<K>::new(*now, *now).unwrap().collides();
     query.points().iter().any(touches_at) || K::MEETINGS.iter().any(is_met)

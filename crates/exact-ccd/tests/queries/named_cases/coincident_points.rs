@@ -1,12 +1,12 @@
 //! Points that are all the same.
 
-use exact_ccd::{EdgeEdge, Point, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 
 use super::{HUGE, TINY, touches_at, touches_from};
 
 fn both_touch_from_the_start(start: Point, end: Point) {
-    touches_from(&VertexFace::new([start; 4], [end; 4]).unwrap(), 0.0);
-    touches_from(&EdgeEdge::new([start; 4], [end; 4]).unwrap(), 0.0);
+    touches_from(&Query::<VertexFace>::new([start; 4], [end; 4]).unwrap(), 0.0);
+    touches_from(&Query::<EdgeEdge>::new([start; 4], [end; 4]).unwrap(), 0.0);
 }
 
 #[test]
@@ -20,9 +20,9 @@ fn touch_at_all_times() {
 #[test]
 fn part_at_once() {
     let (origin, away) = ([0.0; 3], [TINY, HUGE, 1.0]);
-    let face = VertexFace::new([origin; 4], [away, origin, origin, origin]).unwrap();
+    let face = Query::<VertexFace>::new([origin; 4], [away, origin, origin, origin]).unwrap();
     touches_at(&face, &[0.0]);
-    let edges = EdgeEdge::new([origin; 4], [away, away, origin, origin]).unwrap();
+    let edges = Query::<EdgeEdge>::new([origin; 4], [away, away, origin, origin]).unwrap();
     touches_at(&edges, &[0.0]);
 }
 
@@ -30,11 +30,11 @@ fn part_at_once() {
 fn stay_in_touch_at_one_corner() {
     let (origin, away) = ([0.0; 3], [TINY, HUGE, 1.0]);
     touches_from(
-        &VertexFace::new([origin; 4], [origin, away, away, origin]).unwrap(),
+        &Query::<VertexFace>::new([origin; 4], [origin, away, away, origin]).unwrap(),
         0.0,
     );
     touches_from(
-        &EdgeEdge::new([origin; 4], [origin, away, origin, away]).unwrap(),
+        &Query::<EdgeEdge>::new([origin; 4], [origin, away, origin, away]).unwrap(),
         0.0,
     );
 }

@@ -1,6 +1,6 @@
 //! Two edges.
 
-use exact_ccd::{EdgeEdge, Point};
+use exact_ccd::{EdgeEdge, Point, Query};
 
 use super::{TINY, during, edge_against, never_touches, touches_at, touches_from};
 
@@ -82,7 +82,7 @@ fn slide_across_each_other() {
 /// The lines y = s, z = s x − s / 4 and x = s y, z = 0 meet when s³ = s / 4.
 #[test]
 fn cross_three_times() {
-    let query: EdgeEdge = during(|s| {
+    let query: Query<EdgeEdge> = during(|s| {
         let end = |x: f64| [x, s, s * x - 0.25 * s];
         [end(-4.0), end(4.0), [-4.0 * s, -4.0, 0.0], [4.0 * s, 4.0, 0.0]]
     });
@@ -92,7 +92,7 @@ fn cross_three_times() {
 /// The lines y = s, z = s x and x = s y, z = 0 meet when s³ = 0.
 #[test]
 fn cross_at_a_triple_root() {
-    let query: EdgeEdge = during(|s| {
+    let query: Query<EdgeEdge> = during(|s| {
         let end = |x: f64| [x, s, s * x];
         [end(-4.0), end(4.0), [-4.0 * s, -4.0, 0.0], [4.0 * s, 4.0, 0.0]]
     });

@@ -1,6 +1,6 @@
 //! Edges without length.
 
-use exact_ccd::{EdgeEdge, Point};
+use exact_ccd::{EdgeEdge, Point, Query};
 
 use super::{TINY, during, edge_against, never_touches, touches_at, touches_from};
 
@@ -44,7 +44,7 @@ fn meet_each_other() {
 /// In one plane with the other edge at all times; the line y = s x − 1/4 passes over (s, 0) when s² = 1/4.
 #[test]
 fn meet_an_edge_twice_in_a_plane() {
-    let query: EdgeEdge = during(|s| {
+    let query: Query<EdgeEdge> = during(|s| {
         let end = |x: f64| [x, s * x - 0.25, 0.0];
         [end(-4.0), end(4.0), [s, 0.0, 0.0], [s, 0.0, 0.0]]
     });

@@ -1,12 +1,12 @@
 //! Numbers at the ends of the range.
 
-use exact_ccd::{Point, VertexFace};
+use exact_ccd::{Point, Query, VertexFace};
 
 use super::{HUGE, TINY, edge_against, never_touches, touches_at, touches_just_above, vertex_against};
 
 const FACE: [Point; 3] = [[-HUGE, -HUGE, 0.0], [HUGE, -HUGE, 0.0], [0.0, HUGE, 0.0]];
 
-fn falls(from: f64, to: f64) -> VertexFace {
+fn falls(from: f64, to: f64) -> Query<VertexFace> {
     vertex_against(FACE, [TINY, -TINY, from], [TINY, -TINY, to])
 }
 

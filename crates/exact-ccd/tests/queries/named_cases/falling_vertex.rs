@@ -1,11 +1,11 @@
 //! A vertex that falls on a face.
 
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
 
 use super::{FACE, TINY, never_touches, touches_at, touches_just_above, vertex_against};
 use crate::laws::checked_times;
 
-fn falls(x: f64, y: f64) -> VertexFace {
+fn falls(x: f64, y: f64) -> Query<VertexFace> {
     vertex_against(FACE, [x, y, 1.0], [x, y, -1.0])
 }
 

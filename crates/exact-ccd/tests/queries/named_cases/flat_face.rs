@@ -1,6 +1,6 @@
 //! A face without area.
 
-use exact_ccd::{Point, VertexFace};
+use exact_ccd::{Point, Query, VertexFace};
 
 use super::{TINY, during, never_touches, touches_at, touches_from, vertex_against};
 
@@ -33,7 +33,8 @@ fn is_hit_like_a_point() {
 #[test]
 fn has_none_only_at_the_contact() {
     // The third corner crosses the line of the others at t = 1/2, inside or outside of them.
-    let query = |corner: f64, x: f64| -> VertexFace { during(|s| [[x, 0.0, -s], A, B, [corner, s, 0.0]]) };
+    let query =
+        |corner: f64, x: f64| -> Query<VertexFace> { during(|s| [[x, 0.0, -s], A, B, [corner, s, 0.0]]) };
     touches_at(&query(0.5, 0.25), &[0.5]);
     never_touches(&query(0.5, 1.25));
     touches_at(&query(2.0, 1.25), &[0.5]);

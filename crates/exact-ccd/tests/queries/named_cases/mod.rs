@@ -21,13 +21,13 @@ const HUGE: f64 = 1.7e308;
 const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// A vertex on its way, and a face at rest.
-fn vertex_against(face: [Point; 3], from: Point, to: Point) -> VertexFace {
+fn vertex_against(face: [Point; 3], from: Point, to: Point) -> Query<VertexFace> {
     let [v1, v2, v3] = face;
     Query::new([from, v1, v2, v3], [to, v1, v2, v3]).unwrap()
 }
 
 /// An edge on its way, and another one at rest.
-fn edge_against(rest: [Point; 2], from: [Point; 2], to: [Point; 2]) -> EdgeEdge {
+fn edge_against(rest: [Point; 2], from: [Point; 2], to: [Point; 2]) -> Query<EdgeEdge> {
     let [b0, b1] = rest;
     Query::new([from[0], from[1], b0, b1], [to[0], to[1], b0, b1]).unwrap()
 }

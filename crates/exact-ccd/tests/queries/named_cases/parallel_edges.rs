@@ -1,6 +1,6 @@
 //! Parallel edges.
 
-use exact_ccd::{Point, SegmentSegment};
+use exact_ccd::{EdgeEdge, Point};
 
 use super::{TINY, during, edge_against, never_touches, touches_at, touches_from};
 
@@ -66,8 +66,8 @@ fn rest_on_each_other() {
 #[test]
 fn are_so_for_a_moment() {
     let beside = |s: f64| [[2.0, -s, 0.0], [3.0, s, 0.0], REST[0], REST[1]];
-    never_touches::<SegmentSegment>(&during(beside));
+    never_touches::<EdgeEdge>(&during(beside));
     // The end on the left comes from above and touches the end of the edge at rest.
     let end_to_end = |s: f64| [[1.0, -s, 0.0], [3.0, s, 0.0], REST[0], REST[1]];
-    touches_at::<SegmentSegment>(&during(end_to_end), &[0.5]);
+    touches_at::<EdgeEdge>(&during(end_to_end), &[0.5]);
 }

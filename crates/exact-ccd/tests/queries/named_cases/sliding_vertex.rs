@@ -1,6 +1,6 @@
 //! A vertex in the plane of a face.
 
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
 
 use super::{FACE, TINY, never_touches, touches_at, touches_from, vertex_against};
 
@@ -50,7 +50,7 @@ fn moves_along_with_it() {
     let [a, b, c] = FACE;
     let drifts = |height: f64| {
         let start = [[0.25, 0.25, height], a, b, c];
-        VertexFace::new(start, start.map(|[x, y, z]| [x + 4.0, y - 2.0, z])).unwrap()
+        Query::<VertexFace>::new(start, start.map(|[x, y, z]| [x + 4.0, y - 2.0, z])).unwrap()
     };
     touches_from(&drifts(0.0), 0.0);
     never_touches(&drifts(TINY));

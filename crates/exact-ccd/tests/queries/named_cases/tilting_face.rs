@@ -1,11 +1,11 @@
 //! A vertex against a face in the plane z = s x, which tilts from one side to the other.
 
-use exact_ccd::VertexFace;
+use exact_ccd::{Query, VertexFace};
 
 use super::{TINY, during, never_touches, touches_at, touches_just_above};
 
 /// The vertex is at (s, 0, height), so that it meets the plane when s² = height.
-fn at_height(height: f64) -> VertexFace {
+fn at_height(height: f64) -> Query<VertexFace> {
     during(|s| {
         [
             [s, 0.0, height],
@@ -54,7 +54,7 @@ fn crosses_it_twice_around_a_third() {
             [0.0, 4.0, 0.0],
         ]
     };
-    let query = VertexFace::new(at(-1.0), at(2.0)).unwrap();
+    let query = Query::<VertexFace>::new(at(-1.0), at(2.0)).unwrap();
     touches_just_above(&query, &[1.0 / 3.0, 1.0 / 3.0]);
 }
 
@@ -62,7 +62,7 @@ fn crosses_it_twice_around_a_third() {
 #[test]
 fn crosses_it_three_times() {
     let corner = |s: f64, x: f64, y: f64| [x + s * y, y, s * x];
-    let query: VertexFace = during(|s| {
+    let query: Query<VertexFace> = during(|s| {
         [
             [0.25, s, 0.0],
             corner(s, -4.0, -4.0),

@@ -1,0 +1,321 @@
+//! What a query costs: on every candidate of the broad phase in order, and on the colliding ones with all contact
+//! times and the impact.
+//!
+//! `cargo bench -p exact-ccd-bench --bench kernel [-- SCENE...]`, on one thread, over the published data sets.
+//!
+//! The scenes and kinds take turns for some rounds; a figure is the median over these. A single query is built from the
+//! positions of the mesh each time, as a simulator would do; a batch is asked about the same queries by their vertices. The time of one colliding query is the least of some
+//! attempts, so that the worst of them tells of a query and not of the scheduler.
+
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+use exact_ccd::batch::Trajectories;
+use exact_ccd::parity::Rounded;
+use exact_ccd::{ContactTimes, EdgeEdge, Query, Stage, VertexFace, exact};
+use exact_ccd_bench::{DataError, DataFolder, DataKind};
+use exact_ccd_mesh::{Bvh, Candidates, Motion, Step};
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ROUNDS: usize = 7;
+const ATTEMPTS: usize = 5;
+/// How many queries make a batch that is timed as it is.
+const LARGE: usize = 400_000;
+/// How many colliding queries the exact path is asked about.
+const AUDITED: usize = 1000;
+
+fn main() -> Result<(), DataError> {
+    let wanted: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| !argument.starts_with('-'))
+        .collect();
+    let mut motions = Vec::new();
+    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
+        if wanted.is_empty() || wanted.contains(&scene.name()) {
+            motions.push((scene.name(), scene.motion()?));
+        }
+    }
+    let mut batches: Vec<Batch<'_>> = motions.iter().flat_map(batches).collect();
+    for round in 1..=ROUNDS {
+        eprintln!("round {round} of {ROUNDS}");
+        batches.iter_mut().for_each(Batch::time_all);
+    }
+    print_candidates(&batches);
+    print_stages(&batches);
+    print_colliding(&batches);
+    Ok(())
+}
+
+/// Candidates of one kind in one scene, and what was measured on them. All times are in nanoseconds.
+#[derive(Clone)]
+struct Batch<'a> {
+    name: String,
+    step: Step<'a>,
+    pairs: Vec<[u32; 2]>,
+    functions: Functions,
+    trajectories: Trajectories,
+    vertices: Vec<[u32; 4]>,
+    /// The mean over all candidates, round by round.
+    means: Vec<f64>,
+    /// The same as a batch.
+    batch_means: Vec<f64>,
+    /// The same with the count and all contact times of those that collide.
+    batch_times_means: Vec<f64>,
+    /// The same for the parity of the rounded query.
+    parity_means: Vec<f64>,
+    survey: Survey,
+}
+
+/// What is learned from each candidate alone.
+#[derive(Clone, Default)]
+struct Survey {
+    /// How many were settled at each stage.
+    settled: [usize; Stage::ALL.len()],
+    colliding: Colliding,
+}
+
+/// The times of the colliding queries.
+#[derive(Clone, Default)]
+struct Colliding {
+    /// All contact times, in which the count and the time of impact are.
+    times: Vec<f64>,
+    /// The same without those of the exact path.
+    times_filtered: Vec<f64>,
+    impacts: Vec<f64>,
+    /// The parity of the rounded query.
+    parity: Vec<f64>,
+    /// The exact path on some of them.
+    exact: Vec<f64>,
+}
+
+/// The two kinds of query behind one face: what is measured is inlined in each.
+#[derive(Clone, Copy)]
+struct Functions {
+    count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
+    count_by_parity: fn(&Step<'_>, &[[u32; 2]]) -> usize,
+    count_batch: fn(&Trajectories, &[[u32; 4]]) -> usize,
+    count_times_of_batch: fn(&Trajectories, &[[u32; 4]]) -> usize,
+    survey: fn(&Step<'_>, &[[u32; 2]]) -> Survey,
+}
+
+fn batches((name, motion): &(String, Motion)) -> [Batch<'_>; 2] {
+    let step = motion.step().expect("the frames of a scene are sound");
+    let candidates = Candidates::new(step, &Bvh);
+    [
+        Batch::new::<VertexFace>(name, step, candidates.vertex_face()),
+        Batch::new::<EdgeEdge>(name, step, candidates.edge_edge()),
+    ]
+}
+
+impl<'a> Batch<'a> {
+    fn new<K: DataKind>(scene: &str, step: Step<'a>, pairs: &[[u32; 2]]) -> Self {
+        let functions = Functions {
+            count_collisions: count_collisions::<K>,
+            count_by_parity: count_by_parity::<K>,
+            count_batch: count_batch::<K>,
+            count_times_of_batch: count_times_of_batch::<K>,
+            survey: survey::<K>,
+        };
+        let [x0, x1] = step.positions();
+        Self {
+            name: format!("{scene} {}", K::SHORT),
+            step,
+            pairs: pairs.to_vec(),
+            functions,
+            trajectories: Trajectories::new(x0, x1).expect("the frames of a scene are sound"),
+            vertices: pairs.iter().map(|&pair| K::vertices(step.mesh(), pair)).collect(),
+            means: Vec::new(),
+            batch_means: Vec::new(),
+            batch_times_means: Vec::new(),
+            parity_means: Vec::new(),
+            survey: (functions.survey)(&step, pairs),
+        }
+    }
+
+    fn time_all(&mut self) {
+        let Functions {
+            count_collisions,
+            count_by_parity,
+            count_batch,
+            count_times_of_batch,
+            ..
+        } = self.functions;
+        let (step, pairs) = (&self.step, &self.pairs[..]);
+        let (trajectories, vertices) = (&self.trajectories, &self.vertices[..]);
+        // Small batches are asked often enough for the clock and the caches not to matter.
+        let repetitions = LARGE.div_ceil(pairs.len().max(1));
+        let mean = |count: &dyn Fn() -> usize| {
+            let clock = Instant::now();
+            for _ in 0..repetitions {
+                black_box(count());
+            }
+            clock.elapsed().as_secs_f64() * 1e9 / (repetitions * pairs.len()) as f64
+        };
+        self.means
+            .push(mean(&|| count_collisions(step, black_box(pairs))));
+        self.batch_means
+            .push(mean(&|| count_batch(trajectories, black_box(vertices))));
+        self.batch_times_means
+            .push(mean(&|| count_times_of_batch(trajectories, black_box(vertices))));
+        self.parity_means
+            .push(mean(&|| count_by_parity(step, black_box(pairs))));
+    }
+}
+
+fn count_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
+    let mut count = 0;
+    trajectories
+        .collisions::<K>(vertices, |_, _| count += 1)
+        .expect("all vertices are there");
+    count
+}
+
+fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
+    let mut count = 0;
+    trajectories
+        .collisions::<K>(vertices, |_, query| match query.contact_times() {
+            ContactTimes::Finite(times) => count += black_box(times).len(),
+            interval => count += usize::from(black_box(interval).first().is_some()),
+        })
+        .expect("all vertices are there");
+    count
+}
+
+fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
+    pairs
+        .iter()
+        .filter(|&&pair| K::query(step, pair).collides())
+        .count()
+}
+
+fn count_by_parity<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
+    let collides = |pair: &&[u32; 2]| parity_collides(&K::query(step, **pair));
+    pairs.iter().filter(collides).count()
+}
+
+/// As the paper decides: the query is rounded, and then its parity is counted.
+fn parity_collides<K: DataKind>(query: &Query<K>) -> bool {
+    Rounded::shift(query).is_ok_and(|rounded| rounded.parity().is_collision())
+}
+
+fn survey<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> Survey {
+    let mut survey = Survey::default();
+    for &pair in pairs {
+        let query = K::query(step, pair);
+        let (collides, stage) = query.collides_with_stage();
+        survey.settled[stage as usize] += 1;
+        if collides {
+            survey.colliding.time(&query);
+        }
+    }
+    survey
+}
+
+impl Colliding {
+    fn time<K: DataKind>(&mut self, query: &Query<K>) {
+        let times = nanoseconds(|| query.contact_times());
+        self.times.push(times);
+        if query.contact_times_with_stage().1 != Stage::Exact {
+            self.times_filtered.push(times);
+        }
+        self.impacts.push(nanoseconds(|| query.impact()));
+        self.parity.push(nanoseconds(|| parity_collides(query)));
+        if self.exact.len() < AUDITED {
+            self.exact.push(nanoseconds(|| exact::contact_times(query)));
+        }
+    }
+}
+
+fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
+    let attempt = |_| {
+        let clock = Instant::now();
+        black_box(task());
+        clock.elapsed().as_secs_f64() * 1e9
+    };
+    (0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min)
+}
+
+fn print_candidates(batches: &[Batch<'_>]) {
+    println!("All candidates in order, mean ns: does it collide, and by the parity of the rounded query?\n");
+    println!("| scene and kind | candidates | batch | batch with count and times | one by one | parity |");
+    println!("|---|---:|---:|---:|---:|---:|");
+    for batch in batches {
+        println!(
+            "| {} | {} | {:.1} | {:.1} | {:.0} | {:.0} |",
+            batch.name,
+            batch.pairs.len(),
+            quantile(&batch.batch_means, 0.5),
+            quantile(&batch.batch_times_means, 0.5),
+            quantile(&batch.means, 0.5),
+            quantile(&batch.parity_means, 0.5)
+        );
+    }
+}
+
+fn print_stages(batches: &[Batch<'_>]) {
+    println!(
+        "\nSettled at each stage, in %; the last column is the exact path's share of those past the box.\n"
+    );
+    println!(
+        "| scene and kind | {} | exact past box |",
+        Stage::ALL.map(|stage| format!("{stage:?}")).join(" | ")
+    );
+    println!("|---|{}---:|", "---:|".repeat(Stage::ALL.len()));
+    for Batch { name, survey, .. } in batches {
+        let count = |stage: Stage| survey.settled[stage as usize] as f64;
+        let all: f64 = Stage::ALL.map(count).iter().sum();
+        let shares = Stage::ALL
+            .map(|stage| format!("{:.3}", 100.0 * count(stage) / all))
+            .join(" | ");
+        let past_box = 100.0 * count(Stage::Exact) / (all - count(Stage::BoundingBox));
+        println!("| {name} | {shares} | {past_box:.3} |");
+    }
+}
+
+fn print_colliding(batches: &[Batch<'_>]) {
+    println!("\nColliding queries, one by one, in ns: count and all contact times, then the impact.\n");
+    println!(
+        "| scene and kind | colliding | mean | median | worst | exact | mean without | worst without | \
+         impact mean | parity mean | exact path median |"
+    );
+    println!("|---|{}", "---:|".repeat(10));
+    for Batch { name, survey, .. } in batches {
+        let Colliding {
+            times,
+            times_filtered,
+            impacts,
+            parity,
+            exact,
+        } = &survey.colliding;
+        println!(
+            "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
+            times.len(),
+            mean(times),
+            quantile(times, 0.5),
+            quantile(times, 1.0),
+            times.len() - times_filtered.len(),
+            mean(times_filtered),
+            quantile(times_filtered, 1.0),
+            mean(impacts),
+            mean(parity),
+            quantile(exact, 0.5),
+        );
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn quantile(values: &[f64], fraction: f64) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let last = sorted.len().saturating_sub(1) as f64;
+    sorted
+        .get((fraction * last).round() as usize)
+        .copied()
+        .unwrap_or(f64::NAN)
+}

@@ -1,0 +1,164 @@
+//! What each stage costs, from one query to a whole step, on generated input.
+//!
+//! `cargo bench -p exact-ccd-bench --bench stages [-- NAME...]`
+//!
+//! A scalar benchmark asks about a thousand queries that all are settled at one stage: a µs of it is a ns a query.
+//! Those of a batch, of boxes and of steps say how many queries, boxes or candidates there are to a second.
+
+#[path = "../../examples/scaling/cloth.rs"]
+mod cloth;
+#[path = "../queries/of_cloth.rs"]
+mod of_cloth;
+mod settled;
+
+use std::fmt;
+use std::hint::black_box;
+use std::ops::ControlFlow;
+use std::sync::LazyLock;
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use exact_ccd::batch::{Instructions, Trajectories};
+use exact_ccd::{EdgeEdge, Kind, Query, Stage, VertexFace};
+use exact_ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh, StepReport, Sweep};
+
+use crate::cloth::Cloth;
+
+fn main() {
+    divan::main();
+}
+
+/// How many queries are asked about in turn.
+const QUERIES: usize = 1000;
+
+/// The queries over and over, as many as are wanted.
+fn repeated<K: Kind>(queries: &[Query<K>]) -> Vec<Query<K>> {
+    queries.iter().cycle().take(QUERIES).cloned().collect()
+}
+
+#[divan::bench(types = [VertexFace, EdgeEdge], args = Stage::ALL, sample_count = 20)]
+fn collides<K: Kind + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
+    let queries = repeated(&settled::decided::<K>(stage));
+    bencher.counter(ItemsCount::new(queries.len())).bench(|| {
+        queries
+            .iter()
+            .filter(|query| black_box(*query).collides())
+            .count()
+    });
+}
+
+#[divan::bench(types = [VertexFace, EdgeEdge], args = Stage::ALL, sample_count = 20)]
+fn contact_times<K: Kind + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
+    let queries = repeated(&settled::timed::<K>(stage));
+    bencher.counter(ItemsCount::new(queries.len())).bench(|| {
+        for query in &queries {
+            black_box(black_box(query).contact_times());
+        }
+    });
+}
+
+/// Cloth in contact at the end: some hundred thousand candidates.
+static LANDING: LazyLock<Cloth> = LazyLock::new(|| Cloth::new(50, 0.1));
+/// The same that is not, which nobody knows before all candidates are looked at.
+static FREE: LazyLock<Cloth> = LazyLock::new(|| Cloth::new(50, 0.45));
+
+/// Vector instructions under their short name.
+#[derive(Clone, Copy)]
+struct Named(Instructions);
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let long = format!("{:?}", self.0);
+        let name = long.split(['(', ')']).nth(1);
+        f.write_str(name.unwrap_or(&long))
+    }
+}
+
+fn instructions() -> impl Iterator<Item = Named> {
+    Instructions::available().map(Named)
+}
+
+fn count<K: Kind + Sync>(bencher: Bencher<'_, '_>, instructions: Named, queries: &[[u32; 4]]) {
+    let [x0, x1] = LANDING.step().positions();
+    let trajectories = Trajectories::new(x0, x1).expect("the positions of a step are sound");
+    let trajectories = trajectories.with_instructions(instructions.0);
+    bencher.counter(ItemsCount::new(queries.len())).bench(|| {
+        let mut colliding = 0;
+        let counted = trajectories.collisions::<K>(black_box(queries), |_, _| colliding += 1);
+        counted.map(|()| colliding)
+    });
+}
+
+#[divan::bench(args = instructions())]
+fn batch_vertex_face(bencher: Bencher<'_, '_>, instructions: Named) {
+    count::<VertexFace>(bencher, instructions, &of_cloth::vertex_face(LANDING.step()));
+}
+
+#[divan::bench(args = instructions())]
+fn batch_edge_edge(bencher: Bencher<'_, '_>, instructions: Named) {
+    count::<EdgeEdge>(bencher, instructions, &of_cloth::edge_edge(LANDING.step()));
+}
+
+/// The boxes of the edges at the start and at the end.
+fn edge_boxes() -> Vec<[Bounds; 2]> {
+    let step = LANDING.step();
+    let ends = |edge: &[u32; 2]| {
+        step.positions()
+            .map(|x| edge.iter().map(|&vertex| x[vertex as usize]).collect())
+    };
+    step.mesh().edges().iter().map(ends).collect()
+}
+
+#[divan::bench]
+fn boxes(bencher: Bencher<'_, '_>) {
+    let boxes = edge_boxes();
+    bencher
+        .counter(ItemsCount::new(boxes.len()))
+        .bench(|| Boxes::new(black_box(&boxes)));
+}
+
+fn within(bencher: Bencher<'_, '_>, broad_phase: impl BroadPhase) {
+    let boxes = Boxes::new(&edge_boxes());
+    let visit = |pairs: &[[u32; 2]]| {
+        black_box(pairs);
+        ControlFlow::Continue(())
+    };
+    bencher
+        .counter(ItemsCount::new(boxes.len()))
+        .bench(|| broad_phase.within(black_box(&boxes), &visit));
+}
+
+#[divan::bench]
+fn bvh(bencher: Bencher<'_, '_>) {
+    within(bencher, Bvh);
+}
+
+#[divan::bench]
+fn sweep(bencher: Bencher<'_, '_>) {
+    within(bencher, Sweep);
+}
+
+fn candidate_count(cloth: &Cloth) -> ItemsCount {
+    ItemsCount::new(StepReport::new(cloth.step(), &Bvh, &|_| ()).candidates.total())
+}
+
+#[divan::bench]
+fn step_report(bencher: Bencher<'_, '_>) {
+    bencher
+        .counter(candidate_count(&LANDING))
+        .bench(|| StepReport::new(black_box(LANDING.step()), &Bvh, &|_| ()));
+}
+
+#[divan::bench]
+fn step_earliest_contact(bencher: Bencher<'_, '_>) {
+    bencher
+        .counter(candidate_count(&LANDING))
+        .bench(|| black_box(LANDING.step()).earliest_contact(&Bvh));
+}
+
+#[divan::bench]
+fn step_is_free(bencher: Bencher<'_, '_>) {
+    bencher
+        .counter(candidate_count(&FREE))
+        .bench(|| black_box(FREE.step()).is_free(&Bvh));
+}

@@ -1,0 +1,120 @@
+//! What a whole step costs: the published scenes, with each broad phase, on one and two threads.
+//!
+//! `cargo bench -p exact-ccd-bench --bench steps [-- SCENE...]`
+//!
+//! All contestants take turns for some rounds; a figure is the median over these, in milliseconds. The free step goes
+//! from the start to 0.9 times the earliest contact. Then: how fast this machine copies memory, for comparison.
+
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+use exact_ccd_bench::{DataError, DataFolder};
+use exact_ccd_mesh::{BroadPhase, Bvh, Motion, Point, Step, StepReport, Sweep, advance};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ROUNDS: usize = 9;
+const FREE_FRACTION: f64 = 0.9;
+
+fn main() -> Result<(), DataError> {
+    let wanted: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| !argument.starts_with('-'))
+        .collect();
+    println!("| scene | question | Bvh, 1 thread | Bvh, 2 threads | Sweep, 1 thread | Sweep, 2 threads |");
+    println!("|---|---|---:|---:|---:|---:|");
+    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
+        if wanted.is_empty() || wanted.contains(&scene.name()) {
+            print_rows(&scene.name(), &scene.motion()?);
+        }
+    }
+    println!("\nCopying memory: {:.1} GB/s read and written", bandwidth() / 1e9);
+    Ok(())
+}
+
+fn print_rows(name: &str, motion: &Motion) {
+    let step = motion.step().expect("the frames of a scene are sound");
+    let end = free_end(motion, &step);
+    let free = Step::new(&motion.mesh, &motion.x0, &end).expect("it is between two sound frames");
+    print_row(name, "all contacts", &Question::Report, step);
+    print_row(name, "earliest contact", &Question::Earliest, step);
+    print_row(name, "yes or no", &Question::Free, step);
+    print_row(name, "yes or no, free", &Question::Free, free);
+}
+
+/// Where the mesh is before its earliest contact.
+fn free_end(motion: &Motion, step: &Step<'_>) -> Vec<Point> {
+    let time = step
+        .earliest_contact(&Bvh)
+        .map_or(1.0, |contact| contact.impact.time.lower());
+    let ends = motion.x0.iter().zip(&motion.x1);
+    let direction: Vec<Point> = ends.map(|(a, b)| [0, 1, 2].map(|k: usize| b[k] - a[k])).collect();
+    advance(&motion.x0, &direction, FREE_FRACTION * time)
+}
+
+enum Question {
+    Report,
+    Earliest,
+    Free,
+}
+
+impl Question {
+    fn ask(&self, step: Step<'_>, broad_phase: &impl BroadPhase) {
+        match self {
+            Self::Report => {
+                black_box(StepReport::new(step, broad_phase, &|_| ()));
+            }
+            Self::Earliest => {
+                black_box(step.earliest_contact(broad_phase));
+            }
+            Self::Free => {
+                black_box(step.is_free(broad_phase));
+            }
+        }
+    }
+}
+
+fn print_row(scene: &str, name: &str, question: &Question, step: Step<'_>) {
+    let pools = [1, 2].map(|threads| {
+        ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("two threads can be had")
+    });
+    let mut times = [const { Vec::new() }; 4];
+    for _ in 0..ROUNDS {
+        for (pool, index) in pools.iter().zip(0..) {
+            times[index].push(milliseconds(pool, || question.ask(step, &Bvh)));
+            times[2 + index].push(milliseconds(pool, || question.ask(step, &Sweep)));
+        }
+    }
+    let medians = times.map(|times| format!("{:.1}", median(times)));
+    println!("| {scene} | {name} | {} |", medians.join(" | "));
+}
+
+fn milliseconds(pool: &ThreadPool, task: impl Fn() + Sync) -> f64 {
+    let clock = Instant::now();
+    pool.install(&task);
+    clock.elapsed().as_secs_f64() * 1e3
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values[values.len() / 2]
+}
+
+/// Bytes read and written in a second by a copy of more than any cache holds.
+fn bandwidth() -> f64 {
+    let from = vec![1u64; 1 << 25];
+    let mut to = vec![0u64; 1 << 25];
+    let copies = (0..ROUNDS).map(|_| {
+        let clock = Instant::now();
+        to.copy_from_slice(black_box(&from));
+        black_box(&to);
+        clock.elapsed().as_secs_f64()
+    });
+    2.0 * size_of_val(&from[..]) as f64 / median(copies.collect())
+}

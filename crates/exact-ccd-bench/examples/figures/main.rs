@@ -1,0 +1,61 @@
+//! Draws the figures of docs/parity.md, from queries and patches that this program decides as it draws them.
+//!
+//! ```sh
+//! cargo run --release -p exact-ccd-bench --example figures -- [FOLDER]
+//! ```
+
+mod contacts;
+mod drawing;
+mod flat;
+mod fold;
+mod patch;
+mod prism;
+mod rays;
+mod space;
+mod tetrahedron;
+
+use std::error::Error;
+use std::path::PathBuf;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = std::env::args_os()
+        .nth(1)
+        .map_or_else(|| PathBuf::from("docs/figures"), PathBuf::from);
+    std::fs::create_dir_all(&folder)?;
+    for (name, figure) in figures()? {
+        std::fs::write(folder.join(name), figure)?;
+    }
+    Ok(())
+}
+
+/// The files: names and contents.
+///
+/// Made by + − × ÷ and √ alone, whose results are the same on every machine.
+fn figures() -> Result<[(&'static str, String); 6], Box<dyn Error>> {
+    Ok([
+        ("prism.svg", prism::figure()?),
+        ("tetrahedron.svg", tetrahedron::figure()),
+        ("flat.svg", flat::figure()),
+        ("fold.svg", fold::figure()?),
+        ("rays.svg", rays::figure()),
+        ("contacts.svg", contacts::figure()?),
+    ])
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    #[test]
+    fn the_committed_files_are_what_is_drawn_here() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/figures");
+        let figures = figures().unwrap();
+        for (name, figure) in &figures {
+            let committed = std::fs::read_to_string(folder.join(name)).unwrap();
+            assert!(*figure == committed, "{name}");
+        }
+        assert_eq!(std::fs::read_dir(folder).unwrap().count(), figures.len());
+    }
+}

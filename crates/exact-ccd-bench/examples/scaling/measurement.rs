@@ -1,0 +1,72 @@
+//! What one question costs on one mesh.
+
+use std::env;
+use std::error::Error;
+use std::process::{Command, Stdio};
+use std::time::Instant;
+
+use exact_ccd_mesh::{Bvh, StepReport};
+use serde::{Deserialize, Serialize};
+
+use crate::cloth::Cloth;
+use crate::memory::Memory;
+use crate::question::Question;
+
+/// How often a question is asked. The median time counts, and the peak of the first time.
+const ROUNDS: usize = 3;
+
+/// The argument that makes this program measure, in a process of its own.
+pub(crate) const MEASURE: &str = "--measure";
+
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Measurement {
+    pub(crate) vertices: usize,
+    pub(crate) candidates: usize,
+    pub(crate) colliding: usize,
+    pub(crate) seconds: f64,
+    /// The peak of the memory above what it was before the step, in bytes.
+    pub(crate) memory: Option<u64>,
+}
+
+impl Measurement {
+    /// Measures in this process.
+    pub(crate) fn here(question: Question, side: usize) -> Self {
+        let cloth = Cloth::new(side, question.nearest());
+        let step = cloth.step();
+        let memory = Memory::now();
+        let mut seconds = [0.0; ROUNDS];
+        let mut rise = None;
+        for time in &mut seconds {
+            let clock = Instant::now();
+            question.ask(step);
+            *time = clock.elapsed().as_secs_f64();
+            rise = rise.or_else(|| memory.rise());
+        }
+        seconds.sort_by(f64::total_cmp);
+        let report = StepReport::new(step, &Bvh, &|_| ());
+        assert_eq!(
+            report.is_free(),
+            question == Question::Free,
+            "the cloth is made so"
+        );
+        Self {
+            vertices: step.mesh().vertex_count(),
+            candidates: report.candidates.total(),
+            colliding: report.colliding.total(),
+            seconds: seconds[ROUNDS / 2],
+            memory: rise,
+        }
+    }
+
+    /// Measures in a process of its own, whose peak is that of this question.
+    pub(crate) fn apart(question: Question, side: usize) -> Result<Self, Box<dyn Error>> {
+        let output = Command::new(env::current_exe()?)
+            .args([MEASURE, question.word(), &side.to_string()])
+            .stderr(Stdio::inherit())
+            .output()?;
+        if !output.status.success() {
+            return Err(format!("measuring {}: {}", question.title(), output.status).into());
+        }
+        Ok(serde_json::from_slice(&output.stdout)?)
+    }
+}

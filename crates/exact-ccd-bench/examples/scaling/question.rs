@@ -1,0 +1,63 @@
+//! What is asked about a step.
+
+use std::hint::black_box;
+
+use exact_ccd_mesh::{Bvh, Step, StepReport};
+
+/// A question about a whole step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Question {
+    Report,
+    Earliest,
+    Free,
+}
+
+impl Question {
+    pub(crate) const ALL: [Self; 3] = [Self::Report, Self::Earliest, Self::Free];
+
+    /// One word, as an argument.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Report => "report",
+            Self::Earliest => "earliest",
+            Self::Free => "free",
+        }
+    }
+
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|question| question.word() == word)
+    }
+
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::Report => "all contacts",
+            Self::Earliest => "earliest contact",
+            Self::Free => "free of contact?",
+        }
+    }
+
+    /// How near each other the sheets come: into contact, but for the last question. Were there contact, it would not
+    /// need to look at all candidates.
+    pub(crate) fn nearest(self) -> f64 {
+        match self {
+            Self::Report | Self::Earliest => 0.1,
+            Self::Free => 0.45,
+        }
+    }
+
+    /// How many candidates there are to a cell of the grid, over all sheets, about.
+    pub(crate) fn candidates_of_cell(self) -> f64 {
+        match self {
+            Self::Report | Self::Earliest => 216.0,
+            Self::Free => 79.5,
+        }
+    }
+
+    pub(crate) fn ask(self, step: Step<'_>) {
+        match self {
+            Self::Report => drop(black_box(StepReport::new(step, &Bvh, &|_| ()))),
+            Self::Earliest => drop(black_box(step.earliest_contact(&Bvh))),
+            Self::Free => drop(black_box(step.is_free(&Bvh))),
+        }
+    }
+}

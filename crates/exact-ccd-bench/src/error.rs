@@ -1,0 +1,251 @@
+//! What can be wrong with a data file.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use exact_ccd::NonFinite;
+use exact_ccd_mesh::ReadMotionError;
+use parquet::errors::ParquetError;
+
+use crate::rational::CoordinateError;
+
+/// A data file that cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum DataError {
+    /// The file is missing or cannot be read.
+    #[error("{}: {source}", file.display())]
+    Io {
+        /// The file.
+        file: PathBuf,
+        /// What the system says.
+        source: io::Error,
+    },
+    /// The two frames of a scene are no step.
+    #[error(transparent)]
+    Step(#[from] exact_ccd_mesh::StepError),
+    /// A line of a CSV file is wrong.
+    #[error("{}, line {line}: {problem}", file.display())]
+    Line {
+        /// The file.
+        file: PathBuf,
+        /// The line, from 1.
+        line: u64,
+        /// What is wrong.
+        problem: Problem,
+    },
+    /// A Parquet file is wrong.
+    #[error("{}: expected a Parquet file of queries: {problem}", file.display())]
+    Columns {
+        /// The file.
+        file: PathBuf,
+        /// What is wrong.
+        problem: ColumnProblem,
+    },
+    /// A row of a Parquet file is wrong.
+    #[error("{}, query {query}: {problem}", file.display())]
+    Record {
+        /// The file.
+        file: PathBuf,
+        /// The index of the row, from 0.
+        query: usize,
+        /// What is wrong.
+        problem: RecordProblem,
+    },
+    /// A JSON file has another shape than expected; the source names line and column.
+    #[error("{}: expected {expected}: {source}", file.display())]
+    Json {
+        /// The file.
+        file: PathBuf,
+        /// What should be there.
+        expected: &'static str,
+        /// What the parser says.
+        source: serde_json::Error,
+    },
+    /// A pair names something that is no primitive of its kind.
+    #[error("{}: pair {index}, {ids:?}, is no {kind} pair of this mesh", file.display())]
+    Ids {
+        /// The file.
+        file: PathBuf,
+        /// The index of the pair, from 0.
+        index: usize,
+        /// The two ids.
+        ids: [usize; 2],
+        /// The name of the kind.
+        kind: &'static str,
+    },
+    /// There is not one verdict for each pair.
+    #[error("{}: expected a verdict on each of {expected} pairs, found {found}", file.display())]
+    VerdictCount {
+        /// The file with the verdicts.
+        file: PathBuf,
+        /// How many pairs there are.
+        expected: usize,
+        /// How many verdicts there are.
+        found: usize,
+    },
+    /// A root file names a query that the scene does not have.
+    #[error("{}: there is no query {query} among {queries}", file.display())]
+    NoQuery {
+        /// The root file.
+        file: PathBuf,
+        /// The index of the query, from 0.
+        query: usize,
+        /// How many queries the scene has.
+        queries: usize,
+    },
+    /// A mesh file is wrong.
+    #[error(transparent)]
+    Motion(#[from] ReadMotionError),
+    /// A folder does not hold the file that belongs there.
+    #[error("{}: expected {expected}, found {found}", folder.display())]
+    Folder {
+        /// The folder.
+        folder: PathBuf,
+        /// What should be there.
+        expected: String,
+        /// How many such files there are.
+        found: usize,
+    },
+}
+
+/// What is wrong with a line of a CSV file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Problem {
+    /// The line has another number of fields than the file's format or its first line.
+    #[error("expected {expected}, found {found}")]
+    Fields {
+        /// The right numbers.
+        expected: &'static str,
+        /// The number in this line.
+        found: usize,
+    },
+    /// A coordinate is wrong.
+    #[error("{axis} of {point} at t = {time}: {source}")]
+    Coordinate {
+        /// x, y or z.
+        axis: char,
+        /// The name of the point in its query.
+        point: &'static str,
+        /// The end of the time step, 0 or 1.
+        time: usize,
+        /// What is wrong with it.
+        source: CoordinateError,
+    },
+    /// The ground truth is neither 0 nor 1.
+    #[error("expected 0 or 1 as the ground truth, found \"{0}\"")]
+    Truth(String),
+    /// The number of contacts is none.
+    #[error("expected a number of contacts, or -1 for infinitely many, found \"{0}\"")]
+    Count(String),
+    /// The ground truth differs between the rows of a query.
+    #[error("the ground truth is {found}, but {expected} in the rows of the same query before")]
+    TruthDiffers {
+        /// The truth in the first row of the query: 0 or 1, or a number of contacts.
+        expected: i64,
+        /// The truth in this row.
+        found: i64,
+    },
+    /// The file ends before the query does.
+    #[error("the file ends after {0} of the 8 rows of a query")]
+    CutShort(usize),
+    /// A field is not the number that it should be.
+    #[error("expected {expected} as {column}, found \"{found}\"")]
+    Field {
+        /// The name of the column.
+        column: &'static str,
+        /// What should be there.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
+}
+
+/// What is wrong with a Parquet file.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ColumnProblem {
+    /// It is damaged, or no Parquet file at all.
+    #[error("{0}")]
+    Parquet(String),
+    /// A column is missing or has another type.
+    #[error("column {column} should have {expected}, found {found}")]
+    Column {
+        /// The name of the column.
+        column: &'static str,
+        /// The right type.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
+    /// The compression is unknown here.
+    #[error("columns should be plain or compressed with GZIP or SNAPPY, found {0}")]
+    Compression(String),
+}
+
+/// What is wrong with a row of a Parquet file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum RecordProblem {
+    /// A field is not what it should be.
+    #[error("expected {expected} as {column}, found {found}")]
+    Field {
+        /// The name of the column.
+        column: &'static str,
+        /// What should be there.
+        expected: &'static str,
+        /// What is there.
+        found: String,
+    },
+    /// A coordinate is infinite or not a number.
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
+}
+
+impl ColumnProblem {
+    pub(crate) fn parquet(problem: impl Into<String>) -> Self {
+        Self::Parquet(problem.into())
+    }
+}
+
+impl From<ParquetError> for ColumnProblem {
+    fn from(error: ParquetError) -> Self {
+        Self::Parquet(match error {
+            ParquetError::General(text) | ParquetError::EOF(text) | ParquetError::NYI(text) => text,
+            ParquetError::External(source) => source.to_string(),
+            error => error.to_string(),
+        })
+    }
+}
+
+impl RecordProblem {
+    pub(crate) fn field(column: &'static str, expected: &'static str, found: impl ToString) -> Self {
+        let found = found.to_string();
+        Self::Field {
+            column,
+            expected,
+            found,
+        }
+    }
+}
+
+impl DataError {
+    pub(crate) fn columns(file: &Path, problem: ColumnProblem) -> Self {
+        Self::Columns {
+            file: file.to_owned(),
+            problem,
+        }
+    }
+
+    pub(crate) fn io(file: &Path, source: io::Error) -> Self {
+        Self::Io {
+            file: file.to_owned(),
+            source,
+        }
+    }
+
+    pub(crate) fn line(file: &Path, line: u64, problem: Problem) -> Self {
+        Self::Line {
+            file: file.to_owned(),
+            line,
+            problem,
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! How the data sets name and number the two kinds of query.
+
+use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd_mesh::{Candidates, Step, TriangleMesh};
+use exact_ccd_methods::{Answer, Method};
+
+/// A kind of query, as the data sets know it.
+pub trait DataKind: Kind + Send + Sync {
+    /// The folder of its handcrafted query files.
+    const FOLDER: &'static str;
+    /// What the name of each of its files in a scene ends with.
+    const SHORT: &'static str;
+    /// The names of the four points.
+    const POINTS: [&'static str; 4];
+
+    /// The indices of the two primitives that a pair of global ids names in a mesh, or `None` if it names no pair of
+    /// this kind. Ids count the vertices, then the edges, then the faces.
+    fn indices(ids: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]>;
+
+    /// The pair of global ids that names two primitives of a mesh, the inverse of [`indices`](Self::indices).
+    fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2];
+
+    /// The query of two primitives of a moving mesh.
+    ///
+    /// # Panics
+    /// If the mesh has no such primitives.
+    fn query(step: &Step<'_>, indices: [u32; 2]) -> Query<Self>;
+
+    /// The vertices of two primitives of a mesh, in the order of the query.
+    ///
+    /// # Panics
+    /// If the mesh has no such primitives.
+    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4];
+
+    /// The candidates of this kind.
+    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]];
+
+    /// What a method says of a query of this kind.
+    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer;
+}
+
+impl DataKind for VertexFace {
+    const FOLDER: &'static str = "vertex-face";
+    const SHORT: &'static str = "vf";
+    const POINTS: [&'static str; 4] = ["p", "v1", "v2", "v3"];
+
+    fn indices([vertex, face]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
+        let face = face.checked_sub(mesh.vertex_count() + mesh.edges().len())?;
+        Some([
+            index(vertex, mesh.vertex_count())?,
+            index(face, mesh.faces().len())?,
+        ])
+    }
+
+    fn ids([vertex, face]: [u32; 2], mesh: &TriangleMesh) -> [u64; 2] {
+        let first_face = mesh.vertex_count() + mesh.edges().len();
+        [vertex.into(), u64::from(face) + first_face as u64]
+    }
+
+    fn query(step: &Step<'_>, [vertex, face]: [u32; 2]) -> Query<Self> {
+        step.vertex_face(vertex, face).expect("the mesh has both")
+    }
+
+    fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> [u32; 4] {
+        let [a, b, c] = mesh.faces()[face as usize];
+        [vertex, a, b, c]
+    }
+
+    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
+        candidates.vertex_face()
+    }
+
+    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
+        method.vertex_face(query)
+    }
+}
+
+impl DataKind for EdgeEdge {
+    const FOLDER: &'static str = "edge-edge";
+    const SHORT: &'static str = "ee";
+    const POINTS: [&'static str; 4] = ["a0", "a1", "b0", "b1"];
+
+    fn indices([a, b]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
+        let edge = |id: usize| index(id.checked_sub(mesh.vertex_count())?, mesh.edges().len());
+        Some([edge(a)?, edge(b)?])
+    }
+
+    fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2] {
+        indices.map(|edge| u64::from(edge) + mesh.vertex_count() as u64)
+    }
+
+    fn query(step: &Step<'_>, [a, b]: [u32; 2]) -> Query<Self> {
+        step.edge_edge(a, b).expect("the mesh has both")
+    }
+
+    fn vertices(mesh: &TriangleMesh, edges: [u32; 2]) -> [u32; 4] {
+        let [[a0, a1], [b0, b1]] = edges.map(|edge| mesh.edges()[edge as usize]);
+        [a0, a1, b0, b1]
+    }
+
+    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
+        candidates.edge_edge()
+    }
+
+    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
+        method.edge_edge(query)
+    }
+}
+
+fn index(id: usize, count: usize) -> Option<u32> {
+    u32::try_from(id).ok().filter(|_| id < count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ids_count_vertices_then_edges_then_faces() {
+        let mesh = TriangleMesh::new(4, vec![[0, 1, 2], [1, 2, 3]]).unwrap();
+        assert_eq!(mesh.edges().len(), 5);
+        assert_eq!(VertexFace::indices([3, 9], &mesh), Some([3, 0]));
+        assert_eq!(VertexFace::indices([0, 10], &mesh), Some([0, 1]));
+        assert_eq!(EdgeEdge::indices([4, 8], &mesh), Some([0, 4]));
+        assert_eq!(VertexFace::ids([3, 0], &mesh), [3, 9]);
+        assert_eq!(EdgeEdge::ids([0, 4], &mesh), [4, 8]);
+        for ids in [[4, 9], [0, 8], [0, 11], [9, 0]] {
+            assert_eq!(VertexFace::indices(ids, &mesh), None, "{ids:?}");
+        }
+        for ids in [[3, 4], [4, 9], [9, 4]] {
+            assert_eq!(EdgeEdge::indices(ids, &mesh), None, "{ids:?}");
+        }
+    }
+}

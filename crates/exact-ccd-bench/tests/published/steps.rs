@@ -1,0 +1,186 @@
+//! The steps of the scenes against a plain loop over all candidates.
+
+use exact_ccd::{EdgeEdge, VertexFace, exact};
+use exact_ccd_bench::DataKind;
+use exact_ccd_mesh::{
+    Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step,
+};
+use rayon::ThreadPoolBuilder;
+
+use crate::scenes;
+
+/// A pair in contact. The order is that in which a step prefers one as its earliest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Contact {
+    /// The bits of the time of impact: times are not negative, so that these are in the same order.
+    toi: u64,
+    is_above: bool,
+    /// 0 for a vertex and a face, 1 for two edges.
+    kind: u8,
+    ids: [u32; 2],
+}
+
+fn contacts<K: DataKind>(kind: u8, step: &Step<'_>, candidates: &[[u32; 2]]) -> Vec<Contact> {
+    let contact = |&ids| {
+        let time = K::query(step, ids).contact_times().first()?;
+        Some(Contact {
+            toi: time.lower().to_bits(),
+            is_above: !time.is_exact(),
+            kind,
+            ids,
+        })
+    };
+    candidates.iter().filter_map(contact).collect()
+}
+
+fn earliest(report: &StepReport) -> Option<Contact> {
+    report.earliest.map(|earliest| {
+        let (kind, ids) = match earliest.pair {
+            Pair::VertexFace { vertex, face } => (0, [vertex, face]),
+            Pair::EdgeEdge { a, b } => (1, [a, b]),
+        };
+        Contact {
+            toi: earliest.impact.time.lower().to_bits(),
+            is_above: !earliest.impact.time.is_exact(),
+            kind,
+            ids,
+        }
+    })
+}
+
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn a_step_reports_what_a_loop_over_all_candidates_finds() {
+    for scene in scenes() {
+        let name = scene.name();
+        let motion = scene.motion().unwrap();
+        let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
+
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        let faces = contacts::<VertexFace>(0, &step, candidates.vertex_face());
+        let edges = contacts::<EdgeEdge>(1, &step, candidates.edge_edge());
+        let counts = |of_interest: fn(&&Contact) -> bool| PairCounts {
+            vertex_face: faces.iter().filter(of_interest).count(),
+            edge_edge: edges.iter().filter(of_interest).count(),
+        };
+
+        assert_eq!(report.candidates, candidates.counts(), "{name}");
+        assert_eq!(report.colliding, counts(|_| true), "{name}");
+        assert_eq!(
+            report.touching,
+            counts(|contact| contact.toi == 0 && !contact.is_above),
+            "{name}"
+        );
+        assert_eq!(
+            earliest(&report),
+            faces.iter().chain(&edges).min().copied(),
+            "{name}"
+        );
+        assert!(!report.is_free(), "{name}");
+    }
+}
+
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn a_step_reports_the_same_on_any_number_of_threads() {
+    for scene in scenes() {
+        let motion = scene.motion().unwrap();
+        let [on_one, on_two] = [1, 2].map(|threads| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
+                let step = motion.step().unwrap();
+                for earliest in [step.earliest_contact(&Bvh), step.earliest_contact(&Sweep)] {
+                    assert_eq!(earliest, report.earliest, "{}", scene.name());
+                }
+                assert_eq!(step.is_free(&Bvh), report.is_free(), "{}", scene.name());
+                let mut detector = Detector::new(&motion.mesh);
+                for _ in 0..2 {
+                    let earliest = detector.earliest_contact(&motion.x0, &motion.x1).unwrap();
+                    assert_eq!(earliest, report.earliest, "{}", scene.name());
+                }
+                report
+            })
+        });
+        assert_eq!(on_one, on_two, "{}", scene.name());
+    }
+}
+
+/// Until just before the earliest contact each step is free, and no search finds one.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn a_step_until_before_the_earliest_contact_is_free() {
+    for scene in scenes() {
+        let motion = scene.motion().unwrap();
+        let earliest = motion.step().unwrap().earliest_contact(&Bvh).unwrap();
+        let size = 0.9 * earliest.impact.time.lower();
+        let direction: Vec<_> = motion
+            .x0
+            .iter()
+            .zip(&motion.x1)
+            .map(|(a, b)| difference(*b, *a))
+            .collect();
+        let end = advance(&motion.x0, &direction, size);
+        let step = Step::new(&motion.mesh, &motion.x0, &end).unwrap();
+        assert!(step.is_free(&Bvh), "{}", scene.name());
+        assert_eq!(step.earliest_contact(&Bvh), None, "{}", scene.name());
+    }
+}
+
+fn difference(a: Point, b: Point) -> Point {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// All candidates of the small scene, and of the others one in many.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn candidates_have_the_contact_times_of_the_exact_path() {
+    fn check<K: DataKind>(step: &Step<'_>, candidates: &[[u32; 2]]) {
+        let stride = if candidates.len() < 50_000 { 1 } else { 211 };
+        for &ids in candidates.iter().step_by(stride) {
+            let query = K::query(step, ids);
+            assert_eq!(query.contact_times(), exact::contact_times(&query), "{query:?}");
+        }
+    }
+    for scene in scenes() {
+        let motion = scene.motion().unwrap();
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        check::<VertexFace>(&step, candidates.vertex_face());
+        check::<EdgeEdge>(&step, candidates.edge_edge());
+    }
+}
+
+/// The same bits at any optimisation level, on any machine: `cargo test` and `cargo test --release` both compare with these.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+fn contacts_and_their_times_have_the_bits_that_they_always_had() {
+    let digests = scenes().into_iter().map(|scene| {
+        let motion = scene.motion().unwrap();
+        let step = motion.step().unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        let faces = contacts::<VertexFace>(0, &step, candidates.vertex_face());
+        let edges = contacts::<EdgeEdge>(1, &step, candidates.edge_edge());
+        let words = faces.iter().chain(&edges).flat_map(|contact| {
+            let [a, b] = contact.ids.map(u64::from);
+            [contact.toi, u64::from(contact.is_above), a, b]
+        });
+        (scene.name(), fnv_1a(words))
+    });
+    let expected = [
+        ("cloth-ball", 11676334898218327127),
+        ("cloth-funnel", 16450644589896873935),
+        ("rod-twist", 9862288484661653189),
+    ];
+    let expected: Vec<_> = expected.map(|(name, digest)| (name.to_owned(), digest)).into();
+    assert_eq!(digests.collect::<Vec<_>>(), expected);
+}
+
+/// Fowler, Noll and Vo's hash of words of eight bytes.
+fn fnv_1a(words: impl Iterator<Item = u64>) -> u64 {
+    let bytes = words.flat_map(u64::to_le_bytes);
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3)
+    })
+}

@@ -1,0 +1,17 @@
+//! Turns a mesh file of any format into a PLY file with the same numbers, bit for bit.
+//!
+//! ```sh
+//! cargo run --release --example convert -p exact-ccd-mesh -- MESH.obj MESH.ply
+//! ```
+
+use std::error::Error;
+use std::fs::File;
+
+use exact_ccd_mesh::Frame;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut files = std::env::args_os().skip(1);
+    let (mesh, ply) = files.next().zip(files.next()).ok_or("expected MESH PLY")?;
+    Frame::read(mesh)?.write_ply(File::create(ply)?)?;
+    Ok(())
+}

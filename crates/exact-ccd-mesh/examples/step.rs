@@ -1,0 +1,28 @@
+//! Tells whether the step from one mesh file to another is free of contact, and if not, until when.
+//!
+//! ```sh
+//! cargo run --release --example step -p exact-ccd-mesh -- examples/drape_start.ply examples/drape_contact.ply
+//! ```
+
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
+use std::error::Error;
+
+use exact_ccd_mesh::{Motion, step};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut files = std::env::args_os().skip(1);
+    let (start, end) = files.next().zip(files.next()).ok_or("expected START END")?;
+
+    let motion = Motion::read(start, end)?;
+    let report = step(&motion.mesh, &motion.x0, &motion.x1)?;
+    match report.earliest {
+        None => println!("free of contact"),
+        Some(contact) => println!(
+            "free of contact before t = {:?}: {:?}",
+            contact.impact.time.lower(),
+            contact.pair
+        ),
+    }
+    Ok(())
+}

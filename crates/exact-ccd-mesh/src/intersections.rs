@@ -1,0 +1,63 @@
+//! Where a mesh at rest passes through itself.
+
+use exact_ccd::Point;
+use exact_ccd::predicates::EdgeFace;
+use rayon::prelude::*;
+
+use crate::bounds::Bounds;
+use crate::broad_phase::{Boxes, BroadPhase, Bvh, Found};
+use crate::mesh::TriangleMesh;
+use crate::positions::{self, PositionsError};
+
+/// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Intersection {
+    /// The index of the edge in [`TriangleMesh::edges`].
+    pub edge: u32,
+    /// The index of the face in [`TriangleMesh::faces`].
+    pub face: u32,
+}
+
+/// All pairs of an edge and a face that have a common point and share no vertex, sorted.
+///
+/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. Two faces without a common
+/// vertex meet if and only if an edge of one meets the other. Of two faces that share a vertex, the sides across from it
+/// are examined; faces that share two, as when a fold closes, are not.
+///
+/// ```
+/// use exact_ccd_mesh::{Intersection, TriangleMesh, intersections};
+///
+/// // Two sides of the second face pass through the first face.
+/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
+/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+/// let wall = |x: f64| [[x, 1.0, -1.0], [x, 1.0, 1.0], [x + 4.0, 1.0, 1.0]];
+/// let found = intersections(&mesh, &[floor, wall(1.0)].concat())?;
+/// assert_eq!(found, [Intersection { edge: 3, face: 0 }, Intersection { edge: 4, face: 0 }]);
+/// assert_eq!((mesh.edges()[3], mesh.edges()[4]), ([3, 4], [3, 5]));
+/// assert_eq!(intersections(&mesh, &[floor, wall(8.0)].concat())?, []);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`PositionsError`] says which positions are too many, too few or not finite.
+pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Intersection>, PositionsError> {
+    positions::check(mesh, positions)?;
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    let point = |vertex: u32| positions[vertex as usize];
+    let meet = |&[edge, face]: &[u32; 2]| {
+        let (ends, corners) = (edges[edge as usize], faces[face as usize]);
+        ends.iter().all(|end| !corners.contains(end))
+            // All positions are finite.
+            && EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
+    };
+    let around =
+        |vertices: &[u32]| -> [Bounds; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
+    let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
+    let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
+    let found = Found::default();
+    let _ = Bvh.between(&Boxes::new(&edge_boxes), &Boxes::new(&face_boxes), &|pairs| {
+        found.keep(pairs.iter().copied().filter(meet))
+    });
+    let pairs = found.sorted().into_iter();
+    Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
+}

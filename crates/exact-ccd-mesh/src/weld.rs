@@ -1,0 +1,99 @@
+//! Shared vertices for meshes that have none.
+
+use std::collections::HashMap;
+
+use exact_ccd::Point;
+
+use crate::frame::Frame;
+use crate::mesh::TriangleMesh;
+use crate::motion::{Motion, MotionError};
+
+/// One vertex in place of all that coincide in every frame of a motion.
+///
+/// Such vertices coincide at all times between, so the surface stays the same. But where separate bodies share such a
+/// point, they become neighbours there, and pairs of primitives that share a vertex are not looked at. Vertices that meet
+/// in some frames only stay apart. The new vertices are numbered in the order in which they first appear, and the faces
+/// keep their order. Coordinates are compared as numbers: −0.0 equals 0.0.
+///
+/// ```
+/// use exact_ccd_mesh::Welding;
+///
+/// let mut welding = Welding::default();
+/// welding.restrict(&[[0.0; 3], [1.0; 3], [0.0; 3], [1.0; 3]]);
+/// assert_eq!(welding.positions(&[[5.0; 3], [6.0; 3], [5.0; 3], [7.0; 3]]), [[5.0; 3], [6.0; 3]]);
+/// // In this frame, the second and the last vertex are apart.
+/// welding.restrict(&[[5.0; 3], [6.0; 3], [5.0; 3], [7.0; 3]]);
+/// assert_eq!(welding.positions(&[[0.0; 3], [1.0; 3], [0.0; 3], [1.0; 3]]), [[0.0; 3], [1.0; 3], [1.0; 3]]);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Welding {
+    /// The new vertex of each vertex. Those that are not there yet would become the same one.
+    vertex_of: Vec<u32>,
+    /// The first vertex that became each of the new ones.
+    first: Vec<usize>,
+}
+
+impl Welding {
+    /// Takes apart the vertices that do not coincide in a frame with these positions. All frames have the same number.
+    pub fn restrict(&mut self, positions: &[Point]) {
+        let mut numbers = HashMap::with_capacity(self.first.len());
+        self.vertex_of.resize(positions.len(), 0);
+        self.first.clear();
+        for (index, (vertex, &position)) in self.vertex_of.iter_mut().zip(positions).enumerate() {
+            *vertex = *numbers.entry((*vertex, key(position))).or_insert_with(|| {
+                self.first.push(index);
+                self.first.len() as u32 - 1
+            });
+        }
+    }
+
+    /// The mesh with the new vertices.
+    ///
+    /// # Errors
+    /// [`MotionError::VertexCount`] if it does not have as many vertices as the frames of this welding.
+    pub fn mesh(&self, mesh: &TriangleMesh) -> Result<TriangleMesh, MotionError> {
+        if mesh.vertex_count() != self.vertex_of.len() {
+            return Err(MotionError::VertexCount {
+                start: self.vertex_of.len(),
+                end: mesh.vertex_count(),
+            });
+        }
+        let weld = |face: &[u32; 3]| face.map(|corner| self.vertex_of[corner as usize]);
+        let faces = mesh.faces().iter().map(weld).collect();
+        Ok(TriangleMesh::new(self.first.len(), faces).expect("every corner has its vertex"))
+    }
+
+    /// The positions of the new vertices: that of the first vertex, for each.
+    #[must_use]
+    pub fn positions(&self, positions: &[Point]) -> Vec<Point> {
+        self.first
+            .iter()
+            .filter_map(|&vertex| positions.get(vertex).copied())
+            .collect()
+    }
+}
+
+impl Motion {
+    /// The motion from one frame to another, with one vertex in place of all that coincide both at t = 0 and at t = 1:
+    /// see [`Welding`].
+    ///
+    /// # Errors
+    /// As [`Motion::new`].
+    pub fn weld(start: Frame, end: Frame) -> Result<Self, MotionError> {
+        let split = Self::new(start, end)?;
+        let mut welding = Welding::default();
+        welding.restrict(&split.x0);
+        welding.restrict(&split.x1);
+        Ok(Self {
+            mesh: welding.mesh(&split.mesh)?,
+            x0: welding.positions(&split.x0),
+            x1: welding.positions(&split.x1),
+        })
+    }
+}
+
+/// Equal for positions that are equal as numbers.
+fn key(position: Point) -> [u64; 3] {
+    // Adding 0.0 turns −0.0 into 0.0 and changes no other number.
+    position.map(|x| (x + 0.0).to_bits())
+}

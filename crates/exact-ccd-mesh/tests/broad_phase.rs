@@ -1,0 +1,237 @@
+//! Every broad phase finds exactly the pairs of boxes that meet.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use std::ops::ControlFlow;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use exact_ccd_mesh::{AllPairs, Bounds, Boxes, BroadPhase, Bvh, Point, Sweep};
+use proptest::prelude::*;
+
+/// A box at both ends of a step.
+type Moving = [Bounds; 2];
+
+/// Whether no axis separates two boxes the same way round at all times, by definition.
+fn meet<const T: usize>(p: &[Bounds; T], q: &[Bounds; T]) -> bool {
+    let before = |a: &[Bounds; T], b: &[Bounds; T], k: usize| (0..T).all(|t| a[t].upper[k] < b[t].lower[k]);
+    !(0..3).any(|k| before(p, q, k) || before(q, p, k))
+}
+
+/// The boxes by their indices.
+fn by_index<const T: usize>(boxes: &Boxes<T>) -> Vec<[Bounds; T]> {
+    let mut sorted: Vec<_> = boxes.iter().collect();
+    sorted.sort_by_key(|(id, _)| *id);
+    assert!(sorted.iter().enumerate().all(|(i, (id, _))| i == *id as usize));
+    sorted.into_iter().map(|(_, places)| places).collect()
+}
+
+/// The pairs of boxes that meet, by definition.
+fn pairs<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) -> Vec<[u32; 2]> {
+    let ids = |boxes: &[[Bounds; T]]| 0..boxes.len() as u32;
+    ids(a)
+        .flat_map(|i| ids(b).map(move |j| [i, j]))
+        .filter(|&[i, j]| meet(&a[i as usize], &b[j as usize]))
+        .collect()
+}
+
+fn sorted(
+    find: impl Fn(&(dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)) -> ControlFlow<()>,
+) -> Vec<[u32; 2]> {
+    let found = Mutex::new(Vec::new());
+    let flow = find(&|pairs| {
+        found.lock().unwrap().extend_from_slice(pairs);
+        ControlFlow::Continue(())
+    });
+    assert!(flow.is_continue());
+    let mut found = found.into_inner().unwrap();
+    found.sort_unstable();
+    found
+}
+
+fn between<const T: usize>(broad_phase: &impl BroadPhase, a: &Boxes<T>, b: &Boxes<T>) -> Vec<[u32; 2]> {
+    sorted(|visit| broad_phase.between(a, b, visit))
+}
+
+fn within<const T: usize>(broad_phase: &impl BroadPhase, boxes: &Boxes<T>) -> Vec<[u32; 2]> {
+    sorted(|visit| broad_phase.within(boxes, visit))
+}
+
+fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Bounds; T]], b: &[[Bounds; T]]) {
+    let [coarse_a, coarse_b] = [a, b].map(Boxes::new);
+    let [rounded_a, rounded_b] = [&coarse_a, &coarse_b].map(by_index);
+    let found = between(broad_phase, &coarse_a, &coarse_b);
+    assert_eq!(found, pairs(&rounded_a, &rounded_b));
+    // Rounding does not lose any.
+    assert!(pairs(a, b).iter().all(|pair| found.binary_search(pair).is_ok()));
+    let once = pairs(&rounded_a, &rounded_a).into_iter().filter(|[i, j]| i < j);
+    assert_eq!(within(broad_phase, &coarse_a), once.collect::<Vec<_>>());
+}
+
+fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
+    assert_each_finds_all(a, b);
+    // At rest, where they are at the start.
+    let [a, b] = [a, b].map(|boxes| boxes.iter().map(|&[start, _]| [start]).collect::<Vec<_>>());
+    assert_each_finds_all(&a, &b);
+}
+
+fn assert_each_finds_all<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) {
+    assert_finds_all(&AllPairs, a, b);
+    assert_finds_all(&Bvh, a, b);
+    assert_finds_all(&Bvh, b, a);
+    assert_finds_all(&Sweep, a, b);
+    assert_finds_all(&Sweep, b, a);
+}
+
+fn at_rest(bounds: Bounds) -> Moving {
+    [bounds, bounds]
+}
+
+fn around(p: Point, q: Point) -> Bounds {
+    Bounds::of(p).union(&Bounds::of(q))
+}
+
+/// Whole numbers, so that boxes touch and coincide, and numbers out of all proportion.
+fn coordinate() -> impl Strategy<Value = f64> {
+    let extreme = [f64::MAX, f64::MIN, 1e-300, -1e-300, 5e-324, -5e-324, -0.0, 0.5];
+    prop_oneof![
+        4 => (-3..=3).prop_map(f64::from),
+        1 => prop::sample::select(extreme.to_vec()),
+    ]
+}
+
+fn point() -> impl Strategy<Value = Point> {
+    prop::array::uniform3(coordinate())
+}
+
+fn bounds() -> impl Strategy<Value = Bounds> {
+    prop_oneof![
+        20 => (point(), point()).prop_map(|(p, q)| around(p, q)),
+        20 => (point(), prop::array::uniform3(0.0..0.5))
+            .prop_map(|(p, size)| around(p, std::array::from_fn(|axis| p[axis] + size[axis]))),
+        20 => point().prop_map(Bounds::of),
+        1 => Just(Bounds::EMPTY),
+    ]
+}
+
+fn moving() -> impl Strategy<Value = Moving> {
+    prop_oneof![
+        bounds().prop_map(at_rest),
+        (bounds(), bounds()).prop_map(|(start, end)| [start, end]),
+    ]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn random_boxes(
+        a in prop::collection::vec(moving(), 0..150),
+        b in prop::collection::vec(moving(), 0..150),
+    ) {
+        assert_all_find_all(&a, &b);
+    }
+}
+
+#[test]
+fn no_boxes() {
+    let one = [at_rest(Bounds::of([0.0; 3]))];
+    assert_all_find_all(&[], &[]);
+    assert_all_find_all(&one, &[]);
+    assert_all_find_all(&[], &one);
+}
+
+#[test]
+fn boxes_that_touch_in_a_face_an_edge_a_corner() {
+    let unit = around([0.0; 3], [1.0; 3]);
+    let touching =
+        [[1.0, 0.0, 0.0], [1.0, -1.0, 0.5], [-1.0, 1.0, 1.0]].map(|p| around(p, p.map(|x| x + 1.0)));
+    let apart = around([1.0 + 1e-6, 0.0, 0.0], [2.0; 3]);
+    let unit = Boxes::new(&[[unit]]);
+    let others = Boxes::new(&[touching[0], touching[1], apart, touching[2]].map(|at| [at]));
+    for found in [between(&Bvh, &unit, &others), between(&AllPairs, &unit, &others)] {
+        assert_eq!(found, [[0, 0], [0, 1], [0, 3]]);
+    }
+}
+
+#[test]
+fn boxes_that_pass_each_other_may_meet_and_boxes_that_move_alike_do_not() {
+    let at = |x: f64| around([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
+    let swaps = Boxes::new(&[[at(0.0), at(5.0)], [at(5.0), at(0.0)]]);
+    let follows = Boxes::new(&[[at(0.0), at(5.0)], [at(2.0), at(7.0)]]);
+    assert_eq!(within(&Bvh, &swaps), [[0, 1]]);
+    assert_eq!(within(&Bvh, &follows), Vec::<[u32; 2]>::new());
+}
+
+#[test]
+fn both_zeros_are_one_point() {
+    let zeros = Boxes::new(&[[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(|at| [Bounds::of(at)]));
+    assert_eq!(within(&Bvh, &zeros), [[0, 1]]);
+    assert_eq!(within(&Sweep, &zeros), [[0, 1]]);
+    assert_eq!(within(&AllPairs, &zeros), [[0, 1]]);
+}
+
+#[test]
+fn identical_boxes_all_overlap() {
+    let boxes = vec![at_rest(around([1.0, -2.0, 0.1], [1.0, 5.0, 0.1])); 300];
+    assert_eq!(within(&Bvh, &Boxes::new(&boxes)).len(), 300 * 299 / 2);
+    assert_all_find_all(&boxes, &boxes);
+}
+
+#[test]
+fn boxes_of_all_sizes() {
+    let size = |exponent: i32| 2.0_f64.powi(exponent);
+    let nested = (-1000..1000)
+        .step_by(7)
+        .map(|e| at_rest(around([0.0; 3], [size(e); 3])));
+    let apart = (-1000..1000)
+        .step_by(7)
+        .map(|e| at_rest(around([size(e); 3], [1.5 * size(e); 3])));
+    let (nested, apart): (Vec<_>, Vec<_>) = (nested.collect(), apart.collect());
+    assert_all_find_all(&nested, &apart);
+}
+
+/// A lattice of boxes that overlap their neighbours.
+fn lattice() -> Vec<Moving> {
+    let lattice = |i: u32| [i % 11, i / 11 % 11, i / 121].map(f64::from);
+    (0..1331)
+        .map(|i| at_rest(around(lattice(i), lattice(i).map(|x| x + 1.25))))
+        .collect()
+}
+
+#[test]
+fn the_pairs_are_the_same_on_any_number_of_threads() {
+    let moving = lattice();
+    let expected = pairs(&moving, &moving);
+    for threads in [1, 2, 5] {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        let found = pool.install(|| {
+            let boxes = Boxes::new(&moving);
+            [between(&Bvh, &boxes, &boxes), between(&Sweep, &boxes, &boxes)]
+        });
+        assert_eq!(found, [expected.clone(), expected.clone()]);
+    }
+}
+
+#[test]
+fn a_break_ends_the_search() {
+    let boxes = Boxes::new(&lattice());
+    fn calls(find: impl Fn(&(dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)) -> ControlFlow<()>) -> usize {
+        let calls = AtomicUsize::new(0);
+        let flow = find(&|_| {
+            calls.fetch_add(1, Ordering::Relaxed);
+            ControlFlow::Break(())
+        });
+        assert!(flow.is_break());
+        calls.into_inner()
+    }
+    // Each thread may have one call under way.
+    let threads = rayon::current_num_threads();
+    assert!(calls(|visit| Bvh.within(&boxes, visit)) <= threads);
+    assert!(calls(|visit| Bvh.between(&boxes, &boxes, visit)) <= threads);
+    assert!(calls(|visit| Sweep.within(&boxes, visit)) <= threads);
+    assert_eq!(calls(|visit| AllPairs.within(&boxes, visit)), 1);
+}

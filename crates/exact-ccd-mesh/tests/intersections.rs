@@ -1,0 +1,188 @@
+//! Where a mesh at rest meets itself, against rational numbers, and sequences of frames against brute force.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+#[path = "../../exact-ccd/tests/intersection/oracle.rs"]
+#[expect(dead_code, reason = "orientations are tested elsewhere")]
+mod oracle;
+
+use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd_mesh::{
+    Audit, Frame, Intersection, MotionError, Point, PositionsError, StepError, TriangleMesh, Violation,
+    intersections, step,
+};
+use proptest::prelude::*;
+
+/// All pairs, by the definition.
+fn expected(mesh: &TriangleMesh, positions: &[Point]) -> Vec<Intersection> {
+    let point = |vertex: u32| positions[vertex as usize];
+    let mut found = Vec::new();
+    for (edge, ends) in (0..).zip(mesh.edges()) {
+        for (face, corners) in (0..).zip(mesh.faces()) {
+            let apart = ends.iter().all(|vertex| !corners.contains(vertex));
+            if apart && oracle::intersect(ends.map(point), corners.map(point)) {
+                found.push(Intersection { edge, face });
+            }
+        }
+    }
+    found
+}
+
+/// Whether anything without a common vertex touches at rest: the three kinds of pairs, one by one.
+fn touches(mesh: &TriangleMesh, positions: &[Point]) -> bool {
+    let point = |vertex: u32| positions[vertex as usize];
+    let vertex_face = (0..mesh.vertex_count() as u32).any(|vertex| {
+        mesh.faces()
+            .iter()
+            .filter(|face| !face.contains(&vertex))
+            .any(|face| {
+                let at = [vertex, face[0], face[1], face[2]].map(point);
+                Query::<VertexFace>::new(at, at).unwrap().collides()
+            })
+    });
+    let edge_edge = mesh.edges().iter().enumerate().any(|(index, &[a, b])| {
+        let others = mesh.edges()[..index]
+            .iter()
+            .filter(|other| !other.contains(&a) && !other.contains(&b));
+        others.into_iter().any(|&[c, d]| {
+            let at = [a, b, c, d].map(point);
+            Query::<EdgeEdge>::new(at, at).unwrap().collides()
+        })
+    });
+    vertex_face || edge_edge || !expected(mesh, positions).is_empty()
+}
+
+fn small() -> impl Strategy<Value = f64> {
+    (-2..=2i8).prop_map(f64::from)
+}
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    let extreme = prop::sample::select(vec![1e300, -1e-300, 5e-324, 0.1, -0.0, f64::MAX, f64::MIN]);
+    prop_oneof![8 => small(), 4 => -1.0..1.0, 1 => extreme]
+}
+
+fn mesh(vertices: usize, faces: std::ops::Range<usize>) -> impl Strategy<Value = TriangleMesh> {
+    let face = prop::array::uniform3(0..vertices as u32);
+    prop::collection::vec(face, faces).prop_map(move |faces| TriangleMesh::new(vertices, faces).unwrap())
+}
+
+fn positions(vertices: usize, coordinate: impl Strategy<Value = f64>) -> impl Strategy<Value = Vec<Point>> {
+    prop::collection::vec(prop::array::uniform3(coordinate), vertices)
+}
+
+proptest! {
+    #[test]
+    fn intersections_are_those_of_the_definition(mesh in mesh(9, 0..8), x in positions(9, coordinate())) {
+        prop_assert_eq!(intersections(&mesh, &x).unwrap(), expected(&mesh, &x));
+    }
+
+    #[test]
+    fn the_number_of_threads_does_not_matter(mesh in mesh(30, 20..60), x in positions(30, -1.0..1.0)) {
+        let on = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| intersections(&mesh, &x).unwrap())
+        };
+        let one = on(1);
+        prop_assert!(one.is_sorted());
+        prop_assert_eq!(on(3), one);
+    }
+
+    /// Frames near each other, so that many sequences are free.
+    #[test]
+    fn an_audit_finds_the_first_violation(
+        mesh in mesh(8, 1..4),
+        start in positions(8, prop_oneof![1 => small(), 3 => -2.0..2.0]),
+        moves in prop::collection::vec(positions(8, prop_oneof![-0.2..0.2, Just(0.0)]), 0..4),
+    ) {
+        let mut frames = vec![start];
+        for offsets in moves {
+            let last = frames.last().unwrap().iter().zip(offsets);
+            frames.push(last.map(|(p, d)| [0, 1, 2].map(|k| p[k] + d[k])).collect());
+        }
+        let mut audit = Audit::default();
+        for (index, x) in frames.iter().enumerate() {
+            let frame = Frame::new(x.clone(), mesh.faces().to_vec()).unwrap();
+            let violation = audit.examine(frame).unwrap();
+            prop_assert_eq!(audit.frames(), index + 1);
+            match index.checked_sub(1) {
+                None => prop_assert_eq!(violation.is_some(), touches(&mesh, x)),
+                Some(last) => {
+                    let earliest = step(&mesh, &frames[last], x).unwrap().earliest;
+                    let expected = earliest.map(|contact| Violation::Contact { frame: last, contact });
+                    prop_assert_eq!(violation, expected);
+                }
+            }
+            if violation.is_some() {
+                return Ok(());
+            }
+            // What has been certified without looking at this frame at rest.
+            prop_assert!(!touches(&mesh, x));
+        }
+    }
+}
+
+#[test]
+fn an_audit_reports_an_intersection_before_a_contact() {
+    let triangles = |z: f64| {
+        let fixed = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+        let other = [[1.0, 1.0, z], [1.0, 2.0, z + 1.0], [2.0, 1.0, z + 1.0]];
+        Frame::new([fixed, other].concat(), vec![[0, 1, 2], [3, 4, 5]]).unwrap()
+    };
+    let at_rest = |z: f64| Audit::default().examine(triangles(z)).unwrap();
+    assert_eq!(at_rest(1.0), None);
+    // The least pair: a side of the first face passes through the second one only if that is deep enough.
+    let intersection = Intersection { edge: 3, face: 0 };
+    assert_eq!(
+        at_rest(-0.5),
+        Some(Violation::Intersection {
+            frame: 0,
+            intersection
+        })
+    );
+    assert_eq!(
+        at_rest(0.0),
+        Some(Violation::Intersection {
+            frame: 0,
+            intersection
+        })
+    );
+    assert_eq!(at_rest(-2.0), None);
+}
+
+#[test]
+fn a_loose_vertex_on_a_face_is_a_contact() {
+    let positions = vec![[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, 0.0]];
+    let frame = Frame::new(positions.clone(), vec![[0, 1, 2]]).unwrap();
+    assert_eq!(intersections(&frame.mesh, &positions), Ok(vec![]));
+    let violation = Audit::default().examine(frame).unwrap();
+    assert!(
+        matches!(violation, Some(Violation::Contact { frame: 0, .. })),
+        "{violation:?}"
+    );
+}
+
+#[test]
+fn errors_do_not_count_as_frames() {
+    let frame = |count: u8| Frame::new((0..count).map(|x| [x.into(), 0.0, 0.0]).collect(), vec![]).unwrap();
+    let mut audit = Audit::default();
+    audit.examine(frame(2)).unwrap();
+    let error = MotionError::VertexCount { start: 2, end: 3 };
+    assert_eq!(audit.examine(frame(3)), Err(error));
+    let mut broken = frame(2);
+    broken.positions.pop();
+    let count = PositionsError::Count {
+        positions: 1,
+        vertex_count: 2,
+    };
+    assert_eq!(
+        audit.examine(broken.clone()),
+        Err(MotionError::Positions(StepError::End(count)))
+    );
+    assert_eq!(
+        Audit::default().examine(broken.clone()),
+        Err(MotionError::Positions(StepError::Start(count)))
+    );
+    assert_eq!(intersections(&broken.mesh, &broken.positions), Err(count));
+    assert_eq!(audit.frames(), 1);
+    assert_eq!(audit.examine(frame(2)), Ok(None));
+}

@@ -1,0 +1,157 @@
+//! The line search on the generated examples, and on a step whose size is known.
+
+use std::path::Path;
+
+use exact_ccd_mesh::{
+    Decision, ExactDecision, LineSearch, LineSearchError, Motion, ParityDecision, Point, TriangleMesh,
+    advance, step, step_size,
+};
+
+fn example(end: &str) -> Motion {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    Motion::read(folder.join("drape_start.ply"), folder.join(end)).expect("the examples are sound")
+}
+
+fn direction(motion: &Motion) -> Vec<Point> {
+    let minus = |(a, b): (&Point, &Point)| core::array::from_fn(|axis| b[axis] - a[axis]);
+    motion.x0.iter().zip(&motion.x1).map(minus).collect()
+}
+
+/// The largest step that the search allows on a motion, and whether the motion up to there is free, exactly.
+fn search(motion: &Motion, search: LineSearch<'_>) -> (f64, bool) {
+    let direction = direction(motion);
+    let size = step_size(&motion.mesh, &motion.x0, &direction, search).expect("the motion is sound");
+    let end = advance(&motion.x0, &direction, size);
+    let report = step(&motion.mesh, &motion.x0, &end).expect("the step is sound");
+    (size, report.is_free())
+}
+
+#[test]
+fn the_exact_step_is_next_to_the_time_of_impact() {
+    let motion = example("drape_contact.ply");
+    let (size, is_free) = search(&motion, LineSearch::Exact);
+    assert!(is_free);
+    let end = advance(&motion.x0, &direction(&motion), 1.0);
+    let report = step(&motion.mesh, &motion.x0, &end).expect("the step is sound");
+    let impact = report.time_of_impact().expect("the end is beyond the sphere");
+    // The rounded positions are off by some units in the last place of coordinates around 1.
+    assert!(
+        size <= impact && impact - size <= 64.0 * f64::EPSILON,
+        "{size} and {impact}"
+    );
+}
+
+#[test]
+fn bisection_ends_within_its_tolerance_below_the_exact_step() {
+    let motion = example("drape_contact.ply");
+    let (exact, _) = search(&motion, LineSearch::Exact);
+    let decisions: [&dyn Decision; 2] = [&ExactDecision, &ParityDecision];
+    for decision in decisions {
+        for tolerance in [0.1, 1e-3, 1e-6] {
+            let (size, is_free) = search(&motion, LineSearch::Bisection { tolerance, decision });
+            assert!(is_free);
+            assert!(
+                size <= exact && exact - size <= tolerance,
+                "{size}, exactly {exact}, within {tolerance}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_free_step_is_taken_in_full() {
+    let motion = example("drape_free.ply");
+    assert_eq!(search(&motion, LineSearch::Exact), (1.0, true));
+    let decision = &ExactDecision;
+    assert_eq!(
+        search(
+            &motion,
+            LineSearch::Bisection {
+                tolerance: 1e-3,
+                decision
+            }
+        ),
+        (1.0, true)
+    );
+}
+
+/// An edge that passes through another one at t = 1/3 and back at t = 1/2: parity sees nothing.
+#[test]
+fn parity_goes_through_two_contacts() {
+    let flat = vec![[0, 1, 1], [2, 3, 3]];
+    let motion = Motion {
+        mesh: TriangleMesh::new(4, flat).expect("indices are in range"),
+        x0: vec![
+            [-2.0, 0.0, 1.0],
+            [-1.0, -2.0, -1.0],
+            [-2.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+        ],
+        x1: vec![
+            [0.0, 1.0, -2.0],
+            [1.0, 1.0, 2.0],
+            [-2.0, 0.0, 0.0],
+            [2.0, 0.0, 0.0],
+        ],
+    };
+    let (size, is_free) = search(&motion, LineSearch::Exact);
+    assert!(
+        is_free && (1.0 / 3.0 - 64.0 * f64::EPSILON..=1.0 / 3.0).contains(&size),
+        "{size}"
+    );
+    let decision = &ParityDecision;
+    assert_eq!(
+        search(
+            &motion,
+            LineSearch::Bisection {
+                tolerance: 1e-3,
+                decision
+            }
+        ),
+        (1.0, false)
+    );
+}
+
+#[test]
+fn a_mesh_in_contact_cannot_move() {
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).expect("indices are in range");
+    let start = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.25, 0.25, 0.0],
+    ];
+    let direction = [[0.0; 3], [0.0; 3], [0.0; 3], [0.0, 0.0, 1.0]];
+    assert_eq!(step_size(&mesh, &start, &direction, LineSearch::Exact), Ok(0.0));
+    let search = LineSearch::Bisection {
+        tolerance: 0.5,
+        decision: &ExactDecision,
+    };
+    assert_eq!(step_size(&mesh, &start, &direction, search), Ok(0.0));
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    let mesh = TriangleMesh::new(3, vec![[0, 1, 2]]).expect("indices are in range");
+    let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let message = |direction: &[Point], search| {
+        step_size(&mesh, &x, direction, search).map_err(|error| error.to_string())
+    };
+    assert_eq!(
+        message(&x[..2], LineSearch::Exact),
+        Err("in the direction, 2 positions, expected one for each of 3 vertices".to_owned())
+    );
+    let infinite = [[0.0, 0.0, f64::INFINITY], [0.0; 3], [0.0; 3]];
+    assert_eq!(
+        message(&infinite, LineSearch::Exact),
+        Err("in the direction, vertex 0 has z = inf, expected a finite number".to_owned())
+    );
+    let search = LineSearch::Bisection {
+        tolerance: 0.0,
+        decision: &ExactDecision,
+    };
+    assert_eq!(
+        step_size(&mesh, &x, &x, search),
+        Err(LineSearchError::Tolerance(0.0))
+    );
+}

@@ -1,0 +1,174 @@
+//! Bernstein sign classification in exact arithmetic.
+
+use std::cmp::Ordering::{Equal, Greater, Less};
+
+use exact_ccd::{EdgeEdge, Query, VertexFace};
+
+use super::configuration::{Configuration, Polynomials};
+use super::curve::{Curve, Roots};
+use super::inside::is_inside;
+use super::integers::to_integers;
+use super::number::{Number, signs};
+use crate::interval::Interval;
+use crate::method::{Answer, Method, Promise, Time};
+
+/// Bernstein sign classification ("BSC") of M. Tang, R. Tong, Z. Wang and D. Manocha.
+///
+/// *Fast and Exact Continuous Collision Detection with Bernstein Sign Classification*, ACM Transactions on Graphics 33(6),
+/// 2014; details that the paper leaves open follow the authors' program bsc.cpp, as used for the comparison of B. Wang,
+/// Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based Algorithm
+/// for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
+///
+/// The four points are coplanar at the roots of a cubic, and the primitives meet at a root unless one of three quartics is
+/// negative there. The roots are counted from the signs of the Bernstein coefficients and of the extremum; the sign of a
+/// quartic at a root is that of a quadratic polynomial, found by polynomial division. Signs come from intervals, and from
+/// integers where those do not tell. The answer has no time.
+///
+/// # When it fails
+/// - It gives up on a cubic with an inflection point within the step, unless the first or the last Bernstein coefficient alone
+///   has a sign of its own. The paper cuts the cubic there, but the authors' program never computes where, and does not
+///   terminate: such a query counts as a contact here, as one on which a method fails does in the comparison. Of the 5,171
+///   queries of a twisted rod 190 are of this kind, 6 of which do not touch; of vertices and faces that move at random, 40 %
+///   of those that do not touch are reported.
+/// - It misses every contact of primitives that are coplanar for the whole step, where no sign ever changes: 3 of 192 and 8 of
+///   145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a cloth that slides through a funnel.
+/// - A quartic that is zero at a root, or cannot be told from the cubic there, does not rule out contact: edges of which a
+///   vertex reaches the line of the other, however far from it, just when they are coplanar are reported (20 of 156 on that
+///   cloth, whose edges lie in the rows of a grid), and so is some of what is coplanar at t = 0.
+/// - The bound of the culling stage is absolute: the rounding errors of the cubic exceed it from lengths of about 10 on, so
+///   that contacts can be missed there.
+#[derive(Clone, Copy, Debug)]
+pub struct BernsteinSignClassification {
+    /// A query is free of contact if all four coefficients of the cubic, in floating-point arithmetic, lie on one side of zero
+    /// by more than this, in cubes of the units of the input.
+    pub culling_bound: f64,
+}
+
+impl Default for BernsteinSignClassification {
+    fn default() -> Self {
+        Self {
+            culling_bound: 100.0 * f64::EPSILON,
+        }
+    }
+}
+
+/// Whether there is contact, unless the arithmetic leaves a sign open.
+fn decide<N: Number>(polynomials: &Polynomials<N>) -> Option<bool> {
+    let curve = Curve::new(polynomials.coplanarity())?;
+    if curve.is_one_sided() {
+        return Some(false);
+    }
+    let roots = match curve.lone_root() {
+        Some(root) => root,
+        None => match signs(curve.bends().each_ref())? {
+            [Less, Greater] | [Greater, Less] => return Some(true),
+            [Equal, bend] | [bend, _] => curve.roots(bend)?,
+        },
+    };
+    match roots {
+        Roots::Anywhere => Some(false),
+        _ => is_inside(&curve, roots, polynomials.insides()),
+    }
+}
+
+impl BernsteinSignClassification {
+    fn culls(&self, configuration: &Configuration) -> bool {
+        let [k0, k1, k2, k3] = Polynomials::<f64>::from_coordinates(configuration).coplanarity();
+        let k = [k0 / 3.0, k1, k2, k3 / 3.0];
+        k.iter().all(|k| *k > self.culling_bound) || k.iter().all(|k| *k < -self.culling_bound)
+    }
+
+    fn collides(&self, configuration: &Configuration) -> bool {
+        if self.culls(configuration) {
+            return false;
+        }
+        decide(&Polynomials::<Interval>::from_coordinates(configuration))
+            .or_else(|| {
+                decide(&Polynomials::new(
+                    to_integers(&configuration.points),
+                    configuration,
+                ))
+            })
+            .unwrap_or(true)
+    }
+}
+
+impl Method for BernsteinSignClassification {
+    fn name(&self) -> &str {
+        "BSC"
+    }
+
+    fn promise(&self) -> Promise {
+        Promise {
+            may_miss: true,
+            may_invent: true,
+            time: Time::Absent,
+        }
+    }
+
+    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
+        Answer::from_decision(self.collides(&query.into()))
+    }
+
+    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
+        Answer::from_decision(self.collides(&query.into()))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::array::{uniform3, uniform4};
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    use super::*;
+
+    /// Whether the cubic has an inflection point that its control polygon does not make harmless.
+    fn is_given_up(configuration: &Configuration) -> bool {
+        let polynomials = Polynomials::new(to_integers(&configuration.points), configuration);
+        let curve = Curve::new(polynomials.coplanarity()).unwrap();
+        let [a, b] = signs(curve.bends().each_ref()).unwrap();
+        !curve.is_one_sided() && curve.lone_root().is_none() && a == b.reverse() && a != Equal
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 10_000,
+            rng_seed: RngSeed::Fixed(0),
+            failure_persistence: None,
+            ..ProptestConfig::default()
+        })]
+
+        /// No sign is zero for coordinates at random.
+        #[test]
+        fn all_is_right_but_inflection_points(
+            start in uniform4(uniform3(-1.0..1.0)),
+            end in uniform4(uniform3(-1.0..1.0)),
+        ) {
+            let method = BernsteinSignClassification::default();
+            let query = Query::<VertexFace>::new(start, end).unwrap();
+            prop_assert_eq!(
+                method.vertex_face(&query).is_contact(),
+                is_given_up(&(&query).into()) || query.collides()
+            );
+            let query = Query::<EdgeEdge>::new(start, end).unwrap();
+            prop_assert_eq!(
+                method.edge_edge(&query).is_contact(),
+                is_given_up(&(&query).into()) || query.collides()
+            );
+        }
+
+        /// What the filter decides, the integers decide so too.
+        #[test]
+        fn intervals_agree_with_integers(
+            start in uniform4(uniform3(-2..=2i8)),
+            end in uniform4(uniform3(-2..=2i8)),
+        ) {
+            let [start, end] = [start, end].map(|points| points.map(|point| point.map(f64::from)));
+            let configuration = Configuration::from(&Query::<EdgeEdge>::new(start, end).unwrap());
+            let filtered = decide(&Polynomials::<Interval>::from_coordinates(&configuration));
+            let exact = decide(&Polynomials::new(to_integers(&configuration.points), &configuration));
+            prop_assert!(filtered.is_none() || filtered == exact);
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! The method in rational arithmetic.
+
+use std::cmp::Ordering;
+
+use dashu_ratio::Relaxed;
+use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+
+use super::fold;
+use super::image::{Domain, HEXAHEDRON, Image, PRISM, Predicate, Vectors, differences, vectors};
+use super::number::Number;
+use super::ray::cast;
+use crate::method::{Answer, Method, Promise, Time};
+
+/// Root parity in rational arithmetic: the method of [`BrochuRootParity`](super::BrochuRootParity), without its filters and
+/// with the degenerate cases settled, on the input as it is.
+///
+/// It is the reference that B. Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider compare with in *Fast and
+/// Exact Root Parity for Continuous Collision Detection*, Computer Graphics Forum 41(2), 2022. Their code gives up after
+/// eight random rays, says that nothing collides if all points move alike, and splits a flat face into triangles that may
+/// differ from it. Here, one of 49 fixed rays serves for certain, and a flat face covers what its points cover.
+///
+/// # When it fails
+/// It misses an even number of contacts in the inside of the domain, counted with their multiplicity, and nothing else: 2797
+/// of the 4179 colliding pairs of edges in the scene rod-twist. A contact on the boundary, at t = 0 or t = 1, with an edge of
+/// the face or an end of an edge, counts alone. It invents no contact.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct RationalRootParity;
+
+impl Image for Vectors<Relaxed> {
+    fn sign(&self, predicate: Predicate) -> Ordering {
+        predicate.value(self).certain_sign().unwrap_or(Ordering::Equal)
+    }
+
+    fn flat_patch_contains_origin(&self, patch: [usize; 4]) -> bool {
+        fold::contains_origin(patch.map(|corner| &self[corner]))
+    }
+}
+
+/// How many of the directions (1, k, k²) a query can reject.
+///
+/// A direction is rejected if it is in a plane with the origin and two corners of one face: an edge or a diagonal, of which
+/// a hexahedron has 24. A plane through the origin contains two of the directions at most.
+const MOST_REJECTED: u32 = 2 * 24;
+
+fn answer<K: Kind>(query: &Query<K>, domain: &Domain) -> Answer {
+    let collides = (0..=MOST_REJECTED).map(f64::from).find_map(|k| {
+        let image: Vectors<Relaxed> = vectors(&differences(query, domain, [1.0, k, k * k]));
+        cast(&image, domain.faces)
+    });
+    Answer::from_decision(collides.unwrap_or(true))
+}
+
+impl Method for RationalRootParity {
+    fn name(&self) -> &str {
+        "RRP"
+    }
+
+    fn promise(&self) -> Promise {
+        Promise {
+            may_miss: true,
+            may_invent: false,
+            time: Time::Absent,
+        }
+    }
+
+    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
+        answer(query, &PRISM)
+    }
+
+    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
+        answer(query, &HEXAHEDRON)
+    }
+}

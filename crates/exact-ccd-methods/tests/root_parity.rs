@@ -1,0 +1,160 @@
+//! Brochu's root parity, as published and in rational numbers.
+
+#![expect(clippy::unwrap_used, reason = "the cases are finite")]
+
+use exact_ccd::parity::{self, Parity};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd_methods::{Answer, BrochuRootParity, Method, RationalRootParity};
+use proptest::array::{uniform3, uniform4};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+const CASES: u32 = 2000;
+
+type Points = [[Point; 4]; 2];
+
+/// Eight points with coordinates from few numbers, so that points coincide, and faces are flat or in one plane with the
+/// origin, or with coordinates of 53 bits close to these, on axes of different magnitudes.
+fn points(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Points> {
+    let coordinate = (
+        -2..=2i8,
+        prop_oneof![8 => Just(0.0), 1 => -1e-15..1e-15, 1 => -1.0..1.0],
+    )
+        .prop_map(|(x, error)| f64::from(x) + error);
+    let frame = uniform4(uniform3(coordinate));
+    (frame.clone(), frame, uniform3(exponents)).prop_map(|(start, end, exponents)| {
+        let scale = exponents.map(|exponent| 2f64.powi(exponent));
+        [start, end].map(|frame| frame.map(|point| [0, 1, 2].map(|axis: usize| scale[axis] * point[axis])))
+    })
+}
+
+fn query<K: Kind>([start, end]: Points) -> Query<K> {
+    Query::new(start, end).unwrap()
+}
+
+fn both(method: &impl Method, points: Points) -> [Answer; 2] {
+    [
+        method.vertex_face(&query(points)),
+        method.edge_edge(&query(points)),
+    ]
+}
+
+fn parities(points: Points) -> [Parity; 2] {
+    [
+        parity::rational(&query::<VertexFace>(points)),
+        parity::rational(&query::<EdgeEdge>(points)),
+    ]
+}
+
+fn agree(points: Points) -> Result<(), TestCaseError> {
+    let rational = both(&RationalRootParity, points);
+    let published = both(&BrochuRootParity::default(), points);
+    let collisions = parities(points).map(Parity::is_collision);
+    prop_assert_eq!(rational.map(Answer::is_contact), collisions);
+    for (published, collides) in published.into_iter().zip(collisions) {
+        prop_assert!(published.is_contact() || !collides);
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: CASES,
+        failure_persistence: None,
+        rng_seed: RngSeed::Fixed(0),
+        ..ProptestConfig::default()
+    })]
+
+    /// The kernel counts in integers, with code of its own.
+    #[test]
+    fn rational_numbers_tell_the_parity_and_the_published_method_misses_no_odd_one(points in points(0..1)) {
+        agree(points)?;
+    }
+
+    /// Expansions would overflow or underflow, or lose the last bits.
+    #[test]
+    fn any_magnitude(points in points(-1060..1021)) {
+        agree(points)?;
+    }
+
+    #[test]
+    fn rational_numbers_invent_nothing(points in points(0..1)) {
+        let [vertex_face, edge_edge] = both(&RationalRootParity, points);
+        prop_assert!(!vertex_face.is_contact() || query::<VertexFace>(points).collides());
+        prop_assert!(!edge_edge.is_contact() || query::<EdgeEdge>(points).collides());
+    }
+}
+
+/// Contact, as the methods and the kernel say: published, rational, exact.
+fn contacts(query: &Query<VertexFace>) -> [bool; 3] {
+    let published = BrochuRootParity::default().vertex_face(query);
+    let rational = RationalRootParity.vertex_face(query);
+    [published.is_contact(), rational.is_contact(), query.collides()]
+}
+
+/// Edge b slides along edge a, which tilts like a see-saw: they meet where (2t − 1)² = −height.
+fn see_saw(height: f64) -> Query<EdgeEdge> {
+    let b = |x: f64| [[x, -1.0, height], [x, 1.0, height]];
+    let a = |z: f64| [[-1.0, 0.0, z], [1.0, 0.0, -z]];
+    query([[a(-1.0), b(-1.0)], [a(1.0), b(1.0)]].map(|frame| frame.as_flattened().try_into().unwrap()))
+}
+
+#[test]
+fn two_contacts_and_a_double_one_are_missed() {
+    for height in [-0.25, 0.0] {
+        let query = see_saw(height);
+        assert!(query.collides());
+        assert_eq!(BrochuRootParity::default().edge_edge(&query), Answer::Free);
+        assert_eq!(RationalRootParity.edge_edge(&query), Answer::Free);
+    }
+}
+
+/// A vertex comes near to a face, but not quite: the published method rounds what is left.
+#[test]
+fn less_than_the_roundoff_of_a_long_ray_is_nothing() {
+    let face = [[2.0, -1.0, -1.0], [-2.0, 1.0, -1.0], [0.0, 0.0, 1.0]];
+    let falls_to = |distance: f64| {
+        let frame = |p: f64| [[p, 2.0 * p, 0.0], face[0], face[1], face[2]];
+        query([frame(1.0), frame(distance)])
+    };
+    assert_eq!(contacts(&falls_to(1e-17)), [true, false, false]);
+    assert_eq!(contacts(&falls_to(1e-14)), [false, false, false]);
+    assert_eq!(contacts(&falls_to(0.0)), [true; 3]);
+}
+
+/// An edge of the face sweeps an arrowhead in the plane of the vertex, which is in the notch.
+#[test]
+fn the_hull_of_a_flat_face_is_more_than_it_covers() {
+    let frame =
+        |v1: [f64; 2], v2: [f64; 2], p: Point| [p, [v1[0], v1[1], 0.0], [v2[0], v2[1], 0.0], [0.0, 0.0, 5.0]];
+    let with = |p: Point| {
+        query([
+            frame([-3.0, -1.0], [0.0, 1.0], p),
+            frame([0.0, 3.0], [3.0, -1.0], p),
+        ])
+    };
+    assert_eq!(contacts(&with([0.0, 0.0, 0.0])), [true, false, false]);
+    assert_eq!(contacts(&with([0.0, 2.0, 0.0])), [true; 3]);
+}
+
+/// The vertex is level with corners of the face that surround it, and all else is above.
+#[test]
+fn level_edges_around_the_vertex_stop_all_rays() {
+    let top = [0.0, 0.0, 1.0];
+    let with = |p: Point| {
+        query([
+            [p, [-2.0, -2.0, 0.0], top, [-2.0, 2.0, 0.0]],
+            [p, top, [2.0, -2.0, 0.0], [2.0, 2.0, 0.0]],
+        ])
+    };
+    assert_eq!(contacts(&with([0.0, 0.0, 0.0])), [true, false, false]);
+    assert_eq!(contacts(&with([0.0, 0.0, -1.0])), [false, false, false]);
+}
+
+/// Nothing moves, or all moves alike.
+#[test]
+fn contact_at_rest_is_found() {
+    let frame = |z: f64| [[1.0, 1.0, z], [0.0, 0.0, z], [4.0, 0.0, z], [0.0, 4.0, z]];
+    assert_eq!(contacts(&query([frame(0.0), frame(0.0)])), [true; 3]);
+    assert_eq!(contacts(&query([frame(0.0), frame(1.0)])), [true; 3]);
+}

@@ -1,0 +1,114 @@
+//! Triangles and lines into pixels, the nearest to the viewer on top.
+
+use std::ops::Range;
+
+use exact_ccd_mesh::Point;
+
+pub(crate) type Colour = [u8; 3];
+
+/// Pixels, row by row from the top. A point of the picture is where it is, in pixels from the top left corner, and how
+/// near.
+pub(crate) struct Canvas {
+    size: [usize; 2],
+    pub(crate) colours: Vec<Colour>,
+    nearness: Vec<f64>,
+}
+
+impl Canvas {
+    pub(crate) fn new(size: [usize; 2], background: Colour) -> Self {
+        let count = size[0] * size[1];
+        Self {
+            size,
+            colours: vec![background; count],
+            nearness: vec![f64::NEG_INFINITY; count],
+        }
+    }
+
+    fn set(&mut self, x: usize, y: usize, near: f64, colour: Colour) {
+        let index = y * self.size[0] + x;
+        if x < self.size[0] && y < self.size[1] && near > self.nearness[index] {
+            self.nearness[index] = near;
+            self.colours[index] = colour;
+        }
+    }
+
+    /// The pixels along an axis whose middle lies between two places.
+    fn pixels(&self, axis: usize, low: f64, high: f64) -> Range<usize> {
+        // The conversion rounds down, and takes what is out of range to its end.
+        let first = (low + 0.5).max(0.0) as usize;
+        first..((high + 0.5).max(0.0) as usize).min(self.size[axis])
+    }
+
+    /// Fills a triangle: all pixels whose middle lies in it.
+    pub(crate) fn triangle(&mut self, corners: [Point; 3], colour: Colour) {
+        let [a, b, c] = corners;
+        let turn =
+            |p: Point, q: Point, x: f64, y: f64| (q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]);
+        let area = turn(a, b, c[0], c[1]);
+        if !(area.is_finite() && area != 0.0) {
+            return;
+        }
+        let extent = |axis: usize| {
+            let places = corners.map(|p| p[axis]);
+            let low = places.into_iter().fold(f64::INFINITY, f64::min);
+            let high = places.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            self.pixels(axis, low, high)
+        };
+        let (columns, rows) = (extent(0), extent(1));
+        for row in rows {
+            for column in columns.clone() {
+                let (x, y) = (column as f64 + 0.5, row as f64 + 0.5);
+                let weights = [turn(b, c, x, y), turn(c, a, x, y), turn(a, b, x, y)].map(|turn| turn / area);
+                if weights.iter().all(|&weight| weight >= 0.0) {
+                    let near = weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2];
+                    self.set(column, row, near, colour);
+                }
+            }
+        }
+    }
+
+    /// Draws a line of a width in pixels.
+    pub(crate) fn line(&mut self, a: Point, b: Point, width: f64, colour: Colour) {
+        let Some([from, to]) = self.clip(a, b, width) else {
+            return;
+        };
+        let at = |s: f64| [0, 1, 2].map(|axis: usize| (1.0 - s) * a[axis] + s * b[axis]);
+        let [start, end] = [at(from), at(to)];
+        // No more than the picture is large.
+        let steps = (end[0] - start[0]).abs().max((end[1] - start[1]).abs()).ceil();
+        for step in 0..=steps as usize {
+            let s = from + (to - from) * step as f64 / steps.max(1.0);
+            self.dot(at(s), width, colour);
+        }
+    }
+
+    /// Draws a square of a width in pixels.
+    pub(crate) fn dot(&mut self, [x, y, near]: Point, width: f64, colour: Colour) {
+        for row in self.pixels(1, y - 0.5 * width, y + 0.5 * width) {
+            for column in self.pixels(0, x - 0.5 * width, x + 0.5 * width) {
+                self.set(column, row, near, colour);
+            }
+        }
+    }
+
+    /// The part of a line that is in the picture, or no farther from it than `margin`, from 0 at `a` to 1 at `b`.
+    fn clip(&self, a: Point, b: Point, margin: f64) -> Option<[f64; 2]> {
+        let mut part = [0.0, 1.0];
+        for axis in 0..2 {
+            let (low, high) = (-margin, self.size[axis] as f64 + margin);
+            let length = b[axis] - a[axis];
+            if !length.is_finite() {
+                return None;
+            }
+            if length == 0.0 {
+                if !(low..=high).contains(&a[axis]) {
+                    return None;
+                }
+                continue;
+            }
+            let (s, t) = ((low - a[axis]) / length, (high - a[axis]) / length);
+            part = [f64::max(part[0], s.min(t)), f64::min(part[1], s.max(t))];
+        }
+        (part[0] <= part[1]).then_some(part)
+    }
+}

@@ -1,0 +1,92 @@
+//! From space to the picture.
+
+use exact_ccd_mesh::{Bounds, Point};
+
+/// A parallel projection.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Unit vectors to the right, upwards, and towards the viewer.
+    pub(crate) axes: [Point; 3],
+    /// Where the middle of the picture is, along these.
+    middle: Point,
+    /// Pixels per unit of length.
+    scale: f64,
+    /// Width and height in pixels.
+    pub(crate) size: [u16; 2],
+}
+
+impl View {
+    /// How much of the picture the box fills, along the axis on which it fills more.
+    const FILL: f64 = 0.9;
+
+    /// A view in which a box fills a picture of this width and height in pixels, and the z axis points upwards.
+    ///
+    /// `towards` leads from the box towards the viewer. If it is no direction, the view is from above.
+    #[must_use]
+    pub fn of(bounds: &Bounds, towards: Point, size: [u16; 2]) -> Self {
+        Self::upright(bounds, [0.0, 0.0, 1.0], towards, size)
+    }
+
+    /// As [`of`](Self::of), with another direction that points upwards. Who looks along it, or if it is none, has the y axis
+    /// point upwards, or else the z axis.
+    #[must_use]
+    pub fn upright(bounds: &Bounds, up: Point, towards: Point, size: [u16; 2]) -> Self {
+        let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let towards = unit(towards).or_else(|| unit(up)).unwrap_or(z);
+        let right = [unit(up).unwrap_or(y), y, z].map(|up| cross(up, towards));
+        let right = right.into_iter().find_map(unit).unwrap_or([1.0, 0.0, 0.0]);
+        let axes = [right, cross(towards, right), towards];
+        let corners = (0..8).map(|corner| {
+            [0, 1, 2].map(|axis| {
+                let end = if corner >> axis & 1 == 0 {
+                    bounds.lower
+                } else {
+                    bounds.upper
+                };
+                end[axis]
+            })
+        });
+        let seen: Bounds = corners.map(|corner| along(&axes, corner)).collect();
+        let fits = |axis: usize| Self::FILL * f64::from(size[axis]) / (seen.upper[axis] - seen.lower[axis]);
+        let scale = f64::min(fits(0), fits(1));
+        Self {
+            axes,
+            middle: [0, 1, 2].map(|axis| 0.5 * seen.lower[axis] + 0.5 * seen.upper[axis]),
+            scale: if scale.is_finite() { scale } else { 1.0 },
+            size,
+        }
+    }
+
+    /// Where a point is in the picture: pixels from the left, pixels from the top, and how near to the viewer, in pixels.
+    pub(crate) fn project(&self, point: Point) -> Point {
+        let place = along(&self.axes, point);
+        let [x, y, z] = [0, 1, 2].map(|axis: usize| self.scale * (place[axis] - self.middle[axis]));
+        let [width, height] = self.size.map(f64::from);
+        [0.5 * width + x, 0.5 * height - y, z]
+    }
+}
+
+fn along(axes: &[Point; 3], point: Point) -> Point {
+    axes.map(|axis| dot(axis, point))
+}
+
+pub(crate) fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(crate) fn cross(a: Point, b: Point) -> Point {
+    [[1, 2], [2, 0], [0, 1]].map(|[i, j]: [usize; 2]| a[i] * b[j] - a[j] * b[i])
+}
+
+pub(crate) fn minus(a: Point, b: Point) -> Point {
+    [0, 1, 2].map(|axis: usize| a[axis] - b[axis])
+}
+
+/// The direction of a vector, unless it is zero or out of range.
+pub(crate) fn unit(vector: Point) -> Option<Point> {
+    let largest = vector.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let scaled = vector.map(|x| x / largest);
+    let length = dot(scaled, scaled).sqrt();
+    let unit = scaled.map(|x| x / length);
+    unit.iter().all(|x| x.is_finite()).then_some(unit)
+}

@@ -1,0 +1,235 @@
+//! What a picture shows, and that files hold it.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use std::collections::HashSet;
+use std::io::{Cursor, ErrorKind};
+
+use exact_ccd_mesh::{Bounds, Frame, Pair, Point};
+use exact_ccd_render::{Animation, Marks, Picture, View, render, write_apng};
+use proptest::prelude::*;
+
+const ABOVE: Point = [0.0, 0.0, 1.0];
+const WHITE: [u8; 3] = [255; 3];
+
+fn square(low: f64, high: f64, z: f64) -> [Point; 4] {
+    [[low, low, z], [high, low, z], [high, high, z], [low, high, z]]
+}
+
+fn squares(squares: &[[Point; 4]]) -> Frame {
+    let corners = (0..squares.len() as u32).map(|index| 4 * index);
+    let faces = corners
+        .flat_map(|a| [[a, a + 1, a + 2], [a, a + 2, a + 3]])
+        .collect();
+    Frame::new(squares.concat(), faces).unwrap()
+}
+
+/// The box from which 100 pixels show ten units.
+fn ten_units() -> Bounds {
+    [[0.5, 0.5, 0.0], [9.5, 9.5, 1.0]].into_iter().collect()
+}
+
+fn pixel(picture: &Picture, x: usize, y: usize) -> [u8; 3] {
+    picture.pixels()[y * usize::from(picture.size()[0]) + x]
+}
+
+#[test]
+fn a_square_covers_its_area_where_it_is() {
+    let view = View::of(&ten_units(), ABOVE, [100, 100]);
+    let picture = render(&squares(&[square(2.0, 7.0, 0.0)]), &view, &Marks::default());
+    for y in 0..100 {
+        for x in 0..100 {
+            // y points upwards in the plane, and rows count from the top. Edges may reach one pixel farther.
+            let inside =
+                |low: usize, high: usize| (low..high).contains(&x) && (low..high).contains(&(99 - y));
+            if inside(21, 69) {
+                assert_ne!(pixel(&picture, x, y), WHITE, "{x}, {y}");
+            } else if !inside(19, 71) {
+                assert_eq!(pixel(&picture, x, y), WHITE, "{x}, {y}");
+            }
+        }
+    }
+}
+
+#[test]
+fn connected_parts_have_colours_of_their_own() {
+    let view = View::of(&ten_units(), ABOVE, [100, 100]);
+    let two = squares(&[square(1.0, 4.0, 0.0), square(6.0, 9.0, 0.0)]);
+    let picture = render(&two, &view, &Marks::default());
+    // Off the diagonals, where edges are.
+    let [a, b] = [pixel(&picture, 20, 70), pixel(&picture, 70, 20)];
+    assert!(a != WHITE && b != WHITE && a != b);
+    let mut faces = two.mesh.faces().to_vec();
+    faces.push([2, 4, 4]);
+    let joined = Frame::new(two.positions.clone(), faces).unwrap();
+    let picture = render(&joined, &view, &Marks::default());
+    assert_eq!([pixel(&picture, 20, 70), pixel(&picture, 70, 20)], [a, a]);
+}
+
+#[test]
+fn edges_too_short_to_be_told_apart_are_not_drawn() {
+    let cells = |count: u32| {
+        let places = (0..count * count).map(|cell| [cell % count, cell / count].map(f64::from));
+        let size = 9.0 / f64::from(count);
+        let cell = |[x, y]: [f64; 2]| {
+            square(0.0, size, 0.0).map(|[u, v, z]| [0.5 + size * x + u, 0.5 + size * y + v, z])
+        };
+        let view = View::of(&ten_units(), ABOVE, [100, 100]);
+        let mut joined = squares(&places.map(cell).collect::<Vec<_>>());
+        // All of one part, by faces without area.
+        let mut faces = joined.mesh.faces().to_vec();
+        faces.extend((1..count * count).map(|cell| [4 * (cell - 1), 4 * cell, 4 * cell]));
+        joined = Frame::new(joined.positions, faces).unwrap();
+        render(&joined, &view, &Marks::default())
+    };
+    let colours = |picture: &Picture| {
+        picture.pixels()[50 * 100 + 20..50 * 100 + 80]
+            .iter()
+            .collect::<HashSet<_>>()
+            .len()
+    };
+    assert!(colours(&cells(4)) > 1);
+    assert_eq!(colours(&cells(45)), 1);
+}
+
+#[test]
+fn what_is_nearer_hides_what_is_behind() {
+    let (low, high) = (square(2.0, 7.0, 0.0), square(3.0, 6.0, 1.0));
+    let marks = Marks {
+        faces: vec![0, 1],
+        ..Marks::default()
+    };
+    let is_red = |picture: &Picture| {
+        let [red, green, _] = pixel(picture, 55, 50);
+        red / 2 > green
+    };
+    for (towards, low_is_hidden) in [(ABOVE, true), ([0.0, 0.0, -1.0], false)] {
+        let view = View::of(&ten_units(), towards, [100, 100]);
+        // From below, left and right are exchanged: the middle stays where it is.
+        assert_eq!(
+            is_red(&render(&squares(&[low, high]), &view, &marks)),
+            !low_is_hidden
+        );
+        assert_eq!(
+            is_red(&render(&squares(&[high, low]), &view, &marks)),
+            low_is_hidden
+        );
+    }
+}
+
+#[test]
+fn the_vertical_axis_points_upwards() {
+    let (y, z) = ([5.0, 6.0, 0.0], [5.0, 5.0, 1.0]);
+    let pole = Frame::new(vec![[5.0, 5.0, 0.0], y, z], vec![[0, 1, 2]]).unwrap();
+    let row = |view: &View, vertex: u32| {
+        let marks = Marks {
+            vertices: vec![vertex],
+            ..Marks::default()
+        };
+        let picture = render(&pole, view, &marks);
+        let red = (0..10_000).filter(|&i| picture.pixels()[i][0] > 200 && picture.pixels()[i][1] < 60);
+        let rows: Vec<usize> = red.map(|i| i / 100).collect();
+        rows.iter().sum::<usize>() / rows.len()
+    };
+    let upright = |up| View::upright(&ten_units(), up, [0.3, 0.4, 1.0], [100, 100]);
+    for (view, upper) in [
+        (View::of(&ten_units(), [0.3, -1.0, 0.2], [100, 100]), 2),
+        (upright([0.0, 9.8, 0.0]), 1),
+        (upright([0.0; 3]), 1),
+    ] {
+        assert!(row(&view, upper) < row(&view, 0), "{view:?}");
+    }
+    let view = upright([0.0, -1.0, 0.0]);
+    assert!(row(&view, 1) > row(&view, 0));
+}
+
+#[test]
+fn marks_of_a_pair_are_its_primitives() {
+    let mesh = squares(&[square(0.0, 1.0, 0.0)]).mesh;
+    let edges = Marks::pair(&mesh, Pair::EdgeEdge { a: 0, b: 99 });
+    assert_eq!((edges.edges, edges.faces), (vec![mesh.edges()[0]], vec![]));
+    let face = Marks::pair(&mesh, Pair::VertexFace { vertex: 3, face: 1 });
+    assert_eq!(
+        (face.vertices, face.faces, face.edges),
+        (vec![3], vec![1], vec![])
+    );
+}
+
+/// The pictures in a file: one, or those of an animation.
+fn decode(file: Vec<u8>) -> Vec<Vec<u8>> {
+    let mut reader = png::Decoder::new(Cursor::new(file)).read_info().unwrap();
+    let count = reader
+        .info()
+        .animation_control()
+        .map_or(1, |control| control.num_frames);
+    let mut buffer = vec![0; reader.output_buffer_size().unwrap()];
+    let next = |_| {
+        let info = reader.next_frame(&mut buffer).unwrap();
+        buffer[..info.buffer_size()].to_vec()
+    };
+    (0..count).map(next).collect()
+}
+
+#[test]
+fn files_hold_every_pixel() {
+    let view = View::of(&ten_units(), [1.0, 2.0, 3.0], [40, 30]);
+    let picture = |high| render(&squares(&[square(2.0, high, 0.0)]), &view, &Marks::default());
+    let pictures = [picture(5.0), picture(6.0), picture(7.0)];
+    assert_ne!(pictures[0], pictures[1]);
+    let bytes = |picture: &Picture| picture.pixels().as_flattened().to_vec();
+
+    let mut file = Vec::new();
+    pictures[1].write_png(&mut file).unwrap();
+    assert_eq!(decode(file), [bytes(&pictures[1])]);
+
+    let mut file = Vec::new();
+    write_apng(&mut file, &pictures, 40).unwrap();
+    assert_eq!(decode(file), pictures.each_ref().map(bytes));
+}
+
+#[test]
+fn pictures_that_make_no_file_are_errors() {
+    let of = |size| {
+        render(
+            &squares(&[]),
+            &View::of(&ten_units(), ABOVE, size),
+            &Marks::default(),
+        )
+    };
+    let error = |pictures: &[Picture]| write_apng(Vec::new(), pictures, 1).unwrap_err().kind();
+    assert_eq!(error(&[]), ErrorKind::InvalidInput);
+    assert_eq!(error(&[of([0, 5])]), ErrorKind::InvalidInput);
+    assert_eq!(error(&[of([5, 5]), of([5, 6])]), ErrorKind::InvalidInput);
+
+    let mut animation = Animation::new(Vec::new(), [5, 5], 2, 1).unwrap();
+    animation.add(&of([5, 5])).unwrap();
+    assert_eq!(animation.finish().unwrap_err().kind(), ErrorKind::InvalidInput);
+    let mut animation = Animation::new(Vec::new(), [5, 5], 1, 1).unwrap();
+    animation.add(&of([5, 5])).unwrap();
+    assert_eq!(
+        animation.add(&of([5, 5])).unwrap_err().kind(),
+        ErrorKind::InvalidInput
+    );
+}
+
+proptest! {
+    /// Far away, out of range, flat, or without any extent.
+    #[test]
+    fn anything_has_a_picture(
+        positions in prop::collection::vec(prop::array::uniform3(prop_oneof![
+            any::<f64>().prop_filter("finite", |x| x.is_finite()), (-2..=2i8).prop_map(f64::from), -1e6..1e6]), 1..9),
+        faces in prop::collection::vec(prop::array::uniform3(any::<u32>()), 0..9),
+        towards in prop::array::uniform3(any::<f64>()),
+        size in prop::array::uniform2(0..40_u16),
+        marked in any::<u32>(),
+        own_view in any::<bool>(),
+    ) {
+        let count = positions.len() as u32;
+        let faces = faces.into_iter().map(|face| face.map(|k| k % count)).collect();
+        let frame = Frame::new(positions, faces).unwrap();
+        let bounds = if own_view { frame.bounds() } else { ten_units() };
+        let marks = Marks { vertices: vec![marked, 0], edges: vec![[0, marked], [0, count - 1]], faces: vec![marked] };
+        let picture = render(&frame, &View::of(&bounds, towards, size), &marks);
+        prop_assert_eq!(picture.pixels().len(), usize::from(size[0]) * usize::from(size[1]));
+    }
+}

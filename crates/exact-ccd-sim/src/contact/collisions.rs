@@ -1,0 +1,139 @@
+//! The set of all collisions.
+
+use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::barrier::Barrier;
+use super::collision::Collision;
+use super::pairs::Pairs;
+use super::surface::Surface;
+use crate::distance::{Mollifier, edge_edge, point_triangle};
+use crate::gather::{gather, gather_some};
+
+/// What is within reach of the barrier, at one configuration.
+#[derive(Clone, Debug)]
+pub struct Collisions {
+    barrier: Barrier,
+    collisions: Vec<Collision>,
+    minimum: f64,
+}
+
+impl Collisions {
+    /// The collisions among some pairs, with the vertices at `points`. `rest` tells how long edges are at rest.
+    ///
+    /// # Panics
+    /// If a vertex of a pair has no position.
+    #[must_use]
+    pub fn new(surface: &Surface, pairs: &Pairs, points: &[Point], rest: &[Point], barrier: Barrier) -> Self {
+        let distance = barrier.reach().sqrt();
+        let faces = pairs.vertex_face.par_iter().filter_map(|&pair| {
+            let vertices = surface.vertex_face(pair);
+            let corners = gather(points, &vertices);
+            if are_apart(&corners[..1], &corners[1..], distance) {
+                return None;
+            }
+            let feature = point_triangle(&corners);
+            let squared = feature.separation(&corners).squared();
+            (squared < barrier.reach()).then(|| (squared, Collision::new(vertices, feature)))
+        });
+        let edges = pairs.edge_edge.par_iter().filter_map(|&pair| {
+            let vertices = surface.edge_edge(pair);
+            let corners = gather(points, &vertices);
+            if are_apart(&corners[..2], &corners[2..], distance) {
+                return None;
+            }
+            let feature = edge_edge(&corners);
+            let squared = feature.separation(&corners).squared();
+            (squared < barrier.reach()).then(|| {
+                let [a, b, c, d] = gather(rest, &vertices);
+                let mollifier = Mollifier::new([(b - a).norm_squared(), (d - c).norm_squared()]);
+                let collision = if mollifier.is_active(&corners) {
+                    Collision::mollified(vertices, feature, mollifier)
+                } else {
+                    Collision::new(vertices, feature)
+                };
+                (squared, collision)
+            })
+        });
+        let mut all: Vec<(f64, Collision)> = faces.collect();
+        all.par_extend(edges);
+
+        let minimum = all
+            .iter()
+            .fold(f64::INFINITY, |least, (squared, _)| least.min(*squared));
+        let mut collisions: Vec<Collision> = all.into_iter().map(|(_, collision)| collision).collect();
+        // Stable, and so in an order that does not depend on threads.
+        collisions.sort_by(|a, b| a.vertices().cmp(b.vertices()));
+        collisions.dedup_by(|next, kept| {
+            let same = next.is_same(kept);
+            if same {
+                kept.merge(next);
+            }
+            same
+        });
+        Self {
+            barrier,
+            collisions,
+            minimum: minimum.sqrt(),
+        }
+    }
+
+    /// The collisions, each once, sorted by their vertices.
+    #[must_use]
+    pub fn as_slice(&self) -> &[Collision] {
+        &self.collisions
+    }
+
+    /// The least distance, in m; infinite if there is no collision.
+    #[must_use]
+    pub fn minimal_distance(&self) -> f64 {
+        self.minimum
+    }
+
+    /// The sum of the barriers, in m⁴.
+    #[must_use]
+    pub fn value(&self, points: &[Point]) -> f64 {
+        let values: Vec<f64> = self
+            .collisions
+            .par_iter()
+            .map(|collision| collision.value(&gather_some(points, collision.vertices()), &self.barrier))
+            .collect();
+        values.iter().sum()
+    }
+
+    /// The gradient of the sum of the barriers, one row for each vertex.
+    #[must_use]
+    pub fn gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
+        let mut gradient = vec![Vector3::zeros(); points.len()];
+        for collision in &self.collisions {
+            let forces = collision.gradient(&gather_some(points, collision.vertices()), &self.barrier);
+            for (place, &vertex) in collision.vertices().iter().enumerate() {
+                gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place);
+            }
+        }
+        gradient
+    }
+
+    /// The barrier.
+    #[must_use]
+    pub fn barrier(&self) -> &Barrier {
+        &self.barrier
+    }
+}
+
+/// Whether the boxes around some points and others are farther apart along an axis than a distance. Most pairs are.
+#[inline]
+fn are_apart(a: &[Vector3<f64>], b: &[Vector3<f64>], distance: f64) -> bool {
+    (0..3).any(|axis| {
+        let range = |points: &[Vector3<f64>]| {
+            points
+                .iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(lower, upper), point| {
+                    (lower.min(point[axis]), upper.max(point[axis]))
+                })
+        };
+        let ((a_lower, a_upper), (b_lower, b_upper)) = (range(a), range(b));
+        b_lower - a_upper > distance || a_lower - b_upper > distance
+    })
+}

@@ -1,0 +1,75 @@
+//! Meshes, from files and of shapes.
+
+use std::path::Path;
+
+use exact_ccd_mesh::{Format, Frame, Point, TetMesh};
+
+use super::description::Shape;
+use crate::body::{Body, BodyKind};
+use crate::shapes;
+
+/// What there is of a mesh.
+pub(super) struct Mesh {
+    pub(super) points: Vec<Point>,
+    pub(super) faces: Vec<[u32; 3]>,
+    pub(super) tetrahedra: Vec<[u32; 4]>,
+}
+
+impl Mesh {
+    /// The mesh in a file.
+    pub(super) fn read(path: &Path) -> Result<Self, String> {
+        if Format::of_path(path) == Some(Format::Msh) {
+            let mesh = TetMesh::read(path).map_err(|error| error.to_string())?;
+            return Ok(Self {
+                points: mesh.positions().to_vec(),
+                faces: mesh.surface().to_vec(),
+                tetrahedra: mesh.tetrahedra().to_vec(),
+            });
+        }
+        let frame = Frame::read(path).map_err(|error| error.to_string())?;
+        Ok(Self {
+            faces: frame.mesh.faces().to_vec(),
+            points: frame.positions,
+            tetrahedra: Vec::new(),
+        })
+    }
+
+    /// The mesh of a shape.
+    pub(super) fn generate(shape: Shape) -> Result<Self, String> {
+        let (cells, lengths): (u64, &[f64]) = match &shape {
+            Shape::Box { cells, size } => (cells.map(u64::from).iter().product(), size),
+            Shape::Grid { cells, size } => (cells.map(u64::from).iter().product(), size),
+            Shape::Sphere { radius, .. } => (1, std::slice::from_ref(radius)),
+        };
+        if !(1..=shapes::MOST_CELLS).contains(&cells) {
+            let most = shapes::MOST_CELLS;
+            return Err(format!("{cells} cells, expected 1 at least and {most} at most"));
+        }
+        let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
+        if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
+            return Err(format!("a length of {length} m, expected a positive number"));
+        }
+        let Body { points, kind, .. } = match shape {
+            Shape::Box { cells, size } => shapes::solid_box(cells, size),
+            Shape::Grid { cells, size } => shapes::cloth(cells, size),
+            Shape::Sphere { subdivisions, .. } if subdivisions > shapes::FINEST_SPHERE => {
+                let finest = shapes::FINEST_SPHERE;
+                return Err(format!("{subdivisions} subdivisions, expected at most {finest}"));
+            }
+            Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
+        };
+        let (faces, tetrahedra) = match kind {
+            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => (faces, Vec::new()),
+            BodyKind::Solid { tetrahedra, .. } => {
+                let mesh = TetMesh::new(points.clone(), tetrahedra.clone());
+                let mesh = mesh.map_err(|error| error.to_string())?;
+                (mesh.surface().to_vec(), tetrahedra)
+            }
+        };
+        Ok(Self {
+            points,
+            faces,
+            tetrahedra,
+        })
+    }
+}

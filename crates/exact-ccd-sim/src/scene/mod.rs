@@ -1,0 +1,37 @@
+//! Scenes as TOML files.
+//!
+//! ```
+//! use std::path::Path;
+//! use exact_ccd_sim::scene::Scene;
+//!
+//! let text = r#"
+//!     duration = 0.5
+//!
+//!     [settings]
+//!     time-step = 0.02
+//!     contact-distance = { absolute = 1e-3 }
+//!     ccd = "exact"
+//!
+//!     [[body]]
+//!     shape = { box = { cells = [1, 1, 1], size = [0.5, 0.5, 0.5] } }
+//!     solid = { density = 1000.0, young = 1e6, poisson = 0.4 }
+//!     translate = [0.2, 0.1, 0.2]
+//!
+//!     [[body]] # Without a material, an obstacle.
+//!     shape = { grid = { cells = [1, 1], size = [1.0, 1.0] } }
+//! "#;
+//! let scene = Scene::parse(text, Path::new("fall.toml"), None)?;
+//! assert_eq!(scene.steps, 25);
+//! let mut simulation = scene.simulation()?;
+//! simulation.step()?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod description;
+mod document;
+mod load;
+mod mesh;
+mod placement;
+
+pub use document::SceneError;
+pub use load::Scene;

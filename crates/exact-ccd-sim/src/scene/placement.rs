@@ -1,0 +1,71 @@
+//! From the coordinates of a mesh file to those of the scene.
+
+use exact_ccd_mesh::Point;
+use nalgebra::{Rotation3, Unit, Vector3};
+use serde::Deserialize;
+
+use super::description::BodyDescription;
+
+/// A factor for all axes, or one for each.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "expected a number or three")]
+pub(super) enum Scale {
+    /// For all axes.
+    Uniform(f64),
+    /// For x, y and z.
+    Axes(Point),
+}
+
+impl Scale {
+    pub(super) fn factors(self) -> Point {
+        match self {
+            Self::Uniform(factor) => [factor; 3],
+            Self::Axes(factors) => factors,
+        }
+    }
+
+    /// Whether every factor is finite and not zero.
+    pub(super) fn is_sound(self) -> bool {
+        self.factors().iter().all(|factor| factor.is_normal())
+    }
+}
+
+impl Default for Scale {
+    fn default() -> Self {
+        Self::Uniform(1.0)
+    }
+}
+
+/// A rotation about an axis through the origin.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct Rotation {
+    /// The direction of the axis.
+    pub(super) axis: Point,
+    /// The angle, counterclockwise seen against the axis.
+    pub(super) degrees: f64,
+}
+
+impl Rotation {
+    /// Whether the axis has a direction.
+    pub(super) fn has_axis(&self) -> bool {
+        Vector3::from(self.axis).norm().is_normal()
+    }
+}
+
+impl BodyDescription {
+    /// Where a point of the mesh is in the scene.
+    #[must_use]
+    pub(super) fn place(&self, point: Point) -> Point {
+        let scaled = Vector3::from(point).component_mul(&Vector3::from(self.scale.factors()));
+        let axis = self.rotate.and_then(|rotation| {
+            let axis = Unit::try_new(Vector3::from(rotation.axis), 0.0)?;
+            Some((axis, rotation.degrees.to_radians()))
+        });
+        let rotated = match axis {
+            None => scaled,
+            Some((axis, angle)) => Rotation3::from_axis_angle(&axis, angle) * scaled,
+        };
+        (rotated + Vector3::from(self.translate)).into()
+    }
+}

@@ -1,0 +1,196 @@
+//! Bodies that need no file.
+
+use std::collections::BTreeMap;
+
+use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
+
+use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
+use crate::elasticity::SolidMaterial;
+
+/// Rubber-like: 1000 kg/m³, E = 1 MPa, ν = 0.4, neo-Hookean.
+pub const RUBBER: SolidProperties = SolidProperties {
+    density: 1000.0,
+    young: 1e6,
+    poisson: 0.4,
+    energy: SolidMaterial::NeoHookean,
+};
+
+/// Cloth-like: 300 kg/m³, E = 100 kPa, ν = 0.3, 1 mm thick.
+pub const CLOTH: ShellProperties = ShellProperties {
+    density: 300.0,
+    young: 1e5,
+    poisson: 0.3,
+    thickness: 1e-3,
+};
+
+/// A box of [`RUBBER`] with a corner at the origin, of `cells` cubes along the axes, each cut into six tetrahedra.
+#[must_use]
+pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
+    let [nx, ny, nz] = cells.map(|n| u32::from(n.max(1)));
+    let index = |[i, j, k]: [u32; 3]| i + (nx + 1) * (j + (ny + 1) * k);
+    let mut points = Vec::new();
+    for k in 0..=nz {
+        for j in 0..=ny {
+            for i in 0..=nx {
+                let share = |n: u32, of: u32| f64::from(n) / f64::from(of);
+                points.push([
+                    size[0] * share(i, nx),
+                    size[1] * share(j, ny),
+                    size[2] * share(k, nz),
+                ]);
+            }
+        }
+    }
+    // The six paths along the edges from one corner of a cube to the opposite one.
+    const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let mut tetrahedra = Vec::new();
+    for k in 0..nz {
+        for j in 0..ny {
+            for i in 0..nx {
+                for order in ORDERS {
+                    let mut corner = [i, j, k];
+                    let mut tetrahedron = [index(corner); 4];
+                    for (place, axis) in order.into_iter().enumerate() {
+                        corner[axis] += 1;
+                        tetrahedron[place + 1] = index(corner);
+                    }
+                    tetrahedra.push(tetrahedron);
+                }
+            }
+        }
+    }
+    Body {
+        points,
+        kind: BodyKind::Solid {
+            tetrahedra,
+            material: RUBBER,
+        },
+        velocity: [0.0; 3],
+    }
+}
+
+/// A rectangle of [`CLOTH`] in the plane y = 0 with a corner at the origin, of `cells` rectangles along x and z, each cut into two
+/// triangles, in turn along either diagonal.
+#[must_use]
+pub fn cloth(cells: [u16; 2], size: [f64; 2]) -> Body {
+    let (points, faces) = grid(cells, size);
+    let material = CLOTH;
+    Body {
+        points,
+        kind: BodyKind::Shell { faces, material },
+        velocity: [0.0; 3],
+    }
+}
+
+/// A rectangle as [`cloth`] that does not move.
+#[must_use]
+pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
+    let (points, faces) = grid(cells, size);
+    Body {
+        points,
+        kind: BodyKind::Obstacle { faces },
+        velocity: [0.0; 3],
+    }
+}
+
+/// How many cells a [`solid_box`], a [`cloth`] or a [`floor`] of a scene file has at most.
+pub const MOST_CELLS: u64 = 1 << 20;
+
+/// How often [`sphere`] subdivides at most: 20 · 4⁶ triangles.
+pub const FINEST_SPHERE: u8 = 6;
+
+/// A sphere about the origin that does not move: an icosahedron whose triangles are cut into four so many times, at most
+/// [`FINEST_SPHERE`], each time with the new vertices on the sphere. Its normals point outward.
+#[must_use]
+pub fn sphere(subdivisions: u8, radius: f64) -> Body {
+    // Three rectangles in the golden ratio, across the axes.
+    let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
+    let mut points = Vec::new();
+    for axis in 0..3 {
+        for (long, short) in [(golden, 1.0), (golden, -1.0), (-golden, 1.0), (-golden, -1.0)] {
+            let mut point = Vector3::zeros();
+            (point[axis], point[(axis + 1) % 3]) = (short, long);
+            points.push(point.normalize());
+        }
+    }
+    // The triangles are those of three vertices that are neighbours: 2 apart, before they came onto the sphere.
+    let near = 2.1 / (1.0 + golden * golden).sqrt();
+    let are_near = |a: usize, b: usize| (points[a] - points[b]).norm() < near;
+    let mut faces = Vec::new();
+    for a in 0..12 {
+        for b in a + 1..12 {
+            for c in b + 1..12 {
+                if are_near(a, b) && are_near(b, c) && are_near(c, a) {
+                    let outward = (points[b] - points[a])
+                        .cross(&(points[c] - points[a]))
+                        .dot(&points[a]);
+                    let face = [a, b, c].map(|vertex| vertex as u32);
+                    faces.push(if outward > 0.0 {
+                        face
+                    } else {
+                        [face[0], face[2], face[1]]
+                    });
+                }
+            }
+        }
+    }
+    for _ in 0..subdivisions.min(FINEST_SPHERE) {
+        let mut middles = BTreeMap::new();
+        let mut middle = |a: u32, b: u32| {
+            *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                points.push((points[a as usize] + points[b as usize]).normalize());
+                points.len() as u32 - 1
+            })
+        };
+        faces = faces
+            .into_iter()
+            .flat_map(|[a, b, c]| {
+                let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];
+                [[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]
+            })
+            .collect();
+    }
+    Body {
+        points: points.into_iter().map(|point| (point * radius).into()).collect(),
+        kind: BodyKind::Obstacle { faces },
+        velocity: [0.0; 3],
+    }
+}
+
+fn grid(cells: [u16; 2], size: [f64; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
+    let [nx, nz] = cells.map(|n| u32::from(n.max(1)));
+    let index = |i: u32, k: u32| i + (nx + 1) * k;
+    let mut points = Vec::new();
+    for k in 0..=nz {
+        for i in 0..=nx {
+            points.push([
+                size[0] * f64::from(i) / f64::from(nx),
+                0.0,
+                size[1] * f64::from(k) / f64::from(nz),
+            ]);
+        }
+    }
+    let mut faces = Vec::new();
+    for k in 0..nz {
+        for i in 0..nx {
+            let (a, b, c, d) = (index(i, k), index(i + 1, k), index(i + 1, k + 1), index(i, k + 1));
+            // Seen from above counterclockwise: x, then −z.
+            if (i + k) % 2 == 0 {
+                faces.extend([[a, c, b], [a, d, c]]);
+            } else {
+                faces.extend([[a, d, b], [b, d, c]]);
+            }
+        }
+    }
+    (points, faces)
+}
+
+impl Body {
+    /// The body with all points moved by a function.
+    #[must_use]
+    pub fn placed(mut self, map: impl FnMut(Point) -> Point) -> Self {
+        self.points = self.points.into_iter().map(map).collect();
+        self
+    }
+}

@@ -1,0 +1,198 @@
+//! A simulation, step by step.
+
+mod error;
+mod start;
+mod step;
+
+use std::fmt;
+
+use exact_ccd_mesh::{Bounds, Point};
+
+use crate::checkpoint::Checkpoint;
+use crate::contact::{Barrier, StiffnessRange};
+use crate::filter::{self, StepFilter};
+use crate::settings::{SettingError, Settings};
+use crate::solver::LinearSolver;
+use crate::state::State;
+use crate::system::{Fingerprint, System};
+
+pub use error::SimulationError;
+pub use start::Primitive;
+
+/// A system that moves under elasticity, gravity, contact and friction.
+///
+/// ```
+/// use exact_ccd_sim::{Body, Settings, Simulation, System, shapes};
+///
+/// let cube = shapes::solid_box([1, 1, 1], [1.0; 3]);
+/// let system = System::new(&[cube], &[])?;
+/// let mut simulation = Simulation::new(system, Settings::default())?;
+/// let statistics = simulation.step()?;
+/// assert!(statistics.energies.kinetic > 0.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Simulation {
+    system: System,
+    settings: Settings,
+    filter: Box<dyn StepFilter>,
+    barrier: Barrier,
+    solver: LinearSolver,
+    state: State,
+    fingerprint: Fingerprint,
+}
+
+/// How much larger than the scene at its start the box is in which [`filter::Parity`] expects it to stay.
+const ROOM: f64 = 4.0;
+
+impl Simulation {
+    /// The simulation of a system from its start.
+    ///
+    /// # Errors
+    /// [`SimulationError`] names the setting that is out of range, or two parts that intersect or touch at the start. A body that
+    /// is wholly inside of another one meets nothing: that is not told, and it can never come out.
+    pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
+        let state = State {
+            step: 0,
+            positions: system.start.clone(),
+            velocities: system.velocities.clone(),
+            earlier: None,
+            stiffness: None,
+        };
+        Self::resume(system, settings, state)
+    }
+
+    /// The simulation of a system from a state in which it was.
+    ///
+    /// # Errors
+    /// [`SimulationError`] names the setting that is out of range, what of the state does not fit the system, or what
+    /// meets in it: as in [`Simulation::new`].
+    pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
+        settings.check(system.size())?;
+        if state.step >= 1 << f64::MANTISSA_DIGITS {
+            return Err(SimulationError::Late { step: state.step });
+        }
+        let expected = system.start.len();
+        let fits = |what, found| {
+            (found == expected).then_some(()).ok_or(SimulationError::State {
+                what,
+                found,
+                expected,
+            })
+        };
+        fits("positions", state.positions.len())?;
+        fits("velocities", state.velocities.len())?;
+        if let Some(earlier) = &state.earlier {
+            fits("earlier positions", earlier.positions.len())?;
+            fits("earlier velocities", earlier.velocities.len())?;
+        }
+        let is_finite = |points: &[Point]| points.as_flattened().iter().all(|x| x.is_finite());
+        let finite = |what, points: &[Point]| {
+            is_finite(points)
+                .then_some(())
+                .ok_or(SimulationError::NotFinite { what })
+        };
+        finite("positions", &state.positions)?;
+        finite("velocities", &state.velocities)?;
+        if let Some(earlier) = &state.earlier {
+            finite("earlier positions", &earlier.positions)?;
+            finite("earlier velocities", &earlier.velocities)?;
+        }
+        if !state
+            .stiffness
+            .is_none_or(|stiffness| stiffness >= 0.0 && stiffness.is_finite())
+        {
+            return Err(SimulationError::NotFinite { what: "stiffness" });
+        }
+        start::check(&system, &state)?;
+        let filter = filter::by_name(&settings.ccd, room(&system))?;
+        let distance = settings.contact_distance.meters(system.size());
+        let barrier = Barrier::new(distance);
+        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_sound() {
+            return Err(SettingError {
+                what: "contact-distance",
+                value: distance,
+                expected: "a length with which, and with the masses that there are, the barrier's stiffness is positive and finite",
+            }
+            .into());
+        }
+        Ok(Self {
+            fingerprint: system.fingerprint(),
+            system,
+            settings,
+            filter,
+            barrier,
+            solver: LinearSolver::default(),
+            state,
+        })
+    }
+
+    /// The same, with another method of continuous collision detection, whose name is then that of its settings and
+    /// checkpoints. If [`filter::by_name`] does not know the name, [`Checkpoint::resume`] refuses it: give its state to
+    /// [`Simulation::resume`], and the filter to this again.
+    #[must_use]
+    pub fn with_filter(mut self, filter: Box<dyn StepFilter>) -> Self {
+        self.settings.ccd = filter.name().to_owned();
+        self.filter = filter;
+        self
+    }
+
+    /// The same, with its filter inside of another one, which may observe what it is asked.
+    #[must_use]
+    pub fn map_filter(mut self, wrap: impl FnOnce(Box<dyn StepFilter>) -> Box<dyn StepFilter>) -> Self {
+        self.filter = wrap(self.filter);
+        self
+    }
+
+    /// The system.
+    #[must_use]
+    pub fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// The settings.
+    #[must_use]
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// Where the simulation is: all that [`Simulation::resume`] needs to go on.
+    #[must_use]
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Where the simulation is, and of what: all that [`Checkpoint::resume`] needs, and checks.
+    #[must_use]
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint {
+            settings: self.settings.clone(),
+            system: self.fingerprint.clone(),
+            state: self.state.clone(),
+        }
+    }
+
+    /// The time in the simulation, in s.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.state.step as f64 * self.settings.time_step
+    }
+}
+
+impl fmt::Debug for Simulation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Simulation")
+            .field("settings", &self.settings)
+            .field("filter", &self.filter.name())
+            .field("state", &self.state)
+            .finish_non_exhaustive()
+    }
+}
+
+fn room(system: &System) -> Bounds {
+    let bounds: Bounds = system.start.iter().copied().collect();
+    let margin = 0.5 * (ROOM - 1.0) * system.size();
+    Bounds {
+        lower: bounds.lower.map(|x| x - margin),
+        upper: bounds.upper.map(|x| x + margin),
+    }
+}

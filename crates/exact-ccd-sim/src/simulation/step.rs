@@ -1,0 +1,220 @@
+//! One time step.
+
+use std::time::Instant;
+
+use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
+
+use super::{Simulation, SimulationError};
+use crate::contact::{Collision, Collisions, Pairs, StiffnessRange};
+use crate::drive::Drive;
+use crate::friction::{FrictionContact, Smoothing};
+use crate::gather::gather_some;
+use crate::integrator::Scheme;
+use crate::settings::Settings;
+use crate::solver::{Newton, Outcome, Potential};
+use crate::state::{Earlier, State};
+use crate::statistics::{Energies, Statistics};
+use crate::system::System;
+
+impl Simulation {
+    /// Takes one time step. After an error, the state is what it was before.
+    ///
+    /// # Errors
+    /// [`SimulationError::Singular`] and [`SimulationError::Blocked`].
+    pub fn step(&mut self) -> Result<Statistics, SimulationError> {
+        self.step_along(&mut |_| ())
+    }
+
+    /// Takes one time step, and shows the way: all positions after each increment of it.
+    ///
+    /// Each increment, in straight lines from the one before, is what has been filtered. The straight line from the start of
+    /// the time step to its end is another way, on which there may be contact.
+    ///
+    /// # Errors
+    /// As [`Simulation::step`].
+    pub fn step_along(
+        &mut self,
+        visit: &mut (dyn FnMut(&[Point]) + Send),
+    ) -> Result<Statistics, SimulationError> {
+        // All of it on a thread of the pool: to come from outside costs a switch each time.
+        rayon::scope(|_| self.advance(visit))
+    }
+
+    fn advance(&mut self, visit: &mut dyn FnMut(&[Point])) -> Result<Statistics, SimulationError> {
+        let clock = Instant::now();
+        let Self { system, settings, .. } = &*self;
+        let step = self.state.step + 1;
+        let time = step as f64 * settings.time_step;
+        let mut statistics = Statistics {
+            step,
+            time,
+            converged: true,
+            ..Statistics::default()
+        };
+        let scheme = settings
+            .integrator
+            .scheme(&self.state, settings.time_step, settings.gravity);
+        let smoothing = Smoothing {
+            threshold: settings.friction.static_velocity.meters(system.size()) * scheme.duration,
+        };
+        let range = StiffnessRange::new(system.size(), system.mean_mass(), &self.barrier);
+
+        let positions = self.state.positions.clone();
+        let pairs = Pairs::near(
+            &system.surface,
+            &positions,
+            &positions,
+            self.barrier.reach().sqrt(),
+        );
+        let collisions = Collisions::new(&system.surface, &pairs, &positions, &system.start, self.barrier);
+        let mut lagged = self.kept_stiffness(&scheme);
+        let mut now = Outcome {
+            stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
+            drive: Drive::new(system, &positions, time),
+            positions,
+            collisions,
+        };
+        let mut solver = std::mem::take(&mut self.solver);
+        let Self { system, settings, .. } = &*self;
+        let mut friction = Vec::new();
+        for _ in 0..settings.friction.lags.max(1) {
+            friction = self.friction(&now, lagged.unwrap_or(now.stiffness));
+            let newton = Newton {
+                system,
+                scheme: &scheme,
+                friction: &friction,
+                smoothing,
+                barrier: self.barrier,
+                range,
+                filter: &*self.filter,
+                tolerance: settings.tolerance.meters(system.size()),
+                max_iterations: settings.max_iterations,
+            };
+            statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
+            lagged = Some(now.stiffness);
+            if settings.friction.coefficient == 0.0 {
+                break;
+            }
+        }
+
+        statistics.contacts = now.collisions.as_slice().len();
+        statistics.minimal_distance = Some(now.collisions.minimal_distance()).filter(|d| d.is_finite());
+        statistics.script_lag = now.drive.lag(&now.positions);
+        let velocities = scheme.velocities(&now.positions);
+        let potential = potential(system, &scheme, now.stiffness, &friction, smoothing);
+        statistics.energies = energies(&potential, settings, &now, &velocities);
+        let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
+        statistics.stiffness = touched.then_some(now.stiffness);
+
+        self.solver = solver;
+        let before = std::mem::replace(
+            &mut self.state,
+            State {
+                step,
+                positions: now.positions,
+                velocities,
+                earlier: None,
+                stiffness: statistics
+                    .stiffness
+                    .map(|stiffness| stiffness * scheme.duration.powi(-2)),
+            },
+        );
+        self.state.earlier = Some(Earlier {
+            positions: before.positions,
+            velocities: before.velocities,
+        });
+        statistics.seconds.total = clock.elapsed().as_secs_f64();
+        Ok(statistics)
+    }
+
+    /// κ at the start of a step: at least what balances the other forces, and never less than before.
+    fn stiffness(
+        &self,
+        scheme: &Scheme,
+        collisions: &Collisions,
+        range: &StiffnessRange,
+        smoothing: Smoothing,
+    ) -> f64 {
+        let before = self.kept_stiffness(scheme).unwrap_or(0.0);
+        if collisions.as_slice().is_empty() {
+            return before.max(range.least);
+        }
+        let potential = potential(&self.system, scheme, before, &[], smoothing);
+        let positions = &self.state.positions;
+        let mut energy = potential.smooth_gradient(positions);
+        let mut barriers = collisions.gradient(positions);
+        for vertex in 0..positions.len() {
+            if !self.system.is_free(vertex) {
+                energy[vertex] = Vector3::zeros();
+                barriers[vertex] = Vector3::zeros();
+            }
+        }
+        before.max(range.balance(&energy, &barriers))
+    }
+
+    /// κ with which the barrier repels as in the step before.
+    fn kept_stiffness(&self, scheme: &Scheme) -> Option<f64> {
+        let energy = self.state.stiffness;
+        energy.map(|stiffness| stiffness * scheme.duration * scheme.duration)
+    }
+
+    fn friction(&self, now: &Outcome, stiffness: f64) -> Vec<FrictionContact> {
+        let coefficient = self.settings.friction.coefficient;
+        if coefficient == 0.0 {
+            return Vec::new();
+        }
+        let contact = |collision: &Collision| {
+            let corners = gather_some(&now.positions, collision.vertices());
+            let force = stiffness * collision.normal_force(&corners, &self.barrier);
+            let separation = collision.separation(&corners);
+            FrictionContact::new(collision.vertices().clone(), &separation, coefficient * force)
+        };
+        now.collisions.as_slice().iter().map(contact).collect()
+    }
+}
+
+fn potential<'a>(
+    system: &'a System,
+    scheme: &'a Scheme,
+    stiffness: f64,
+    friction: &'a [FrictionContact],
+    smoothing: Smoothing,
+) -> Potential<'a> {
+    Potential {
+        system,
+        scheme,
+        stiffness,
+        friction,
+        smoothing,
+        springs: &[],
+    }
+}
+
+fn energies(
+    potential: &Potential<'_>,
+    &Settings {
+        gravity, time_step, ..
+    }: &Settings,
+    now: &Outcome,
+    velocities: &[Point],
+) -> Energies {
+    let masses = || potential.system.masses.iter();
+    // The potential has the square of the duration as a factor.
+    let scale = potential.scheme.duration.powi(-2);
+    let gravity = Vector3::from(gravity);
+    Energies {
+        kinetic: masses()
+            .zip(velocities)
+            .map(|(m, v)| 0.5 * m * Vector3::from(*v).norm_squared())
+            .sum(),
+        elastic: potential.elastic(&now.positions),
+        barrier: scale * now.stiffness * now.collisions.value(&now.positions),
+        // Slips are velocities times the duration.
+        friction: scale * potential.friction_work(&now.positions) * time_step / potential.scheme.duration,
+        gravity: masses()
+            .zip(&now.positions)
+            .map(|(m, x)| -m * gravity.dot(&Vector3::from(*x)))
+            .sum(),
+    }
+}

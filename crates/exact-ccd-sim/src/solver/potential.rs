@@ -1,0 +1,166 @@
+//! The incremental potential: what a time step minimises.
+
+use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use crate::contact::Collisions;
+use crate::friction::{FrictionContact, Smoothing};
+use crate::gather::gather_some;
+use crate::integrator::Scheme;
+use crate::system::System;
+
+/// ½ |x − x̂|²_M + h² Ψ(x) + κ Σ b + friction + springs, in kg m².
+pub(crate) struct Potential<'a> {
+    pub(crate) system: &'a System,
+    pub(crate) scheme: &'a Scheme,
+    pub(crate) stiffness: f64,
+    pub(crate) friction: &'a [FrictionContact],
+    pub(crate) smoothing: Smoothing,
+    /// What pulls scripted vertices to where they should be, if they cannot be put there.
+    pub(crate) springs: &'a [Spring],
+}
+
+/// ½ k |x − target|².
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Spring {
+    pub(crate) vertex: u32,
+    pub(crate) target: Point,
+    /// In kg.
+    pub(crate) stiffness: f64,
+}
+
+/// How many elements are derived at a time: their Hessians are large.
+const CHUNK: usize = 1024;
+
+impl Potential<'_> {
+    /// The value; infinite where a solid is turned inside out.
+    pub(crate) fn value(&self, points: &[Point], collisions: &Collisions) -> f64 {
+        let inertia: f64 = self
+            .inertia()
+            .map(|(v, m)| 0.5 * m * self.offset(points, v).norm_squared())
+            .sum();
+        let springs: f64 = self
+            .springs
+            .iter()
+            .map(|spring| {
+                let offset = at(points, spring.vertex as usize) - Vector3::from(spring.target);
+                0.5 * spring.stiffness * offset.norm_squared()
+            })
+            .sum();
+        let elastic = self.elastic(points) * self.scheme.duration * self.scheme.duration;
+        inertia + springs + elastic + self.stiffness * collisions.value(points) + self.friction(points)
+    }
+
+    /// Ψ, in J.
+    pub(crate) fn elastic(&self, points: &[Point]) -> f64 {
+        sum(&self.system.elements, |element| element.value(points))
+    }
+
+    /// The potential of friction, in kg m².
+    pub(crate) fn friction(&self, points: &[Point]) -> f64 {
+        sum(self.friction, |contact| {
+            contact.value(&self.displacements(points, contact), self.smoothing)
+        })
+    }
+
+    /// What friction does against the slips, in kg m².
+    pub(crate) fn friction_work(&self, points: &[Point]) -> f64 {
+        sum(self.friction, |contact| {
+            contact.work(&self.displacements(points, contact), self.smoothing)
+        })
+    }
+
+    /// The gradient without contact, friction and springs.
+    pub(crate) fn smooth_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
+        let mut gradient = self.inertia_gradient(points);
+        let scale = self.scheme.duration * self.scheme.duration;
+        each(
+            &self.system.elements,
+            |element| element.gradient(points),
+            |element, forces| {
+                for (place, vertex) in element.vertices().into_iter().enumerate() {
+                    gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
+                }
+            },
+        );
+        gradient
+    }
+
+    /// The gradient.
+    pub(crate) fn gradient(&self, points: &[Point], collisions: &Collisions) -> Vec<Vector3<f64>> {
+        let mut gradient = self.smooth_gradient(points);
+        for (sum, barrier) in gradient.iter_mut().zip(collisions.gradient(points)) {
+            *sum += barrier * self.stiffness;
+        }
+        for contact in self.friction {
+            let element = contact.derivatives(&self.displacements(points, contact), self.smoothing);
+            for (place, &vertex) in element.vertices.iter().enumerate() {
+                gradient[vertex as usize] += element.force(place);
+            }
+        }
+        for spring in self.springs {
+            gradient[spring.vertex as usize] += self.pull(points, spring);
+        }
+        gradient
+    }
+
+    /// How much rounding may change the value.
+    pub(crate) fn noise(&self, value: f64) -> f64 {
+        let elastic = self.scheme.duration * self.scheme.duration * self.system.rigidity;
+        8.0 * f64::EPSILON * (elastic + value.abs())
+    }
+
+    /// The vertices that have inertia, with their masses.
+    pub(super) fn inertia(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let masses = self.system.masses.iter().copied().enumerate();
+        masses.filter(|&(vertex, _)| self.system.is_free(vertex))
+    }
+
+    pub(super) fn inertia_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
+        let mut gradient = vec![Vector3::zeros(); points.len()];
+        for (vertex, mass) in self.inertia() {
+            gradient[vertex] = self.offset(points, vertex) * mass;
+        }
+        gradient
+    }
+
+    fn offset(&self, points: &[Point], vertex: usize) -> Vector3<f64> {
+        at(points, vertex) - at(&self.scheme.predicted, vertex)
+    }
+
+    pub(super) fn pull(&self, points: &[Point], spring: &Spring) -> Vector3<f64> {
+        (at(points, spring.vertex as usize) - Vector3::from(spring.target)) * spring.stiffness
+    }
+
+    pub(super) fn displacements(&self, points: &[Point], contact: &FrictionContact) -> [Vector3<f64>; 4] {
+        let now = gather_some(points, contact.vertices());
+        let then = gather_some(&self.scheme.origin, contact.vertices());
+        [0, 1, 2, 3].map(|place: usize| now[place] - then[place])
+    }
+}
+
+fn at(points: &[Point], vertex: usize) -> Vector3<f64> {
+    Vector3::from(points[vertex])
+}
+
+/// The sum of the values of elements, in their order.
+fn sum<T: Sync>(elements: &[T], value: impl Fn(&T) -> f64 + Sync) -> f64 {
+    let values: Vec<f64> = elements.par_iter().map(&value).collect();
+    values.iter().sum()
+}
+
+/// Derives elements in parallel, and adds what they give in their order.
+pub(super) fn each<T: Sync, D: Send>(
+    elements: &[T],
+    derive: impl Fn(&T) -> D + Sync,
+    mut add: impl FnMut(&T, &D),
+) {
+    for chunk in elements.chunks(CHUNK) {
+        let derived: Vec<D> = chunk.par_iter().map(&derive).collect();
+        chunk
+            .iter()
+            .zip(&derived)
+            .for_each(|(element, derived)| add(element, derived));
+    }
+}

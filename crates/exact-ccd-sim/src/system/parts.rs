@@ -1,0 +1,187 @@
+//! Body by body.
+
+use exact_ccd_mesh::{Point, TetMesh};
+
+use super::error::SystemError;
+use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
+use crate::elasticity::{Elastic, Hinge, Membrane, Tetrahedron};
+use crate::gather::gather;
+use crate::hinges::hinges;
+use crate::script::Script;
+
+/// What a system is made of, while bodies are added.
+#[derive(Default)]
+pub(super) struct Parts {
+    pub(super) start: Vec<Point>,
+    pub(super) velocities: Vec<Point>,
+    pub(super) masses: Vec<f64>,
+    pub(super) faces: Vec<[u32; 3]>,
+    pub(super) elements: Vec<Elastic>,
+    pub(super) scripts: Vec<Option<Script>>,
+    pub(super) obstacle: Vec<bool>,
+    pub(super) rigidity: f64,
+}
+
+impl Parts {
+    pub(super) fn add(&mut self, body: usize, added: &Body) -> Result<(), SystemError> {
+        let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
+        if let Some(vertex) = added.points.iter().position(|point| !is_finite(point)) {
+            let position = added.points[vertex];
+            return Err(SystemError::NotFinite {
+                body,
+                vertex,
+                position,
+            });
+        }
+        let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
+        let expected = if is_obstacle {
+            (added.velocity != [0.0; 3]).then_some("none, since only scripts move obstacles")
+        } else {
+            (!is_finite(&added.velocity)).then_some("finite numbers")
+        };
+        if let Some(expected) = expected {
+            return Err(SystemError::Velocity {
+                body,
+                velocity: added.velocity,
+                expected,
+            });
+        }
+        let first = self.start.len();
+        let count = added.points.len();
+        self.start.extend(&added.points);
+        self.velocities.extend(std::iter::repeat_n(added.velocity, count));
+        self.masses.resize(first + count, 0.0);
+        self.obstacle.resize(first + count, is_obstacle);
+        self.scripts
+            .resize(first + count, is_obstacle.then_some(Script::Fixed));
+        let is_empty = match &added.kind {
+            BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } => faces.is_empty(),
+            BodyKind::Solid { tetrahedra, .. } => tetrahedra.is_empty(),
+        };
+        if is_empty {
+            return Err(SystemError::Empty { body });
+        }
+        match &added.kind {
+            BodyKind::Obstacle { faces } => {
+                let faces = placed(body, faces, first, count)?;
+                self.faces.extend(faces);
+            }
+            BodyKind::Solid { tetrahedra, material } => {
+                let mesh = TetMesh::new(added.points.clone(), tetrahedra.clone())
+                    .map_err(|source| SystemError::Solid { body, source })?;
+                let surface = placed(body, mesh.surface(), first, count)?;
+                let tetrahedra = placed(body, tetrahedra, first, count)?;
+                self.add_solid(body, tetrahedra, material)?;
+                self.faces.extend(surface);
+            }
+            BodyKind::Shell { faces, material } => {
+                let faces = placed(body, faces, first, count)?;
+                self.add_shell(body, faces, material)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn add_solid(
+        &mut self,
+        body: usize,
+        mut tetrahedra: Vec<[u32; 4]>,
+        material: &SolidProperties,
+    ) -> Result<(), SystemError> {
+        positive(body, "density", material.density)?;
+        material
+            .moduli()
+            .check()
+            .map_err(|source| SystemError::Moduli { body, source })?;
+        for (element, corners) in tetrahedra.iter_mut().enumerate() {
+            let points = gather(&self.start, corners);
+            let volume = (points[1] - points[0])
+                .cross(&(points[2] - points[0]))
+                .dot(&(points[3] - points[0]));
+            if volume < 0.0 {
+                corners.swap(2, 3);
+            }
+            let points = gather(&self.start, corners);
+            let tetrahedron = Tetrahedron::new(*corners, &points, material.energy, material.moduli())
+                .ok_or(SystemError::Flat { body, element })?;
+            let share = mass(body, element, material.density * tetrahedron.volume())? / 4.0;
+            for &corner in &*corners {
+                self.masses[corner as usize] += share;
+            }
+            self.rigidity += material.young * tetrahedron.volume();
+            self.elements.push(Elastic::Tetrahedron(tetrahedron));
+        }
+        Ok(())
+    }
+
+    fn add_shell(
+        &mut self,
+        body: usize,
+        faces: Vec<[u32; 3]>,
+        material: &ShellProperties,
+    ) -> Result<(), SystemError> {
+        positive(body, "density", material.density)?;
+        positive(body, "thickness", material.thickness)?;
+        material
+            .moduli()
+            .check()
+            .map_err(|source| SystemError::Moduli { body, source })?;
+        for (element, corners) in faces.iter().enumerate() {
+            let points = gather(&self.start, corners);
+            let membrane = Membrane::new(*corners, &points, material.thickness, material.moduli())
+                .ok_or(SystemError::Flat { body, element })?;
+            let share = mass(body, element, material.density * membrane.volume())? / 3.0;
+            for &corner in corners {
+                self.masses[corner as usize] += share;
+            }
+            self.rigidity += material.young * membrane.volume();
+            self.elements.push(Elastic::Membrane(membrane));
+        }
+        let rigidity = material.moduli().flexural_rigidity(material.thickness);
+        for corners in hinges(&faces) {
+            let hinge = Hinge::new(corners, &gather(&self.start, &corners), rigidity);
+            self.elements.extend(hinge.map(Elastic::Hinge));
+        }
+        self.faces.extend(faces);
+        Ok(())
+    }
+}
+
+fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(SystemError::NotPositive { body, what, value })
+    }
+}
+
+/// The mass of an element, if there is any.
+fn mass(body: usize, element: usize, mass: f64) -> Result<f64, SystemError> {
+    if mass.is_normal() {
+        Ok(mass)
+    } else {
+        Err(SystemError::Mass { body, element, mass })
+    }
+}
+
+/// The elements of a body, with the numbers that its vertices have among all.
+fn placed<const N: usize>(
+    body: usize,
+    elements: &[[u32; N]],
+    first: usize,
+    vertex_count: usize,
+) -> Result<Vec<[u32; N]>, SystemError> {
+    let place = |(element, corners): (usize, &[u32; N])| match corners
+        .iter()
+        .find(|&&vertex| vertex as usize >= vertex_count)
+    {
+        None => Ok(corners.map(|vertex| first as u32 + vertex)),
+        Some(&vertex) => Err(SystemError::Index {
+            body,
+            element,
+            vertex,
+            vertex_count,
+        }),
+    };
+    elements.iter().enumerate().map(place).collect()
+}

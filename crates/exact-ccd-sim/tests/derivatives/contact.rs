@@ -1,0 +1,147 @@
+//! The barrier, and its sum over collisions.
+
+use exact_ccd_sim::contact::{Barrier, Collision};
+use exact_ccd_sim::distance::{Mollifier, edge_edge, point_triangle};
+use nalgebra::Vector3;
+
+use crate::differences::{
+    Points, assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
+    random_vector,
+};
+
+#[test]
+fn the_barrier_has_the_derivatives_that_it_tells() {
+    let barrier = Barrier::new(0.5);
+    for i in 1..100 {
+        let squared = 0.25 * f64::from(i) / 100.0;
+        let step = 1e-4 * squared;
+        let slope = (barrier.value(squared + step) - barrier.value(squared - step)) / (2.0 * step);
+        assert!((barrier.slope(squared) - slope).abs() < 1e-6 * (1.0 + slope.abs()));
+        let curvature = (barrier.slope(squared + step) - barrier.slope(squared - step)) / (2.0 * step);
+        assert!((barrier.curvature(squared) - curvature).abs() < 1e-6 * (1.0 + curvature.abs()));
+        assert!(barrier.slope(squared) < 0.0 && barrier.curvature(squared) > 0.0);
+    }
+}
+
+#[test]
+fn the_barrier_ends_smoothly_and_is_infinite_at_contact() {
+    let barrier = Barrier::new(0.5);
+    let before = 0.25_f64.next_down();
+    assert!(
+        barrier.value(before) < 1e-40 && barrier.slope(before) > -1e-14 && barrier.curvature(before) < 1e-12
+    );
+    assert_eq!(
+        [barrier.value(0.25), barrier.slope(0.25), barrier.curvature(0.25)],
+        [0.0; 3]
+    );
+    assert_eq!(barrier.value(0.0), f64::INFINITY);
+    assert!(barrier.value(1e-300) > 40.0);
+}
+
+fn compact(points: &Points, collision: &Collision) -> Points {
+    let at = |place: usize| {
+        collision
+            .vertices()
+            .get(place)
+            .map_or(Vector3::zeros(), |&v| points[v as usize])
+    };
+    [at(0), at(1), at(2), at(3)]
+}
+
+fn check(collision: &Collision, points: &Points, barrier: &Barrier) -> bool {
+    let points = compact(points, collision);
+    let element = collision.derivatives(&points, barrier, false);
+    let expected = gradient(&points, 1e-5, |x| collision.value(x, barrier));
+    assert_gradient(&element.gradient, &expected, 1e-5, "collision");
+    assert_gradient(
+        &collision.gradient(&points, barrier),
+        &element.gradient,
+        1e-12,
+        "collision",
+    );
+    let expected = jacobian(&points, 1e-5, |x| {
+        collision.derivatives(x, barrier, false).gradient
+    });
+    assert_hessian(&element.hessian, &expected, 1e-5, "collision");
+    assert_semi_definite(
+        &collision.derivatives(&points, barrier, true).hessian,
+        "collision",
+    );
+    element.hessian.symmetric_eigenvalues().min() < -1e-9
+}
+
+#[test]
+fn collisions_have_the_derivatives_that_they_tell() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let barrier = Barrier::new(1.0);
+    let (mut tested, mut indefinite, mut sizes) = (0, 0, [0; 5]);
+    while tested < 400 {
+        let points = random_points(&mut random);
+        let feature = if tested % 2 == 0 {
+            point_triangle(&points)
+        } else {
+            edge_edge(&points)
+        };
+        let squared = feature.separation(&points).squared();
+        let [a, b, c, d] = points;
+        let sines = [(b - a).cross(&(d - c)), (c - b).cross(&(d - b))];
+        if !(0.01..0.9).contains(&squared) || sines.iter().any(|sine| sine.norm() < 0.5) {
+            continue;
+        }
+        tested += 1;
+        let collision = Collision::new([0, 1, 2, 3], feature);
+        sizes[collision.vertices().len()] += 1;
+        // The form without the other vertices has the same distance.
+        let shortest = collision.separation(&compact(&points, &collision)).squared();
+        assert!((shortest - squared).abs() < 1e-12);
+        indefinite += usize::from(check(&collision, &points, &barrier));
+    }
+    assert!(
+        indefinite > 20 && sizes[2..].iter().all(|&count| count > 20),
+        "{indefinite} {sizes:?}"
+    );
+}
+
+#[test]
+fn mollified_collisions_have_the_derivatives_that_they_tell() {
+    let mut random = fastrand::Rng::with_seed(2);
+    let barrier = Barrier::new(1.0);
+    let mut tested = 0;
+    while tested < 50 {
+        let [a, b, c, _] = random_points(&mut random);
+        let d = c + (b - a) + random_vector(&mut random) * 0.3;
+        let points = [a, b, c, d];
+        let mollifier = Mollifier::new([20.0, 20.0]);
+        let feature = edge_edge(&points);
+        let squared = feature.separation(&points).squared();
+        // Away from where the mollifier ends and where another feature is closest.
+        let shares = feature.separation(&points).weights;
+        let inside = shares
+            .iter()
+            .all(|share| share.abs() < 1e-9 || (0.05..0.95).contains(&share.abs()) || share.abs() == 1.0);
+        let sine = (b - a).cross(&(d - c)).norm();
+        if !(0.05..0.9).contains(&squared) || !(0.1..0.6).contains(&sine) || !inside {
+            continue;
+        }
+        tested += 1;
+        let collision = Collision::mollified([0, 1, 2, 3], feature, mollifier);
+        assert_eq!(collision.vertices().len(), 4);
+        check(&collision, &points, &barrier);
+    }
+}
+
+/// The same two features, whichever primitives they belong to, are the same collision.
+#[test]
+fn features_have_one_form() {
+    let [o, x, y] = [Vector3::zeros(), Vector3::x(), Vector3::y()];
+    let p = Vector3::new(0.5, -0.5, 0.0);
+    let (face, back) = ([p, o, x, y], [p, x, o, y]);
+    let one = Collision::new([7, 3, 5, 6], point_triangle(&face));
+    let other = Collision::new([7, 5, 3, 6], point_triangle(&back));
+    assert!(one.is_same(&other));
+    assert_eq!(one.vertices().as_slice(), [7, 3, 5]);
+    // An edge from the point, against the edge.
+    let edges = [o, x, p, p - y];
+    let third = Collision::new([5, 3, 7, 8], edge_edge(&[edges[1], edges[0], edges[2], edges[3]]));
+    assert!(one.is_same(&third), "{third:?}");
+}

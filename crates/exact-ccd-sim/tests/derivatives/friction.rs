@@ -1,0 +1,53 @@
+//! Friction.
+
+use arrayvec::ArrayVec;
+use exact_ccd_sim::distance::point_triangle;
+use exact_ccd_sim::friction::{FrictionContact, Smoothing};
+
+use crate::differences::{
+    assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
+};
+
+const SMOOTHING: Smoothing = Smoothing { threshold: 0.8 };
+
+#[test]
+fn the_smoothing_has_the_derivatives_that_it_tells() {
+    for i in 1..200 {
+        let slip = 0.01 * f64::from(i);
+        let force = |y: f64| y * SMOOTHING.force_over_slip(y);
+        let step = 1e-5;
+        let slope = (SMOOTHING.potential(slip + step) - SMOOTHING.potential(slip - step)) / (2.0 * step);
+        assert!((force(slip) - slope).abs() < 1e-8);
+        let slope = (force(slip + step) - force(slip - step)) / (2.0 * step);
+        assert!((SMOOTHING.stiffness(slip) - slope).abs() < 2e-5);
+    }
+    assert_eq!(SMOOTHING.force_over_slip(4.0), 0.25);
+}
+
+#[test]
+fn friction_has_the_derivatives_that_it_tells() {
+    let mut random = fastrand::Rng::with_seed(1);
+    for _ in 0..100 {
+        let points = random_points(&mut random);
+        let separation = point_triangle(&points).separation(&points);
+        let contact = FrictionContact::new(ArrayVec::from([0, 1, 2, 3]), &separation, 0.7);
+        let displacements = random_points(&mut random).map(|x| x * 0.5);
+        let element = contact.derivatives(&displacements, SMOOTHING);
+        let expected = gradient(&displacements, 1e-4, |x| contact.value(x, SMOOTHING));
+        assert_gradient(&element.gradient, &expected, 1e-7, "friction");
+        let expected = jacobian(&displacements, 1e-4, |x| {
+            contact.derivatives(x, SMOOTHING).gradient
+        });
+        assert_hessian(&element.hessian, &expected, 2e-4, "friction");
+        assert_semi_definite(&element.hessian, "friction");
+        // It opposes the slip, is tangential, and sums to nothing.
+        let power: f64 = (0..4)
+            .map(|place| element.force(place).dot(&displacements[place]))
+            .sum();
+        assert!(power >= 0.0);
+        let total: nalgebra::Vector3<f64> = (0..4).map(|place| element.force(place)).sum();
+        assert!(total.norm() < 1e-12);
+        assert!(element.force(0).dot(&separation.vector).abs() < 1e-12);
+        assert!(element.force(0).norm() <= 0.7 * (1.0 + 1e-12));
+    }
+}

@@ -1,0 +1,69 @@
+//! The step that is taken is one that the filter has decided to be free.
+
+use exact_ccd_mesh::{Audit, Frame, Point, Violation};
+use exact_ccd_sim::filter::{Exact, Increment, LAST, StepFilter};
+use exact_ccd_sim::{Script, Settings, Simulation, System, shapes};
+
+/// Says of every step that all but the very end of it is free, and decides exactly, or not at all.
+struct Hasty {
+    decides: bool,
+}
+
+impl StepFilter for Hasty {
+    fn name(&self) -> &'static str {
+        "hasty"
+    }
+
+    fn largest(&self, _: &Increment<'_>) -> f64 {
+        LAST
+    }
+
+    fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool {
+        !self.decides || Exact.is_free(increment, end)
+    }
+}
+
+/// Where the increments of two time steps first touch.
+fn violation(system: System, filter: Hasty) -> Option<Violation> {
+    let faces = system.surface().faces().to_vec();
+    let frame = |positions: &[Point]| Frame::new(positions.to_vec(), faces.clone()).unwrap();
+    let simulation = Simulation::new(system, Settings::default()).unwrap();
+    let mut simulation = simulation.with_filter(Box::new(filter));
+    let mut audit = Audit::default();
+    let mut violation = audit.examine(frame(&simulation.state().positions)).unwrap();
+    for _ in 0..2 {
+        let mut visit = |positions: &[Point]| {
+            let found = audit.examine(frame(positions)).unwrap();
+            violation = violation.or(found);
+        };
+        simulation.step_along(&mut visit).unwrap();
+    }
+    assert!(audit.frames() > 2);
+    violation
+}
+
+/// However far the filter says that a step may go, it goes nowhere that the filter has not decided to be free.
+#[test]
+fn no_step_is_taken_without_a_decision() {
+    let mut cloth = shapes::cloth([2, 2], [1.0, 1.0]).placed(|[x, y, z]| [x, y + 0.05, z]);
+    let floor = shapes::floor([1, 1], [3.0, 3.0]).placed(|[x, y, z]| [x - 0.9, y, z - 1.1]);
+    // Six times the way to the floor in a time step.
+    cloth.velocity = [0.0, -30.0, 0.0];
+    let system = || System::new(&[cloth.clone(), floor.clone()], &[]).unwrap();
+    assert_eq!(violation(system(), Hasty { decides: true }), None);
+    assert!(violation(system(), Hasty { decides: false }).is_some());
+}
+
+/// Nor is an obstacle put where a script says, behind what is in the way.
+#[test]
+fn no_vertex_is_put_without_a_decision() {
+    let cloth = shapes::cloth([2, 2], [1.0, 1.0]).placed(|[x, y, z]| [x, y + 0.05, z]);
+    let floor = shapes::floor([1, 1], [3.0, 3.0]).placed(|[x, y, z]| [x - 0.9, y, z - 1.1]);
+    let rising = Script::Moving {
+        velocity: [0.0, 30.0, 0.0],
+        until: None,
+    };
+    let system = || System::new(&[cloth.clone(), floor.clone()], &[((9..13).collect(), rising)]).unwrap();
+    assert_eq!(violation(system(), Hasty { decides: true }), None);
+    assert!(violation(system(), Hasty { decides: false }).is_some());
+}

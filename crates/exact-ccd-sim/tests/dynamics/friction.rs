@@ -1,0 +1,109 @@
+//! A block on a slope.
+
+use exact_ccd_sim::{BodyKind, Friction, Integrator, Length, Settings, Simulation, System, shapes};
+use nalgebra::{Rotation3, Vector3};
+
+use crate::measure::center;
+
+const GRAVITY: f64 = 10.0;
+const COEFFICIENT: f64 = 0.5;
+
+/// A stiff block on a slope of an angle (its tangent is given), after it has settled.
+///
+/// Not the slope is tilted, but gravity.
+fn settled(tangent: f64, integrator: Integrator) -> Simulation {
+    let mut block =
+        shapes::solid_box([2, 1, 2], [0.4, 0.1, 0.4]).placed(|[x, y, z]| [x + 1.0, y + 0.0019, z + 0.3]);
+    if let BodyKind::Solid { material, .. } = &mut block.kind {
+        material.young = 1e8;
+    }
+    let floor = shapes::floor([1, 1], [6.0, 1.1]);
+    let system = System::new(&[block, floor], &[]).unwrap();
+    let settings = Settings {
+        integrator,
+        gravity: (Rotation3::from_axis_angle(&Vector3::z_axis(), tangent.atan())
+            * Vector3::new(0.0, -GRAVITY, 0.0))
+        .into(),
+        contact_distance: Length::Absolute(0.002),
+        tolerance: Length::Absolute(1e-6),
+        friction: Friction {
+            coefficient: COEFFICIENT,
+            static_velocity: Length::Absolute(1e-4),
+            lags: 2,
+        },
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::new(system, settings).unwrap();
+    for _ in 0..30 {
+        simulation.step().unwrap();
+    }
+    simulation
+}
+
+/// How fast the block gains speed down the slope, in m/s².
+fn acceleration(tangent: f64) -> f64 {
+    let mut simulation = settled(tangent, Integrator::ImplicitEuler);
+    let speed = |simulation: &Simulation, from: Vector3<f64>| (center(simulation) - from).x / 0.01;
+    let at = center(&simulation);
+    simulation.step().unwrap();
+    let before = speed(&simulation, at);
+    for _ in 0..19 {
+        simulation.step().unwrap();
+    }
+    let at = center(&simulation);
+    simulation.step().unwrap();
+    (speed(&simulation, at) - before) / 0.2
+}
+
+/// Down the slope g sin α pulls, and friction holds with at most μ g cos α: within 1 % of the angle at which both are the
+/// same, the block sticks below and slides above.
+#[test]
+fn a_block_slides_from_the_angle_of_friction_on() {
+    let sticks = acceleration(COEFFICIENT * 0.99);
+    assert!(sticks.abs() < 1e-3, "{sticks} m/s²");
+    let slides = acceleration(COEFFICIENT * 1.01);
+    assert!(slides > 0.01, "{slides} m/s²");
+}
+
+/// It slides with the acceleration of Coulomb's law.
+#[test]
+fn a_block_slides_as_fast_as_coulomb_says() {
+    let tangent = 0.8_f64;
+    let angle = tangent.atan();
+    let expected = GRAVITY * (angle.sin() - COEFFICIENT * angle.cos());
+    let found = acceleration(tangent);
+    assert!(
+        (found / expected - 1.0).abs() < 0.01,
+        "{found} against {expected} m/s²"
+    );
+}
+
+/// What friction dissipates is its force times how far the block slips, whichever integrator says how far that is: nothing
+/// where the block sticks.
+#[test]
+fn friction_dissipates_force_times_slip() {
+    for integrator in [Integrator::ImplicitEuler, Integrator::Bdf2] {
+        for (tangent, slides) in [(0.8_f64, true), (0.1, false)] {
+            let mut simulation = settled(tangent, integrator);
+            let weight = GRAVITY * simulation.system().masses().iter().sum::<f64>();
+            let bound = COEFFICIENT * weight * tangent.atan().cos();
+            let at = center(&simulation);
+            let dissipated: f64 = (0..10)
+                .map(|_| simulation.step().unwrap().energies.friction)
+                .sum();
+            let slipped = bound * (center(&simulation) - at).x;
+            if slides {
+                assert!(slipped > 1.0, "{slipped} J");
+                let ratio = dissipated / slipped;
+                assert!((ratio - 1.0).abs() < 0.02, "{integrator:?}: {ratio}");
+            } else {
+                // In 0.1 s it could creep so far and still count as static.
+                let creep = bound * 1e-4 * 0.1;
+                assert!(
+                    (0.0..0.1 * creep).contains(&dissipated),
+                    "{integrator:?}: {dissipated} J"
+                );
+            }
+        }
+    }
+}

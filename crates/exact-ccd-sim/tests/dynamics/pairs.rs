@@ -1,0 +1,203 @@
+//! The pairs that the broad phase gives to the barrier and to the filters, against a look at all that there are.
+
+use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd_mesh::{Bounds, Point, TriangleMesh};
+use exact_ccd_sim::contact::{Pairs, Surface};
+use exact_ccd_sim::distance::{edge_edge, point_triangle};
+use exact_ccd_sim::filter::Increment;
+use fastrand::Rng;
+use nalgebra::Vector3;
+
+/// Some pieces of two triangles each, the first of them an obstacle's and so is the last.
+const PIECES: usize = 5;
+
+struct Scene {
+    surface: Surface,
+    start: Vec<Point>,
+    end: Vec<Point>,
+    distance: f64,
+}
+
+/// Pieces of random shape that move at random, in lengths between a nanometre and a metre, near the origin or far from it.
+fn random_scene(random: &mut Rng) -> Scene {
+    let mut choose = |choices: &[f64]| choices[random.usize(..choices.len())];
+    let scale = choose(&[1.0, 1e-3, 1e-9]);
+    let offset = [0, 1, 2].map(|_| choose(&[0.0, 0.0, 1.0, -1e6]));
+    let distance = scale * choose(&[0.0, 1e-3, 0.1, 0.4]);
+    // Far from the origin, the least step is less than rounding leaves of it.
+    let motion = scale * choose(&[0.0, 1e-15, 1e-3, 0.3, 3.0]);
+    // On a grid, so that many touch in corners and along edges.
+    let grid = choose(&[0.0, 0.25, 0.5]);
+    let mut coordinate = |centre: f64| {
+        let x = centre + random.f64() - 0.5;
+        if grid > 0.0 { grid * (x / grid).round() } else { x }
+    };
+
+    let (mut start, mut end, mut faces) = (Vec::new(), Vec::new(), Vec::new());
+    for piece in 0..PIECES as u32 {
+        faces.extend([[0, 1, 2], [3, 2, 1]].map(|face| face.map(|corner| 4 * piece + corner)));
+        let centre = [0; 3].map(|_| 2.0 * coordinate(0.0));
+        let drift = [0; 3].map(|_| coordinate(0.0));
+        for _ in 0..4 {
+            let at = centre.map(&mut coordinate);
+            let by = drift.map(|drift| drift + 0.2 * coordinate(0.0));
+            start.push([0, 1, 2].map(|axis: usize| offset[axis] + scale * at[axis]));
+            end.push([0, 1, 2].map(|axis: usize| offset[axis] + (scale * at[axis] + motion * by[axis])));
+        }
+    }
+    let obstacle = (0..4 * PIECES).map(|vertex| [0, PIECES - 1].contains(&(vertex / 4)));
+    let mesh = TriangleMesh::new(4 * PIECES, faces).unwrap();
+    Scene {
+        surface: Surface::new(mesh, obstacle.collect()),
+        start,
+        end,
+        distance,
+    }
+}
+
+impl Scene {
+    fn pairs(&self) -> Pairs {
+        Pairs::near(&self.surface, &self.start, &self.end, self.distance)
+    }
+
+    /// All pairs without a common vertex, of which one is not of an obstacle.
+    fn all(&self) -> Pairs {
+        let is_obstacle = |vertex: u32| [0, PIECES - 1].contains(&(vertex as usize / 4));
+        let is_of_concern = |vertices: [u32; 4], first: usize| {
+            let (a, b) = vertices.split_at(first);
+            a.iter().all(|vertex| !b.contains(vertex)) && !vertices.into_iter().all(is_obstacle)
+        };
+        let mesh = self.surface.mesh();
+        let counts = [mesh.faces().len() as u32, mesh.edges().len() as u32];
+        let faces = (0..4 * PIECES as u32).flat_map(|v| (0..counts[0]).map(move |face| [v, face]));
+        let edges = (0..counts[1]).flat_map(|a| (a + 1..counts[1]).map(move |b| [a, b]));
+        Pairs {
+            vertex_face: faces
+                .filter(|&pair| is_of_concern(self.surface.vertex_face(pair), 1))
+                .collect(),
+            edge_edge: edges
+                .filter(|&pair| is_of_concern(self.surface.edge_edge(pair), 2))
+                .collect(),
+        }
+    }
+
+    /// Those of all pairs for which a property of their four vertices holds.
+    fn filtered(
+        &self,
+        vertex_face: impl Fn([u32; 4]) -> bool,
+        edge_edge: impl Fn([u32; 4]) -> bool,
+    ) -> Pairs {
+        let mut all = self.all();
+        all.vertex_face
+            .retain(|&pair| vertex_face(self.surface.vertex_face(pair)));
+        all.edge_edge
+            .retain(|&pair| edge_edge(self.surface.edge_edge(pair)));
+        all
+    }
+
+    /// The pairs that are nearer than the distance.
+    fn within(&self, points: &[Point]) -> Pairs {
+        let at = |vertices: [u32; 4]| vertices.map(|vertex| Vector3::from(points[vertex as usize]));
+        let reach = self.distance * self.distance;
+        self.filtered(
+            |vertices| point_triangle(&at(vertices)).separation(&at(vertices)).squared() < reach,
+            |vertices| edge_edge(&at(vertices)).separation(&at(vertices)).squared() < reach,
+        )
+    }
+
+    /// The pairs that collide, exactly.
+    fn colliding(&self, start: &[Point], end: &[Point]) -> Pairs {
+        let at = |points: &[Point], vertices: [u32; 4]| vertices.map(|vertex| points[vertex as usize]);
+        self.filtered(
+            |v| {
+                Query::<VertexFace>::new(at(start, v), at(end, v))
+                    .unwrap()
+                    .collides()
+            },
+            |v| {
+                Query::<EdgeEdge>::new(at(start, v), at(end, v))
+                    .unwrap()
+                    .collides()
+            },
+        )
+    }
+}
+
+fn assert_has_all(pairs: &Pairs, expected: &Pairs, what: &str) {
+    for pair in &expected.vertex_face {
+        let found = pairs.vertex_face.binary_search(pair);
+        assert!(found.is_ok(), "{what}: vertex and face {pair:?}");
+    }
+    for pair in &expected.edge_edge {
+        let found = pairs.edge_edge.binary_search(pair);
+        assert!(found.is_ok(), "{what}: edges {pair:?}");
+    }
+}
+
+/// What the line search rests on: wherever it stops on the way, no pair that is near or collides is forgotten.
+#[test]
+fn all_that_comes_near_on_the_way_is_among_the_pairs() {
+    let mut random = Rng::with_seed(7);
+    let (mut apart, mut between, mut colliding) = (0, 0, 0);
+    for case in 0..300 {
+        let scene = random_scene(&mut random);
+        let pairs = scene.pairs();
+        assert_has_all(&scene.all(), &pairs, "of no concern");
+        let increment = Increment::new(&scene.surface, &pairs, &scene.start, &scene.end);
+        let ends = [scene.within(&scene.start), scene.within(&scene.end)];
+        for fraction in [0.0, 1.0, random.f64(), 0.5 * random.f64(), 1e-9 * random.f64()] {
+            let what = format!("case {case} at {fraction}");
+            let at = increment.at(fraction);
+            let near = scene.within(&at);
+            assert_has_all(&pairs, &near, &what);
+            let collisions = scene.colliding(&scene.start, &at);
+            assert_has_all(&pairs, &collisions, &what);
+
+            apart += usize::from(pairs.len() < scene.all().len());
+            colliding += collisions.len();
+            let is_new = |pair: &&[u32; 2]| ends.iter().all(|ends| !ends.vertex_face.contains(pair));
+            between += near.vertex_face.iter().filter(is_new).count();
+        }
+    }
+    // Else the scenes would show nothing.
+    assert!(
+        apart > 500 && between > 50 && colliding > 5000,
+        "{apart} {between} {colliding}"
+    );
+}
+
+/// Also of the scene as the parity filter shifts and rounds it, even where nothing but rounding brings parts together: for
+/// there is an obstacle so far away that rounding is as coarse as a hundredth of a piece, or coarser.
+#[test]
+fn all_that_collides_after_a_shift_is_among_the_pairs() {
+    let mut random = Rng::with_seed(8);
+    let mut by_rounding = 0;
+    let mut apart = 0;
+    for case in 0..300 {
+        let mut scene = random_scene(&mut random);
+        scene.distance = 0.0;
+        let bounds: Bounds = scene.start.iter().copied().collect();
+        let far = 2.0_f64.powi(random.i32(44..50)) * (bounds.upper[0] - bounds.lower[0]);
+        for points in [&mut scene.start, &mut scene.end] {
+            points[4 * (PIECES - 1)..]
+                .iter_mut()
+                .for_each(|point| *point = point.map(|x| x + far));
+        }
+        let bounds: Bounds = scene.start.iter().chain(&scene.end).copied().collect();
+        let displacement = bounds.displacement();
+        let [start, end] = [&scene.start, &scene.end].map(|points| {
+            points
+                .iter()
+                .map(|&point| displacement.apply(point))
+                .collect::<Vec<_>>()
+        });
+        let shifted = scene.colliding(&start, &end);
+        let pairs = scene.pairs();
+        assert_has_all(&pairs, &shifted, &format!("case {case}"));
+        let moving = scene.filtered(|v| v.iter().all(|&v| v < 16), |v| v.iter().all(|&v| v < 16));
+        apart += usize::from(pairs.len() < moving.len());
+        let before = scene.colliding(&scene.start, &scene.end);
+        by_rounding += shifted.len().saturating_sub(before.len());
+    }
+    assert!(by_rounding > 20 && apart > 10, "{by_rounding} {apart}");
+}

@@ -1,0 +1,51 @@
+//! What rests stays at rest.
+
+use exact_ccd_sim::{Body, BodyKind, Length, Settings, Simulation, System, shapes};
+use nalgebra::Vector3;
+
+use crate::measure::{center, is_free_since};
+
+/// A cube above a floor settles on it, and from then on stays where it is.
+#[test]
+fn a_cube_on_a_floor_rests() {
+    let mut cube = shapes::solid_box([2, 2, 2], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.004, z + 0.2]);
+    if let BodyKind::Solid { material, .. } = &mut cube.kind {
+        material.young = 1e7;
+    }
+    // One triangle, so that no edge of the floor is near: there the barriers of two faces add up, which pushes sideways.
+    let floor = Body {
+        points: vec![[-9.0, 0.0, -9.0], [0.0, 0.0, 19.0], [19.0, 0.0, -9.0]],
+        kind: BodyKind::Obstacle {
+            faces: vec![[0, 1, 2]],
+        },
+        velocity: [0.0; 3],
+    };
+    let system = System::new(&[cube, floor], &[]).unwrap();
+    let settings = Settings {
+        contact_distance: Length::Absolute(0.005),
+        tolerance: Length::Absolute(1e-6),
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::new(system, settings).unwrap();
+    for _ in 0..100 {
+        let before = simulation.state().positions.clone();
+        simulation.step().unwrap();
+        assert!(is_free_since(&simulation, &before));
+    }
+    let settled = center(&simulation);
+    for _ in 0..20 {
+        let statistics = simulation.step().unwrap();
+        assert!(statistics.converged && statistics.contacts > 0);
+        let height = statistics.minimal_distance.unwrap();
+        assert!(height > 0.0 && height < 0.005);
+    }
+    let drift = (center(&simulation) - settled).norm();
+    assert!(drift < 1e-6, "drifted by {drift} m in 0.2 s");
+    let fastest = simulation
+        .state()
+        .velocities
+        .iter()
+        .map(|v| Vector3::from(*v).norm())
+        .fold(0.0, f64::max);
+    assert!(fastest < 1e-5, "{fastest} m/s");
+}

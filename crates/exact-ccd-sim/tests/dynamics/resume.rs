@@ -1,0 +1,183 @@
+//! A simulation that goes on from a checkpoint.
+
+use exact_ccd_sim::{
+    Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Settings, Simulation, SimulationError,
+    State, System, filter, shapes,
+};
+
+fn system() -> System {
+    let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
+    let floor = shapes::floor([1, 1], [1.1, 1.2]);
+    System::new(&[cube, floor], &[]).unwrap()
+}
+
+fn settings() -> Settings {
+    Settings {
+        integrator: Integrator::Bdf2,
+        gravity: [2.0, -9.81, 0.5],
+        contact_distance: Length::Absolute(0.01),
+        friction: Friction {
+            coefficient: 0.3,
+            lags: 2,
+            ..Friction::default()
+        },
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn killed_and_resumed_it_comes_to_the_same_bits() {
+    let mut whole = Simulation::new(system(), settings()).unwrap();
+    let mut contacts = 0;
+    let mut saved = Vec::new();
+    for _ in 0..16 {
+        saved.push(serde_json::to_string(whole.state()).unwrap());
+        contacts += whole.step().unwrap().contacts;
+    }
+    assert!(contacts > 0, "nothing touched");
+
+    for step in [0, 1, 7, 12] {
+        let state: State = serde_json::from_str(&saved[step]).unwrap();
+        let mut resumed = Simulation::resume(system(), settings(), state).unwrap();
+        for _ in step..16 {
+            resumed.step().unwrap();
+        }
+        // As text, in which −0.0 is not 0.0.
+        let states = [&whole, &resumed].map(|simulation| serde_json::to_string(simulation.state()).unwrap());
+        assert_eq!(states[0], states[1], "from step {step}");
+    }
+}
+
+/// The barrier goes on to repel as it did, though BDF2 scales its potential otherwise than its first step does, which is one of
+/// implicit Euler.
+#[test]
+fn the_barrier_of_bdf2_repels_as_that_of_its_first_step() {
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    while simulation.step().unwrap().contacts == 0 {}
+    // From there on, as if from the start.
+    let mut state = simulation.state().clone();
+    state.earlier = None;
+    // In the middle of its range, so that it is kept.
+    state.stiffness = state.stiffness.map(|stiffness| 10.0 * stiffness);
+    let expected = state.stiffness.unwrap();
+    let mut simulation = Simulation::resume(system(), settings(), state).unwrap();
+    for duration in [0.01, 0.02 / 3.0] {
+        let stiffness = simulation.step().unwrap().stiffness.unwrap();
+        let energy = stiffness / (duration * duration);
+        assert!(
+            (energy / expected - 1.0).abs() < 1e-12,
+            "{energy}, expected {expected}"
+        );
+    }
+}
+
+#[test]
+fn a_state_of_another_system_is_refused() {
+    let simulation = Simulation::new(system(), settings()).unwrap();
+    let mut state = simulation.state().clone();
+    state.velocities.pop();
+    let error = Simulation::resume(system(), settings(), state).err().unwrap();
+    assert!(
+        matches!(
+            error,
+            SimulationError::State {
+                what: "velocities",
+                found: 11,
+                expected: 12
+            }
+        ),
+        "{error}"
+    );
+}
+
+/// A checkpoint is of some settings and a system, and goes on with no others.
+#[test]
+fn a_checkpoint_of_another_simulation_is_refused() {
+    type Change = fn(&mut Settings);
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    simulation.step().unwrap();
+    let text = serde_json::to_string(&simulation.checkpoint()).unwrap();
+    let other = |system: System, change: &dyn Fn(&mut Settings)| {
+        let checkpoint: Checkpoint = serde_json::from_str(&text).unwrap();
+        let mut settings = settings();
+        change(&mut settings);
+        match checkpoint.resume(system, settings).err() {
+            None => "none".to_owned(),
+            Some(SimulationError::OtherSetting { what, there, here }) => {
+                assert_ne!(there, here);
+                what
+            }
+            Some(SimulationError::OtherSystem { what }) => what.to_owned(),
+            Some(other) => panic!("{other}"),
+        }
+    };
+    assert_eq!(other(system(), &|_| ()), "none");
+    let changes: [(&str, Change); 4] = [
+        ("time-step", |settings| settings.time_step *= 0.5),
+        ("integrator", |settings| {
+            settings.integrator = Integrator::ImplicitEuler;
+        }),
+        ("friction.lags", |settings| settings.friction.lags = 1),
+        ("ccd", |settings| settings.ccd = "parity".to_owned()),
+    ];
+    for (what, change) in changes {
+        assert_eq!(other(system(), &change), what);
+    }
+    let cube = || shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
+    let floor = || shapes::floor([1, 1], [1.1, 1.2]);
+    let changed = |change: &dyn Fn(&mut Body), scripts: &[(Vec<u32>, Script)]| {
+        let mut cube = cube();
+        change(&mut cube);
+        other(System::new(&[cube, floor()], scripts).unwrap(), &|_| ())
+    };
+    assert_eq!(changed(&|_| (), &[]), "none");
+    assert_eq!(changed(&|cube| cube.points[0][0] -= 1e-9, &[]), "positions");
+    assert_eq!(changed(&|cube| cube.velocity[0] = 1e-9, &[]), "velocities");
+    assert_eq!(changed(&|_| (), &[(vec![0], Script::Fixed)]), "scripts");
+    let denser = |cube: &mut Body| {
+        if let BodyKind::Solid { material, .. } = &mut cube.kind {
+            material.density *= 1.01;
+        }
+    };
+    assert_eq!(changed(&denser, &[]), "materials");
+    let fewer = |cube: &mut Body| {
+        if let BodyKind::Solid { tetrahedra, .. } = &mut cube.kind {
+            tetrahedra.pop();
+        }
+    };
+    assert_eq!(changed(&fewer, &[]), "elements");
+}
+
+#[test]
+fn settings_out_of_range_are_refused() {
+    let with = |change: fn(&mut Settings)| {
+        let mut settings = settings();
+        change(&mut settings);
+        Simulation::new(system(), settings).err().unwrap().to_string()
+    };
+    let error = with(|settings| settings.time_step = 0.0);
+    assert_eq!(error, "`time-step` is 0, expected a positive number");
+    let error = with(|settings| settings.friction.coefficient = f64::NAN);
+    assert_eq!(
+        error,
+        "`friction.coefficient` is NaN, expected a number not below 0"
+    );
+    let error = with(|settings| settings.ccd = "guess".to_owned());
+    assert!(error.starts_with(
+        "there is no method `guess` of continuous collision detection, expected one of: exact, "
+    ));
+}
+
+/// The name of a filter that is put in is that of the checkpoint: without it, it does not go on unnoticed.
+#[test]
+fn a_checkpoint_tells_of_a_filter_that_was_put_in() {
+    let simulation = Simulation::new(system(), settings()).unwrap();
+    let checkpoint = simulation
+        .with_filter(filter::by_name("bisection", exact_ccd_mesh::Bounds::EMPTY).unwrap())
+        .checkpoint();
+    assert_eq!(checkpoint.settings.ccd, "bisection");
+    assert!(matches!(
+        checkpoint.resume(system(), settings()).err(),
+        Some(SimulationError::OtherSetting { what, .. }) if what == "ccd"
+    ));
+}

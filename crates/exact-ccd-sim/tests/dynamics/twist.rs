@@ -1,0 +1,76 @@
+//! A twisted mat.
+
+use exact_ccd_mesh::Point;
+use exact_ccd_sim::{Length, Script, Settings, Simulation, State, System, shapes};
+
+fn system() -> System {
+    let mat = shapes::cloth([10, 6], [1.0, 0.4]);
+    let side = |end: f64| {
+        let at_end = |&vertex: &u32| mat.points[vertex as usize][0] == end;
+        (0..mat.points.len() as u32).filter(at_end).collect::<Vec<u32>>()
+    };
+    let twist = |rate: f64| Script::Twisting {
+        center: [0.0, 0.0, 0.2],
+        axis: [1.0, 0.0, 0.0],
+        rate,
+        until: None,
+    };
+    let scripts = [(side(0.0), twist(4.0)), (side(1.0), twist(-4.0))];
+    System::new(&[mat], &scripts).unwrap()
+}
+
+fn settings() -> Settings {
+    Settings {
+        time_step: 0.04,
+        gravity: [0.0; 3],
+        contact_distance: Length::Absolute(2e-3),
+        ..Settings::default()
+    }
+}
+
+/// The state after 20 steps, on each increment of which something looks.
+fn twisted(mut visit: impl FnMut(&[Point], &[Point]) + Send) -> State {
+    let mut simulation = Simulation::new(system(), settings()).unwrap();
+    let mut at = simulation.state().positions.clone();
+    let mut contacts = 0;
+    for _ in 0..20 {
+        let statistics = simulation
+            .step_along(&mut |positions: &[Point]| {
+                visit(&at, positions);
+                at = positions.to_vec();
+            })
+            .unwrap();
+        assert_eq!(statistics.script_lag, 0.0);
+        assert_eq!(at, simulation.state().positions);
+        contacts += statistics.contacts;
+    }
+    assert!(contacts > 0, "nothing came near");
+    simulation.state().clone()
+}
+
+/// What is filtered is each increment: together they lead from one time step to the next.
+#[test]
+fn every_increment_is_free_of_contact() {
+    let surface = system().surface().clone();
+    let mut increments = 0;
+    let state = twisted(|from, to| {
+        increments += 1;
+        assert!(exact_ccd_mesh::step(&surface, from, to).unwrap().is_free());
+    });
+    assert!(increments > 40);
+    // The ends have turned by 3.2 rad each way.
+    let moved = state.positions[0];
+    assert!((moved[1] - 0.2 * 3.2_f64.sin()).abs() < 1e-12, "{moved:?}");
+}
+
+#[test]
+fn the_number_of_threads_does_not_show() {
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        pool.install(|| twisted(|_, _| ()))
+    };
+    assert_eq!(on(1), on(2));
+}

@@ -1,0 +1,158 @@
+//! The scenes in `examples/scenes` that need no files, for their first steps.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::path::Path;
+
+use exact_ccd_mesh::{Bounds, Point, TriangleMesh, intersections, step};
+use exact_ccd_sim::scene::Scene;
+use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, shapes};
+
+fn scene(name: &str) -> Scene {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
+    Scene::read(folder.join(name), None).unwrap()
+}
+
+/// Takes some steps, each increment of which is free of contact, and which end without intersections.
+fn run(name: &str, steps: usize) -> (Simulation, Vec<Statistics>) {
+    let scene = scene(name);
+    let surface = scene.system.surface().clone();
+    let mut simulation = scene.simulation().unwrap();
+    let mut at = simulation.state().positions.clone();
+    let mut all = Vec::new();
+    for _ in 0..steps {
+        let statistics = simulation.step_along(&mut |positions: &[Point]| {
+            assert!(step(&surface, &at, positions).unwrap().is_free(), "{name}");
+            at = positions.to_vec();
+        });
+        all.push(statistics.unwrap());
+        assert!(all.last().unwrap().converged, "{name}: {all:?}");
+        assert_eq!(at, simulation.state().positions);
+    }
+    assert!(intersections(&surface, &at).unwrap().is_empty(), "{name}");
+    (simulation, all)
+}
+
+/// The vertices of a state that are not of an obstacle.
+fn moving<'a>(simulation: &'a Simulation, state: &'a State) -> impl Iterator<Item = Point> + 'a {
+    let masses = simulation.system().masses().iter();
+    let vertices = masses.zip(&state.positions).filter(|(mass, _)| **mass > 0.0);
+    vertices.map(|(_, position)| *position)
+}
+
+#[test]
+fn the_small_mat_twists_without_intersection() {
+    let (simulation, all) = run("small-mat-twist.toml", 55);
+    assert!(all.iter().any(|statistics| statistics.contacts > 0));
+    assert!(all.iter().all(|statistics| statistics.script_lag == 0.0));
+    let bounds: Bounds = simulation.state().positions.iter().copied().collect();
+    // The ends, 0.5 m wide, have turned by 2.8 rad, as their scripts say.
+    let height = 0.25 * (0.4_f64 * core::f64::consts::PI * 2.2).sin();
+    assert!(bounds.upper[1] > height, "{bounds:?}");
+}
+
+/// The corners of the cloth are where they are led, and it swings without passing through itself.
+#[test]
+fn the_cloth_hangs_by_its_corners() {
+    let (simulation, all) = run("pinned-cloth.toml", 20);
+    assert!(all.iter().all(|statistics| statistics.script_lag == 0.0));
+    let positions = &simulation.state().positions;
+    assert_eq!(positions[0], [0.0; 3]);
+    assert!((positions[16][0] - (1.0 - 0.4 * 0.4)).abs() < 1e-12 && positions[16][1] == 0.0);
+    let lowest = positions.iter().map(|x| x[1]).fold(0.0, f64::min);
+    assert!(lowest < -0.3, "{lowest}");
+}
+
+#[test]
+fn the_small_mat_is_the_same_on_any_number_of_threads() {
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        let mut simulation = scene("small-mat-twist.toml").simulation().unwrap();
+        pool.install(|| {
+            let contacts: usize = (0..55).map(|_| simulation.step().unwrap().contacts).sum();
+            assert!(contacts > 0, "nothing came near");
+        });
+        // As text, in which −0.0 is not 0.0.
+        serde_json::to_string(simulation.state()).unwrap()
+    };
+    assert_eq!(on(1), on(2));
+}
+
+#[test]
+fn blocks_come_down_on_the_slope() {
+    let (simulation, all) = run("blocks-on-slope.toml", 30);
+    assert!(all.iter().any(|statistics| statistics.contacts > 0));
+    // Friction takes what is lost, or less: the integrator dissipates too.
+    let lost = all[0].energies.mechanical() - all[29].energies.mechanical();
+    let friction: f64 = all[1..]
+        .iter()
+        .map(|statistics| statistics.energies.friction)
+        .sum();
+    assert!(
+        friction > 0.01 * lost && friction < lost,
+        "{friction} of {lost} J"
+    );
+    // No energy comes from nowhere, as it did where a step ended in the depth of the barrier and counted as converged.
+    for pair in all.windows(2) {
+        let [before, after] = [&pair[0], &pair[1]].map(|statistics| statistics.energies.mechanical());
+        assert!(after <= before + 1e-3 * lost, "{pair:?}");
+    }
+    // The slope falls by tan 30° from (−1, ½) on.
+    let slope = 30_f64.to_radians().tan();
+    for [x, y, _] in moving(&simulation, simulation.state()) {
+        assert!(y > 0.5 - slope * (x + 1.0), "({x}, {y})");
+    }
+}
+
+#[test]
+fn the_cloth_stays_outside_of_the_sphere() {
+    let (simulation, all) = run("cloth-on-sphere.toml", 20);
+    assert!(all.iter().any(|statistics| statistics.contacts > 0));
+    // Triangles of a sphere cut its caps off.
+    for [x, y, z] in moving(&simulation, simulation.state()) {
+        assert!(x.hypot(y).hypot(z) > 0.29);
+    }
+}
+
+#[test]
+fn scenes_with_meshes_name_the_file_that_is_missing() {
+    for (name, mesh) in [
+        ("octocats.toml", "32770_octocat.msh"),
+        ("mat-twist.toml", "mat40x40.msh"),
+    ] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
+        let error = Scene::read(folder.join(name), Some(Path::new("nowhere"))).unwrap_err();
+        let message = error.to_string();
+        assert!(message.contains(name) && message.contains(mesh), "{message}");
+    }
+}
+
+#[test]
+fn spheres_are_closed_and_round() {
+    for subdivisions in 0..4 {
+        let sphere = shapes::sphere(subdivisions, 2.0);
+        let BodyKind::Obstacle { faces } = &sphere.kind else {
+            panic!("{:?}", sphere.kind)
+        };
+        let mesh = TriangleMesh::new(sphere.points.len(), faces.clone()).unwrap();
+        assert_eq!(faces.len(), 20 << (2 * subdivisions));
+        assert_eq!(sphere.points.len() + faces.len(), mesh.edges().len() + 2);
+        let volume: f64 = faces
+            .iter()
+            .map(|face| {
+                let [a, b, c] = face.map(|vertex| nalgebra::Vector3::from(sphere.points[vertex as usize]));
+                assert!((a.norm() - 2.0).abs() < 1e-14);
+                a.cross(&b).dot(&c) / 6.0
+            })
+            .sum();
+        let ball = 32.0 / 3.0 * core::f64::consts::PI;
+        let missing = 0.6 / f64::from(1 << (2 * subdivisions));
+        assert!(
+            volume < ball && volume > (1.0 - missing) * ball,
+            "{volume} of {ball}"
+        );
+    }
+}

@@ -1,0 +1,156 @@
+//! Methods of continuous collision detection behind one trait.
+
+use crate::batch::{Trajectories, VertexOutOfRange};
+use crate::kind::{EdgeEdge, Kind, VertexFace};
+use crate::query::Query;
+use crate::time::ContactTime;
+
+/// A decision of the queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
+pub trait Decide<K: Kind>: Send + Sync {
+    /// True if the primitives touch, according to this method.
+    fn collides(&self, query: &Query<K>) -> bool;
+
+    /// The earliest contact time according to this method, in \[0, 1\]; `None` if the primitives do not touch.
+    ///
+    /// The default is that of a method without times: 0 for each contact, which is conservative.
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
+        self.collides(query).then_some(0.0)
+    }
+
+    /// Calls `sink` with the index of each query over `trajectories` that [collides](Self::collides), in order.
+    ///
+    /// # Errors
+    /// [`VertexOutOfRange`] names the first vertex that does not exist.
+    fn collisions(
+        &self,
+        trajectories: &Trajectories,
+        queries: &[[u32; 4]],
+        sink: &mut dyn FnMut(usize),
+    ) -> Result<(), VertexOutOfRange> {
+        trajectories.check(queries)?;
+        for (index, &vertices) in queries.iter().enumerate() {
+            let query = trajectories.query::<K>(vertices);
+            if query.is_some_and(|query| self.collides(&query)) {
+                sink(index);
+            }
+        }
+        Ok(())
+    }
+
+    /// Calls `sink` with the index and the [time of impact](Self::time_of_impact) of each query over `trajectories`
+    /// that has one, in order.
+    ///
+    /// # Errors
+    /// [`VertexOutOfRange`] names the first vertex that does not exist.
+    fn times_of_impact(
+        &self,
+        trajectories: &Trajectories,
+        queries: &[[u32; 4]],
+        sink: &mut dyn FnMut(usize, f64),
+    ) -> Result<(), VertexOutOfRange> {
+        trajectories.check(queries)?;
+        for (index, &vertices) in queries.iter().enumerate() {
+            let query = trajectories.query::<K>(vertices);
+            if let Some(time) = query.and_then(|query| self.time_of_impact(&query)) {
+                sink(index, time);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A method of continuous collision detection.
+///
+/// ```
+/// use exact_ccd::{Ccd, Decide, Exact, Query, VertexFace};
+///
+/// let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+/// let at = |z: f64| [[0.25, 0.25, z], face[0], face[1], face[2]];
+/// let query = Query::<VertexFace>::new(at(1.0), at(-1.0))?;
+///
+/// let method: &dyn Ccd = &Exact;
+/// assert!(!method.guarantees().false_negatives);
+/// assert_eq!(method.time_of_impact(&query), Some(0.5));
+/// # Ok::<(), exact_ccd::NonFinite>(())
+/// ```
+pub trait Ccd: Decide<VertexFace> + Decide<EdgeEdge> {
+    /// The name of the method: short, and different from all others.
+    fn name(&self) -> &str;
+
+    /// The guarantees of the method's answers, for any finite input.
+    fn guarantees(&self) -> Guarantees;
+}
+
+/// The guarantees of a method's answers, for any finite input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Guarantees {
+    /// False negatives are possible: a query that collides may be decided to be free.
+    pub false_negatives: bool,
+    /// False positives are possible: a query that is free may be decided to collide.
+    pub false_positives: bool,
+    /// The meaning of the method's times of impact.
+    pub time: TimeGuarantee,
+}
+
+/// The meaning of a method's times of impact.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimeGuarantee {
+    /// The method has no times of impact: it returns 0 for each contact.
+    Absent,
+    /// An approximation, on either side of the earliest contact.
+    Approximate,
+    /// At or before the earliest contact.
+    Conservative,
+    /// The earliest contact, rounded down to the next f64.
+    Exact,
+}
+
+/// The exact method: the answers of [`Query`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Exact;
+
+impl<K: Kind> Decide<K> for Exact {
+    fn collides(&self, query: &Query<K>) -> bool {
+        query.collides()
+    }
+
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
+        query.time_of_impact()
+    }
+
+    fn collisions(
+        &self,
+        trajectories: &Trajectories,
+        queries: &[[u32; 4]],
+        sink: &mut dyn FnMut(usize),
+    ) -> Result<(), VertexOutOfRange> {
+        trajectories.collisions::<K>(queries, |index, _| sink(index))
+    }
+
+    fn times_of_impact(
+        &self,
+        trajectories: &Trajectories,
+        queries: &[[u32; 4]],
+        sink: &mut dyn FnMut(usize, f64),
+    ) -> Result<(), VertexOutOfRange> {
+        trajectories.collisions::<K>(queries, |index, query| {
+            if let Some(time) = query.contact_times().first().map(ContactTime::lower) {
+                sink(index, time);
+            }
+        })
+    }
+}
+
+impl Ccd for Exact {
+    fn name(&self) -> &'static str {
+        "exact"
+    }
+
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: false,
+            time: TimeGuarantee::Exact,
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! An edge and a face at rest: do they have a common point?
+
+use core::cmp::Ordering::{self, Equal};
+
+use super::orient3d::sign_of_volume;
+use crate::kind::{EdgeEdge, VertexFace};
+use crate::query::{NonFinite, Point, Query};
+
+/// An edge a b and a face v₁ v₂ v₃, at rest. Both are closed: their ends and sides belong to them.
+///
+/// Any finite coordinates are allowed, and edges without length and faces without area are what is left of them: a
+/// point, or a union of segments.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct EdgeFace {
+    edge: [Point; 2],
+    face: [Point; 3],
+}
+
+impl EdgeFace {
+    /// An edge by its ends and a face by its corners.
+    ///
+    /// # Errors
+    /// [`NonFinite`] names the first coordinate that is infinite or not a number; the corners of the face are points 2
+    /// to 4.
+    pub fn new(edge: [Point; 2], face: [Point; 3]) -> Result<Self, NonFinite> {
+        let ([a, b], [v1, v2, v3]) = (edge, face);
+        NonFinite::check(&[a, b, v1, v2, v3])?;
+        Ok(Self { edge, face })
+    }
+
+    /// Whether the edge and the face have a common point.
+    ///
+    /// If the ends are on different sides of the face's plane, the line of the edge meets the plane in one point, whose
+    /// barycentric coordinates are proportional to the volumes that the edge spans with the sides: it lies in the face
+    /// unless two of them have opposite signs. If one end only is in the plane, it must lie in the face. If both are, or if
+    /// the face has no area, then everything lies in one plane, and a common point entails an end in the face, or a side
+    /// of the face that touches the edge. These are queries that do not move.
+    ///
+    /// ```
+    /// use exact_ccd::predicates::EdgeFace;
+    ///
+    /// let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let through = |x: f64| EdgeFace::new([[x, 0.5, -1.0], [x, 0.5, 1.0]], face);
+    /// assert!(through(0.25)?.intersects());
+    /// assert!(through(0.5)?.intersects()); // through the rim
+    /// assert!(!through(0.5_f64.next_up())?.intersects());
+    /// # Ok::<(), exact_ccd::NonFinite>(())
+    /// ```
+    #[must_use]
+    pub fn intersects(&self) -> bool {
+        let ([a, b], [v1, v2, v3]) = (self.edge, self.face);
+        let height = |p| sign_of_volume(&[v1, v2, v3, p]);
+        match (height(a), height(b)) {
+            (Equal, Equal) => self.contains(a) || self.contains(b) || self.touches_a_side(),
+            (Equal, _) => self.contains(a),
+            (_, Equal) => self.contains(b),
+            (above, below) if above == below => false,
+            _ => {
+                let side = |x, y| sign_of_volume(&[a, b, x, y]);
+                agree([side(v1, v2), side(v2, v3), side(v3, v1)])
+            }
+        }
+    }
+
+    /// Whether a point of the edge lies in the face.
+    fn contains(&self, point: Point) -> bool {
+        let [v1, v2, v3] = self.face;
+        let points = [point, v1, v2, v3];
+        // All coordinates are finite.
+        Query::<VertexFace>::new(points, points).is_ok_and(|query| query.collides())
+    }
+
+    fn touches_a_side(&self) -> bool {
+        let ([a, b], [v1, v2, v3]) = (self.edge, self.face);
+        [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(|[x, y]| {
+            let points = [a, b, x, y];
+            Query::<EdgeEdge>::new(points, points).is_ok_and(|query| query.collides())
+        })
+    }
+}
+
+/// Whether no two signs are opposite.
+fn agree(signs: [Ordering; 3]) -> bool {
+    !(signs.contains(&Ordering::Less) && signs.contains(&Ordering::Greater))
+}
