@@ -1,7 +1,7 @@
 //! How the data sets name and number the two kinds of query.
 
 use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
-use exact_ccd_mesh::{Candidates, Step, TriangleMesh};
+use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
 use exact_ccd_methods::{Answer, Method};
 
 /// A kind of query, as the data sets know it.
@@ -33,7 +33,7 @@ pub trait DataKind: Kind + Send + Sync {
     fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4];
 
     /// The candidates of this kind.
-    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]];
+    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]];
 
     /// What a method says of a query of this kind.
     fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer;
@@ -61,12 +61,11 @@ impl DataKind for VertexFace {
         step.vertex_face(vertex, face).expect("the mesh has both")
     }
 
-    fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> [u32; 4] {
-        let [a, b, c] = mesh.faces()[face as usize];
-        [vertex, a, b, c]
+    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4] {
+        <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
-    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
+    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]] {
         candidates.vertex_face()
     }
 
@@ -93,12 +92,11 @@ impl DataKind for EdgeEdge {
         step.edge_edge(a, b).expect("the mesh has both")
     }
 
-    fn vertices(mesh: &TriangleMesh, edges: [u32; 2]) -> [u32; 4] {
-        let [[a0, a1], [b0, b1]] = edges.map(|edge| mesh.edges()[edge as usize]);
-        [a0, a1, b0, b1]
+    fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4] {
+        <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
-    fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
+    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]] {
         candidates.edge_edge()
     }
 

@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let read = clock.elapsed();
 
     let broad_phase = Timed::new(Bvh);
-    let mut detector = Detector::with_broad_phase(&motion.mesh, &broad_phase);
+    let mut detector = Detector::with_broad_phase(motion.mesh.clone(), &broad_phase);
     let mut answers = (0..arguments.repeat)
         .map(|_| arguments.ask(&motion, &broad_phase, &mut detector, read))
         .collect::<Result<Vec<Answer>, StepError>>()?;
@@ -69,7 +69,7 @@ impl Arguments {
         &self,
         motion: &Motion,
         broad_phase: &Timed<Bvh>,
-        detector: &mut Detector<'_, &Timed<Bvh>>,
+        detector: &mut Detector<&Timed<Bvh>>,
         read: Duration,
     ) -> Result<Answer, StepError> {
         let Motion { mesh, x0, x1 } = motion;

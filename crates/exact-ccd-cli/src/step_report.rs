@@ -3,7 +3,7 @@
 use std::fmt;
 use std::time::Duration;
 
-use exact_ccd_mesh::{EarliestContact, Pair, PairCounts, StepReport, TriangleMesh};
+use exact_ccd_mesh::{Contact, Pair, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
 use crate::kind::Kind;
@@ -126,7 +126,7 @@ impl Report {
     }
 
     /// Of the earliest contact only.
-    pub(crate) fn earliest(mesh: &TriangleMesh, earliest: Option<EarliestContact>, seconds: Seconds) -> Self {
+    pub(crate) fn earliest(mesh: &TriangleMesh, earliest: Option<Contact>, seconds: Seconds) -> Self {
         Self {
             collision_free: earliest.is_none(),
             toi: earliest.map(|contact| contact.impact.time.lower()),
@@ -139,24 +139,12 @@ impl Report {
 
 impl ReportedPair {
     pub(crate) fn new(mesh: &TriangleMesh, pair: Pair) -> Self {
-        match pair {
-            Pair::VertexFace { vertex, face } => {
-                let [a, b, c] = mesh.faces()[face as usize];
-                Self {
-                    kind: Kind::Vf,
-                    ids: [vertex, face],
-                    vertices: [vertex, a, b, c],
-                }
-            }
-            Pair::EdgeEdge { a, b } => {
-                let [[a0, a1], [b0, b1]] = [a, b].map(|edge| mesh.edges()[edge as usize]);
-                Self {
-                    kind: Kind::Ee,
-                    ids: [a, b],
-                    vertices: [a0, a1, b0, b1],
-                }
-            }
-        }
+        let (kind, ids) = match pair {
+            Pair::VertexFace { vertex, face } => (Kind::Vf, [vertex, face]),
+            Pair::EdgeEdge { a, b } => (Kind::Ee, [a, b]),
+        };
+        let vertices = pair.vertices(mesh).expect("the pair is one of the mesh");
+        Self { kind, ids, vertices }
     }
 }
 

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
-use exact_ccd_mesh::{Boxes, BroadPhase, Visit};
+use exact_ccd_mesh::{Boxes, BroadPhase, PairSink};
 
 /// A broad phase that adds up the time of those who visit its pairs.
 pub(crate) struct Timed<B> {
@@ -27,21 +27,21 @@ impl<B> Timed<B> {
     }
 }
 
-fn timed(nanoseconds: &AtomicU64, visit: &Visit<'_>) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync {
+fn timed(nanoseconds: &AtomicU64, sink: &PairSink<'_>) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync {
     move |pairs| {
         let clock = Instant::now();
-        let flow = visit(pairs);
+        let flow = sink(pairs);
         nanoseconds.fetch_add(clock.elapsed().as_nanos() as u64, Ordering::Relaxed);
         flow
     }
 }
 
 impl<B: BroadPhase> BroadPhase for Timed<B> {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
-        self.broad_phase.between(a, b, &timed(&self.nanoseconds, visit))
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        self.broad_phase.between(a, b, &timed(&self.nanoseconds, sink))
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
-        self.broad_phase.within(boxes, &timed(&self.nanoseconds, visit))
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        self.broad_phase.within(boxes, &timed(&self.nanoseconds, sink))
     }
 }

@@ -10,14 +10,14 @@ use std::error::Error;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd_mesh::{Bounds, Boxes, BroadPhase, Motion, StepReport, Visit};
+use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Motion, PairSink, StepReport};
 
 /// Sorts the boxes along x, and hands on each with those that begin before it ends: pairs may be too many, but none is
 /// forgotten.
 struct SortedAlongX;
 
 impl BroadPhase for SortedAlongX {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let [of_a, of_b] = [a, b].map(intervals);
         for [lower, upper, i] in of_a {
             let overlapping = of_b
@@ -25,23 +25,23 @@ impl BroadPhase for SortedAlongX {
                 .take_while(|other| other[0] <= upper)
                 .filter(|other| lower <= other[1]);
             let pairs: Vec<[u32; 2]> = overlapping.map(|other| [i as u32, other[2] as u32]).collect();
-            visit(&pairs)?;
+            sink(&pairs)?;
         }
         ControlFlow::Continue(())
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         self.between(boxes, boxes, &|pairs| {
             let once: Vec<[u32; 2]> = pairs.iter().copied().filter(|[i, j]| i < j).collect();
-            visit(&once)
+            sink(&once)
         })
     }
 }
 
 /// Where each box begins and ends along x during the step, and its index, sorted.
 fn intervals<const T: usize>(boxes: &Boxes<T>) -> Vec<[f64; 3]> {
-    let interval = |(id, places): (u32, [Bounds; T])| {
-        let swept = places.iter().fold(Bounds::EMPTY, |all, place| all.union(place));
+    let interval = |(id, places): (u32, [Aabb; T])| {
+        let swept = places.iter().fold(Aabb::EMPTY, |all, place| all.union(place));
         [swept.lower[0], swept.upper[0], f64::from(id)]
     };
     let mut intervals: Vec<_> = boxes.iter().map(interval).collect();

@@ -1,21 +1,19 @@
-//! A sequence of frames, certified: does the mesh ever touch itself?
+//! The certificate of a sequence of frames: the mesh never touches itself.
 
-use exact_ccd::Point;
-
-use crate::broad_phase::Bvh;
-use crate::earliest::EarliestContact;
+use crate::contact::Contact;
+use crate::detector::Detector;
 use crate::frame::Frame;
-use crate::intersections::{Intersection, intersections};
-use crate::mesh::TriangleMesh;
+use crate::intersections::{Intersection, IntersectionsError, intersections};
 use crate::motion::MotionError;
-use crate::step::{Step, StepError};
+use crate::step::StepError;
 
-/// Examines frames of a mesh one after the other, between which vertices move in straight lines.
+/// Examines the frames of a mesh one after the other, between which vertices move in straight lines.
 ///
-/// As long as there is no [`Violation`], no edge and face without a common vertex have a common point, nor do two such
-/// edges or a vertex and a face, at any time up to the last frame. Only the first frame is examined at rest: a mesh that
-/// does not pass through itself there can only come to do so by a vertex that reaches a face or an edge that reaches
-/// another one, and that is a contact of the step. Parts that share a vertex are neighbours and may touch.
+/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a face, two edges, or a
+/// vertex and a face, have a common point at any time up to the last frame. Only the first frame is examined at rest. A
+/// mesh that does not intersect itself there can come to do so only by a vertex that reaches a face or an edge that
+/// reaches another edge, and that is a contact of the step. Parts that share a vertex are neighbours and may touch.
+/// Edges and vertices without a face are primitives as all others.
 ///
 /// ```
 /// use exact_ccd_mesh::{Audit, Frame, Violation};
@@ -37,11 +35,12 @@ use crate::step::{Step, StepError};
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Audit {
-    last: Option<Frame>,
+    /// The last frame, and the detector of its mesh.
+    last: Option<(Frame, Detector)>,
     frames: usize,
 }
 
-/// Where a mesh touches itself.
+/// A place where a mesh touches itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Violation {
     /// An edge meets a face at rest: the least such pair.
@@ -55,8 +54,8 @@ pub enum Violation {
     Contact {
         /// The frame at which the step begins, from 0.
         frame: usize,
-        /// What touches, and when, from 0 at that frame to 1 at the next.
-        contact: EarliestContact,
+        /// The contact. Its time is 0 at that frame and 1 at the next.
+        contact: Contact,
     },
 }
 
@@ -64,22 +63,28 @@ impl Audit {
     /// Examines the next frame, and the step that leads to it.
     ///
     /// # Errors
-    /// [`MotionError`] names what differs between the mesh of this frame, which it calls the end, and that of the frames
-    /// before; or the positions that are not finite. The frame counts as not examined.
+    /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end, and the mesh of the
+    /// frames before; or the positions that are not finite. The frame counts as not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
-        let violation = match &self.last {
-            None => at_rest(&frame)?,
-            Some(last) => {
-                last.mesh.check_same(&frame.mesh)?;
-                contact(self.frames - 1, &last.mesh, &last.positions, &frame.positions)?
-            }
+        let violation = if let Some((last, detector)) = &mut self.last {
+            last.mesh.check_same(&frame.mesh)?;
+            let contact = detector.earliest_contact(&last.positions, &frame.positions)?;
+            *last = frame;
+            contact.map(|contact| Violation::Contact {
+                frame: self.frames - 1,
+                contact,
+            })
+        } else {
+            let mut detector = Detector::new(frame.mesh.clone());
+            let violation = at_rest(&frame, &mut detector)?;
+            self.last = Some((frame, detector));
+            violation
         };
-        self.last = Some(frame);
         self.frames += 1;
         Ok(violation)
     }
 
-    /// How many frames have been examined.
+    /// The number of frames that have been examined.
     #[must_use]
     pub fn frames(&self) -> usize {
         self.frames
@@ -88,29 +93,23 @@ impl Audit {
     /// The last frame that has been examined.
     #[must_use]
     pub fn last(&self) -> Option<&Frame> {
-        self.last.as_ref()
+        self.last.as_ref().map(|(frame, _)| frame)
     }
 }
 
-/// What is wrong with the first frame by itself: intersections, or what touches in a step that goes nowhere.
-fn at_rest(Frame { mesh, positions }: &Frame) -> Result<Option<Violation>, StepError> {
-    let found = intersections(mesh, positions).map_err(StepError::Start)?;
-    match found.first() {
-        Some(&intersection) => Ok(Some(Violation::Intersection {
+/// The violation in the first frame at rest: an intersection, or a contact of a step without motion.
+fn at_rest(frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
+    let positions = &frame.positions;
+    let found = intersections(&frame.mesh, positions).map_err(|error| match error {
+        IntersectionsError::Positions(error) => StepError::Start(error),
+        IntersectionsError::TooManyPrimitives(error) => error.into(),
+    })?;
+    if let Some(&intersection) = found.first() {
+        return Ok(Some(Violation::Intersection {
             frame: 0,
             intersection,
-        })),
-        None => contact(0, mesh, positions, positions),
+        }));
     }
-}
-
-/// The earliest contact of the step that begins at a frame.
-fn contact(
-    frame: usize,
-    mesh: &TriangleMesh,
-    x0: &[Point],
-    x1: &[Point],
-) -> Result<Option<Violation>, StepError> {
-    let contact = Step::new(mesh, x0, x1)?.earliest_contact(&Bvh);
-    Ok(contact.map(|contact| Violation::Contact { frame, contact }))
+    let contact = detector.earliest_contact(positions, positions)?;
+    Ok(contact.map(|contact| Violation::Contact { frame: 0, contact }))
 }

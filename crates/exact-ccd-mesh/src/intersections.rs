@@ -1,13 +1,14 @@
-//! Where a mesh at rest passes through itself.
+//! Self-intersections of a mesh at rest.
 
 use exact_ccd::Point;
 use exact_ccd::predicates::EdgeFace;
 use rayon::prelude::*;
 
-use crate::bounds::Bounds;
-use crate::broad_phase::{Boxes, BroadPhase, Bvh, Found};
+use crate::aabb::Aabb;
+use crate::broad_phase::{Boxes, BroadPhase, Bvh, PairCollector};
 use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
+use crate::primitive_count::TooManyPrimitives;
 
 /// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -18,10 +19,22 @@ pub struct Intersection {
     pub face: u32,
 }
 
+/// The reason why a mesh cannot be searched for intersections.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum IntersectionsError {
+    /// The positions do not fit the mesh.
+    #[error(transparent)]
+    Positions(#[from] PositionsError),
+    /// The mesh is too large.
+    #[error(transparent)]
+    TooManyPrimitives(#[from] TooManyPrimitives),
+}
+
 /// All pairs of an edge and a face that have a common point and share no vertex, sorted.
 ///
 /// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. Two faces without a common
-/// vertex meet if and only if an edge of one meets the other. Of two faces that share a vertex, the sides across from it
+/// vertex meet if and only if an edge of one meets the other. Of two faces that share a vertex, the sides opposite to it
 /// are examined; faces that share two, as when a fold closes, are not.
 ///
 /// ```
@@ -39,8 +52,11 @@ pub struct Intersection {
 /// ```
 ///
 /// # Errors
-/// [`PositionsError`] says which positions are too many, too few or not finite.
-pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Intersection>, PositionsError> {
+/// [`IntersectionsError`] names the positions that are too many, too few or not finite.
+pub fn intersections(
+    mesh: &TriangleMesh,
+    positions: &[Point],
+) -> Result<Vec<Intersection>, IntersectionsError> {
     positions::check(mesh, positions)?;
     let (edges, faces) = (mesh.edges(), mesh.faces());
     let point = |vertex: u32| positions[vertex as usize];
@@ -50,14 +66,13 @@ pub fn intersections(mesh: &TriangleMesh, positions: &[Point]) -> Result<Vec<Int
             // All positions are finite.
             && EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
     };
-    let around =
-        |vertices: &[u32]| -> [Bounds; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
+    let around = |vertices: &[u32]| -> [Aabb; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
     let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
     let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
-    let found = Found::default();
-    let _ = Bvh.between(&Boxes::new(&edge_boxes), &Boxes::new(&face_boxes), &|pairs| {
-        found.keep(pairs.iter().copied().filter(meet))
+    let collector = PairCollector::default();
+    let _ = Bvh.between(&Boxes::new(&edge_boxes)?, &Boxes::new(&face_boxes)?, &|pairs| {
+        collector.add(pairs.iter().copied().filter(meet))
     });
-    let pairs = found.sorted().into_iter();
+    let pairs = collector.into_sorted().into_iter();
     Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
 }

@@ -12,40 +12,47 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The way from files to the answer:
+//! From files to the answer:
 //!
 //! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh are a [`Motion`].
 //! - [`TetMesh`] is a body of tetrahedra at one time, whose surface is a frame.
 //! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a simulator keeps its own.
-//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
-//! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
-//!   [`exact_ccd`].
-//! - [`Detector`] finds the first contact in step after step, or tells only whether there is one, without a look at all.
+//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other. They decide
+//!   contact in the step, or in shorter ones, exactly or by any [`Ccd`](exact_ccd::Ccd).
+//! - [`StepReport`] counts the contacts of a step and has the earliest one.
+//! - [`Detector`] finds contact in step after step, without a test of every candidate, and
+//!   [certifies the step](Detector::free_step) that a solver can take.
+//! - [`CanCollide`] restricts all of this to the pairs that can collide.
 //! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a sequence of frames.
-//! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can be asked about it.
-//! - [`step_size`] is the line search of an optimiser: how far along a direction is free of contact.
+//! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can decide it.
+//! - [`step_size`] is the line search of an optimiser: the part of a direction that is free of contact.
 //!
 //! No result depends on the number of threads, and no input makes anything here panic.
 
+mod aabb;
 mod audit;
 mod boundary;
-mod bounds;
 mod broad_phase;
+mod can_collide;
+mod candidate_options;
 mod candidates;
-mod contacts;
+mod collect;
+mod contact;
+mod culled_search;
 mod detector;
-mod earliest;
 mod frame;
 mod intersections;
-mod kind;
 mod line_search;
 mod mesh;
 mod motion;
 mod narrow_phase;
+mod overlaps;
 mod pair;
 mod positions;
+mod primitive_count;
 mod pvd;
 mod read;
+mod report;
 mod shift;
 mod step;
 mod step_boxes;
@@ -53,26 +60,29 @@ mod tet_mesh;
 mod weld;
 mod write;
 
+pub use aabb::Aabb;
 pub use audit::{Audit, Violation};
-pub use bounds::Bounds;
-pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, Found, Sweep, Visit};
+pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep};
+pub use can_collide::CanCollide;
+pub use candidate_options::{BoxKind, CandidateOptions, DistanceError};
 pub use candidates::Candidates;
-pub use contacts::StepReport;
+pub use contact::Contact;
 pub use detector::Detector;
-pub use earliest::EarliestContact;
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
-pub use intersections::{Intersection, intersections};
+pub use intersections::{Intersection, IntersectionsError, intersections};
 pub use line_search::{
-    Decision, ExactDecision, LineSearch, LineSearchError, ParityDecision, advance, step_size,
+    FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
 };
 pub use mesh::{IndexOutOfRange, TriangleMesh};
 pub use motion::{Motion, MotionError, ReadMotionError};
-pub use pair::{Pair, PairCounts};
+pub use pair::{Pair, PairCounts, PairKind};
 pub use positions::PositionsError;
+pub use primitive_count::TooManyPrimitives;
 pub use pvd::read_pvd;
 pub use read::{Fault, Format, ParseError, Place, ReadError};
-pub use step::{Step, StepError, step};
+pub use report::{StepReport, step};
+pub use step::{Step, StepError};
 pub use tet_mesh::{TetMesh, TetMeshError};
 pub use weld::Welding;
 pub use write::{UnstructuredGrid, write_pvd};

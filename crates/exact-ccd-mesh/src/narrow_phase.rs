@@ -1,51 +1,80 @@
-//! Which candidates are in contact.
+//! The narrow phase: exact tests of candidates, in batches.
 
 use exact_ccd::Query;
 use exact_ccd::batch::Trajectories;
 
-use crate::kind::PairKind;
+use crate::can_collide::CanCollide;
 use crate::mesh::TriangleMesh;
+use crate::pair::PairKind;
 use crate::step::Step;
 
-/// What is asked about candidates, laid out for many of them.
+/// Exact tests of the candidates of a step, in batches.
 #[derive(Clone, Debug)]
-pub(crate) struct NarrowPhase<'a> {
-    mesh: &'a TriangleMesh,
+pub(crate) struct NarrowPhase {
+    can_collide: CanCollide,
     trajectories: Trajectories,
 }
 
-/// How many pairs are looked up at a time.
+/// The number of pairs in a batch.
 const CHUNK: usize = 256;
 
-impl<'a> NarrowPhase<'a> {
-    /// Nothing can be asked before there is a step.
-    pub(crate) fn new(mesh: &'a TriangleMesh) -> Self {
-        let trajectories = Trajectories::new(&[], &[]).expect("as many positions as positions");
-        Self { mesh, trajectories }
+impl NarrowPhase {
+    /// A narrow phase without a step, for the pairs that can collide.
+    pub(crate) fn new(can_collide: CanCollide) -> Self {
+        let trajectories =
+            Trajectories::new(&[], &[]).expect("there are as many positions at both ends: none");
+        Self {
+            can_collide,
+            trajectories,
+        }
     }
 
-    /// Takes another step of the mesh.
+    /// The narrow phase of a step, for all pairs.
+    pub(crate) fn of(step: &Step<'_>) -> Self {
+        let mut narrow_phase = Self::new(CanCollide::all());
+        narrow_phase.begin(step);
+        narrow_phase
+    }
+
+    /// Takes the positions of another step.
     pub(crate) fn begin(&mut self, step: &Step<'_>) {
         let [x0, x1] = step.positions();
         self.trajectories
             .set(x0, x1)
-            .expect("the positions of a step are sound");
+            .expect("a step has as many positions at both ends, and all are finite");
     }
 
-    /// Calls `found` with each pair that is in contact, and its query. Pairs with a common vertex are left out.
+    pub(crate) fn can_collide(&self) -> &CanCollide {
+        &self.can_collide
+    }
+
+    pub(crate) fn trajectories(&self) -> &Trajectories {
+        &self.trajectories
+    }
+
+    /// Calls `found` with each pair that is in contact, and its query.
+    ///
+    /// Pairs with a common vertex are left out, as are those that cannot collide and those that `mesh`, the mesh of the
+    /// step, does not have.
     pub(crate) fn collisions<K: PairKind>(
         &self,
+        mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
         mut found: impl FnMut([u32; 2], &Query<K>),
     ) {
+        let all_can_collide = self.can_collide.is_all();
         let (mut kept, mut vertices) = ([[0; 2]; CHUNK], [[0; 4]; CHUNK]);
         for pairs in pairs.chunks(CHUNK) {
             let mut count = 0;
             for &ids in pairs {
-                if let Some(four) = K::vertices(self.mesh, ids) {
-                    // Without a branch: about half of all pairs that are found near each other are neighbours in the mesh.
+                if let Some(four) = K::vertices(mesh, ids) {
+                    // Without a branch: about half of all pairs from a broad phase are neighbours in the mesh.
                     (kept[count % CHUNK], vertices[count % CHUNK]) = (ids, four);
-                    count += usize::from(K::are_apart(&four));
+                    let can_collide = all_can_collide || {
+                        let (a, b) = four.split_at(K::FIRST);
+                        self.can_collide.allows(a, b)
+                    };
+                    count += usize::from(K::are_apart(&four) & can_collide);
                 }
             }
             self.trajectories

@@ -4,11 +4,11 @@
 use exact_ccd::Point;
 use exact_ccd::parity::{Displacement, RoundingError};
 
-use crate::bounds::Bounds;
+use crate::aabb::Aabb;
 use crate::frame::Frame;
 use crate::motion::Motion;
 
-impl Bounds {
+impl Aabb {
     /// The displacement after which all differences of two points of the box are exact, however many points there are.
     /// The box of nothing needs none.
     #[must_use]
@@ -24,7 +24,7 @@ impl Bounds {
 impl Frame {
     /// The box around all vertices.
     #[must_use]
-    pub fn bounds(&self) -> Bounds {
+    pub fn bounds(&self) -> Aabb {
         self.positions.iter().copied().collect()
     }
 
@@ -33,11 +33,11 @@ impl Frame {
     /// One displacement serves all frames of a simulation, if it is that of the box around all of them:
     ///
     /// ```
-    /// use exact_ccd_mesh::{Bounds, Frame};
+    /// use exact_ccd_mesh::{Aabb, Frame};
     ///
     /// let frame = |x: f64| Frame::new(vec![[0.0, 1.0, 0.1], [x, 1.0, 0.1]], vec![]);
     /// let frames = [frame(0.1)?, frame(0.2)?, frame(0.3)?];
-    /// let bounds = frames.iter().map(Frame::bounds).fold(Bounds::EMPTY, |a, b| a.union(&b));
+    /// let bounds = frames.iter().map(Frame::bounds).fold(Aabb::EMPTY, |a, b| a.union(&b));
     /// let displacement = bounds.displacement();
     /// assert_eq!(displacement.along_axes(), [0.3, 0.0, 0.0]);
     /// assert_eq!(frames[0].shifted(displacement)?.positions, [[0.3, 1.0, 0.1], [0.4, 1.0, 0.1]]);
@@ -58,7 +58,7 @@ impl Motion {
     /// exact. See [`Motion::shifted`].
     #[must_use]
     pub fn displacement(&self) -> Displacement {
-        let bounds: Bounds = self.x0.iter().chain(&self.x1).copied().collect();
+        let bounds: Aabb = self.x0.iter().chain(&self.x1).copied().collect();
         bounds.displacement()
     }
 

@@ -1,11 +1,11 @@
-//! One time step of a mesh: is it free of contact, and if not, until when?
+//! One time step of a mesh.
 
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 
-use crate::broad_phase::Bvh;
-use crate::contacts::StepReport;
 use crate::mesh::TriangleMesh;
+use crate::pair::PairKind;
 use crate::positions::{self, PositionsError};
+use crate::primitive_count::{self, TooManyPrimitives};
 
 /// A mesh whose vertices move in straight lines, at constant speed, from t = 0 to t = 1.
 #[derive(Clone, Copy, Debug)]
@@ -14,52 +14,30 @@ pub struct Step<'a> {
     positions: [&'a [Point]; 2],
 }
 
-/// Which positions of a step do not fit its mesh.
+/// The reason why positions are not a step of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum StepError {
-    /// Those at t = 0.
+    /// The positions at t = 0 do not fit the mesh.
     #[error("at the start, {0}")]
     Start(#[source] PositionsError),
-    /// Those at t = 1.
+    /// The positions at t = 1 do not fit the mesh.
     #[error("at the end, {0}")]
     End(#[source] PositionsError),
-}
-
-/// Looks for the contacts of a mesh with itself in one time step.
-///
-/// `x0` and `x1` are the positions of the vertices at t = 0 and t = 1. Pairs of primitives that share a vertex always
-/// touch and are left out. To see progress, or to use another broad phase, call [`StepReport::new`], as this function
-/// does; if only the earliest contact is wanted, or only whether there is one, [`Step::earliest_contact`] and
-/// [`Step::is_free`] are faster.
-///
-/// ```
-/// use exact_ccd_mesh::{Pair, TriangleMesh, step};
-///
-/// // A vertex of one triangle falls through another triangle, which rests.
-/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
-/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
-/// let falling = |height: f64| [[1.0, 1.0, height], [1.0, 2.0, height + 4.0], [2.0, 1.0, height + 4.0]];
-/// let (x0, x1) = ([floor, falling(1.0)].concat(), [floor, falling(-1.0)].concat());
-///
-/// let report = step(&mesh, &x0, &x1)?;
-/// assert_eq!(report.time_of_impact(), Some(0.5));
-/// assert_eq!(report.earliest.map(|contact| contact.pair), Some(Pair::VertexFace { vertex: 3, face: 0 }));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// [`StepError`] says which positions are too many, too few or not finite.
-pub fn step(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> Result<StepReport, StepError> {
-    let step = Step::new(mesh, x0, x1)?;
-    Ok(StepReport::new(step, &Bvh, &|_| ()))
+    /// The mesh is too large.
+    #[error(transparent)]
+    TooManyPrimitives(#[from] TooManyPrimitives),
 }
 
 impl<'a> Step<'a> {
     /// The step from positions `x0` to positions `x1`, one for each vertex.
     ///
     /// # Errors
-    /// [`StepError`] says which positions are too many, too few or not finite.
+    /// [`StepError`] names the positions that are too many, too few or not finite.
     pub fn new(mesh: &'a TriangleMesh, x0: &'a [Point], x1: &'a [Point]) -> Result<Self, StepError> {
+        for count in [mesh.vertex_count(), mesh.edges().len(), mesh.faces().len()] {
+            primitive_count::check(count)?;
+        }
         positions::check(mesh, x0).map_err(StepError::Start)?;
         positions::check(mesh, x1).map_err(StepError::End)?;
         let positions = [x0, x1];
@@ -78,23 +56,41 @@ impl<'a> Step<'a> {
         self.positions
     }
 
+    /// The positions at a time of the step, rounded: `x0` exactly for t ≤ 0 (and NaN), `x1` exactly for t ≥ 1.
+    ///
+    /// Each coordinate lies between those at the two ends, and is at most 3 ε M away from the exact one, M being the
+    /// larger absolute value of the two. So [`Candidates`](crate::Candidates) of this step also hold for the step from
+    /// `x0` to these positions.
+    #[must_use]
+    pub fn at(&self, time: f64) -> Vec<Point> {
+        let [x0, x1] = self.positions;
+        if time >= 1.0 {
+            return x1.to_vec();
+        }
+        if time.is_nan() || time <= 0.0 {
+            return x0.to_vec();
+        }
+        let between = |(a, b): (&Point, &Point)| core::array::from_fn(|axis| between(a[axis], b[axis], time));
+        x0.iter().zip(x1).map(between).collect()
+    }
+
     /// The query of a vertex against a face, its corners in the order of the face, or `None` if the mesh has no such
     /// vertex or no such face.
     #[must_use]
     pub fn vertex_face(&self, vertex: u32, face: u32) -> Option<Query<VertexFace>> {
-        let &[a, b, c] = self.mesh.faces().get(face as usize)?;
-        self.query([vertex, a, b, c])
+        self.query([vertex, face])
     }
 
     /// The query of two edges, the vertices of each in increasing order, or `None` if the mesh does not have both.
     #[must_use]
     pub fn edge_edge(&self, a: u32, b: u32) -> Option<Query<EdgeEdge>> {
-        let edge = |index: u32| self.mesh.edges().get(index as usize).copied();
-        let ([a0, a1], [b0, b1]) = (edge(a)?, edge(b)?);
-        self.query([a0, a1, b0, b1])
+        self.query([a, b])
     }
 
-    fn query<K: Kind>(&self, [a, b, c, d]: [u32; 4]) -> Option<Query<K>> {
+    /// The query of a pair by the indices of its primitives, or `None` if the mesh does not have both.
+    #[must_use]
+    pub fn query<K: PairKind>(&self, ids: [u32; 2]) -> Option<Query<K>> {
+        let [a, b, c, d] = K::vertices(self.mesh, ids)?;
         let [x0, x1] = self.positions;
         let at = |x: &[Point]| {
             let point = |vertex: u32| x.get(vertex as usize).copied();
@@ -103,4 +99,20 @@ impl<'a> Step<'a> {
         // All positions are finite.
         Query::new(at(x0)?, at(x1)?).ok()
     }
+}
+
+/// a + t (b − a), rounded, between a and b, for 0 < t < 1.
+///
+/// The difference, the product and the sum are each rounded, by at most u = ε/2 of their value. |b − a| is at most 2 M,
+/// so the errors are at most 2 u · 2 M + u M = 2.5 ε M to first order, plus a subnormal product's. The clamp only
+/// lessens the error, because the exact value lies between a and b. If the difference overflows, the weighted sum does
+/// not, and its error is at most 3 u M.
+fn between(a: f64, b: f64, time: f64) -> f64 {
+    let difference = b - a;
+    let x = if difference.is_finite() {
+        a + time * difference
+    } else {
+        (1.0 - time) * a + time * b
+    };
+    x.max(a.min(b)).min(a.max(b))
 }

@@ -3,91 +3,99 @@
 use exact_ccd::Point;
 use rayon::prelude::*;
 
-use crate::bounds::Bounds;
+use crate::aabb::Aabb;
 use crate::broad_phase::{Boxes, MovingBox, extent, order};
+use crate::can_collide::CanCollide;
 use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges, in step after step of a mesh: boxes that move as these do (T = 2), or that
-/// rest, each around all of a primitive's way (T = 1).
+/// The boxes of the vertices, faces and edges, in step after step of one mesh: boxes that move (T = 2), or boxes at rest,
+/// each around the whole path of a primitive (T = 1).
 ///
-/// All of them are in the order of the vertices along a curve that fills space: a face and an edge come where the first of
-/// their vertices does. That order stays as long as it is good.
+/// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come where the first of
+/// their vertices does. The order is kept from step to step until it has become too long.
 #[derive(Clone, Debug)]
-pub(crate) struct StepBoxes<'a, const T: usize> {
-    mesh: &'a TriangleMesh,
+pub(crate) struct StepBoxes<const T: usize> {
     pub(crate) vertices: Boxes<T>,
     pub(crate) faces: Boxes<T>,
     pub(crate) edges: Boxes<T>,
     /// The boxes of the vertices, in the order of the mesh.
     moving: Vec<MovingBox<T>>,
-    /// A vertex among many, so that single precision is spent on differences.
+    /// The amount by which all boxes are larger on each side.
+    margin: f64,
+    /// The start of a vertex amid many others: coordinates are relative to it, so that single precision is fine.
     origin: Point,
-    /// Until when these move, or NaN.
+    /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
-    /// How far apart successive vertices have been at least since they were ordered.
+    /// The number of vertices of the mesh for which the order was made, if it was made.
+    ordered: Option<usize>,
+    /// The shortest extent of the order since it was made.
     extent: f64,
 }
 
-/// Vertices are ordered anew when they are so much farther from their successors than they once were.
-const WEAR: f64 = 1.5;
+/// Vertices are ordered anew when the extent of their order has grown by this factor.
+const MAX_GROWTH: f64 = 1.5;
 
-impl<'a, const T: usize> StepBoxes<'a, T> {
+impl<const T: usize> StepBoxes<T> {
     /// No boxes yet.
-    pub(crate) fn new(mesh: &'a TriangleMesh) -> Self {
+    pub(crate) fn new(margin: f64) -> Self {
         let none = || Boxes::in_order(Vec::new());
         Self {
-            mesh,
             vertices: none(),
             faces: none(),
             edges: none(),
             moving: Vec::new(),
+            margin,
             origin: [0.0; 3],
             time: f64::NAN,
+            ordered: None,
             extent: 0.0,
         }
     }
 
-    /// Takes another step of the mesh: which boxes are near each other in it, not yet where they are.
-    pub(crate) fn begin(&mut self, step: &Step<'_>) {
+    /// Begins another step of the same mesh with the same predicate: orders the primitives, but places no boxes.
+    pub(crate) fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
         let [x0, _] = step.positions();
         self.time = f64::NAN;
         let now = extent(x0, self.vertices.ids());
-        if self.vertices.len() != x0.len() || now > WEAR * self.extent {
-            self.order(x0);
+        if self.ordered != Some(x0.len()) || now > MAX_GROWTH * self.extent {
+            self.order(step.mesh(), x0, can_collide);
         } else {
             self.extent = self.extent.min(now);
         }
-        // That of most vertices is as near as it can be, however far away some are.
-        let middle = self.vertices.ids().get(x0.len() / 2);
+        // A vertex in the middle of the order is amid many others, even if some vertices are far away.
+        let ids = self.vertices.ids();
+        let middle = ids.get(ids.len() / 2);
         self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
     }
 
-    fn order(&mut self, x0: &[Point]) {
-        let ids = order(x0);
+    fn order(&mut self, mesh: &TriangleMesh, x0: &[Point], can_collide: &CanCollide) {
+        let ids = (0..x0.len() as u32).filter(|&vertex| can_collide.takes_part(&[vertex]));
+        let ids = order(x0, ids.collect());
         self.extent = extent(x0, &ids);
-        let mut rank = vec![0; ids.len()];
+        let mut rank = vec![0; x0.len()];
         for (place, &id) in (0..).zip(&ids) {
             rank[id as usize] = place;
         }
         self.vertices = Boxes::in_order(ids);
-        self.faces = Boxes::in_order(by_first_vertex(&rank, self.mesh.faces()));
-        self.edges = Boxes::in_order(by_first_vertex(&rank, self.mesh.edges()));
+        self.faces = Boxes::in_order(by_first_vertex(&rank, mesh.faces(), can_collide));
+        self.edges = Boxes::in_order(by_first_vertex(&rank, mesh.edges(), can_collide));
+        self.ordered = Some(x0.len());
     }
 
-    /// Places vertices and faces as they are until `time`.
+    /// Places the boxes of vertices and faces for the step until `time`.
     pub(crate) fn vertices_and_faces_until(&mut self, step: &Step<'_>, time: f64) {
         self.move_vertices(step, time);
-        let Self { mesh, moving, .. } = self;
+        let (moving, faces) = (&self.moving, step.mesh().faces());
         self.vertices.set(|id| moving[id as usize]);
-        self.faces.set(|id| around(moving, &mesh.faces()[id as usize]));
+        self.faces.set(|id| around(moving, &faces[id as usize]));
     }
 
-    /// Places edges as they are until `time`.
+    /// Places the boxes of edges for the step until `time`.
     pub(crate) fn edges_until(&mut self, step: &Step<'_>, time: f64) {
         self.move_vertices(step, time);
-        let Self { mesh, moving, .. } = self;
-        self.edges.set(|id| around(moving, &mesh.edges()[id as usize]));
+        let (moving, edges) = (&self.moving, step.mesh().edges());
+        self.edges.set(|id| around(moving, &edges[id as usize]));
     }
 
     fn move_vertices(&mut self, step: &Step<'_>, time: f64) {
@@ -96,21 +104,24 @@ impl<'a, const T: usize> StepBoxes<'a, T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        let origin = self.origin;
+        let (origin, margin) = (self.origin, self.margin);
         x0.par_iter()
             .zip(x1)
             .with_min_len(512)
-            .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+            .map(|(&x0, &x1)| {
+                let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
+                MovingBox::new(places, origin)
+            })
             .collect_into_vec(&mut self.moving);
     }
 }
 
-/// Boxes of a vertex: at t = 0 and at `time`, or around all of the way between.
+/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T = 1).
 ///
-/// (1 − t) x₀ + t x₁ has at most three roundings on the way from x₀ and x₁, and products that may underflow; and no value
-/// between x₀ and x₁ overflows.
-fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Bounds; T] {
-    let mut end = Bounds::EMPTY;
+/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products that may underflow;
+/// no value between x₀ and x₁ overflows.
+fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
+    let mut end = Aabb::EMPTY;
     for axis in 0..3 {
         let (a, b) = (x0[axis], x1[axis]);
         let (lower, upper) = if a < b { (a, b) } else { (b, a) };
@@ -119,7 +130,7 @@ fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Bounds; T] {
         end.lower[axis] = near - error;
         end.upper[axis] = near + error;
     }
-    let start = Bounds::of(x0);
+    let start = Aabb::of(x0);
     match T {
         1 => [start.union(&end); T],
         _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
@@ -133,21 +144,32 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
     })
 }
 
-/// The indices of primitives, in the order of the ranks of their first vertices.
-fn by_first_vertex<const N: usize>(rank: &[u32], primitives: &[[u32; N]]) -> Vec<u32> {
+/// The indices of the primitives that take part, in the order of the ranks of their first vertices.
+fn by_first_vertex<const N: usize>(
+    rank: &[u32],
+    primitives: &[[u32; N]],
+    can_collide: &CanCollide,
+) -> Vec<u32> {
     let first = |vertices: &[u32; N]| vertices.iter().map(|&v| rank[v as usize]).min().unwrap_or(0);
-    // Counted, not compared: where those of each rank begin.
+    let taking_part = || {
+        (0..)
+            .zip(primitives)
+            .filter(|(_, vertices)| can_collide.takes_part(*vertices))
+    };
+    // A counting sort: `begin` has the first place of each rank.
     let mut begin = vec![0u32; rank.len() + 1];
-    for vertices in primitives {
+    let mut sum = 0;
+    for (_, vertices) in taking_part() {
         begin[first(vertices) as usize + 1] += 1;
+        sum += 1;
     }
+    let mut ids = vec![0; sum];
     let mut sum = 0;
     for count in &mut begin {
         sum += *count;
         *count = sum;
     }
-    let mut ids = vec![0; primitives.len()];
-    for (id, vertices) in (0..).zip(primitives) {
+    for (id, vertices) in taking_part() {
         let place = &mut begin[first(vertices) as usize];
         ids[*place as usize] = id;
         *place += 1;

@@ -6,20 +6,20 @@ use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd_mesh::{AllPairs, Bounds, Boxes, BroadPhase, Bvh, Point, Sweep};
+use exact_ccd_mesh::{Aabb, AllPairs, Boxes, BroadPhase, Bvh, Point, Sweep};
 use proptest::prelude::*;
 
 /// A box at both ends of a step.
-type Moving = [Bounds; 2];
+type Moving = [Aabb; 2];
 
 /// Whether no axis separates two boxes the same way round at all times, by definition.
-fn meet<const T: usize>(p: &[Bounds; T], q: &[Bounds; T]) -> bool {
-    let before = |a: &[Bounds; T], b: &[Bounds; T], k: usize| (0..T).all(|t| a[t].upper[k] < b[t].lower[k]);
+fn meet<const T: usize>(p: &[Aabb; T], q: &[Aabb; T]) -> bool {
+    let before = |a: &[Aabb; T], b: &[Aabb; T], k: usize| (0..T).all(|t| a[t].upper[k] < b[t].lower[k]);
     !(0..3).any(|k| before(p, q, k) || before(q, p, k))
 }
 
 /// The boxes by their indices.
-fn by_index<const T: usize>(boxes: &Boxes<T>) -> Vec<[Bounds; T]> {
+fn by_index<const T: usize>(boxes: &Boxes<T>) -> Vec<[Aabb; T]> {
     let mut sorted: Vec<_> = boxes.iter().collect();
     sorted.sort_by_key(|(id, _)| *id);
     assert!(sorted.iter().enumerate().all(|(i, (id, _))| i == *id as usize));
@@ -27,8 +27,8 @@ fn by_index<const T: usize>(boxes: &Boxes<T>) -> Vec<[Bounds; T]> {
 }
 
 /// The pairs of boxes that meet, by definition.
-fn pairs<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) -> Vec<[u32; 2]> {
-    let ids = |boxes: &[[Bounds; T]]| 0..boxes.len() as u32;
+fn pairs<const T: usize>(a: &[[Aabb; T]], b: &[[Aabb; T]]) -> Vec<[u32; 2]> {
+    let ids = |boxes: &[[Aabb; T]]| 0..boxes.len() as u32;
     ids(a)
         .flat_map(|i| ids(b).map(move |j| [i, j]))
         .filter(|&[i, j]| meet(&a[i as usize], &b[j as usize]))
@@ -57,8 +57,8 @@ fn within<const T: usize>(broad_phase: &impl BroadPhase, boxes: &Boxes<T>) -> Ve
     sorted(|visit| broad_phase.within(boxes, visit))
 }
 
-fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Bounds; T]], b: &[[Bounds; T]]) {
-    let [coarse_a, coarse_b] = [a, b].map(Boxes::new);
+fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Aabb; T]], b: &[[Aabb; T]]) {
+    let [coarse_a, coarse_b] = [a, b].map(|boxes| Boxes::new(boxes).unwrap());
     let [rounded_a, rounded_b] = [&coarse_a, &coarse_b].map(by_index);
     let found = between(broad_phase, &coarse_a, &coarse_b);
     assert_eq!(found, pairs(&rounded_a, &rounded_b));
@@ -75,7 +75,7 @@ fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
     assert_each_finds_all(&a, &b);
 }
 
-fn assert_each_finds_all<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) {
+fn assert_each_finds_all<const T: usize>(a: &[[Aabb; T]], b: &[[Aabb; T]]) {
     assert_finds_all(&AllPairs, a, b);
     assert_finds_all(&Bvh, a, b);
     assert_finds_all(&Bvh, b, a);
@@ -83,12 +83,12 @@ fn assert_each_finds_all<const T: usize>(a: &[[Bounds; T]], b: &[[Bounds; T]]) {
     assert_finds_all(&Sweep, b, a);
 }
 
-fn at_rest(bounds: Bounds) -> Moving {
+fn at_rest(bounds: Aabb) -> Moving {
     [bounds, bounds]
 }
 
-fn around(p: Point, q: Point) -> Bounds {
-    Bounds::of(p).union(&Bounds::of(q))
+fn around(p: Point, q: Point) -> Aabb {
+    Aabb::of(p).union(&Aabb::of(q))
 }
 
 /// Whole numbers, so that boxes touch and coincide, and numbers out of all proportion.
@@ -104,13 +104,13 @@ fn point() -> impl Strategy<Value = Point> {
     prop::array::uniform3(coordinate())
 }
 
-fn bounds() -> impl Strategy<Value = Bounds> {
+fn bounds() -> impl Strategy<Value = Aabb> {
     prop_oneof![
         20 => (point(), point()).prop_map(|(p, q)| around(p, q)),
         20 => (point(), prop::array::uniform3(0.0..0.5))
             .prop_map(|(p, size)| around(p, std::array::from_fn(|axis| p[axis] + size[axis]))),
-        20 => point().prop_map(Bounds::of),
-        1 => Just(Bounds::EMPTY),
+        20 => point().prop_map(Aabb::of),
+        1 => Just(Aabb::EMPTY),
     ]
 }
 
@@ -135,7 +135,7 @@ proptest! {
 
 #[test]
 fn no_boxes() {
-    let one = [at_rest(Bounds::of([0.0; 3]))];
+    let one = [at_rest(Aabb::of([0.0; 3]))];
     assert_all_find_all(&[], &[]);
     assert_all_find_all(&one, &[]);
     assert_all_find_all(&[], &one);
@@ -147,8 +147,8 @@ fn boxes_that_touch_in_a_face_an_edge_a_corner() {
     let touching =
         [[1.0, 0.0, 0.0], [1.0, -1.0, 0.5], [-1.0, 1.0, 1.0]].map(|p| around(p, p.map(|x| x + 1.0)));
     let apart = around([1.0 + 1e-6, 0.0, 0.0], [2.0; 3]);
-    let unit = Boxes::new(&[[unit]]);
-    let others = Boxes::new(&[touching[0], touching[1], apart, touching[2]].map(|at| [at]));
+    let unit = Boxes::new(&[[unit]]).unwrap();
+    let others = Boxes::new(&[touching[0], touching[1], apart, touching[2]].map(|at| [at])).unwrap();
     for found in [between(&Bvh, &unit, &others), between(&AllPairs, &unit, &others)] {
         assert_eq!(found, [[0, 0], [0, 1], [0, 3]]);
     }
@@ -157,15 +157,15 @@ fn boxes_that_touch_in_a_face_an_edge_a_corner() {
 #[test]
 fn boxes_that_pass_each_other_may_meet_and_boxes_that_move_alike_do_not() {
     let at = |x: f64| around([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
-    let swaps = Boxes::new(&[[at(0.0), at(5.0)], [at(5.0), at(0.0)]]);
-    let follows = Boxes::new(&[[at(0.0), at(5.0)], [at(2.0), at(7.0)]]);
+    let swaps = Boxes::new(&[[at(0.0), at(5.0)], [at(5.0), at(0.0)]]).unwrap();
+    let follows = Boxes::new(&[[at(0.0), at(5.0)], [at(2.0), at(7.0)]]).unwrap();
     assert_eq!(within(&Bvh, &swaps), [[0, 1]]);
     assert_eq!(within(&Bvh, &follows), Vec::<[u32; 2]>::new());
 }
 
 #[test]
 fn both_zeros_are_one_point() {
-    let zeros = Boxes::new(&[[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(|at| [Bounds::of(at)]));
+    let zeros = Boxes::new(&[[-0.0, 0.0, -0.0], [0.0, -0.0, 0.0]].map(|at| [Aabb::of(at)])).unwrap();
     assert_eq!(within(&Bvh, &zeros), [[0, 1]]);
     assert_eq!(within(&Sweep, &zeros), [[0, 1]]);
     assert_eq!(within(&AllPairs, &zeros), [[0, 1]]);
@@ -174,7 +174,7 @@ fn both_zeros_are_one_point() {
 #[test]
 fn identical_boxes_all_overlap() {
     let boxes = vec![at_rest(around([1.0, -2.0, 0.1], [1.0, 5.0, 0.1])); 300];
-    assert_eq!(within(&Bvh, &Boxes::new(&boxes)).len(), 300 * 299 / 2);
+    assert_eq!(within(&Bvh, &Boxes::new(&boxes).unwrap()).len(), 300 * 299 / 2);
     assert_all_find_all(&boxes, &boxes);
 }
 
@@ -209,7 +209,7 @@ fn the_pairs_are_the_same_on_any_number_of_threads() {
             .build()
             .unwrap();
         let found = pool.install(|| {
-            let boxes = Boxes::new(&moving);
+            let boxes = Boxes::new(&moving).unwrap();
             [between(&Bvh, &boxes, &boxes), between(&Sweep, &boxes, &boxes)]
         });
         assert_eq!(found, [expected.clone(), expected.clone()]);
@@ -218,7 +218,7 @@ fn the_pairs_are_the_same_on_any_number_of_threads() {
 
 #[test]
 fn a_break_ends_the_search() {
-    let boxes = Boxes::new(&lattice());
+    let boxes = Boxes::new(&lattice()).unwrap();
     fn calls(find: impl Fn(&(dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync)) -> ControlFlow<()>) -> usize {
         let calls = AtomicUsize::new(0);
         let flow = find(&|_| {

@@ -8,8 +8,8 @@ mod oracle;
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    Audit, Frame, Intersection, MotionError, Point, PositionsError, StepError, TriangleMesh, Violation,
-    intersections, step,
+    Audit, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError, StepError,
+    TriangleMesh, Violation, intersections, step,
 };
 use proptest::prelude::*;
 
@@ -182,7 +182,10 @@ fn errors_do_not_count_as_frames() {
         Audit::default().examine(broken.clone()),
         Err(MotionError::Positions(StepError::Start(count)))
     );
-    assert_eq!(intersections(&broken.mesh, &broken.positions), Err(count));
+    assert_eq!(
+        intersections(&broken.mesh, &broken.positions),
+        Err(IntersectionsError::Positions(count))
+    );
     assert_eq!(audit.frames(), 1);
     assert_eq!(audit.examine(frame(2)), Ok(None));
 }

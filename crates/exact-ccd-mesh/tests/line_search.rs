@@ -2,14 +2,20 @@
 
 use std::path::Path;
 
+use exact_ccd::parity::RootParity;
+use exact_ccd::{Ccd, Exact};
 use exact_ccd_mesh::{
-    Decision, ExactDecision, LineSearch, LineSearchError, Motion, ParityDecision, Point, TriangleMesh,
-    advance, step, step_size,
+    LineSearch, LineSearchError, Motion, Point, Tolerance, TriangleMesh, advance, step, step_size,
 };
 
 fn example(end: &str) -> Motion {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     Motion::read(folder.join("drape_start.ply"), folder.join(end)).expect("the examples are sound")
+}
+
+fn bisection(tolerance: f64, method: &dyn Ccd) -> LineSearch<'_> {
+    let tolerance = Tolerance::Absolute(tolerance);
+    LineSearch::Bisection { tolerance, method }
 }
 
 fn direction(motion: &Motion) -> Vec<Point> {
@@ -45,10 +51,10 @@ fn the_exact_step_is_next_to_the_time_of_impact() {
 fn bisection_ends_within_its_tolerance_below_the_exact_step() {
     let motion = example("drape_contact.ply");
     let (exact, _) = search(&motion, LineSearch::Exact);
-    let decisions: [&dyn Decision; 2] = [&ExactDecision, &ParityDecision];
-    for decision in decisions {
+    let methods: [&dyn Ccd; 2] = [&Exact, &RootParity];
+    for method in methods {
         for tolerance in [0.1, 1e-3, 1e-6] {
-            let (size, is_free) = search(&motion, LineSearch::Bisection { tolerance, decision });
+            let (size, is_free) = search(&motion, bisection(tolerance, method));
             assert!(is_free);
             assert!(
                 size <= exact && exact - size <= tolerance,
@@ -62,17 +68,7 @@ fn bisection_ends_within_its_tolerance_below_the_exact_step() {
 fn a_free_step_is_taken_in_full() {
     let motion = example("drape_free.ply");
     assert_eq!(search(&motion, LineSearch::Exact), (1.0, true));
-    let decision = &ExactDecision;
-    assert_eq!(
-        search(
-            &motion,
-            LineSearch::Bisection {
-                tolerance: 1e-3,
-                decision
-            }
-        ),
-        (1.0, true)
-    );
+    assert_eq!(search(&motion, bisection(1e-3, &Exact)), (1.0, true));
 }
 
 /// An edge that passes through another one at t = 1/3 and back at t = 1/2: parity sees nothing.
@@ -99,17 +95,7 @@ fn parity_goes_through_two_contacts() {
         is_free && (1.0 / 3.0 - 64.0 * f64::EPSILON..=1.0 / 3.0).contains(&size),
         "{size}"
     );
-    let decision = &ParityDecision;
-    assert_eq!(
-        search(
-            &motion,
-            LineSearch::Bisection {
-                tolerance: 1e-3,
-                decision
-            }
-        ),
-        (1.0, false)
-    );
+    assert_eq!(search(&motion, bisection(1e-3, &RootParity)), (1.0, false));
 }
 
 #[test]
@@ -123,10 +109,7 @@ fn a_mesh_in_contact_cannot_move() {
     ];
     let direction = [[0.0; 3], [0.0; 3], [0.0; 3], [0.0, 0.0, 1.0]];
     assert_eq!(step_size(&mesh, &start, &direction, LineSearch::Exact), Ok(0.0));
-    let search = LineSearch::Bisection {
-        tolerance: 0.5,
-        decision: &ExactDecision,
-    };
+    let search = bisection(0.5, &Exact);
     assert_eq!(step_size(&mesh, &start, &direction, search), Ok(0.0));
 }
 
@@ -146,10 +129,7 @@ fn what_is_wrong_is_named() {
         message(&infinite, LineSearch::Exact),
         Err("in the direction, vertex 0 has z = inf, expected a finite number".to_owned())
     );
-    let search = LineSearch::Bisection {
-        tolerance: 0.0,
-        decision: &ExactDecision,
-    };
+    let search = bisection(0.0, &Exact);
     assert_eq!(
         step_size(&mesh, &x, &x, search),
         Err(LineSearchError::Tolerance(0.0))

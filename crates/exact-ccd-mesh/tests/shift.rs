@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
-use exact_ccd_mesh::{Bounds, Frame, Motion, Point, TriangleMesh};
+use exact_ccd_mesh::{Aabb, Frame, Motion, Point, TriangleMesh};
 use proptest::prelude::*;
 
 /// How many vertices, two triangles and one vertex that belongs to none.
@@ -91,7 +91,7 @@ fn nothing_needs_no_shift() {
     let mesh = TriangleMesh::new(0, vec![]).unwrap();
     let (x0, x1) = (vec![], vec![]);
     let motion = Motion { mesh, x0, x1 };
-    assert_eq!(Bounds::EMPTY.displacement(), Displacement::default());
+    assert_eq!(Aabb::EMPTY.displacement(), Displacement::default());
     assert_eq!(motion.displacement(), Displacement::default());
     assert_eq!(motion.shifted(motion.displacement()).unwrap(), motion);
 }

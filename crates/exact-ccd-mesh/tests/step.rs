@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexFace, exact};
 use exact_ccd_mesh::{
-    AllPairs, Boxes, BroadPhase, Bvh, Candidates, Detector, Motion, Pair, PairCounts, Point, Step, StepError,
-    StepReport, Sweep, TriangleMesh, Visit, advance, step,
+    AllPairs, Boxes, BroadPhase, Bvh, Candidates, Detector, Motion, Pair, PairCounts, PairSink, Point, Step,
+    StepError, StepReport, Sweep, TriangleMesh, advance, step,
 };
 use proptest::prelude::*;
 
@@ -203,7 +203,7 @@ proptest! {
 
     #[test]
     fn a_detector_answers_each_step_as_if_it_were_the_first((mesh, steps) in steps()) {
-        let mut detector = Detector::new(&mesh);
+        let mut detector = Detector::new(mesh.clone());
         for [x0, x1] in &steps {
             let step = Step::new(&mesh, x0, x1).unwrap();
             prop_assert_eq!(detector.is_free(x0, x1), Ok(step.is_free(&Bvh)));
@@ -213,7 +213,7 @@ proptest! {
 
     #[test]
     fn a_detector_answers_after_an_error((mesh, steps) in steps(), vertex in any::<prop::sample::Index>()) {
-        let mut detector = Detector::new(&mesh);
+        let mut detector = Detector::new(mesh.clone());
         for [x0, x1] in &steps {
             let mut broken = x1.clone();
             broken[vertex.index(x1.len())][1] = f64::NAN;
@@ -392,17 +392,17 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
 struct Counted(AtomicUsize);
 
 impl BroadPhase for Counted {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         Bvh.between(a, b, &|pairs| {
             self.0.fetch_add(pairs.len(), Ordering::Relaxed);
-            visit(pairs)
+            sink(pairs)
         })
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         Bvh.within(boxes, &|pairs| {
             self.0.fetch_add(pairs.len(), Ordering::Relaxed);
-            visit(pairs)
+            sink(pairs)
         })
     }
 }
@@ -430,12 +430,12 @@ fn a_vertex_far_away_makes_no_more_pairs() {
 struct Nonsense;
 
 impl BroadPhase for Nonsense {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
-        visit(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        sink(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
-        self.between(boxes, boxes, visit)
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        self.between(boxes, boxes, sink)
     }
 }
 

@@ -7,7 +7,7 @@
 use std::error::Error;
 use std::fs::File;
 
-use exact_ccd_mesh::{Audit, Bounds, Frame, Violation};
+use exact_ccd_mesh::{Aabb, Audit, Frame, Violation};
 use exact_ccd_render::{Marks, View, render, write_apng};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bounds = frames
         .iter()
         .map(Frame::bounds)
-        .fold(Bounds::EMPTY, |a, b| a.union(&b));
+        .fold(Aabb::EMPTY, |a, b| a.union(&b));
     let view = View::of(&bounds, [1.0, -2.0, 1.0], [640, 480]);
     let mut audit = Audit::default();
     let mut pictures = Vec::new();

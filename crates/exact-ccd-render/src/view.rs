@@ -1,6 +1,6 @@
 //! From space to the picture.
 
-use exact_ccd_mesh::{Bounds, Point};
+use exact_ccd_mesh::{Aabb, Point};
 
 /// A parallel projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,14 +23,14 @@ impl View {
     ///
     /// `towards` leads from the box towards the viewer. If it is no direction, the view is from above.
     #[must_use]
-    pub fn of(bounds: &Bounds, towards: Point, size: [u16; 2]) -> Self {
+    pub fn of(bounds: &Aabb, towards: Point, size: [u16; 2]) -> Self {
         Self::upright(bounds, [0.0, 0.0, 1.0], towards, size)
     }
 
     /// As [`of`](Self::of), with another direction that points upwards. Who looks along it, or if it is none, has the y axis
     /// point upwards, or else the z axis.
     #[must_use]
-    pub fn upright(bounds: &Bounds, up: Point, towards: Point, size: [u16; 2]) -> Self {
+    pub fn upright(bounds: &Aabb, up: Point, towards: Point, size: [u16; 2]) -> Self {
         let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let towards = unit(towards).or_else(|| unit(up)).unwrap_or(z);
         let right = [unit(up).unwrap_or(y), y, z].map(|up| cross(up, towards));
@@ -46,7 +46,7 @@ impl View {
                 end[axis]
             })
         });
-        let seen: Bounds = corners.map(|corner| along(&axes, corner)).collect();
+        let seen: Aabb = corners.map(|corner| along(&axes, corner)).collect();
         let fits = |axis: usize| Self::FILL * f64::from(size[axis]) / (seen.upper[axis] - seen.lower[axis]);
         let scale = f64::min(fits(0), fits(1));
         Self {

@@ -5,7 +5,7 @@
 use std::collections::HashSet;
 use std::io::{Cursor, ErrorKind};
 
-use exact_ccd_mesh::{Bounds, Frame, Pair, Point};
+use exact_ccd_mesh::{Aabb, Frame, Pair, Point};
 use exact_ccd_render::{Animation, Marks, Picture, View, render, write_apng};
 use proptest::prelude::*;
 
@@ -25,7 +25,7 @@ fn squares(squares: &[[Point; 4]]) -> Frame {
 }
 
 /// The box from which 100 pixels show ten units.
-fn ten_units() -> Bounds {
+fn ten_units() -> Aabb {
     [[0.5, 0.5, 0.0], [9.5, 9.5, 1.0]].into_iter().collect()
 }
 

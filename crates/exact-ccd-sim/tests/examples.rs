@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use exact_ccd_mesh::{Bounds, Point, TriangleMesh, intersections, step};
+use exact_ccd_mesh::{Aabb, Point, TriangleMesh, intersections, step};
 use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, shapes};
 
@@ -45,7 +45,7 @@ fn the_small_mat_twists_without_intersection() {
     let (simulation, all) = run("small-mat-twist.toml", 55);
     assert!(all.iter().any(|statistics| statistics.contacts > 0));
     assert!(all.iter().all(|statistics| statistics.script_lag == 0.0));
-    let bounds: Bounds = simulation.state().positions.iter().copied().collect();
+    let bounds: Aabb = simulation.state().positions.iter().copied().collect();
     // The ends, 0.5 m wide, have turned by 2.8 rad, as their scripts say.
     let height = 0.25 * (0.4_f64 * core::f64::consts::PI * 2.2).sin();
     assert!(bounds.upper[1] > height, "{bounds:?}");

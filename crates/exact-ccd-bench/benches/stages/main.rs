@@ -20,7 +20,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use exact_ccd::batch::{Instructions, Trajectories};
 use exact_ccd::{EdgeEdge, Kind, Query, Stage, VertexFace};
-use exact_ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh, StepReport, Sweep};
+use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, StepReport, Sweep};
 
 use crate::cloth::Cloth;
 
@@ -100,7 +100,7 @@ fn batch_edge_edge(bencher: Bencher<'_, '_>, instructions: Named) {
 }
 
 /// The boxes of the edges at the start and at the end.
-fn edge_boxes() -> Vec<[Bounds; 2]> {
+fn edge_boxes() -> Vec<[Aabb; 2]> {
     let step = LANDING.step();
     let ends = |edge: &[u32; 2]| {
         step.positions()
@@ -118,7 +118,7 @@ fn boxes(bencher: Bencher<'_, '_>) {
 }
 
 fn within(bencher: Bencher<'_, '_>, broad_phase: impl BroadPhase) {
-    let boxes = Boxes::new(&edge_boxes());
+    let boxes = Boxes::new(&edge_boxes()).expect("the cloth has few edges");
     let visit = |pairs: &[[u32; 2]]| {
         black_box(pairs);
         ControlFlow::Continue(())

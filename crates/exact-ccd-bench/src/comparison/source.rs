@@ -97,9 +97,10 @@ impl Source {
             }
             Queries::Candidates(scene) => {
                 let motion = scene.motion()?;
-                let candidates = Candidates::new(motion.step()?, &Bvh);
+                let step = motion.step()?;
+                let candidates = Candidates::new(step, &Bvh);
                 for &pair in K::candidates(&candidates) {
-                    subjects.add(Subject::new(K::query(&candidates.step(), pair), None));
+                    subjects.add(Subject::new(K::query(&step, pair), None));
                 }
             }
         }

@@ -32,7 +32,7 @@ fn assert_batches_find<K: DataKind>(
     }
 }
 
-fn check_scene<K: DataKind>(step: &Step<'_>, candidates: &Candidates<'_>, name: &str) {
+fn check_scene<K: DataKind>(step: &Step<'_>, candidates: &Candidates, name: &str) {
     let [x0, x1] = step.positions();
     let trajectories = Trajectories::new(x0, x1).unwrap();
     let pairs = K::candidates(candidates);

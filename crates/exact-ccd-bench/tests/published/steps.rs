@@ -95,7 +95,7 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
                     assert_eq!(earliest, report.earliest, "{}", scene.name());
                 }
                 assert_eq!(step.is_free(&Bvh), report.is_free(), "{}", scene.name());
-                let mut detector = Detector::new(&motion.mesh);
+                let mut detector = Detector::new(motion.mesh.clone());
                 for _ in 0..2 {
                     let earliest = detector.earliest_contact(&motion.x0, &motion.x1).unwrap();
                     assert_eq!(earliest, report.earliest, "{}", scene.name());

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{Bounds, Format, Frame};
+use exact_ccd_mesh::{Aabb, Format, Frame};
 
 use super::report::Report;
 use super::{Arguments, shared_displacement};
@@ -19,7 +19,7 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
         .as_ref()
         .map(|output| destinations(inputs, output))
         .transpose()?;
-    let bounds = inputs.iter().try_fold(Bounds::EMPTY, |bounds, input| {
+    let bounds = inputs.iter().try_fold(Aabb::EMPTY, |bounds, input| {
         Ok::<_, Failure>(bounds.union(&read(input)?.bounds()))
     })?;
     let displacement = shared_displacement(&bounds)?;

@@ -12,7 +12,7 @@ use std::process::ExitCode;
 
 use exact_ccd::parity::{Displacement, RoundingError};
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_mesh::Bounds;
+use exact_ccd_mesh::Aabb;
 
 use crate::failure::Failure;
 use crate::kind::Kind;
@@ -77,11 +77,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 /// The displacement for all points in a box, which all of them can bear: rounding is monotone, and its corners can.
-fn shared_displacement(bounds: &Bounds) -> Result<Displacement, RoundingError> {
+fn shared_displacement(bounds: &Aabb) -> Result<Displacement, RoundingError> {
     let displacement = bounds.displacement();
     let [lower, upper] = [bounds.lower, bounds.upper].map(|corner| displacement.apply(corner));
     let overflows =
-        |axis: &usize| *bounds != Bounds::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
+        |axis: &usize| *bounds != Aabb::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
     match (0..3).find(overflows) {
         None => Ok(displacement),
         Some(axis) => Err(RoundingError::OutOfRange { axis }),

@@ -1,6 +1,6 @@
 //! Pictures of all times.
 
-use exact_ccd_mesh::{Bounds, Frame, Point};
+use exact_ccd_mesh::{Aabb, Frame, Point};
 use exact_ccd_render::{Animation, Marks, View, render};
 use exact_ccd_sim::Simulation;
 
@@ -16,7 +16,7 @@ const SIZE: [u16; 2] = [640, 480];
 /// Draws the frames in a folder, up to where the simulation is, and plays them at the speed of the simulation.
 pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(), Failure> {
     let steps = 0..=simulation.state().step;
-    let mut bounds = Bounds::EMPTY;
+    let mut bounds = Aabb::EMPTY;
     for step in steps.clone() {
         bounds = bounds.union(&Frame::read(folder.frame(step))?.bounds());
     }

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_bench::DataKind;
 use exact_ccd_bench::comparison::{Subject, Subjects};
-use exact_ccd_mesh::{Bounds, Point, Step};
+use exact_ccd_mesh::{Aabb, Point, Step};
 use exact_ccd_sim::Simulation;
 use exact_ccd_sim::filter::{Increment, StepFilter};
 use rayon::prelude::*;
@@ -111,7 +111,7 @@ fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &
 /// Whether the boxes around the ways of two primitives overlap.
 fn do_boxes_overlap<K: DataKind>(query: &Query<K>, first: usize) -> bool {
     let [start, end] = query.points();
-    let around = |range: std::ops::Range<usize>| -> Bounds {
+    let around = |range: std::ops::Range<usize>| -> Aabb {
         let points = start[range.clone()].iter().chain(&end[range]);
         points.copied().collect()
     };

@@ -3,7 +3,7 @@
 use exact_ccd::parity::{Displacement, Rounded};
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_bench::DataKind;
-use exact_ccd_mesh::Bounds;
+use exact_ccd_mesh::Aabb;
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -13,7 +13,7 @@ use crate::rounding_report::{Report, assert_drawn};
 
 /// One displacement for all points.
 fn shared(points: &[[[Point; 4]; 2]]) -> Displacement {
-    let bounds: Bounds = points.as_flattened().as_flattened().iter().copied().collect();
+    let bounds: Aabb = points.as_flattened().as_flattened().iter().copied().collect();
     Displacement::of_box(bounds.lower, bounds.upper)
 }
 

@@ -7,19 +7,19 @@ use fearless_simd::{Simd, dispatch};
 use super::block::level;
 use super::boxes::Boxes;
 use super::pairs::Pairs;
-use super::{BroadPhase, Visit};
+use super::{BroadPhase, PairSink};
 
 /// Every box against every other: the reference for the tests of the others.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AllPairs;
 
 impl BroadPhase for AllPairs {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
-        dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, visit)))
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, sink)))
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
-        dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, visit)))
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, sink)))
     }
 }
 
@@ -36,5 +36,5 @@ fn all<const T: usize, S: Simd>(
             pairs.add(simd, i, j)?;
         }
     }
-    pairs.hand_on()
+    pairs.flush()
 }

@@ -1,14 +1,14 @@
-//! Eight boxes, each tested against another one at the same time.
+//! Blocks of eight boxes, tested against another box at once.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{Level, f32x8, mask32x8};
 
 use super::moving_box::MovingBox;
 
-/// How many boxes are side by side.
+/// The number of boxes in a block.
 pub(super) const LANES: usize = 8;
 
-/// The vector instructions for tests of blocks: no more than AVX2, whose vectors have eight places too, and which combines
+/// The vector instructions for tests of blocks: at most AVX2. Its vectors have eight places, as blocks do, and it combines
 /// comparisons in half of the time that the mask registers of AVX-512 take.
 pub(super) fn level() -> Level {
     let level = Level::new();
@@ -61,14 +61,14 @@ impl<const T: usize> Block<T> {
         (0..LANES).fold(MovingBox::EMPTY, |union, lane| union.union(&self.get(lane)))
     }
 
-    /// One of the boxes.
+    /// A box of the block.
     #[inline(always)]
     pub(super) fn lane(&self, lane: usize) -> Lane<'_, T> {
         Lane { block: self, lane }
     }
 
-    /// Which of the boxes may meet another one, as a bit for each: all but those that an axis separates at t = 0 and, the
-    /// same way round, at t = 1, hence at all times between. Boxes that rest are separated if they do not overlap.
+    /// A bit for each box of the block: set if it may meet another box. It is not set if an axis separates the two at t = 0
+    /// and, in the same order, at t = 1, hence at all times in between. Boxes at rest are separated if they do not overlap.
     #[inline(always)]
     pub(super) fn meeting<S: Simd>(&self, simd: S, other: &impl Moving) -> u32 {
         let separated =
@@ -88,7 +88,7 @@ impl<const T: usize> Block<T> {
         }
     }
 
-    /// Which boxes are above the other one, and which are below it.
+    /// Masks of the boxes above the other box and of the boxes below it, along an axis.
     #[inline(always)]
     fn sides<S: Simd>(&self, simd: S, other: &impl Moving, axis: usize, time: usize) -> [mask32x8<S>; 2] {
         let lower = f32x8::from_slice(simd, &self.lower[time][axis]);

@@ -1,4 +1,4 @@
-//! Many boxes, as a broad phase wants them.
+//! The boxes of many primitives, as the input of a broad phase.
 
 use exact_ccd::Point;
 use rayon::prelude::*;
@@ -6,37 +6,41 @@ use rayon::prelude::*;
 use super::block::{Block, LANES};
 use super::moving_box::MovingBox;
 use super::order::order;
-use crate::bounds::Bounds;
+use crate::aabb::Aabb;
+use crate::primitive_count::{self, TooManyPrimitives};
 
-/// How many blocks a thread fills at a time, at least.
+/// The least number of blocks that a thread fills in one task.
 const GRAIN: usize = 64;
 
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
 ///
-/// Each box has an index; those of a part of a mesh's primitives have gaps. Coordinates are relative to a common origin, and rounded to single precision; rounding is monotone, so that boxes which meet
-/// still do.
+/// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are relative to a common origin
+/// and rounded to single precision. Rounding is monotone, so that boxes that meet still meet.
 #[derive(Clone, Debug)]
 pub struct Boxes<const T: usize> {
     /// The indices of the boxes, block by block.
     pub(super) ids: Vec<u32>,
-    /// The last one is filled up with boxes of nothing.
+    /// The last block is filled up with empty boxes.
     pub(super) blocks: Vec<Block<T>>,
     /// The box around each block.
     pub(super) around: Vec<MovingBox<T>>,
 }
 
 impl<const T: usize> Boxes<T> {
-    /// Boxes at t = 0 and at t = 1. Their indices are those in the slice, of which there must be no more than 2³².
-    #[must_use]
-    pub fn new(boxes: &[[Bounds; T]]) -> Self {
+    /// Boxes at t = 0 and at t = 1, or boxes at rest (T = 1). Their indices are those in the slice.
+    ///
+    /// # Errors
+    /// [`TooManyPrimitives`], if indices of 32 bits do not suffice.
+    pub fn new(boxes: &[[Aabb; T]]) -> Result<Self, TooManyPrimitives> {
         const { assert!(T == 1 || T == 2, "boxes rest, or move from one place to another") };
+        primitive_count::check(boxes.len())?;
         let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
-        let mut all = Self::in_order(order(&centres));
+        let mut all = Self::in_order(order(&centres, (0..boxes.len() as u32).collect()));
         all.set(|id| MovingBox::new(boxes[id as usize], [0.0; 3]));
-        all
+        Ok(all)
     }
 
-    /// Boxes of nothing, with these indices, eight at a time.
+    /// Empty boxes with these indices, in this order.
     pub(crate) fn in_order(ids: Vec<u32>) -> Self {
         let count = ids.len().div_ceil(LANES);
         Self {
@@ -46,14 +50,14 @@ impl<const T: usize> Boxes<T> {
         }
     }
 
-    /// Moves each box, by its index, to another place.
+    /// Places each box anew, by its index.
     pub(crate) fn set(&mut self, moving: impl Fn(u32) -> MovingBox<T> + Sync) {
         let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
         let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
         blocks.for_each(|((block, around), ids)| (*block, *around) = fill(ids, &moving));
     }
 
-    /// One block in so many.
+    /// One block in every `stride`.
     pub(crate) fn sample(&self, stride: usize) -> Self {
         let ids = self.ids.chunks(LANES).step_by(stride).flatten();
         Self {
@@ -63,21 +67,21 @@ impl<const T: usize> Boxes<T> {
         }
     }
 
-    /// How many boxes there are.
+    /// The number of boxes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.ids.len()
     }
 
-    /// Whether there are none.
+    /// Returns true if there are no boxes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.ids.is_empty()
     }
 
-    /// The index of each box, and where it is at the start and at the end of the time that is looked at, or around all of
-    /// its way (T = 1): relative to a common origin, and rounded.
-    pub fn iter(&self) -> impl Iterator<Item = (u32, [Bounds; T])> {
+    /// The index of each box, and the box at the start and at the end (T = 2) or at rest (T = 1): relative to a common origin,
+    /// and rounded.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, [Aabb; T])> {
         let boxes = self
             .blocks
             .iter()
@@ -90,7 +94,7 @@ impl<const T: usize> Boxes<T> {
         &self.ids
     }
 
-    /// Which boxes of a block are there.
+    /// A bit for each place of a block that holds a box.
     #[inline]
     pub(super) fn filled(&self, block: usize) -> u32 {
         let count = (self.ids.len() - LANES * block).min(LANES);
@@ -110,12 +114,12 @@ fn fill<const T: usize>(ids: &[u32], moving: impl Fn(u32) -> MovingBox<T>) -> (B
     (block, around)
 }
 
-/// The middle of where a box begins.
-fn centre<const T: usize>(places: &[Bounds; T]) -> Point {
+/// The centre of a box at the start.
+fn centre<const T: usize>(places: &[Aabb; T]) -> Point {
     let Some(start) = places.first() else {
         return [0.0; 3];
     };
-    // Halved before they are added: the sum of two finite numbers may overflow. The box of nothing is nowhere.
+    // Halved before they are added: the sum of two finite numbers may overflow. The empty box has no centre.
     let middle = |axis: usize| 0.5 * start.lower[axis] + 0.5 * start.upper[axis];
     [0, 1, 2].map(|axis| {
         if middle(axis).is_finite() {

@@ -9,29 +9,29 @@ use super::block::{Block, LANES, level};
 use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
-use super::{BroadPhase, Visit};
+use super::{BroadPhase, PairSink};
 
-/// Finds the pairs with a hierarchy of boxes, eight below each.
+/// A bounding volume hierarchy: a tree of boxes in which each inner node has eight children.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bvh;
 
-/// How many blocks a thread looks up at a time.
+/// The number of blocks that a thread searches for in one task.
 const GRAIN: usize = 32;
 
 impl BroadPhase for Bvh {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let tree = Tree::new(b);
         grains(a).try_for_each(|blocks| {
-            let pairs = Pairs::between(a, b, visit);
-            dispatch!(level(), simd => tree.look_up(simd, a, blocks, false, pairs))
+            let pairs = Pairs::between(a, b, sink);
+            dispatch!(level(), simd => tree.search(simd, a, blocks, false, pairs))
         })
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let tree = Tree::new(boxes);
         grains(boxes).try_for_each(|blocks| {
-            let pairs = Pairs::within(boxes, visit);
-            dispatch!(level(), simd => tree.look_up(simd, boxes, blocks, true, pairs))
+            let pairs = Pairs::within(boxes, sink);
+            dispatch!(level(), simd => tree.search(simd, boxes, blocks, true, pairs))
         })
     }
 }
@@ -43,24 +43,25 @@ fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Rang
         .map(move |grain| GRAIN * grain..(GRAIN * (grain + 1)).min(count))
 }
 
-/// How many nodes can be waiting for a look at their children: there are at most 11 levels, each with eight of a kind.
-const MOST_OPEN: usize = 11 * LANES;
+/// The capacity of the stack of a descent: there are at most 11 levels, and each has at most eight open siblings.
+const STACK: usize = 11 * LANES;
 
-/// The boxes around eight blocks, the boxes around eight times as many, and so on: the shape of the hierarchy is that of
-/// the indices, and it is as good as the order of the boxes is.
+/// The boxes around eight blocks each, the boxes around eight of these each, and so on. The shape of the tree follows from
+/// the number of blocks; its quality depends on the order of the boxes.
 struct Tree<const T: usize> {
-    /// How many blocks of boxes there are.
+    /// The number of blocks of boxes.
     leaves: usize,
-    /// Level by level, each from the one before; the last has one block, unless there are no boxes at all.
+    /// The inner nodes by level, each level made from the one before. The last has one block, or none if there are no
+    /// boxes.
     levels: Vec<Vec<Block<T>>>,
 }
 
 impl<const T: usize> Tree<T> {
     fn new(boxes: &Boxes<T>) -> Self {
-        let mut levels = vec![above(&boxes.around)];
+        let mut levels = vec![blocks(&boxes.around)];
         while let Some(level) = levels.last().filter(|level| level.len() > 1) {
             let around: Vec<MovingBox<T>> = level.par_iter().with_min_len(64).map(Block::union).collect();
-            levels.push(above(&around));
+            levels.push(blocks(&around));
         }
         Self {
             leaves: boxes.blocks.len(),
@@ -68,10 +69,10 @@ impl<const T: usize> Tree<T> {
         }
     }
 
-    /// Adds all pairs of a box in some blocks and one in the tree; if `later`, only those of a block and itself or a later
-    /// one.
+    /// Adds all pairs of a box in some blocks of `a` and a box in the tree. If `later` is set, only pairs of a block with
+    /// itself or with a later block.
     #[inline(always)]
-    fn look_up<S: Simd>(
+    fn search<S: Simd>(
         &self,
         simd: S,
         a: &Boxes<T>,
@@ -79,11 +80,11 @@ impl<const T: usize> Tree<T> {
         later: bool,
         mut pairs: Pairs<'_, T>,
     ) -> ControlFlow<()> {
-        let mut open = [(0, 0); MOST_OPEN];
+        let mut open = [(0, 0); STACK];
         for block in blocks {
             self.descend(simd, block, &a.around[block], later, &mut open, &mut pairs)?;
         }
-        pairs.hand_on()
+        pairs.flush()
     }
 
     #[inline(always)]
@@ -93,7 +94,7 @@ impl<const T: usize> Tree<T> {
         block: usize,
         around: &MovingBox<T>,
         later: bool,
-        open: &mut [(u32, u32); MOST_OPEN],
+        open: &mut [(u32, u32); STACK],
         pairs: &mut Pairs<'_, T>,
     ) -> ControlFlow<()> {
         open[0] = (self.levels.len() as u32, 0);
@@ -111,7 +112,7 @@ impl<const T: usize> Tree<T> {
             } else {
                 self.levels[level - 2].len()
             };
-            // The first leaf of a child's successor.
+            // The number of leaves below a child.
             let span = 1 << (3 * (level - 1));
             while children != 0 {
                 let child = LANES * index + children.trailing_zeros() as usize;
@@ -126,8 +127,8 @@ impl<const T: usize> Tree<T> {
     }
 }
 
-/// Boxes, eight to a block.
-fn above<const T: usize>(boxes: &[MovingBox<T>]) -> Vec<Block<T>> {
+/// The boxes in blocks of eight.
+fn blocks<const T: usize>(boxes: &[MovingBox<T>]) -> Vec<Block<T>> {
     let block = |eight: &[MovingBox<T>]| {
         let mut block = Block::EMPTY;
         for (lane, moving) in eight.iter().enumerate() {

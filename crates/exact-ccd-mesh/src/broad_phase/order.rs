@@ -1,27 +1,28 @@
-//! Points in an order in which neighbours are near each other.
+//! An order of points in which neighbours are near each other.
 
 use exact_ccd::Point;
 use rayon::prelude::*;
 
-use crate::bounds::Bounds;
+use crate::aabb::Aabb;
 
-/// Bits of a key for each axis.
+/// The number of bits of a key for each axis.
 const BITS: u32 = 12;
 
-/// How many points with the same key are left as they are.
+/// Up to this number, points with the same key are not ordered further.
 const SMALL: usize = 8;
 
-/// The indices of the points along a curve that fills their box (Hilbert, Über die stetige Abbildung einer Linie auf ein Flächenstück, 1891).
+/// The indices of some points along a curve that fills their box: D. Hilbert, *Über die stetige Abbildung einer Linie auf
+/// ein Flächenstück*, 1891.
 ///
-/// Where too many points fall into one cell of the curve, they are ordered along a curve of their own: points out of all
-/// proportion, such as one far away from all others, cost a few more rounds, each with cells 2¹² times as small.
-pub(crate) fn order(points: &[Point]) -> Vec<u32> {
-    let mut keyed: Vec<(u64, u32)> = (0..points.len() as u32).map(|id| (0, id)).collect();
+/// If many points fall into one cell of the curve, they are ordered along a curve of their own. So points that are far
+/// away from all others cost a few more rounds, each with cells 2¹² times as small.
+pub(crate) fn order(points: &[Point], ids: Vec<u32>) -> Vec<u32> {
+    let mut keyed: Vec<(u64, u32)> = ids.into_iter().map(|id| (0, id)).collect();
     sort(points, &mut keyed);
     keyed.into_iter().map(|(_, id)| id).collect()
 }
 
-/// How long the way through the points is in an order, along the axis where each part of it is longest.
+/// The length of the path through the points in an order, in the maximum norm.
 pub(crate) fn extent(points: &[Point], order: &[u32]) -> f64 {
     let part = |pair: &[u32]| {
         let [a, b] = [pair[0], pair[1]].map(|id| points[id as usize]);
@@ -31,11 +32,8 @@ pub(crate) fn extent(points: &[Point], order: &[u32]) -> f64 {
 }
 
 fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
-    let Bounds { lower, upper } = keyed
-        .iter()
-        .map(|&(_, id)| points[id as usize])
-        .collect::<Bounds>();
-    // Halved, for a difference may overflow.
+    let Aabb { lower, upper } = keyed.iter().map(|&(_, id)| points[id as usize]).collect::<Aabb>();
+    // Halved, because a difference may overflow.
     let extent = (0..3).fold(0.0, |most: f64, k| most.max(0.5 * upper[k] - 0.5 * lower[k]));
     if extent.is_nan() || extent <= 0.0 {
         return;
@@ -44,7 +42,7 @@ fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
     let largest = (1 << BITS) - 1;
     keyed.par_iter_mut().for_each(|(key, id)| {
         let point = points[*id as usize];
-        // The conversion saturates, and turns the NaN of a vanishing extent into 0.
+        // The conversion saturates, and NaN, of an extent that underflows, becomes 0.
         let cell = |k: usize| (((0.5 * point[k] - 0.5 * lower[k]) * scale * 2.0) as u32).min(largest);
         let [x, y, z] = along_hilbert([cell(0), cell(1), cell(2)]);
         *key = spread(x) << 2 | spread(y) << 1 | spread(z);
@@ -57,13 +55,13 @@ fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
     }
 }
 
-/// The bits of a cell's place along Hilbert's curve, those of each level one to an axis (Skilling, Programming the Hilbert
-/// curve, 2004).
+/// The bits of a cell's place along Hilbert's curve, distributed over the axes: J. Skilling, *Programming the Hilbert
+/// curve*, 2004.
 fn along_hilbert(mut cell: [u32; 3]) -> [u32; 3] {
     for level in (1..BITS).rev() {
         let below = (1 << level) - 1;
         for axis in 0..3 {
-            // Where the bit is set, the lower bits of the first axis are flipped; elsewhere, swapped with those of this one.
+            // If the bit is set, the lower bits of the first axis are flipped; if not, they are swapped with those of this axis.
             let is_set = (cell[axis] >> level & 1).wrapping_neg();
             cell[0] ^= below & is_set;
             let swap = (cell[0] ^ cell[axis]) & below & !is_set;
@@ -81,7 +79,7 @@ fn along_hilbert(mut cell: [u32; 3]) -> [u32; 3] {
     cell.map(|bits| bits ^ flip)
 }
 
-/// Two zeros between any two of at most 21 bits.
+/// The bits, at most 21 of them, with two zeros between any two.
 fn spread(bits: u32) -> u64 {
     let bits = u64::from(bits);
     let bits = (bits | bits << 32) & 0x001f_0000_0000_ffff;

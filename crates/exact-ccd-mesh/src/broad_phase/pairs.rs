@@ -4,40 +4,41 @@ use core::ops::ControlFlow;
 
 use fearless_simd::Simd;
 
-use super::Visit;
+use super::PairSink;
 use super::block::LANES;
 use super::boxes::Boxes;
 
-/// How many pairs are handed on at a time, at most: as many as fit into the nearer cache, with what is looked up for them.
+/// The largest number of pairs in a batch: as many as fit into the nearest cache, with the data of their primitives.
 const CAPACITY: usize = 1024;
 
-/// Pairs of boxes that one thread has found, handed on from time to time.
+/// Pairs of boxes that one thread has found, passed on in batches.
 pub(super) struct Pairs<'a, const T: usize> {
     a: &'a Boxes<T>,
     b: &'a Boxes<T>,
-    /// Whether both are the same boxes, and a pair is wanted only once.
+    /// True if `a` and `b` are the same boxes, and each pair counts once.
     is_within: bool,
     found: Vec<[u32; 2]>,
-    visit: &'a Visit<'a>,
+    sink: &'a PairSink<'a>,
 }
 
 impl<'a, const T: usize> Pairs<'a, T> {
-    /// Of a box in `a` and one in `b`.
-    pub(super) fn between(a: &'a Boxes<T>, b: &'a Boxes<T>, visit: &'a Visit<'a>) -> Self {
+    /// Pairs of a box in `a` and a box in `b`.
+    pub(super) fn between(a: &'a Boxes<T>, b: &'a Boxes<T>, sink: &'a PairSink<'a>) -> Self {
         Self {
             a,
             b,
             is_within: false,
             found: Vec::with_capacity(CAPACITY),
-            visit,
+            sink,
         }
     }
 
-    /// Of two boxes in `boxes`, the lesser index first. Of two blocks the earlier one has to be asked about the later one.
-    pub(super) fn within(boxes: &'a Boxes<T>, visit: &'a Visit<'a>) -> Self {
+    /// Pairs of two boxes in `boxes`, the smaller index first. Of two blocks, the later one must be the second argument of
+    /// [`add`](Self::add).
+    pub(super) fn within(boxes: &'a Boxes<T>, sink: &'a PairSink<'a>) -> Self {
         Self {
             is_within: true,
-            ..Self::between(boxes, boxes, visit)
+            ..Self::between(boxes, boxes, sink)
         }
     }
 
@@ -47,7 +48,7 @@ impl<'a, const T: usize> Pairs<'a, T> {
         let (block, other) = (&self.a.blocks[i], &self.b.blocks[j]);
         let filled = u64::from(self.b.filled(j));
         let mut lanes = block.meeting(simd, &self.b.around[j]) & self.a.filled(i);
-        // All 64 bits before a look at any: few branches, for these are hard to predict.
+        // All 64 bits are computed before any is tested: branches here are hard to predict.
         let mut meeting = 0;
         while lanes != 0 {
             let lane = lanes.trailing_zeros() as usize;
@@ -68,17 +69,17 @@ impl<'a, const T: usize> Pairs<'a, T> {
             });
         }
         if self.found.len() + LANES * LANES > CAPACITY {
-            self.hand_on()?;
+            self.flush()?;
         }
         ControlFlow::Continue(())
     }
 
-    /// Hands on what is left.
-    pub(super) fn hand_on(&mut self) -> ControlFlow<()> {
+    /// Passes the rest on.
+    pub(super) fn flush(&mut self) -> ControlFlow<()> {
         if self.found.is_empty() {
             return ControlFlow::Continue(());
         }
-        let flow = (self.visit)(&self.found);
+        let flow = (self.sink)(&self.found);
         self.found.clear();
         flow
     }

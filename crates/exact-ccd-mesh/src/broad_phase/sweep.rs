@@ -9,49 +9,49 @@ use super::block::level;
 use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
-use super::{BroadPhase, Visit};
+use super::{BroadPhase, PairSink};
 
-/// Finds the pairs by a sweep along one axis (Cohen, Lin, Manocha, Ponamgi, *I-COLLIDE: An interactive and exact collision
-/// detection system for large-scale environments*, 1995), with blocks of eight boxes that are near each other.
+/// Sweep and prune along one axis, over blocks of eight boxes that are near each other: J. Cohen, M. Lin, D. Manocha and
+/// M. Ponamgi, *I-COLLIDE: An interactive and exact collision detection system for large-scale environments*, 1995.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sweep;
 
-/// How many blocks a thread looks up at a time.
+/// The number of blocks that a thread searches for in one task.
 const GRAIN: usize = 32;
 
 impl BroadPhase for Sweep {
-    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let axis = longest_axis(b);
         let [of_a, of_b] = [a, b].map(|boxes| Interval::sorted(boxes, axis));
-        // Of two intervals that overlap, one begins in the other.
+        // Of two overlapping intervals, one begins inside the other.
         of_a.par_chunks(GRAIN).try_for_each(|grain| {
             let after = |interval: &Interval| of_b.partition_point(|other| other.lower < interval.lower);
-            let pairs = Pairs::between(a, b, visit);
+            let pairs = Pairs::between(a, b, sink);
             dispatch!(level(), simd => sweep(simd, grain, |i| (&of_b[after(i)..], false), pairs))
         })?;
         of_b.par_chunks(GRAIN).try_for_each(|grain| {
             let after = |interval: &Interval| of_a.partition_point(|other| other.lower <= interval.lower);
-            let pairs = Pairs::between(a, b, visit);
+            let pairs = Pairs::between(a, b, sink);
             dispatch!(level(), simd => sweep(simd, grain, |i| (&of_a[after(i)..], true), pairs))
         })
     }
 
-    fn within<const T: usize>(&self, boxes: &Boxes<T>, visit: &Visit<'_>) -> ControlFlow<()> {
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
         let intervals = Interval::sorted(boxes, longest_axis(boxes));
         intervals.par_chunks(GRAIN).try_for_each(|grain| {
             let from = |interval: &Interval| (&intervals[interval.position..], false);
-            let pairs = Pairs::within(boxes, visit);
+            let pairs = Pairs::within(boxes, sink);
             dispatch!(level(), simd => sweep(simd, grain, from, pairs))
         })
     }
 }
 
-/// Where a block is along the axis during the step.
+/// The interval of a block along the axis during the step.
 struct Interval {
     lower: f32,
     upper: f32,
     block: usize,
-    /// Its index among the sorted ones.
+    /// The index among the sorted intervals.
     position: usize,
 }
 
@@ -76,7 +76,7 @@ impl Interval {
     }
 }
 
-/// The axis along which the boxes extend the most.
+/// The axis along which the boxes extend farthest.
 fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
     let around = boxes
         .around
@@ -86,7 +86,9 @@ fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
     (0..3).max_by(|a, b| extent(a).total_cmp(&extent(b))).unwrap_or(0)
 }
 
-/// Adds the pairs of each block with those that begin while it lasts; these are of `a`, if they are `first` in a pair.
+/// Adds the pairs of each block with the blocks whose intervals begin inside its own.
+///
+/// `later` returns the blocks from which on intervals begin later, and true if these blocks are the first in a pair.
 #[inline(always)]
 fn sweep<'i, const T: usize, S: Simd>(
     simd: S,
@@ -108,5 +110,5 @@ fn sweep<'i, const T: usize, S: Simd>(
             pairs.add(simd, a.block, b.block)?;
         }
     }
-    pairs.hand_on()
+    pairs.flush()
 }

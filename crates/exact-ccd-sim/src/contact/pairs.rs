@@ -1,6 +1,6 @@
 //! The broad phase: the one place where this crate asks [`exact_ccd_mesh`] which primitives are near each other.
 
-use exact_ccd_mesh::{Bounds, Boxes, BroadPhase, Bvh, Found, Point};
+use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, PairCollector, Point};
 use rayon::prelude::*;
 
 use super::surface::Surface;
@@ -28,20 +28,20 @@ impl Pairs {
     pub fn near(surface: &Surface, start: &[Point], end: &[Point], distance: f64) -> Self {
         let (faces, edges) = (surface.mesh().faces(), surface.mesh().edges());
         // Half on either side, and what rounding may take.
-        let bounds: Bounds = start.iter().chain(end).copied().collect();
+        let bounds: Aabb = start.iter().chain(end).copied().collect();
         let farthest = bounds
             .lower
             .iter()
             .chain(&bounds.upper)
             .fold(0.0_f64, |far, x| far.max(x.abs()));
         let margin = 0.5 * distance * (1.0 + 1e-9) + ROUNDING * farthest;
-        let boxes: Vec<[Bounds; 2]> = (start, end)
+        let boxes: Vec<[Aabb; 2]> = (start, end)
             .into_par_iter()
             .map(|(&a, &b)| [grown(a, margin), grown(b, margin)])
             .collect();
         let around = |vertices: &[u32]| {
             let boxes = vertices.iter().map(|&vertex| &boxes[vertex as usize]);
-            boxes.fold([Bounds::EMPTY; 2], |all, bounds| {
+            boxes.fold([Aabb::EMPTY; 2], |all, bounds| {
                 [all[0].union(&bounds[0]), all[1].union(&bounds[1])]
             })
         };
@@ -53,26 +53,26 @@ impl Pairs {
             .collect();
         let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
         let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
-        let [vertex_boxes, face_boxes, edge_boxes] =
-            [vertex_boxes, face_boxes, edge_boxes].map(|boxes| Boxes::new(&boxes));
+        let [vertex_boxes, face_boxes, edge_boxes] = [vertex_boxes, face_boxes, edge_boxes]
+            .map(|boxes| Boxes::new(&boxes).expect("a system has fewer than 2³² primitives"));
 
-        let [vertex_face, edge_edge] = [Found::default(), Found::default()];
+        let [vertex_face, edge_edge] = [PairCollector::default(), PairCollector::default()];
         let _ = Bvh.between(&vertex_boxes, &face_boxes, &|pairs| {
             let pairs = pairs
                 .iter()
                 .map(|&[place, face]| [surface.vertices()[place as usize], face]);
             vertex_face
-                .keep(pairs.filter(|&[vertex, face]| surface.is_of_concern(&[vertex], &faces[face as usize])))
+                .add(pairs.filter(|&[vertex, face]| surface.is_of_concern(&[vertex], &faces[face as usize])))
         });
         let _ = Bvh.within(&edge_boxes, &|pairs| {
-            edge_edge.keep(pairs.iter().copied().filter(|pair| {
+            edge_edge.add(pairs.iter().copied().filter(|pair| {
                 let [a, b] = pair.map(|edge| edges[edge as usize]);
                 surface.is_of_concern(&a, &b)
             }))
         });
         Self {
-            vertex_face: vertex_face.sorted(),
-            edge_edge: edge_edge.sorted(),
+            vertex_face: vertex_face.into_sorted(),
+            edge_edge: edge_edge.into_sorted(),
         }
     }
 
@@ -89,8 +89,8 @@ impl Pairs {
     }
 }
 
-fn grown(point: Point, margin: f64) -> Bounds {
-    Bounds {
+fn grown(point: Point, margin: f64) -> Aabb {
+    Aabb {
         lower: point.map(|x| x - margin),
         upper: point.map(|x| x + margin),
     }

@@ -1,6 +1,7 @@
 //! What can touch.
 
-use exact_ccd_mesh::TriangleMesh;
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_mesh::{PairKind, TriangleMesh};
 
 /// The triangles that can touch, and which of their vertices belong to obstacles.
 #[derive(Clone, Debug)]
@@ -42,9 +43,8 @@ impl Surface {
     /// # Panics
     /// If there is no such face.
     #[must_use]
-    pub fn vertex_face(&self, [vertex, face]: [u32; 2]) -> [u32; 4] {
-        let [a, b, c] = self.mesh.faces()[face as usize];
-        [vertex, a, b, c]
+    pub fn vertex_face(&self, pair: [u32; 2]) -> [u32; 4] {
+        VertexFace::vertices(&self.mesh, pair).expect("the mesh has both")
     }
 
     /// The vertices of a pair of edges.
@@ -53,8 +53,7 @@ impl Surface {
     /// If there is no such edge.
     #[must_use]
     pub fn edge_edge(&self, pair: [u32; 2]) -> [u32; 4] {
-        let [[a, b], [c, d]] = pair.map(|edge| self.mesh.edges()[edge as usize]);
-        [a, b, c, d]
+        EdgeEdge::vertices(&self.mesh, pair).expect("the mesh has both")
     }
 
     /// Whether two primitives have no vertex in common, and are not both of obstacles.

@@ -1,6 +1,7 @@
 //! Filters that only decide.
 
-use exact_ccd_mesh::{Decision, ExactDecision, Point};
+use exact_ccd::{Ccd, Exact};
+use exact_ccd_mesh::{Point, Tolerance, bisect};
 
 use super::StepFilter;
 use super::increment::Increment;
@@ -9,33 +10,30 @@ use super::increment::Increment;
 /// M. Attene, D. Panozzo, T. Schneider, *Fast and Exact Root Parity for Continuous Collision Detection*, 2022, algorithm 2.
 pub struct Bisection {
     name: String,
-    decision: Box<dyn Decision + Send>,
+    method: Box<dyn Ccd>,
 }
 
 /// The width of the interval at which to stop, relative to the free part of the step.
-const TOLERANCE: f64 = 0.125;
-
-/// How often a step is halved before it counts as blocked from the start.
-const HALVINGS: usize = 100;
+const TOLERANCE: Tolerance = Tolerance::Relative(0.125);
 
 impl Bisection {
-    /// The bisection with a decision.
+    /// The bisection with a method.
     #[must_use]
-    pub fn new(name: &str, decision: Box<dyn Decision + Send>) -> Self {
+    pub fn new(name: &str, method: Box<dyn Ccd>) -> Self {
         let name = name.to_owned();
-        Self { name, decision }
+        Self { name, method }
     }
 
     /// The bisection with the exact decision.
     #[must_use]
     pub fn exact() -> Self {
-        Self::new("bisection", Box::new(ExactDecision))
+        Self::new("bisection", Box::new(Exact))
     }
 
     fn decide(&self, step: &Increment<'_>) -> bool {
         step.is_free(
-            |query| self.decision.vertex_face(query),
-            |query| self.decision.edge_edge(query),
+            |query| self.method.collides(query),
+            |query| self.method.collides(query),
         )
     }
 }
@@ -46,22 +44,7 @@ impl StepFilter for Bisection {
     }
 
     fn largest(&self, increment: &Increment<'_>) -> f64 {
-        if self.decide(increment) {
-            return 1.0;
-        }
-        let (mut free, mut blocked) = (0.0, 1.0);
-        for _ in 0..HALVINGS {
-            if blocked - free <= TOLERANCE * free {
-                break;
-            }
-            let middle = free + 0.5 * (blocked - free);
-            if self.is_free(increment, &increment.at(middle)) {
-                free = middle;
-            } else {
-                blocked = middle;
-            }
-        }
-        free
+        bisect(TOLERANCE, |part| self.is_free(increment, &increment.at(part)))
     }
 
     fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool {

@@ -1,7 +1,7 @@
 //! Any method of [`exact_ccd_methods`] as a filter.
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_mesh::{Decision, Point};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Query, TimeGuarantee, VertexFace};
+use exact_ccd_mesh::Point;
 use exact_ccd_methods::{Answer, Method, Time};
 
 use super::bisection::Bisection;
@@ -63,12 +63,28 @@ impl StepFilter for ByMethod {
 #[derive(Clone)]
 struct DecidingMethod(std::sync::Arc<dyn Method>);
 
-impl Decision for DecidingMethod {
-    fn vertex_face(&self, query: &Query<VertexFace>) -> bool {
+impl Decide<VertexFace> for DecidingMethod {
+    fn collides(&self, query: &Query<VertexFace>) -> bool {
         self.0.vertex_face(query).is_contact()
     }
+}
 
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> bool {
+impl Decide<EdgeEdge> for DecidingMethod {
+    fn collides(&self, query: &Query<EdgeEdge>) -> bool {
         self.0.edge_edge(query).is_contact()
+    }
+}
+
+impl Ccd for DecidingMethod {
+    fn name(&self) -> &str {
+        self.0.name()
+    }
+
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: self.0.promise().may_miss,
+            false_positives: self.0.promise().may_invent,
+            time: TimeGuarantee::Absent,
+        }
     }
 }

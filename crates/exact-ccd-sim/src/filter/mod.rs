@@ -12,7 +12,7 @@ pub use exact::Exact;
 pub use increment::Increment;
 pub use parity::Parity;
 
-use exact_ccd_mesh::{Bounds, Point};
+use exact_ccd_mesh::{Aabb, Point};
 
 /// A method of continuous collision detection, as a line search uses it.
 pub trait StepFilter: Send + Sync {
@@ -62,7 +62,7 @@ pub fn names() -> Vec<String> {
 ///
 /// # Errors
 /// [`UnknownFilter`] has the names that there are.
-pub fn by_name(name: &str, scene: Bounds) -> Result<Box<dyn StepFilter>, UnknownFilter> {
+pub fn by_name(name: &str, scene: Aabb) -> Result<Box<dyn StepFilter>, UnknownFilter> {
     let name = name.to_lowercase();
     match name.as_str() {
         "exact" => return Ok(Box::new(Exact)),

@@ -1,6 +1,7 @@
 //! The paper's filter.
 
-use exact_ccd_mesh::{Bounds, ParityDecision, Point};
+use exact_ccd::parity::RootParity;
+use exact_ccd_mesh::{Aabb, Point};
 
 use super::StepFilter;
 use super::bisection::Bisection;
@@ -10,20 +11,20 @@ use super::increment::Increment;
 /// the paper), so that what two queries share stays the same point. Two contacts look like none.
 pub struct Parity {
     bisection: Bisection,
-    bounds: Bounds,
+    bounds: Aabb,
 }
 
 impl Parity {
     /// The filter for a scene that stays in a box: one shift serves for all of its steps.
     #[must_use]
-    pub fn within(bounds: Bounds) -> Self {
-        let bisection = Bisection::new("parity", Box::new(ParityDecision));
+    pub fn within(bounds: Aabb) -> Self {
+        let bisection = Bisection::new("parity", Box::new(RootParity));
         Self { bisection, bounds }
     }
 
     /// The same positions, all shifted by what the scene and these need.
     fn shifted(&self, all: [&[Point]; 3]) -> [Vec<Point>; 3] {
-        let bounds: Bounds = all.iter().copied().flatten().copied().collect();
+        let bounds: Aabb = all.iter().copied().flatten().copied().collect();
         let displacement = self.bounds.union(&bounds).displacement();
         all.map(|points| points.iter().map(|&point| displacement.apply(point)).collect())
     }

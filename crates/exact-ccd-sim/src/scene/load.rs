@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd_mesh::{Bounds, Point};
+use exact_ccd_mesh::{Aabb, Point};
 
 use super::description::{BodyDescription, Description, Selection};
 use super::document::{Document, Key, SceneError};
@@ -191,7 +191,7 @@ fn select(selection: Selection, points: &[Point], first: u32) -> Result<Vec<u32>
         .map(|(vertex, _)| vertex)
         .collect();
     if selected.is_empty() {
-        let body: Bounds = points.iter().copied().collect();
+        let body: Aabb = points.iter().copied().collect();
         return Err(format!(
             "no vertex of the body is there: placed, it goes from {:?} to {:?}",
             body.lower, body.upper

@@ -6,7 +6,7 @@ mod step;
 
 use std::fmt;
 
-use exact_ccd_mesh::{Bounds, Point};
+use exact_ccd_mesh::{Aabb, Point};
 
 use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
@@ -188,10 +188,10 @@ impl fmt::Debug for Simulation {
     }
 }
 
-fn room(system: &System) -> Bounds {
-    let bounds: Bounds = system.start.iter().copied().collect();
+fn room(system: &System) -> Aabb {
+    let bounds: Aabb = system.start.iter().copied().collect();
     let margin = 0.5 * (ROOM - 1.0) * system.size();
-    Bounds {
+    Aabb {
         lower: bounds.lower.map(|x| x - margin),
         upper: bounds.upper.map(|x| x + margin),
     }

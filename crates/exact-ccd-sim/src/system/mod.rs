@@ -6,7 +6,7 @@ mod parts;
 
 use std::ops::Range;
 
-use exact_ccd_mesh::{Bounds, Frame, FrameError, Point, TriangleMesh};
+use exact_ccd_mesh::{Aabb, Frame, FrameError, Point, TriangleMesh};
 use nalgebra::Vector3;
 
 use crate::body::Body;
@@ -61,7 +61,7 @@ impl System {
             vertex: error.vertex,
             vertex_count,
         })?;
-        let bounds: Bounds = parts.start.iter().copied().collect();
+        let bounds: Aabb = parts.start.iter().copied().collect();
         let size = if vertex_count == 0 {
             1.0
         } else {

@@ -1,6 +1,6 @@
 //! Continuous collision detection by any method.
 
-use exact_ccd_mesh::{Bounds, Point, TriangleMesh};
+use exact_ccd_mesh::{Aabb, Point, TriangleMesh};
 use exact_ccd_sim::contact::{Pairs, Surface};
 use exact_ccd_sim::filter::{self, Increment};
 use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, System};
@@ -26,7 +26,7 @@ fn falling_to(end: f64) -> (Surface, [Vec<Point>; 2]) {
     (Surface::new(mesh, vec![false; 6]), [at(3.0), at(end)])
 }
 
-fn room() -> Bounds {
+fn room() -> Aabb {
     [[-9.0; 3], [19.0; 3]].into_iter().collect()
 }
 

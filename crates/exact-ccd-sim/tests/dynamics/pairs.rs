@@ -1,7 +1,7 @@
 //! The pairs that the broad phase gives to the barrier and to the filters, against a look at all that there are.
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_mesh::{Bounds, Point, TriangleMesh};
+use exact_ccd_mesh::{Aabb, Point, TriangleMesh};
 use exact_ccd_sim::contact::{Pairs, Surface};
 use exact_ccd_sim::distance::{edge_edge, point_triangle};
 use exact_ccd_sim::filter::Increment;
@@ -176,14 +176,14 @@ fn all_that_collides_after_a_shift_is_among_the_pairs() {
     for case in 0..300 {
         let mut scene = random_scene(&mut random);
         scene.distance = 0.0;
-        let bounds: Bounds = scene.start.iter().copied().collect();
+        let bounds: Aabb = scene.start.iter().copied().collect();
         let far = 2.0_f64.powi(random.i32(44..50)) * (bounds.upper[0] - bounds.lower[0]);
         for points in [&mut scene.start, &mut scene.end] {
             points[4 * (PIECES - 1)..]
                 .iter_mut()
                 .for_each(|point| *point = point.map(|x| x + far));
         }
-        let bounds: Bounds = scene.start.iter().chain(&scene.end).copied().collect();
+        let bounds: Aabb = scene.start.iter().chain(&scene.end).copied().collect();
         let displacement = bounds.displacement();
         let [start, end] = [&scene.start, &scene.end].map(|points| {
             points

@@ -173,7 +173,7 @@ fn settings_out_of_range_are_refused() {
 fn a_checkpoint_tells_of_a_filter_that_was_put_in() {
     let simulation = Simulation::new(system(), settings()).unwrap();
     let checkpoint = simulation
-        .with_filter(filter::by_name("bisection", exact_ccd_mesh::Bounds::EMPTY).unwrap())
+        .with_filter(filter::by_name("bisection", exact_ccd_mesh::Aabb::EMPTY).unwrap())
         .checkpoint();
     assert_eq!(checkpoint.settings.ccd, "bisection");
     assert!(matches!(

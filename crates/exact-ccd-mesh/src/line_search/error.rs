@@ -1,0 +1,25 @@
+//! Errors of line searches.
+
+use crate::positions::PositionsError;
+use crate::step::StepError;
+
+/// The reason why a line search has no result.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LineSearchError {
+    /// The positions at the start, or at the end of the full step, do not fit the mesh.
+    #[error(transparent)]
+    Step(#[from] StepError),
+    /// The direction does not fit the mesh.
+    #[error("in the direction, {0}")]
+    Direction(#[source] PositionsError),
+    /// The tolerance of a bisection is not positive.
+    #[error("the tolerance is {0}, expected a positive number")]
+    Tolerance(f64),
+    /// The part of the way to keep is out of range.
+    #[error("the part of the way to keep is {0}, expected a number above 0 and at most 1")]
+    Keep(f64),
+    /// The caller has cancelled the search.
+    #[error("the search for a free step was cancelled")]
+    Cancelled,
+}

@@ -1,0 +1,212 @@
+//! The step that a solver can take: certified to be free of contact.
+
+use std::fmt;
+
+use exact_ccd::Point;
+
+use super::error::LineSearchError;
+use super::step_size::advance;
+use super::watched::{Watch, Watched};
+use crate::broad_phase::BroadPhase;
+use crate::collect::{AnyContact, Collect, Earliest};
+use crate::contact::Contact;
+use crate::culled_search::CulledSearch;
+use crate::detector::Detector;
+use crate::mesh::TriangleMesh;
+use crate::positions;
+use crate::step::Step;
+
+/// Options of [`Detector::free_step`].
+#[derive(Clone, Copy)]
+#[non_exhaustive]
+pub struct FreeStepOptions<'a> {
+    /// The part of the way to the earliest contact that is kept: above 0 and at most 1. The default is 0.9. With 1, the
+    /// step ends as near to the contact as rounding permits.
+    pub keep: f64,
+    /// Called with the number of pairs examined since the last call, from any thread.
+    pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
+    /// Called between batches of pairs, from any thread; true cancels the search.
+    pub cancel: Option<&'a (dyn Fn() -> bool + Sync)>,
+}
+
+impl Default for FreeStepOptions<'_> {
+    fn default() -> Self {
+        Self {
+            keep: 0.9,
+            progress: None,
+            cancel: None,
+        }
+    }
+}
+
+impl<'a> FreeStepOptions<'a> {
+    /// The same options with another part of the way to keep.
+    #[must_use]
+    pub fn with_keep(self, keep: f64) -> Self {
+        Self { keep, ..self }
+    }
+
+    /// The same options with a callback for progress.
+    #[must_use]
+    pub fn with_progress(self, progress: &'a (dyn Fn(usize) + Sync)) -> Self {
+        let progress = Some(progress);
+        Self { progress, ..self }
+    }
+
+    /// The same options with a callback that may cancel the search.
+    #[must_use]
+    pub fn with_cancel(self, cancel: &'a (dyn Fn() -> bool + Sync)) -> Self {
+        let cancel = Some(cancel);
+        Self { cancel, ..self }
+    }
+}
+
+impl fmt::Debug for FreeStepOptions<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FreeStepOptions")
+            .field("keep", &self.keep)
+            .field("has_progress", &self.progress.is_some())
+            .field("has_cancel", &self.cancel.is_some())
+            .finish()
+    }
+}
+
+/// A step that is free of contact.
+///
+/// Unless `size` is 0, the straight motion from the start to `positions` has been checked to be free of contact, exactly,
+/// for the positions as they are, rounded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeStep {
+    /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full step. It is 1 if the
+    /// full step is free of contact. It is 0 if the mesh touches itself at the start, or if the contact comes before any
+    /// rounded position: then no motion is certified.
+    pub size: f64,
+    /// The positions at its end: those at the start if the size is 0, and those at the end of the full step if it is 1.
+    pub positions: Vec<Point>,
+    /// The earliest contact of the full step, or `None` if the full step is free of contact.
+    pub contact: Option<Contact>,
+}
+
+impl<B: BroadPhase> Detector<B> {
+    /// The largest step from positions `x0` towards positions `x1` that is certified to be free of contact, with a part of
+    /// the way to the earliest contact left over.
+    ///
+    /// The size is `keep` times the time of impact, rounded down, of the full step. The positions there, by [`Step::at`],
+    /// are rounded, and the step from `x0` to them is checked exactly. If it is not free, the size is reduced by one, two,
+    /// four, … units in its last place until it is.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};
+    ///
+    /// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
+    /// let x0 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 1.0]];
+    /// let mut x1 = x0;
+    /// x1[3][2] = -1.0;
+    ///
+    /// let mut detector = Detector::new(mesh);
+    /// let step = detector.free_step(&x0, &x1, &FreeStepOptions::default().with_keep(0.5))?;
+    /// assert_eq!((step.size, step.positions[3]), (0.25, [0.25, 0.25, 0.5]));
+    /// assert!(detector.is_free(&x0, &step.positions)?);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LineSearchError`] names the positions that are too many, too few or not finite, or a part to keep that is out of
+    /// range; it is [`LineSearchError::Cancelled`] if the search was cancelled.
+    pub fn free_step(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: &FreeStepOptions<'_>,
+    ) -> Result<FreeStep, LineSearchError> {
+        let (mesh, search) = self.parts();
+        let step = Step::new(mesh, x0, x1)?;
+        free_step(search, step, |size| step.at(size), options)
+    }
+
+    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The positions at a size α are those
+    /// of [`advance`]: x₀ + fl(α d), rounded.
+    ///
+    /// # Errors
+    /// As [`free_step`](Self::free_step); [`LineSearchError::Direction`] names the part of the direction that is wrong.
+    pub fn free_step_along(
+        &mut self,
+        x0: &[Point],
+        direction: &[Point],
+        options: &FreeStepOptions<'_>,
+    ) -> Result<FreeStep, LineSearchError> {
+        let (mesh, search) = self.parts();
+        free_step_along(search, mesh, x0, direction, options)
+    }
+}
+
+/// The free step along a direction, with the memory of a search.
+pub(super) fn free_step_along<B: BroadPhase>(
+    search: &mut CulledSearch<B>,
+    mesh: &TriangleMesh,
+    x0: &[Point],
+    direction: &[Point],
+    options: &FreeStepOptions<'_>,
+) -> Result<FreeStep, LineSearchError> {
+    positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
+    let x1 = advance(x0, direction, 1.0);
+    let step = Step::new(mesh, x0, &x1)?;
+    free_step(search, step, |size| advance(x0, direction, size), options)
+}
+
+fn free_step<B: BroadPhase>(
+    search: &mut CulledSearch<B>,
+    step: Step<'_>,
+    at: impl Fn(f64) -> Vec<Point>,
+    options: &FreeStepOptions<'_>,
+) -> Result<FreeStep, LineSearchError> {
+    let keep = options.keep;
+    if keep.is_nan() || keep <= 0.0 || keep > 1.0 {
+        return Err(LineSearchError::Keep(keep));
+    }
+    let watch = Watch::new(options.progress, options.cancel);
+    let earliest = watched(search, &step, Earliest::new(), &watch)?;
+    let [x0, x1] = step.positions();
+    let Some(contact) = earliest.contact(&step) else {
+        return Ok(FreeStep {
+            size: 1.0,
+            positions: x1.to_vec(),
+            contact: None,
+        });
+    };
+    let first = keep * contact.impact.time.lower();
+    let (mut size, mut retreat) = (first, first - first.next_down());
+    while size > 0.0 {
+        let positions = at(size);
+        let shorter = Step::new(step.mesh(), x0, &positions)?;
+        if !watched(search, &shorter, AnyContact::default(), &watch)?.is_found() {
+            return Ok(FreeStep {
+                size,
+                positions,
+                contact: Some(contact),
+            });
+        }
+        size = first - retreat;
+        retreat *= 2.0;
+    }
+    Ok(FreeStep {
+        size: 0.0,
+        positions: x0.to_vec(),
+        contact: Some(contact),
+    })
+}
+
+/// Runs a search that can be cancelled.
+fn watched<B: BroadPhase, C: Collect>(
+    search: &mut CulledSearch<B>,
+    step: &Step<'_>,
+    collector: C,
+    watch: &Watch<'_>,
+) -> Result<C, LineSearchError> {
+    let watched = Watched { collector, watch };
+    search.run(step, &watched);
+    if watch.is_cancelled() {
+        return Err(LineSearchError::Cancelled);
+    }
+    Ok(watched.collector)
+}

@@ -1,0 +1,91 @@
+//! The largest free step along a direction.
+
+use exact_ccd::{Ccd, Point};
+
+use super::bisection::{Tolerance, bisect};
+use super::error::LineSearchError;
+use super::free_step::{FreeStepOptions, free_step_along};
+use crate::broad_phase::Bvh;
+use crate::can_collide::CanCollide;
+use crate::candidates::Candidates;
+use crate::culled_search::CulledSearch;
+use crate::mesh::TriangleMesh;
+use crate::positions;
+use crate::step::Step;
+
+/// The algorithm of [`step_size`].
+#[derive(Clone, Copy)]
+pub enum LineSearch<'a> {
+    /// From the exact time of impact of the full step.
+    Exact,
+    /// By bisection, see [`bisect`].
+    Bisection {
+        /// The width of the interval at which to stop.
+        tolerance: Tolerance,
+        /// The method that decides if a step is free of contact.
+        method: &'a dyn Ccd,
+    },
+}
+
+/// The largest step along a direction: the positions `start` + α `direction`, rounded, can be reached from `start`
+/// without contact.
+///
+/// The result is in [0, 1]; 1 if the full step is free, 0 if the mesh touches itself at the start. Unless it is 0, with
+/// [`LineSearch::Exact`], and with the method [`Exact`](exact_ccd::Exact), the step from `start` to
+/// [`advance`]`(start, direction, α)` has been checked to be free of contact, exactly, for the rounded positions.
+///
+/// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two, four, … units in its last
+/// place: the first of these for which the step is free. It is the size of
+/// [`Detector::free_step_along`](crate::Detector::free_step_along) that keeps all of the way. A bisection returns a step
+/// that is smaller by up to its tolerance. Both hold up to the rounding of the positions: where that decides, a larger
+/// step can be free again.
+///
+/// # Errors
+/// [`LineSearchError`] names the positions or parts of the direction that are too many, too few or not finite.
+///
+/// ```
+/// use exact_ccd_mesh::{LineSearch, TriangleMesh, step_size};
+///
+/// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
+/// let start = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 3.0]];
+/// let direction = [[0.0; 3], [0.0; 3], [0.0; 3], [0.0, 0.0, -4.0]];
+/// // At 0.75, the vertex would lie on the face.
+/// assert_eq!(step_size(&mesh, &start, &direction, LineSearch::Exact)?, 0.75_f64.next_down());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn step_size(
+    mesh: &TriangleMesh,
+    start: &[Point],
+    direction: &[Point],
+    search: LineSearch<'_>,
+) -> Result<f64, LineSearchError> {
+    match search {
+        LineSearch::Exact => {
+            let mut search = CulledSearch::new(Bvh, CanCollide::all());
+            let options = FreeStepOptions::default().with_keep(1.0);
+            Ok(free_step_along(&mut search, mesh, start, direction, &options)?.size)
+        }
+        LineSearch::Bisection { tolerance, method } => {
+            positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
+            let end = advance(start, direction, 1.0);
+            let full = Step::new(mesh, start, &end)?;
+            let value = tolerance.value();
+            if value.is_nan() || value <= 0.0 {
+                return Err(LineSearchError::Tolerance(value));
+            }
+            // Rounding is monotone: in a smaller step, no coordinate leaves the box of the full one.
+            let candidates = Candidates::new(full, &Bvh);
+            Ok(bisect(tolerance, |size| {
+                let end = advance(start, direction, size);
+                Step::new(mesh, start, &end).is_ok_and(|step| candidates.is_free_by(step, method))
+            }))
+        }
+    }
+}
+
+/// The positions after a step along a direction: x + fl(α d), rounded.
+#[must_use]
+pub fn advance(start: &[Point], direction: &[Point], size: f64) -> Vec<Point> {
+    let along = |(x, d): (&Point, &Point)| core::array::from_fn(|axis| x[axis] + size * d[axis]);
+    start.iter().zip(direction).map(along).collect()
+}

@@ -1,0 +1,163 @@
+//! All contacts of a step, counted.
+
+use std::ops::ControlFlow;
+use std::sync::{Mutex, PoisonError};
+
+use exact_ccd::{ContactTime, EdgeEdge, Point, VertexFace};
+
+use crate::broad_phase::{BroadPhase, Bvh};
+use crate::candidate_options::{CandidateOptions, DistanceError};
+use crate::contact::{Contact, earlier};
+use crate::mesh::TriangleMesh;
+use crate::narrow_phase::NarrowPhase;
+use crate::overlaps;
+use crate::pair::{Pair, PairCounts, PairKind};
+use crate::step::{Step, StepError};
+
+/// The contacts of a step of a mesh, counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StepReport {
+    /// The number of pairs of primitives that come near each other; see [`Candidates`](crate::Candidates).
+    pub candidates: PairCounts,
+    /// The number of candidates that are in contact at some time of the step.
+    pub colliding: PairCounts,
+    /// The number of candidates that are in contact at t = 0.
+    pub touching: PairCounts,
+    /// The earliest contact, or `None` if the step is free of contact.
+    pub earliest: Option<Contact>,
+}
+
+/// Finds and counts the contacts of a mesh with itself in one time step.
+///
+/// `x0` and `x1` are the positions of the vertices at t = 0 and t = 1. Pairs of primitives that share a vertex always
+/// touch and are left out. For progress, or for another broad phase, call [`StepReport::new`], as this function does.
+/// If only the earliest contact matters, or only if there is one, [`Detector`](crate::Detector) is faster.
+///
+/// ```
+/// use exact_ccd_mesh::{Pair, TriangleMesh, step};
+///
+/// // A vertex of one triangle falls through another triangle, which rests.
+/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
+/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+/// let falling = |height: f64| [[1.0, 1.0, height], [1.0, 2.0, height + 4.0], [2.0, 1.0, height + 4.0]];
+/// let (x0, x1) = ([floor, falling(1.0)].concat(), [floor, falling(-1.0)].concat());
+///
+/// let report = step(&mesh, &x0, &x1)?;
+/// assert_eq!(report.time_of_impact(), Some(0.5));
+/// assert_eq!(report.earliest.map(|contact| contact.pair), Some(Pair::VertexFace { vertex: 3, face: 0 }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`StepError`] names the positions that are too many, too few or not finite.
+pub fn step(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> Result<StepReport, StepError> {
+    let step = Step::new(mesh, x0, x1)?;
+    Ok(StepReport::new(step, &Bvh, &|_| ()))
+}
+
+impl StepReport {
+    /// Examines all candidates of a step, as the broad phase finds them, without storing them.
+    ///
+    /// Calls `progress`, from any thread, with the number of candidates examined since its last call from there.
+    #[must_use]
+    pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
+        // The default distance is 0.
+        Self::with_options(step, broad_phase, &CandidateOptions::default(), progress).unwrap_or_default()
+    }
+
+    /// The same among other candidates.
+    ///
+    /// # Errors
+    /// [`DistanceError`], if the distance is negative or not a number.
+    pub fn with_options(
+        step: Step<'_>,
+        broad_phase: &impl BroadPhase,
+        options: &CandidateOptions,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, DistanceError> {
+        let narrow_phase = NarrowPhase::of(&step);
+        let [vertex_face, edge_edge] = [Mutex::default(), Mutex::default()];
+        let _ = overlaps::stream(
+            step,
+            broad_phase,
+            options,
+            &|pairs| Tally::add::<VertexFace>(&vertex_face, &narrow_phase, step.mesh(), pairs, progress),
+            &|pairs| Tally::add::<EdgeEdge>(&edge_edge, &narrow_phase, step.mesh(), pairs, progress),
+        )?;
+        let [vertex_face, edge_edge] = [vertex_face, edge_edge]
+            .map(|tally: Mutex<Tally>| tally.into_inner().unwrap_or_else(PoisonError::into_inner));
+        let counts = |count: fn(&Tally) -> usize| PairCounts {
+            vertex_face: count(&vertex_face),
+            edge_edge: count(&edge_edge),
+        };
+        Ok(Self {
+            candidates: counts(|tally| tally.candidates),
+            colliding: counts(|tally| tally.colliding),
+            touching: counts(|tally| tally.touching),
+            earliest: earlier(vertex_face.earliest, edge_edge.earliest)
+                .and_then(|(_, pair)| Contact::of(&step, pair)),
+        })
+    }
+
+    /// Returns true if no two primitives touch during the step.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.earliest.is_none()
+    }
+
+    /// The largest f64 not above the earliest contact time, if there is contact.
+    #[must_use]
+    pub fn time_of_impact(&self) -> Option<f64> {
+        self.earliest.map(|contact| contact.impact.time.lower())
+    }
+}
+
+/// The counts of one kind of pairs.
+#[derive(Clone, Copy, Default)]
+struct Tally {
+    candidates: usize,
+    colliding: usize,
+    touching: usize,
+    earliest: Option<(ContactTime, Pair)>,
+}
+
+impl Tally {
+    fn add<K: PairKind>(
+        all: &Mutex<Self>,
+        narrow_phase: &NarrowPhase,
+        mesh: &TriangleMesh,
+        candidates: &[[u32; 2]],
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> ControlFlow<()> {
+        if candidates.is_empty() {
+            return ControlFlow::Continue(());
+        }
+        let mut tally = Self {
+            candidates: candidates.len(),
+            ..Self::default()
+        };
+        narrow_phase.collisions::<K>(mesh, candidates, |ids, collision| {
+            tally.colliding += 1;
+            if let Some(time) = collision.contact_times().first() {
+                tally.touching += usize::from(time.is_exact() && time.lower() == 0.0);
+                tally.earliest = earlier(tally.earliest, Some((time, K::pair(ids))));
+            }
+        });
+        {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            *all = all.merge(tally);
+        }
+        // After the lock is released: the callback may take long, or wait for other threads.
+        progress(candidates.len());
+        ControlFlow::Continue(())
+    }
+
+    fn merge(self, other: Self) -> Self {
+        Self {
+            candidates: self.candidates + other.candidates,
+            colliding: self.colliding + other.colliding,
+            touching: self.touching + other.touching,
+            earliest: earlier(self.earliest, other.earliest),
+        }
+    }
+}
