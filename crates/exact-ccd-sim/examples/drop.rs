@@ -1,8 +1,8 @@
-//! Bodies from code, and a look at each increment: `cargo run --release -p exact-ccd-sim --example drop`.
+//! A cube falls onto a floor that a script lifts: bodies from code, and a callback for each increment.
 //!
-//! A cube falls onto a floor that a script lifts to meet it.
+//! Run with `cargo run --release -p exact-ccd-sim --example drop`.
 
-#![expect(clippy::print_stdout, reason = "this is its output")]
+#![expect(clippy::print_stdout, reason = "the example prints its results")]
 
 use std::error::Error;
 
@@ -35,12 +35,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let mut simulation = Simulation::new(system, settings)?;
     for _ in 0..20 {
-        // Between two of these positions, every vertex moves in a straight line, and nothing touches.
+        // Between two successive positions, all vertices move in straight lines without contact.
         let mut increments = 0;
         let statistics = simulation.step_along(&mut |_positions| increments += 1)?;
         let lowest = simulation.state().positions[cube.start as usize];
         println!(
-            "{:.2} s: the first corner of the cube is at {:.4} m, after {increments} increments; {} contacts, {:.3} J",
+            "{:.2} s: height of the first corner {:.4} m, {increments} increments, {} contacts, {:.3} J",
             statistics.time,
             lowest[1],
             statistics.contacts,

@@ -1,25 +1,25 @@
-//! What a scene is made of.
+//! Bodies and their materials.
 
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
 use crate::elasticity::{ElasticModuli, SolidMaterial};
 
-/// A mesh with what it is made of. It is at rest where its points are.
+/// A mesh with its material. The points are also the rest shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
     /// The positions of its vertices at the start, in m.
     pub points: Vec<Point>,
-    /// What holds them together.
+    /// The kind of body, with its elements and its material.
     pub kind: BodyKind,
-    /// The velocity of all of its vertices at the start, in m/s.
+    /// The initial velocity of all vertices, in m/s.
     pub velocity: Point,
 }
 
-/// What holds the vertices of a [`Body`] together.
+/// The kind of a [`Body`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodyKind {
-    /// An elastic solid.
+    /// An elastic solid of linear tetrahedra. See [`elasticity`](crate::elasticity) about locking.
     Solid {
         /// The corners of its tetrahedra, in either orientation.
         tetrahedra: Vec<[u32; 4]>,
@@ -33,7 +33,7 @@ pub enum BodyKind {
         /// Its material.
         material: ShellProperties,
     },
-    /// A surface that only moves if a script says so.
+    /// A surface without mass, which rests unless a script moves it.
     Obstacle {
         /// Its triangles.
         faces: Vec<[u32; 3]>,
@@ -50,7 +50,7 @@ pub struct SolidProperties {
     pub young: f64,
     /// Poisson's ratio.
     pub poisson: f64,
-    /// The energy.
+    /// The hyperelastic energy.
     #[serde(default)]
     pub energy: SolidMaterial,
 }
@@ -65,7 +65,7 @@ pub struct ShellProperties {
     pub young: f64,
     /// Poisson's ratio.
     pub poisson: f64,
-    /// The thickness, in m. It matters for mass and stiffness, not for contact.
+    /// The thickness, in m. It enters mass and stiffness, but not contact.
     pub thickness: f64,
 }
 

@@ -1,4 +1,4 @@
-//! Where a simulation is, and of what.
+//! Checkpoints of a simulation.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -8,25 +8,26 @@ use crate::simulation::{Simulation, SimulationError};
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
-/// A state with the settings and the system of which it is: only with these, it goes on as if it had never stopped.
+/// The state of a simulation, with its settings and the fingerprint of its system.
 ///
-/// To be written and read without loss as JSON, it needs the feature `float_roundtrip` of `serde_json`.
+/// A resumed simulation continues as an uninterrupted one only with the same settings and system. To
+/// write and read a checkpoint as JSON without loss, enable the feature `float_roundtrip` of `serde_json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
-    /// The numbers of the simulation.
+    /// The settings of the simulation.
     pub settings: Settings,
-    /// What tells its system from others.
+    /// The fingerprint of its system.
     pub system: Fingerprint,
-    /// Where it is.
+    /// Its state.
     pub state: State,
 }
 
 impl Checkpoint {
-    /// The simulation, which goes on.
+    /// The simulation in the state of the checkpoint.
     ///
     /// # Errors
-    /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name what is not as in the checkpoint. Others are as
-    /// in [`Simulation::resume`].
+    /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name the difference between
+    /// the checkpoint and the arguments. All other errors are those of [`Simulation::resume`].
     pub fn resume(self, system: System, settings: Settings) -> Result<Simulation, SimulationError> {
         if let Some(different) = different_setting(&self.settings, &settings) {
             return Err(different);
@@ -41,13 +42,13 @@ impl Checkpoint {
 /// The first setting that differs.
 fn different_setting(there: &Settings, here: &Settings) -> Option<SimulationError> {
     let [there, here] = [there, here].map(|settings| {
-        // Names of methods are the same in upper and lower case.
+        // The case of a method's name does not matter.
         let ccd = settings.ccd.to_lowercase();
         let settings = Settings {
             ccd,
             ..settings.clone()
         };
-        // All of them can be written.
+        // Settings always serialise.
         serde_json::to_value(settings).unwrap_or_default()
     });
     difference("", &there, &here)

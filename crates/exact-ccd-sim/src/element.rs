@@ -1,39 +1,39 @@
-//! What every energy contributes to a Newton step: derivatives with respect to at most four vertices.
+//! Derivatives of one energy term with respect to at most four vertices, as they enter a Newton step.
 
 use arrayvec::ArrayVec;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
-/// Twelve numbers: three for each of four points.
+/// A vector with three coordinates for each of four points.
 pub type Vector12 = SVector<f64, 12>;
 
-/// The second derivatives with respect to four points.
+/// A matrix with a 3 × 3 block for each pair of four points.
 pub type Matrix12 = SMatrix<f64, 12, 12>;
 
-/// Gradient and Hessian of one term of the energy, with respect to the vertices on which it depends.
+/// The gradient and the Hessian of one energy term with respect to its vertices.
 #[derive(Clone, Debug)]
 pub struct Element {
-    /// The vertices, four at most. The rows behind them are zero.
+    /// The vertices, at most four. Rows and columns beyond the last vertex are zero.
     pub vertices: ArrayVec<u32, 4>,
     /// The gradient.
     pub gradient: Vector12,
-    /// The Hessian, projected to be positive semi-definite.
+    /// The Hessian; positive semi-definite where its producer projects it.
     pub hessian: Matrix12,
 }
 
 impl Element {
-    /// The gradient with respect to the vertex at a place in `vertices`.
+    /// The gradient with respect to the vertex at index `place` of `vertices`.
     #[must_use]
     pub fn force(&self, place: usize) -> Vector3<f64> {
         self.gradient.fixed_rows::<3>(3 * place).into_owned()
     }
 
-    /// The second derivatives with respect to two of the vertices.
+    /// The block of the Hessian for the vertices at indices `row` and `column` of `vertices`.
     #[must_use]
     pub fn block(&self, row: usize, column: usize) -> Matrix3<f64> {
         self.hessian.fixed_view::<3, 3>(3 * row, 3 * column).into_owned()
     }
 
-    /// The element times a number.
+    /// The element, multiplied by a factor.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         self.gradient *= factor;

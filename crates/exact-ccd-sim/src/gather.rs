@@ -1,4 +1,4 @@
-//! From the list of all positions to those of one element.
+//! The positions of the vertices of one element.
 
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
@@ -8,7 +8,7 @@ pub(crate) fn gather<const N: usize>(points: &[Point], vertices: &[u32; N]) -> [
     vertices.map(|vertex| Vector3::from(points[vertex as usize]))
 }
 
-/// The positions of at most four vertices. The rest are zero: they have no weight.
+/// The positions of at most four vertices. The missing ones are zero; their weights are zero too.
 pub(crate) fn gather_some(points: &[Point], vertices: &[u32]) -> [Vector3<f64>; 4] {
     let at = |place: usize| {
         let vertex = vertices.get(place);

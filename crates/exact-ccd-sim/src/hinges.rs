@@ -1,7 +1,9 @@
-//! Where the triangles of a shell meet.
+//! The interior edges of a shell.
 
-/// The edges that two faces share, as two ends and the other corners of the two faces: of the face in which the edge
-/// runs from its first end to its second, then of the other.
+/// The edges that exactly two faces share.
+///
+/// Each is given by four vertices: the two ends of the edge, the opposite corner of the face in which the
+/// edge runs from its first end to its second, and the opposite corner of the other face.
 pub(crate) fn hinges(faces: &[[u32; 3]]) -> Vec<[u32; 4]> {
     let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
     let mut sides: Vec<([u32; 2], [u32; 3])> = faces
@@ -13,8 +15,8 @@ pub(crate) fn hinges(faces: &[[u32; 3]]) -> Vec<[u32; 4]> {
     let pairs = sides
         .chunk_by(|(a, _), (b, _)| a == b)
         .filter_map(|chunk| match chunk {
-            // Where both faces have it in the same direction, they are oriented differently, and the angle is that between
-            // one and the other's back.
+            // If both faces have the edge in the same direction, their orientations differ, and the
+            // angle is measured between one normal and the opposite of the other.
             [(_, [a, b, c]), (_, [.., d])] => Some([*a, *b, *c, *d]),
             _ => None,
         });

@@ -5,32 +5,39 @@ use serde::{Deserialize, Serialize};
 
 use crate::state::State;
 
-/// How accelerations become positions.
+/// The time integration method.
+///
+/// Neither method conserves energy. In smooth motion both dissipate it numerically, the more so the larger
+/// the time step. The order of BDF2 holds for smooth motion only: with contact, its energy jumps between
+/// the bounces of a body. [`Energies::friction`](crate::Energies::friction) does not include numerical
+/// dissipation; no other energy does either.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Integrator {
-    /// Of first order, and damps motion.
+    /// Implicit Euler: first order, with strong numerical damping. Falling bodies hardly bounce.
     #[default]
     ImplicitEuler,
-    /// The backward differentiation formula of second order, which damps less. Its first step is one of implicit Euler.
+    /// The backward differentiation formula of second order, with less numerical damping. The first step
+    /// of a simulation is one of implicit Euler.
     Bdf2,
 }
 
-/// One step: v = (x − origin) / duration, and without forces x = predicted.
+/// The equations of one time step: v = (x − origin) / duration, and x = predicted in the absence of forces.
 ///
-/// Both integrators solve M (x − predicted) = duration² f(x): the minimum of an incremental potential.
+/// Both integrators solve M (x − predicted) = duration² f(x), which is stationarity of an incremental
+/// potential.
 #[derive(Clone, Debug)]
 pub(crate) struct Scheme {
-    /// The time that forces act, in s: the time step, times 2/3 for BDF2.
+    /// The effective time step, in s: the time step for implicit Euler, two thirds of it for BDF2.
     pub(crate) duration: f64,
-    /// Where things would be without velocity.
+    /// The positions at zero velocity.
     pub(crate) origin: Vec<Point>,
-    /// Where they would be without forces other than gravity.
+    /// The positions x̂ under inertia and gravity alone.
     pub(crate) predicted: Vec<Point>,
 }
 
 impl Integrator {
-    /// The next step from a state.
+    /// The equations of the next time step.
     pub(crate) fn scheme(self, state: &State, time_step: f64, gravity: Point) -> Scheme {
         let earlier = state.earlier.as_ref().filter(|_| self == Self::Bdf2);
         let (duration, origin, drift) = match earlier {
@@ -54,7 +61,7 @@ impl Integrator {
 }
 
 impl Scheme {
-    /// The velocities with which the step ends at some positions.
+    /// The velocities at the end of the step, if it ends at these positions.
     pub(crate) fn velocities(&self, positions: &[Point]) -> Vec<Point> {
         let velocity = |(x, origin): (&Point, &Point)| {
             core::array::from_fn(|axis| (x[axis] - origin[axis]) / self.duration)

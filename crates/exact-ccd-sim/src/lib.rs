@@ -1,17 +1,20 @@
-//! Elastodynamics with contact that never passes through itself: incremental potential contact, with the line search filtered by
-//! [`exact_ccd`].
+//! Elastodynamics without intersections: incremental potential contact (IPC), with a line search
+//! that is filtered by [`exact_ccd`].
 //!
-//! The method is that of M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D. Kaufman,
-//! *Incremental Potential Contact: Intersection- and Inversion-free Large-Deformation Dynamics*, ACM Transactions on Graphics
-//! 39(4), 2020. Each time step minimises a potential of inertia, [`elasticity`], a barrier between what is near
-//! ([`contact`], [`distance`]) and lagged [`friction`], by projected Newton. How far each Newton step may go, a [`filter`]
-//! says: the exact one, or any method of [`exact_ccd_methods`], to see what these let through.
+//! The method is that of M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang,
+//! D. Kaufman, *Incremental Potential Contact: Intersection- and Inversion-free Large-Deformation
+//! Dynamics*, ACM Transactions on Graphics 39(4), 2020. Each time step minimises the sum of an inertia
+//! term, [`elasticity`], a barrier over the distances of nearby primitives ([`contact`], [`distance`])
+//! and lagged [`friction`], by projected Newton. A [`filter`] bounds each Newton step. It is the exact
+//! filter or, for comparison, any method of [`exact_ccd_methods`].
 //!
-//! - [`Body`] is a mesh with its material; bodies and [`Script`]s make a [`System`], whose vertices are those of its bodies, one
-//!   body after the other ([`System::ranges`]).
-//! - [`Simulation`] takes the steps of a system, each with [`Statistics`].
-//! - [`Checkpoint`] is what it needs, with the same system and settings, to go on after it has been written and read.
-//! - [`scene`] reads all of this from a file.
+//! - A [`Body`] is a mesh with its material. Bodies and [`Script`]s form a [`System`]. The vertices of a
+//!   system are those of its bodies, one body after the other ([`System::ranges`]).
+//! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
+//! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
+//! - [`scene`] reads a system and its settings from a file.
+//!
+//! See [`Integrator`] for what the integrators conserve, and [`elasticity`] for the limits of the elements.
 //!
 //! ```
 //! use exact_ccd_sim::{Settings, Simulation, System, shapes};
@@ -23,20 +26,20 @@
 //!     let statistics = simulation.step()?;
 //!     assert!(statistics.converged);
 //! }
-//! // The corner at the lowest coordinates has come down, and is above the floor.
+//! // The lowest corner of the cube has fallen, and is still above the floor.
 //! let corner = simulation.state().positions[0];
 //! assert!(0.0 < corner[1] && corner[1] < 0.01);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. It
-//! may depend on the processor: the sparse solver chooses vector instructions when it runs.
+//! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. Results may
+//! differ between processors, because the sparse solver selects vector instructions at run time.
 
 mod body;
 mod checkpoint;
 pub mod contact;
+mod dirichlet;
 pub mod distance;
-mod drive;
 pub mod elasticity;
 mod element;
 pub mod filter;
@@ -65,3 +68,8 @@ pub use simulation::{Primitive, Simulation, SimulationError};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
 pub use system::{Fingerprint, System, SystemError};
+
+/// The example of the README, as a documentation test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

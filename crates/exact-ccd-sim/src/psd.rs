@@ -3,15 +3,15 @@
 use nalgebra::allocator::Allocator;
 use nalgebra::{Cholesky, DefaultAllocator, DimDiff, DimName, DimSub, OMatrix, OVector, SymmetricEigen, U1};
 
-/// More sweeps than any small symmetric matrix needs.
+/// The maximal number of sweeps of the eigenvalue solver. Small symmetric matrices need far fewer.
 const SWEEPS: usize = 1000;
 
-/// The positive semi-definite matrix nearest to a symmetric one: negative eigenvalues become zero, as in the projected
-/// Newton method (J. Teran, E. Sifakis, G. Irving, R. Fedkiw, *Robust quasistatic finite elements and flesh simulation*,
-/// 2005).
+/// The positive semi-definite matrix nearest to a symmetric one: negative eigenvalues are set to zero, as in
+/// the projected Newton method (J. Teran, E. Sifakis, G. Irving, R. Fedkiw, *Robust quasistatic finite
+/// elements and flesh simulation*, 2005).
 ///
-/// If the eigenvalues cannot be found, the diagonal matrix of the sums of the rows' magnitudes, which bounds it from
-/// above. What is not finite stays so.
+/// If the eigenvalue solver fails, the result is the diagonal matrix of the absolute row sums, which is an
+/// upper bound of the matrix. A matrix with a non-finite entry is returned unchanged.
 #[must_use]
 pub fn project<D>(matrix: OMatrix<f64, D, D>) -> OMatrix<f64, D, D>
 where

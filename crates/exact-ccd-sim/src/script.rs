@@ -1,51 +1,52 @@
-//! Motions that are given.
+//! Scripted motions.
 
 use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
-/// How vertices move, whatever else happens.
+/// A prescribed motion of vertices (a Dirichlet condition).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Script {
-    /// Not at all.
+    /// No motion.
     #[default]
     Fixed,
-    /// At constant velocity.
+    /// Translation at constant velocity.
     Moving {
         /// The velocity, in m/s.
         velocity: Point,
-        /// When the motion ends, in s; if not given, never.
+        /// The time at which the motion ends, in s. `None`: it does not end.
         until: Option<f64>,
     },
-    /// About an axis at constant angular velocity.
+    /// Rotation about an axis at constant angular velocity.
     Twisting {
         /// A point on the axis, in m.
         center: Point,
         /// The direction of the axis, of any length.
         axis: Point,
-        /// The angular velocity, in rad/s, counterclockwise seen against the axis.
+        /// The angular velocity, in rad/s. Positive rates are counterclockwise for a viewer at whom the
+        /// axis points.
         rate: f64,
-        /// When the motion ends, in s; if not given, never.
+        /// The time at which the motion ends, in s. `None`: it does not end.
         until: Option<f64>,
     },
 }
 
-/// A number of a script is out of range.
+/// A parameter of a script that is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("`{field}` is out of range, expected {expected}")]
 pub struct ScriptError {
-    /// Which, after the kind of the script and a dot.
+    /// The kind of the script, a dot, and the name of the parameter.
     pub field: &'static str,
-    /// What it should be.
+    /// The values that are allowed.
     pub expected: &'static str,
 }
 
 impl Script {
-    /// Whether its numbers are in range.
+    /// Checks that the parameters are in range.
     ///
     /// # Errors
-    /// [`ScriptError`] names the one that is not.
+    /// [`ScriptError`] names the first parameter that is out of range.
     pub fn check(&self) -> Result<(), ScriptError> {
         let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
         let is_time = |until: Option<f64>| until.is_none_or(|until| until >= 0.0);
@@ -66,7 +67,7 @@ impl Script {
                 (
                     "twisting.axis",
                     Vector3::from(*axis).norm().is_normal(),
-                    "a direction",
+                    "a vector of positive length",
                 ),
                 ("twisting.rate", rate.is_finite(), "a finite number"),
                 ("twisting.until", is_time(*until), time),
@@ -78,7 +79,7 @@ impl Script {
         }
     }
 
-    /// Where a vertex is at a time (in s) that was at `start` at time 0.
+    /// The position at a time (in s) of a vertex that is at `start` at time 0.
     #[must_use]
     pub fn position(&self, start: Point, time: f64) -> Point {
         let clock = |until: Option<f64>| until.map_or(time, |until| time.min(until));

@@ -1,11 +1,11 @@
-//! How a scene is simulated.
+//! The settings of a simulation.
 
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
 use crate::integrator::Integrator;
 
-/// The numbers of a simulation.
+/// The settings of a simulation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Settings {
@@ -15,37 +15,40 @@ pub struct Settings {
     pub gravity: Point,
     /// The time integration.
     pub integrator: Integrator,
-    /// The distance d̂ below which things repel each other.
+    /// The activation distance d̂ of the barrier: primitives that are closer repel each other.
     pub contact_distance: Length,
     /// Friction.
     pub friction: Friction,
-    /// When Newton's method stops: along no axis would a vertex go on faster than this length per second, over the time that
-    /// forces act, which is the time step or, of BDF2, two thirds of it; nor would more energy be set free than that of all free
-    /// masses at this speed.
+    /// The tolerance of Newton's method, as a length per second.
+    ///
+    /// Newton stops when two conditions hold. No component of a vertex's Newton direction exceeds the
+    /// tolerance times the effective time step, which is the time step for implicit Euler and two thirds
+    /// of it for BDF2. And the predicted decrease of energy is at most that of all free masses moving
+    /// at this speed.
     pub tolerance: Length,
-    /// How many iterations of Newton's method to do at most, for each lag of friction.
+    /// The maximal number of Newton iterations for each friction lag.
     pub max_iterations: usize,
-    /// The name of the method of continuous collision detection, see [`filter::names`](crate::filter::names).
+    /// The name of the CCD method, one of [`filter::names`](crate::filter::names).
     pub ccd: String,
 }
 
-/// A number of the settings is out of range.
+/// A setting that is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("`{what}` is {value}, expected {expected}")]
 pub struct SettingError {
-    /// Which, as in [`Settings`] with dots and hyphens.
+    /// The name of the setting: the path of fields in [`Settings`] with dots, and hyphens for underscores.
     pub what: &'static str,
-    /// Its value; that of a length in m.
+    /// Its value. Lengths are in m.
     pub value: f64,
-    /// What it should be.
+    /// The values that are allowed.
     pub expected: &'static str,
 }
 
 impl Settings {
-    /// Whether all numbers are in range, for a scene of a size (in m).
+    /// Checks that all settings are in range, for a scene whose bounding box has this diagonal (in m).
     ///
     /// # Errors
-    /// [`SettingError`] names the first that is not.
+    /// [`SettingError`] names the first setting that is out of range.
     pub fn check(&self, size: f64) -> Result<(), SettingError> {
         let is_positive = |x: f64| x > 0.0 && x.is_finite();
         let (distance, tolerance) = (self.contact_distance.meters(size), self.tolerance.meters(size));
@@ -61,12 +64,12 @@ impl Settings {
                 (distance * distance).is_normal(),
                 "a length whose square is a normal number",
             ),
-            // Beyond it, everything would be in contact with everything.
+            // A larger distance would put all pairs of primitives in contact.
             (
                 "contact-distance",
                 distance,
                 distance <= size,
-                "a length not above the diagonal of the box around the scene",
+                "a length not above the diagonal of the scene's bounding box",
             ),
             ("tolerance", tolerance, is_positive(tolerance), positive),
             ("friction.static-velocity", slow, is_positive(slow), positive),
@@ -80,13 +83,13 @@ impl Settings {
                 "friction.lags",
                 self.friction.lags as f64,
                 self.friction.lags > 0,
-                "1 at least",
+                "at least 1",
             ),
             (
                 "max-iterations",
                 self.max_iterations as f64,
                 self.max_iterations > 0,
-                "1 at least",
+                "at least 1",
             ),
         ];
         let gravity = self
@@ -107,18 +110,18 @@ impl Settings {
     }
 }
 
-/// A length.
+/// A length, absolute or relative to the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Length {
     /// In m.
     Absolute(f64),
-    /// In diagonals of the box around the scene at its start.
+    /// As a fraction of the diagonal of the scene's bounding box at the start.
     Relative(f64),
 }
 
 impl Length {
-    /// The length in m, in a scene of a size.
+    /// The length in m, for a scene whose bounding box has the diagonal `size`.
     #[must_use]
     pub fn meters(self, size: f64) -> f64 {
         match self {
@@ -136,12 +139,13 @@ pub struct Friction {
     pub coefficient: f64,
     /// The slip velocity below which friction is static.
     pub static_velocity: Length,
-    /// How often normal forces and tangent planes are updated in a step, 1 at least.
+    /// The number of friction lags: updates of normal forces and tangent planes in a time step. At least 1.
     pub lags: usize,
 }
 
 impl Default for Settings {
-    /// Implicit Euler with 0.01 s, gravity along −y, without friction, and the lengths of *Incremental Potential Contact*.
+    /// Implicit Euler with time steps of 0.01 s, gravity along −y, no friction, and the lengths of
+    /// *Incremental Potential Contact*.
     fn default() -> Self {
         Self {
             time_step: 0.01,
@@ -157,7 +161,7 @@ impl Default for Settings {
 }
 
 impl Default for Friction {
-    /// None.
+    /// No friction.
     fn default() -> Self {
         Self {
             coefficient: 0.0,

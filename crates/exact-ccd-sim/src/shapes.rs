@@ -1,4 +1,4 @@
-//! Bodies that need no file.
+//! Generated bodies: boxes, cloths, floors and spheres.
 
 use std::collections::BTreeMap;
 
@@ -24,7 +24,10 @@ pub const CLOTH: ShellProperties = ShellProperties {
     thickness: 1e-3,
 };
 
-/// A box of [`RUBBER`] with a corner at the origin, of `cells` cubes along the axes, each cut into six tetrahedra.
+/// A box of [`RUBBER`] with a corner at the origin. It has `cells` cells along the axes, at least one each.
+/// Each cell is cut into six tetrahedra.
+///
+/// Boxes that are one cell thick are much too stiff in bending: see [`elasticity`](crate::elasticity).
 #[must_use]
 pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
     let [nx, ny, nz] = cells.map(|n| u32::from(n.max(1)));
@@ -42,7 +45,7 @@ pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
             }
         }
     }
-    // The six paths along the edges from one corner of a cube to the opposite one.
+    // Each tetrahedron follows one of the six edge paths from a corner of the cell to the opposite corner.
     const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let mut tetrahedra = Vec::new();
     for k in 0..nz {
@@ -70,8 +73,8 @@ pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
     }
 }
 
-/// A rectangle of [`CLOTH`] in the plane y = 0 with a corner at the origin, of `cells` rectangles along x and z, each cut into two
-/// triangles, in turn along either diagonal.
+/// A rectangle of [`CLOTH`] in the plane y = 0 with a corner at the origin. It has `cells` cells along x
+/// and z, at least one each. Each cell is cut into two triangles, along alternating diagonals.
 #[must_use]
 pub fn cloth(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
@@ -83,7 +86,7 @@ pub fn cloth(cells: [u16; 2], size: [f64; 2]) -> Body {
     }
 }
 
-/// A rectangle as [`cloth`] that does not move.
+/// An obstacle with the mesh of [`cloth`].
 #[must_use]
 pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
@@ -94,17 +97,18 @@ pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     }
 }
 
-/// How many cells a [`solid_box`], a [`cloth`] or a [`floor`] of a scene file has at most.
-pub const MOST_CELLS: u64 = 1 << 20;
+/// The maximal number of cells of a box or a grid in a scene file.
+pub const MAX_CELLS: u64 = 1 << 20;
 
-/// How often [`sphere`] subdivides at most: 20 · 4⁶ triangles.
-pub const FINEST_SPHERE: u8 = 6;
+/// The maximal number of subdivisions of a [`sphere`], which then has 20 · 4⁶ triangles.
+pub const MAX_SUBDIVISIONS: u8 = 6;
 
-/// A sphere about the origin that does not move: an icosahedron whose triangles are cut into four so many times, at most
-/// [`FINEST_SPHERE`], each time with the new vertices on the sphere. Its normals point outward.
+/// A spherical obstacle about the origin: an icosahedron, subdivided at most [`MAX_SUBDIVISIONS`] times.
+/// Each subdivision cuts every triangle into four and moves the new vertices onto the sphere. The normals
+/// point outward.
 #[must_use]
 pub fn sphere(subdivisions: u8, radius: f64) -> Body {
-    // Three rectangles in the golden ratio, across the axes.
+    // The vertices of an icosahedron are those of three golden rectangles, each orthogonal to an axis.
     let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
     let mut points = Vec::new();
     for axis in 0..3 {
@@ -114,7 +118,7 @@ pub fn sphere(subdivisions: u8, radius: f64) -> Body {
             points.push(point.normalize());
         }
     }
-    // The triangles are those of three vertices that are neighbours: 2 apart, before they came onto the sphere.
+    // Three mutual neighbours form a triangle. Neighbours are at distance 2 before normalisation.
     let near = 2.1 / (1.0 + golden * golden).sqrt();
     let are_near = |a: usize, b: usize| (points[a] - points[b]).norm() < near;
     let mut faces = Vec::new();
@@ -135,7 +139,7 @@ pub fn sphere(subdivisions: u8, radius: f64) -> Body {
             }
         }
     }
-    for _ in 0..subdivisions.min(FINEST_SPHERE) {
+    for _ in 0..subdivisions.min(MAX_SUBDIVISIONS) {
         let mut middles = BTreeMap::new();
         let mut middle = |a: u32, b: u32| {
             *middles.entry((a.min(b), a.max(b))).or_insert_with(|| {
@@ -175,7 +179,7 @@ fn grid(cells: [u16; 2], size: [f64; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
     for k in 0..nz {
         for i in 0..nx {
             let (a, b, c, d) = (index(i, k), index(i + 1, k), index(i + 1, k + 1), index(i, k + 1));
-            // Seen from above counterclockwise: x, then −z.
+            // Counterclockwise for a viewer above, so that normals point along +y.
             if (i + k) % 2 == 0 {
                 faces.extend([[a, c, b], [a, d, c]]);
             } else {
@@ -187,7 +191,7 @@ fn grid(cells: [u16; 2], size: [f64; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {
 }
 
 impl Body {
-    /// The body with all points moved by a function.
+    /// The body with all points mapped by a function.
     #[must_use]
     pub fn placed(mut self, map: impl FnMut(Point) -> Point) -> Self {
         self.points = self.points.into_iter().map(map).collect();

@@ -1,28 +1,30 @@
-//! Where a simulation is.
+//! The state of a simulation.
 
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
-/// All that a simulation needs to go on. Written and read without loss, it goes on to the same bits, on
-/// the same machine.
+/// The state of a simulation between two time steps.
 ///
-/// Friction needs nothing more: its normal forces at the start of a step are those at `positions`, with `stiffness`.
+/// A simulation that is resumed from a saved state continues with identical bits on the same machine, if
+/// the state is written and read without loss. Friction has no state of its own: the normal forces at
+/// the start of a step follow from `positions` and `stiffness`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct State {
-    /// How many steps have been taken.
+    /// The number of time steps taken.
     pub step: u64,
     /// The position of each vertex, in m.
     pub positions: Vec<Point>,
     /// The velocity of each vertex, in m/s.
     pub velocities: Vec<Point>,
-    /// A step earlier, for BDF2.
+    /// The state one step earlier, for BDF2.
     pub earlier: Option<Earlier>,
-    /// The stiffness of the barrier as an energy, in kg/(m² s²), once there has been contact: κ over the square of the time
-    /// that forces act, which is not that of the next step where BDF2 follows implicit Euler.
+    /// The stiffness of the barrier as an energy, in kg/(m² s²): κ over the square of the effective time
+    /// step of the last step. `None` before the first contact. It is stored in this form because the
+    /// effective time step changes when BDF2 follows its first step, which is one of implicit Euler.
     pub stiffness: Option<f64>,
 }
 
-/// Positions and velocities a step earlier.
+/// Positions and velocities one step earlier.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Earlier {
     /// The position of each vertex, in m.

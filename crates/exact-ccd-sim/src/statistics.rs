@@ -1,69 +1,71 @@
-//! What a step took.
+//! Statistics of a time step.
 
 use serde::{Deserialize, Serialize};
 
-/// A report on one time step.
+/// The statistics of one time step.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Statistics {
     /// The number of the step, from 1.
     pub step: u64,
     /// The time at its end, in s.
     pub time: f64,
-    /// Whether Newton's method reached its tolerance, for each lag of friction.
+    /// True if Newton's method reached its tolerance for every friction lag.
     pub converged: bool,
-    /// How many iterations it took, over all lags of friction.
+    /// The number of Newton iterations, over all friction lags.
     pub iterations: usize,
-    /// What part of each direction was taken.
+    /// The accepted step size of each iteration, as a fraction of the Newton direction. 0 if no step was
+    /// accepted.
     pub step_sizes: Vec<f64>,
-    /// How many pairs of features are within the contact distance, at the end: each once, however many pairs of primitives
-    /// have it in common.
+    /// The number of collisions at the end: pairs of features within the contact distance. A pair of
+    /// features counts once, even if several pairs of primitives share it.
     pub contacts: usize,
-    /// The least distance, in m, or `None` if nothing is within the contact distance.
+    /// The least distance at the end, in m. `None` if there is no collision.
     pub minimal_distance: Option<f64>,
-    /// The stiffness of the barrier, in kg/m², once there has been contact.
+    /// The stiffness κ of the barrier, in kg/m². `None` before the first contact.
     pub stiffness: Option<f64>,
-    /// How far the scripted vertex that lags most is from where its script says, in m.
+    /// The greatest distance of a scripted vertex from its target, in m.
     pub script_lag: f64,
     /// The energies at the end.
     pub energies: Energies,
-    /// Where the time went.
+    /// Run times.
     pub seconds: Seconds,
 }
 
-/// Energies in J.
+/// Energies in J. See [`Integrator`](crate::Integrator) for their conservation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
-    /// Of motion.
+    /// The kinetic energy.
     pub kinetic: f64,
-    /// Of deformation.
+    /// The elastic energy.
     pub elastic: f64,
-    /// Of contact: the barrier, as a potential.
+    /// The energy of the barrier.
     pub barrier: f64,
-    /// What friction dissipated in the step: the sum of μ N f₁ times how far it slipped, with the velocities at the end.
+    /// The energy that friction dissipated in the step: the sum of μ λ f₁ times the slip, with the
+    /// velocities at the end.
     pub friction: f64,
-    /// Of gravity, relative to the origin.
+    /// The potential energy of gravity, relative to the origin.
     pub gravity: f64,
 }
 
 impl Energies {
-    /// The sum of those that are conserved without dissipation: all but friction.
+    /// The mechanical energy: the sum of all energies except for the dissipation of friction.
     #[must_use]
     pub fn mechanical(&self) -> f64 {
         self.kinetic + self.elastic + self.barrier + self.gravity
     }
 }
 
-/// Times in s.
+/// Run times in s.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Seconds {
-    /// Gradients, Hessians and their sum.
+    /// Assembly of gradients and Hessians.
     pub assembly: f64,
-    /// The sparse factorisation and solution.
+    /// Sparse factorisation and solution.
     pub solve: f64,
-    /// Finding pairs, and how far they may go.
+    /// Broad phase and CCD.
     pub ccd: f64,
-    /// Energies along the direction.
+    /// Energies along the Newton direction.
     pub line_search: f64,
-    /// All of the step.
+    /// The whole step.
     pub total: f64,
 }

@@ -1,4 +1,4 @@
-//! The scenes in `examples/scenes` that need no files, for their first steps.
+//! The first steps of the scenes in `examples/scenes` that need no other files, and the generated sphere.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,7 +13,8 @@ fn scene(name: &str) -> Scene {
     Scene::read(folder.join(name), None).unwrap()
 }
 
-/// Takes some steps, each increment of which is free of contact, and which end without intersections.
+/// Takes some steps of a scene. Checks that each increment is free of contact, and the final state free of
+/// intersections.
 fn run(name: &str, steps: usize) -> (Simulation, Vec<Statistics>) {
     let scene = scene(name);
     let surface = scene.system.surface().clone();
@@ -33,7 +34,7 @@ fn run(name: &str, steps: usize) -> (Simulation, Vec<Statistics>) {
     (simulation, all)
 }
 
-/// The vertices of a state that are not of an obstacle.
+/// The positions of the vertices that do not belong to obstacles.
 fn moving<'a>(simulation: &'a Simulation, state: &'a State) -> impl Iterator<Item = Point> + 'a {
     let masses = simulation.system().masses().iter();
     let vertices = masses.zip(&state.positions).filter(|(mass, _)| **mass > 0.0);
@@ -46,12 +47,12 @@ fn the_small_mat_twists_without_intersection() {
     assert!(all.iter().any(|statistics| statistics.contacts > 0));
     assert!(all.iter().all(|statistics| statistics.script_lag == 0.0));
     let bounds: Aabb = simulation.state().positions.iter().copied().collect();
-    // The ends, 0.5 m wide, have turned by 2.8 rad, as their scripts say.
+    // The scripts rotate the ends, which are 0.5 m wide, by 2.8 rad.
     let height = 0.25 * (0.4_f64 * core::f64::consts::PI * 2.2).sin();
     assert!(bounds.upper[1] > height, "{bounds:?}");
 }
 
-/// The corners of the cloth are where they are led, and it swings without passing through itself.
+/// The corners of the cloth follow their scripts, and the cloth swings without intersections.
 #[test]
 fn the_cloth_hangs_by_its_corners() {
     let (simulation, all) = run("pinned-cloth.toml", 20);
@@ -75,17 +76,17 @@ fn the_small_mat_is_the_same_on_any_number_of_threads() {
             let contacts: usize = (0..55).map(|_| simulation.step().unwrap().contacts).sum();
             assert!(contacts > 0, "nothing came near");
         });
-        // As text, in which −0.0 is not 0.0.
+        // Compared as text, where −0.0 differs from 0.0.
         serde_json::to_string(simulation.state()).unwrap()
     };
     assert_eq!(on(1), on(2));
 }
 
 #[test]
-fn blocks_come_down_on_the_slope() {
+fn blocks_slide_on_the_slope() {
     let (simulation, all) = run("blocks-on-slope.toml", 30);
     assert!(all.iter().any(|statistics| statistics.contacts > 0));
-    // Friction takes what is lost, or less: the integrator dissipates too.
+    // Friction dissipates less than the total loss, because the integrator dissipates too.
     let lost = all[0].energies.mechanical() - all[29].energies.mechanical();
     let friction: f64 = all[1..]
         .iter()
@@ -95,12 +96,12 @@ fn blocks_come_down_on_the_slope() {
         friction > 0.01 * lost && friction < lost,
         "{friction} of {lost} J"
     );
-    // No energy comes from nowhere, as it did where a step ended in the depth of the barrier and counted as converged.
+    // The energy must not increase, which happens if a step counts as converged deep inside the barrier.
     for pair in all.windows(2) {
         let [before, after] = [&pair[0], &pair[1]].map(|statistics| statistics.energies.mechanical());
         assert!(after <= before + 1e-3 * lost, "{pair:?}");
     }
-    // The slope falls by tan 30° from (−1, ½) on.
+    // The slope starts at (−1, ½) and descends by tan 30°.
     let slope = 30_f64.to_radians().tan();
     for [x, y, _] in moving(&simulation, simulation.state()) {
         assert!(y > 0.5 - slope * (x + 1.0), "({x}, {y})");
@@ -111,14 +112,14 @@ fn blocks_come_down_on_the_slope() {
 fn the_cloth_stays_outside_of_the_sphere() {
     let (simulation, all) = run("cloth-on-sphere.toml", 20);
     assert!(all.iter().any(|statistics| statistics.contacts > 0));
-    // Triangles of a sphere cut its caps off.
+    // The triangles of the sphere lie inside the radius.
     for [x, y, z] in moving(&simulation, simulation.state()) {
         assert!(x.hypot(y).hypot(z) > 0.29);
     }
 }
 
 #[test]
-fn scenes_with_meshes_name_the_file_that_is_missing() {
+fn errors_name_the_missing_mesh_file() {
     for (name, mesh) in [
         ("octocats.toml", "32770_octocat.msh"),
         ("mat-twist.toml", "mat40x40.msh"),

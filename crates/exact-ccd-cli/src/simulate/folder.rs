@@ -1,4 +1,4 @@
-//! The folder of a simulation's results.
+//! The output folder of a simulation.
 
 use std::fs::{self, File};
 use std::io::{self, BufReader};
@@ -24,13 +24,13 @@ pub(super) const ENERGIES: &str = "energies.svg";
 pub(super) const DISTANCE: &str = "minimal-distance.svg";
 const FILES: [&str; 6] = [CHECKPOINT, STATISTICS, COLLECTION, ANIMATION, ENERGIES, DISTANCE];
 
-/// The folders with a file for each time step, or several.
+/// The subfolders, which have one or more files for each time step.
 const FRAMES: &str = "frames";
 const GRIDS: &str = "vtu";
 const PATH: &str = "path";
 pub(super) const PICTURES: &str = "pictures";
 
-/// A folder with the results up to a time step.
+/// An output folder with the results up to a time step.
 pub(super) struct OutputFolder {
     folder: PathBuf,
     log: Log<Row>,
@@ -38,7 +38,7 @@ pub(super) struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// The simulation of a scene after the last time step in a folder.
+    /// The simulation of a scene, resumed from the checkpoint in a folder.
     pub(super) fn simulation(folder: &Path, scene: &Scene) -> Result<Simulation, Failure> {
         let file = folder.join(CHECKPOINT);
         let failed = |message: String| Failure::Checkpoint {
@@ -48,14 +48,16 @@ impl OutputFolder {
         let reader = File::open(&file).map_err(|error| {
             failed(match error.kind() {
                 io::ErrorKind::NotFound => {
-                    "there is no run to go on with; without --resume, one begins".to_owned()
+                    "the file does not exist, expected the checkpoint of an earlier run: \
+                     start a new run without --resume"
+                        .to_owned()
                 }
                 _ => error.to_string(),
             })
         })?;
         let checkpoint: Checkpoint = serde_json::from_reader(BufReader::new(reader)).map_err(|error| {
             failed(format!(
-                "{error}: it is no checkpoint, or damaged; without --resume, the run begins again"
+                "{error}; the file is damaged or not a checkpoint: start a new run without --resume"
             ))
         })?;
         scene
@@ -63,11 +65,11 @@ impl OutputFolder {
             .map_err(|error| failed(error.to_string()))
     }
 
-    /// Writes the start, in place of the results of an earlier run.
+    /// Removes the results of an earlier run, and writes the initial state.
     pub(super) fn begin(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
-        // These first: they stand for what is removed after them.
+        // These files refer to those in the subfolders, so they are removed first.
         for file in FILES.map(|name| folder.join(name)) {
             match fs::remove_file(&file) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => {
@@ -87,15 +89,19 @@ impl OutputFolder {
         Ok(this)
     }
 
-    /// Goes on where the simulation is, which has been resumed from the checkpoint: what the run before it wrote after that
-    /// is dropped.
+    /// Continues after the state of a resumed simulation. Removes everything that the earlier run wrote after
+    /// its last checkpoint.
     pub(super) fn resume(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
         let last = simulation.state().step;
         let grid = grid_file(folder, last);
         if !grid.is_file() {
             return Err(Failure::Checkpoint {
                 file: folder.join(CHECKPOINT),
-                message: format!("it is of time step {last}, but {} is not there", grid.display()),
+                message: format!(
+                    "the checkpoint has time step {last}, expected the file {} of this step: \
+                     start a new run without --resume",
+                    grid.display()
+                ),
             });
         }
         let this = Self {
@@ -103,20 +109,20 @@ impl OutputFolder {
             log: Log::resume(folder.join(STATISTICS), last)?,
             grid: Grid::new(simulation.system()),
         };
-        // The collection first: it names no file that is not there.
+        // The collection is written first, so that it never names a removed file.
         this.write_collection(simulation)?;
         remove_after(folder, Some(last))?;
         Ok(this)
     }
 
-    /// Adds a time step: the checkpoint last, so that what it stands for is there.
+    /// Adds a time step. The checkpoint is written last, so that all files of its time step exist.
     pub(super) fn add(&mut self, simulation: &Simulation, statistics: &Statistics) -> Result<(), Failure> {
         self.write_frame(simulation)?;
         self.log.add(&statistics.into())?;
         self.write_checkpoint(simulation)
     }
 
-    /// Where the way of the next time step goes, from where the simulation is.
+    /// The writer for the path of the next time step, which starts at the current state.
     pub(super) fn path(&self, simulation: &Simulation) -> PathWriter {
         let state = simulation.state();
         let mut path = PathWriter::new(self.file(PATH), simulation.system().clone(), state.step + 1);
@@ -154,17 +160,17 @@ impl OutputFolder {
         })
     }
 
-    /// What all time steps took.
+    /// The statistics of all time steps.
     pub(super) fn statistics(&self) -> Result<Vec<Row>, Failure> {
         self.log.rows()
     }
 
-    /// The file of the surface after a time step.
+    /// The file of the surface at the end of a time step.
     pub(super) fn frame(&self, step: u64) -> PathBuf {
         self.file(FRAMES).join(steps::name(step, "ply"))
     }
 
-    /// A file in the folder.
+    /// The path of a file in the folder.
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
@@ -178,7 +184,7 @@ pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
 }
 
-/// Removes what belongs to time steps after this one, or to any.
+/// Removes the files of all time steps after `last`, or of all time steps for `None`, and unfinished files.
 fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failure> {
     for inner in [FRAMES, GRIDS, PATH, PICTURES] {
         steps::remove_after(&folder.join(inner), last)?;

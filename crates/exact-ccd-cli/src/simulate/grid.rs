@@ -1,4 +1,4 @@
-//! Solids as their tetrahedra, all else as triangles, for ParaView.
+//! The cells of a system for ParaView: tetrahedra of solids, triangles of shells and obstacles.
 
 use std::io;
 
@@ -8,7 +8,7 @@ use exact_ccd_sim::{State, System};
 /// The cells of a system.
 pub(super) struct Grid {
     tetrahedra: Vec<[u32; 4]>,
-    /// Of shells and obstacles.
+    /// The triangles of shells and obstacles.
     triangles: Vec<[u32; 3]>,
 }
 
@@ -31,7 +31,7 @@ impl Grid {
         }
     }
 
-    /// Writes the cells where they are, with the velocities of their vertices.
+    /// Writes the cells at the positions of a state, with the velocities of their vertices.
     pub(super) fn write(&self, state: &State, writer: impl io::Write) -> io::Result<()> {
         let grid = UnstructuredGrid {
             positions: &state.positions,

@@ -1,10 +1,10 @@
-//! A scene and a time step, each as a line of text.
+//! One line of text for a scene and for each time step.
 
 use std::fmt::Write;
 
 use exact_ccd_sim::{Simulation, Statistics};
 
-/// What a simulation is about, up to so many time steps: wrong units show here first.
+/// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
     let done = simulation.state().step;
@@ -15,24 +15,22 @@ pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
         system.size(),
         settings.contact_distance.meters(system.size()),
     );
+    let time_step = settings.time_step;
+    let plural = if steps == 1 { "" } else { "s" };
     // Writing to a string does not fail.
     let _ = match done {
-        0 => write!(line, "{steps} time steps of {} s", settings.time_step),
-        _ if done < steps => write!(
-            line,
-            "time steps {} to {steps} of {} s",
-            done + 1,
-            settings.time_step
-        ),
+        0 => write!(line, "{steps} time step{plural} of {time_step} s"),
+        _ if done + 1 == steps => write!(line, "time step {steps} of {time_step} s"),
+        _ if done < steps => write!(line, "time steps {} to {steps} of {time_step} s", done + 1),
         _ => write!(
             line,
-            "time step {done} is there already, up to {steps} nothing is left to do"
+            "nothing to do: the results have time step {done}, the last step is {steps}"
         ),
     };
     line
 }
 
-/// What matters of a time step.
+/// The line for a time step.
 pub(super) fn of(statistics: &Statistics) -> String {
     let Statistics {
         step,
@@ -42,14 +40,19 @@ pub(super) fn of(statistics: &Statistics) -> String {
         seconds,
         ..
     } = statistics;
-    let mut line = format!("step {step}, {time:.4} s: {iterations} iterations, {contacts} contacts");
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    let mut line = format!(
+        "step {step}, {time:.4} s: {iterations} iteration{}, {contacts} contact{}",
+        plural(*iterations),
+        plural(*contacts)
+    );
     // Writing to a string does not fail.
     if let Some(distance) = statistics.minimal_distance {
         let _ = write!(line, " down to {distance:.2e} m");
     }
     let _ = write!(line, ", energy {:.6e} J", statistics.energies.mechanical());
     if statistics.script_lag > 0.0 {
-        let _ = write!(line, ", {:.2e} m behind the script", statistics.script_lag);
+        let _ = write!(line, ", script lag {:.2e} m", statistics.script_lag);
     }
     if !statistics.converged {
         line += ", not converged";

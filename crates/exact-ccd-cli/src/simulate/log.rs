@@ -1,4 +1,4 @@
-//! A table with a row for each time step, which grows with the simulation.
+//! CSV tables with a row for each time step, which grow with the simulation.
 
 use std::fs::OpenOptions;
 use std::io::{self, Write};
@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use crate::failure::Failure;
 use crate::output::write_file;
 
-/// A row of a [`Log`]; its first column is the time step.
+/// A row of a [`Log`]. Its first column is the number of the time step.
 pub(super) trait Row: Serialize + DeserializeOwned {
     /// The number of the time step.
     fn step(&self) -> u64;
@@ -25,12 +25,12 @@ pub(super) struct Log<R> {
 }
 
 impl<R: Row> Log<R> {
-    /// An empty log, in place of what was in the file.
+    /// Replaces the file by an empty log.
     pub(super) fn begin(file: PathBuf) -> Result<Self, Failure> {
         Self::with(file, &[])
     }
 
-    /// The log in a file, if there is one, up to a time step: what comes later is dropped.
+    /// The log in a file, without the rows after a time step. Empty if there is no file.
     pub(super) fn resume(file: PathBuf, last: u64) -> Result<Self, Failure> {
         let rows = read::<R>(&file, last)?;
         Self::with(file, &rows)
@@ -49,7 +49,7 @@ impl<R: Row> Log<R> {
         })
     }
 
-    /// Adds a row, in one piece.
+    /// Adds a row with a single write.
     pub(super) fn add(&mut self, row: &R) -> Result<(), Failure> {
         let append = || -> io::Result<()> {
             let mut line = Vec::new();
@@ -74,8 +74,8 @@ impl<R: Row> Log<R> {
     }
 }
 
-/// The rows in a file up to a time step, none if there is no file. A line without an end is none: the program was ended
-/// in the middle of it.
+/// The rows of a file up to a time step. Empty if there is no file. A last line without a line break is
+/// ignored: the program was ended in the middle of it.
 fn read<R: Row>(path: &Path, last: u64) -> Result<Vec<R>, Failure> {
     let failed = |source: csv::Error| {
         let file = path.to_owned();

@@ -1,4 +1,4 @@
-//! `exact-ccd simulate`: a scene in motion, free of intersections.
+//! `exact-ccd simulate`: the intersection-free simulation of a scene.
 
 mod folder;
 mod grid;
@@ -25,63 +25,74 @@ use crate::progress::{self, during};
 use folder::OutputFolder;
 use queries::QueryFolder;
 
-/// Simulate a scene: elastic bodies with contact and friction, none of which passes through another
+/// Simulate a scene: elastic bodies with contact and friction, without intersections
 ///
-/// SCENE is a TOML file with bodies, materials, scripted motions and the numbers of
-/// the simulation; the name of its method of continuous collision detection is
-/// `settings.ccd`. Prints one line for the scene and one for each time step.
+/// SCENE is a TOML file with bodies, materials, scripted motions and settings. The key
+/// `settings.ccd` selects the method of continuous collision detection (CCD). The
+/// command prints one line for the scene and one for each time step.
 ///
-/// With --out, DIR gets, of each time step N,
-///   frames/N.ply     the surface
-///   vtu/N.vtu        tetrahedra, and triangles of shells and obstacles, with
-///                    velocities; motion.pvd opens all of them in ParaView
-///   statistics.csv   a row: iterations, step sizes, contacts, minimal distance,
-///                    energies, times; the names of the columns have the units
-///   checkpoint.json  all that --resume needs, in place of that before
-/// Whenever the program is ended, --resume goes on from the last checkpoint, on the
-/// same machine to the same bits. Without it, the results of an earlier run in DIR are replaced.
+/// With --out, the command writes for each time step N
+///   DIR/frames/N.ply     the surface
+///   DIR/vtu/N.vtu        tetrahedra, triangles of shells and obstacles, velocities;
+///                        DIR/motion.pvd opens all time steps in ParaView
+///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
+///                        energies and run times; column names end with units
+///   DIR/checkpoint.json  the state for --resume, which replaces the previous one
+/// An interrupted run continues with --resume from the last checkpoint. On the same
+/// machine, its results are identical to those of an uninterrupted run. Without
+/// --resume, the results of an earlier run in DIR are replaced.
 ///
 /// Exit status: 0 success, 2 error.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The scene: a .toml file.
+    /// The scene, a .toml file.
     scene: PathBuf,
-    /// Where the results go.
+    /// The output folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Where the mesh files are; if not given, where the scene file is.
+    /// The folder of the mesh files, by default that of the scene file.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
     #[arg(long, value_name = "NAME", help = ccd_help())]
     ccd: Option<String>,
-    /// The time step at which to end, counted from the start, in place of that of the scene's duration.
+    /// The number of the last time step, in place of the scene's duration. It counts from the start, also
+    /// with --resume.
     #[arg(long, value_name = "N")]
     steps: Option<u64>,
-    /// Write the way too: the surface after each increment of a time step, as `path/STEP-INCREMENT.ply`. That is what is free
-    /// of contact, as `exact-ccd audit DIR/path` certifies; straight from one time step to the next there may be some.
+    /// Write the surface after each Newton step, as `path/STEP-INCREMENT.ply`. These increments are free of
+    /// contact, and `exact-ccd audit DIR/path` certifies it. The straight motion from one time step to the
+    /// next may have contacts.
     #[arg(long, requires = "out")]
     path: bool,
-    /// Draw each time as `pictures/N.png`, and all of them as an animation, `motion.png`, at the end, and plot
-    /// `energies.svg` and `minimal-distance.svg`: with --resume, of the time steps that are there already too.
+    /// At the end, draw all time steps as `pictures/N.png` and as the animation `motion.png`, and plot
+    /// `energies.svg` and `minimal-distance.svg`. With --resume, earlier time steps are included.
     #[arg(long, requires = "out")]
     render: bool,
-    /// Write the queries of continuous collision detection as a data set, which `exact-ccd bench` and `queries` read: of
-    /// each time step N, `vertex-face/N.csv` and `edge-edge/N.csv`, with the exact answer in the last column, and a row of
-    /// `counts.csv`. A query is any pair whose boxes overlap in a step that the line search proposes, or takes.
+    /// Write the CCD queries as a data set for `exact-ccd bench` and `exact-ccd queries`. For each time step
+    /// N, the folder gets `vertex-face/N.csv` and `edge-edge/N.csv`, with the exact answer in the last
+    /// column, and a row of `counts.csv`. The queries are all pairs of primitives whose boxes overlap in a
+    /// step that the line search proposes or takes.
     #[arg(long, value_name = "DIR")]
     dump_queries: Option<PathBuf>,
-    /// Keep at most so many queries in contact, and so many others, of each kind and time step, drawn at random.
-    #[arg(long, value_name = "N", default_value_t = 1000, requires = "dump_queries", value_parser = value_parser!(u32).range(1..))]
+    /// The maximal number of queries in contact, and of queries without contact, to write for each kind and
+    /// time step. They are drawn at random.
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1000,
+        requires = "dump_queries",
+        value_parser = value_parser!(u32).range(1..)
+    )]
     dump_most: u32,
-    /// Go on from the checkpoint in the folder of --out, which must be of this scene.
+    /// Continue from the checkpoint in the folder of --out, which must belong to this scene.
     #[arg(long, requires = "out")]
     resume: bool,
 }
 
 fn ccd_help() -> String {
     let names = exact_ccd_sim::filter::names().join(", ");
-    format!("The method of continuous collision detection, in place of the scene's: {names}")
+    format!("The CCD method, in place of that of the scene, one of: {names}")
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
@@ -130,7 +141,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             if let Some(folder) = &mut folder {
                 folder.add(&simulation, &statistics)?;
             }
-            // The bar makes room for the line.
+            // The progress bar is hidden while the line is printed.
             lines.suspend(|| print(&line::of(&statistics)))?;
             progress(1);
         }
@@ -150,7 +161,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A simulation from its start or from the checkpoint in a folder, and the folder.
+/// A simulation from its start or from the checkpoint in a folder, with the opened folder.
 fn open(folder: &Path, scene: &Scene, resume: bool) -> Result<(Simulation, OutputFolder), Failure> {
     let simulation = if resume {
         OutputFolder::simulation(folder, scene)?

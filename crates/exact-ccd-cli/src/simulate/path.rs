@@ -1,4 +1,4 @@
-//! The way of one time step, increment by increment.
+//! The path of one time step: the surface after each Newton step.
 
 use std::io;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use super::folder::make_folder;
 use crate::failure::Failure;
 use crate::output::write_file;
 
-/// Writes the surface after each increment of a time step.
+/// Writes the surface after each Newton step of a time step.
 pub(super) struct Path {
     folder: PathBuf,
     system: System,
@@ -20,7 +20,7 @@ pub(super) struct Path {
 }
 
 impl Path {
-    /// The way of a time step, in a folder.
+    /// The writer for a time step, in a folder.
     pub(super) fn new(folder: PathBuf, system: System, step: u64) -> Self {
         let result = make_folder(&folder);
         Self {
@@ -32,7 +32,7 @@ impl Path {
         }
     }
 
-    /// Writes the surface with the vertices at these positions. After an error, nothing.
+    /// Writes the surface for these positions of the vertices. Does nothing after an error.
     pub(super) fn add(&mut self, positions: &[Point]) {
         if self.result.is_ok() {
             let file = self
@@ -44,7 +44,7 @@ impl Path {
         }
     }
 
-    /// The first error.
+    /// Returns the first error, if there was one.
     pub(super) fn finish(self) -> Result<(), Failure> {
         self.result
     }

@@ -1,4 +1,4 @@
-//! Pictures of all times.
+//! Pictures of all time steps.
 
 use exact_ccd_mesh::{Aabb, Frame, Point};
 use exact_ccd_render::{Animation, Marks, View, render};
@@ -13,7 +13,7 @@ use crate::progress::{self, during};
 /// Width and height in pixels.
 const SIZE: [u16; 2] = [640, 480];
 
-/// Draws the frames in a folder, up to where the simulation is, and plays them at the speed of the simulation.
+/// Draws all frames up to the current time step, each as a picture, and all as an animation in real time.
 pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(), Failure> {
     let steps = 0..=simulation.state().step;
     let mut bounds = Aabb::EMPTY;
@@ -44,7 +44,8 @@ pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(),
     })
 }
 
-/// Upwards, which is against gravity, or else along y; and towards a viewer who looks down a little.
+/// The upward direction and the direction towards the viewer. Upward is opposite to gravity, or along y
+/// without gravity. The viewer is slightly above the scene.
 fn directions(gravity: Point) -> [Point; 2] {
     let falls = gravity.iter().any(|&g| g != 0.0);
     let up = if falls {

@@ -1,4 +1,4 @@
-//! Energies and the minimal distance over time, as drawings.
+//! Plots of the energies and of the minimal distance over time.
 
 use exact_ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use exact_ccd_plot::plotters::prelude::*;
@@ -12,10 +12,10 @@ use crate::output::write_file;
 
 const SIZE: (u32, u32) = (1000, 640);
 
-/// Room for the names beside the drawing.
+/// The width of the legend.
 const LEGEND: i32 = 170;
 
-/// A line of a plot: a name, and values at times, which may be missing.
+/// A line of a plot: a name, and pairs of a time and a value. Values may be missing.
 struct Line {
     name: &'static str,
     points: Vec<(f64, Option<f64>)>,
@@ -24,7 +24,7 @@ struct Line {
 impl Line {
     /// The line through the values of rows.
     fn new(name: &'static str, rows: &[Row], value: impl Fn(&Row) -> Option<f64>) -> Self {
-        // A table that was written elsewhere may hold any number.
+        // The table may have been edited, so that any number is possible.
         let is_drawn = |x: &f64| x.abs() <= GREATEST;
         let rows = rows.iter().filter(|row| is_drawn(&row.time));
         let points = rows.map(|row| (row.time, value(row).filter(is_drawn)));
@@ -35,7 +35,7 @@ impl Line {
     }
 }
 
-/// Draws the rows of the statistics in a folder. `contact_distance` is d̂, in m.
+/// Plots the statistics in a folder. `contact_distance` is d̂, in m.
 pub(super) fn draw(folder: &OutputFolder, contact_distance: f64) -> Result<(), Failure> {
     let rows = folder.statistics()?;
     let write = |name: &str, drawing: String| {
@@ -47,7 +47,7 @@ pub(super) fn draw(folder: &OutputFolder, contact_distance: f64) -> Result<(), F
     write(DISTANCE, minimal_distance(&rows, contact_distance))
 }
 
-/// The energies that there are, in J. That of gravity is above its least: where it is zero is arbitrary.
+/// The plot of all energies that are not zero, in J. The energy of gravity is relative to its least value.
 fn energies(rows: &[Row]) -> String {
     let lowest = rows
         .iter()
@@ -67,7 +67,7 @@ fn energies(rows: &[Row]) -> String {
     plot(&lines, "energy / J", false)
 }
 
-/// The minimal distance, in m, where anything is within the contact distance, and that distance.
+/// The plot of the minimal distance in m, where there are contacts, and of the contact distance.
 fn minimal_distance(rows: &[Row], contact_distance: f64) -> String {
     let lines = [
         Line::new("minimal distance", rows, |row| row.minimal_distance),
@@ -94,7 +94,7 @@ fn values(lines: &[Line]) -> impl Iterator<Item = f64> {
         .flat_map(|line| line.points.iter().filter_map(|(_, value)| *value))
 }
 
-/// From 0, or from what is below it, to a little more than all values.
+/// The range of an axis that includes 0 and all values, with a margin.
 fn range(lines: &[Line]) -> (f64, f64) {
     let (least, most) = values(lines).fold((0.0_f64, 0.0_f64), |(least, most), value| {
         (least.min(value), most.max(value))

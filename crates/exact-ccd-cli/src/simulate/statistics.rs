@@ -1,4 +1,4 @@
-//! What a time step took and led to, as a row of `statistics.csv`.
+//! The statistics of a time step as a row of `statistics.csv`.
 
 use exact_ccd_sim::Statistics;
 use serde::{Deserialize, Serialize};
@@ -13,23 +13,23 @@ pub(super) struct Row {
     /// The time at its end.
     #[serde(rename = "time_s")]
     pub(super) time: f64,
-    /// Whether Newton's method reached its tolerance.
+    /// True if Newton's method reached its tolerance.
     pub(super) converged: bool,
-    /// Newton iterations.
+    /// The number of Newton iterations.
     pub(super) iterations: usize,
-    /// The least part of a Newton direction that was taken.
+    /// The least step size of a Newton iteration.
     pub(super) step_size_min: Option<f64>,
-    /// The mean of these parts.
+    /// The mean step size.
     pub(super) step_size_mean: Option<f64>,
-    /// Pairs of features within the contact distance, at the end.
+    /// The number of pairs of features within the contact distance, at the end.
     pub(super) contacts: usize,
-    /// The least distance among them; empty if there are none.
+    /// The least distance among these pairs. Empty if there are none.
     #[serde(rename = "minimal_distance_m")]
     pub(super) minimal_distance: Option<f64>,
-    /// The stiffness of the barrier, once there has been contact.
+    /// The stiffness of the barrier. Empty before the first contact.
     #[serde(rename = "stiffness_kg_per_m2")]
     pub(super) stiffness: Option<f64>,
-    /// How far scripted vertices are from where their scripts say, at most.
+    /// The greatest distance of a scripted vertex from its target.
     #[serde(rename = "script_lag_m")]
     pub(super) script_lag: f64,
     #[serde(rename = "kinetic_J")]
@@ -91,7 +91,7 @@ impl From<&Statistics> for Row {
     }
 }
 
-/// The same number; the sum of nothing is −0.0, which is better written without a sign.
+/// The same number, with −0.0 (which is the value of an empty sum) replaced by 0.0.
 fn positive_zero(number: f64) -> f64 {
     number + 0.0
 }

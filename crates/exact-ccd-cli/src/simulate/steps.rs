@@ -1,17 +1,17 @@
-//! Files that belong to a time step, by their names.
+//! The names of files that belong to a time step.
 
 use std::path::Path;
 
 use crate::failure::Failure;
 use crate::output::{draft_of, is_number, remove_files};
 
-/// The name of the file of a time step. Names are as many characters until a million, so that they sort as numbers do.
+/// The name of the file of a time step. Below a million, names have six digits and sort as numbers.
 pub(super) fn name(step: u64, extension: &str) -> String {
     format!("{step:06}.{extension}")
 }
 
-/// Removes the files in a folder that belong to time steps after this one, to any if there is none, and drafts. Files with
-/// other names stay.
+/// Removes the files of a folder that belong to time steps after `last`, or to any time step for `None`, and
+/// unfinished files. Files with other names stay.
 pub(super) fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failure> {
     let is_later = |step: u64| last.is_none_or(|last| step > last);
     let is_superfluous = |name: &str| match draft_of(name) {
@@ -21,7 +21,7 @@ pub(super) fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failu
     remove_files(folder, is_superfluous).map_err(|source| Failure::write(folder, source))
 }
 
-/// The time step to which a file belongs, as `000012.ply` and `000012-003.ply` do.
+/// The time step to which a file belongs, given by names such as `000012.ply` and `000012-003.ply`.
 fn step_of(name: &str) -> Option<u64> {
     let (stem, _) = name.split_once('.')?;
     let (step, increment) = stem.split_once('-').unwrap_or((stem, "0"));
@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_names_of_time_steps_are_taken_for_them() {
+    fn other_file_names_have_no_time_step() {
         for step in [0, 7, 123_456, 1_234_567] {
             assert_eq!(step_of(&name(step, "ply")), Some(step));
         }

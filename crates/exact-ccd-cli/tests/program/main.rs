@@ -17,6 +17,7 @@ mod round_meshes;
 mod round_queries;
 mod rounding_report;
 mod simulate;
+mod simulate_errors;
 mod simulate_queries;
 mod simulate_resume;
 mod step;

@@ -5,13 +5,14 @@ use std::fs;
 use crate::folder::Folder;
 use crate::simulate::folder;
 
-/// The columns of `counts.csv` after the first, summed up.
+/// The sums of all columns of `counts.csv` after the first.
 fn counts(folder: &Folder) -> [usize; 6] {
     let text = folder.read("queries/counts.csv");
     let (header, rows) = text.split_once('\n').unwrap();
     assert_eq!(
         header,
-        "step,vertex_face,vertex_face_in_contact,vertex_face_kept,edge_edge,edge_edge_in_contact,edge_edge_kept"
+        "step,vertex_face,vertex_face_in_contact,vertex_face_kept,\
+         edge_edge,edge_edge_in_contact,edge_edge_kept"
     );
     let mut sums = [0; 6];
     for (row, step) in rows.lines().zip(1..) {
@@ -36,7 +37,7 @@ fn query_files(folder: &Folder, kind: &str) -> Vec<String> {
 }
 
 #[test]
-fn queries_are_a_data_set_with_its_truth() {
+fn queries_are_a_data_set_with_ground_truth() {
     let folder = folder();
     let run = folder.run(&[
         "simulate",
@@ -48,7 +49,7 @@ fn queries_are_a_data_set_with_its_truth() {
     ]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let [vf, vf_in_contact, vf_kept, ee, ee_in_contact, ee_kept] = counts(&folder);
-    // There are few, and some steps that the line search proposes go through the floor.
+    // All of the few queries are kept. Some steps that the line search proposes pass through the floor.
     assert!(vf == vf_kept && ee == ee_kept && vf_in_contact > 0 && ee_in_contact > 0);
     assert_eq!(
         run.stdout.lines().last(),
@@ -75,7 +76,8 @@ fn queries_are_a_data_set_with_its_truth() {
         assert_eq!(
             run.stderr,
             format!(
-                "{asked} queries, {in_contact} in contact; against the ground truth: 0 false positives, 0 false negatives\n"
+                "{asked} queries, {in_contact} in contact; against the ground truth: \
+                 0 false positives, 0 false negatives\n"
             )
         );
     }
@@ -85,7 +87,7 @@ fn queries_are_a_data_set_with_its_truth() {
 }
 
 #[test]
-fn of_many_queries_some_are_kept() {
+fn the_number_of_kept_queries_is_limited() {
     let folder = folder();
     let run = folder.run(&[
         "simulate",
@@ -108,7 +110,7 @@ fn of_many_queries_some_are_kept() {
 }
 
 #[test]
-fn to_be_observed_changes_nothing() {
+fn recording_queries_does_not_change_results() {
     let folder = folder();
     for ccd in ["exact", "bisection"] {
         let observed = ["simulate", "scene.toml", "--ccd", ccd, "--out", "observed"];

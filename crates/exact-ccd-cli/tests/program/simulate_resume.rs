@@ -1,4 +1,4 @@
-//! Simulations that are ended, and go on.
+//! Interrupted and resumed simulations.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -9,8 +9,8 @@ use std::process::Stdio;
 use crate::folder::Folder;
 use crate::simulate::folder;
 
-/// All files in a folder and in those inside, by their names, with their contents. Of the statistics, without the times
-/// that the simulation took, which are the last five columns.
+/// The contents of all files in a folder and its subfolders, by name. The statistics are without the run
+/// times, which are the last five columns.
 fn files(folder: &Folder, name: &str) -> BTreeMap<String, Vec<u8>> {
     fn collect(folder: &Path, prefix: &str, files: &mut BTreeMap<String, Vec<u8>>) {
         for entry in fs::read_dir(folder).unwrap() {
@@ -46,7 +46,7 @@ fn assert_same(folder: &Folder, found: &str, expected: &str) {
     }
 }
 
-/// All that a simulation of `scene.toml` can leave in a folder but for pictures.
+/// The arguments for all results of `scene.toml` except pictures.
 fn arguments<'a>(out: &'a str, queries: &'a str, more: &[&'a str]) -> Vec<&'a str> {
     let all = [
         "simulate",
@@ -60,11 +60,11 @@ fn arguments<'a>(out: &'a str, queries: &'a str, more: &[&'a str]) -> Vec<&'a st
     [all.as_slice(), more].concat()
 }
 
-/// Starts the program and ends it, with SIGKILL where there are signals, when it has taken so many time steps.
+/// Starts the program, and kills it after a number of time steps.
 fn kill_after(folder: &Folder, arguments: &[&str], steps: usize) {
     let mut program = folder.program(arguments).stdout(Stdio::piped()).spawn().unwrap();
     let mut output = BufReader::new(program.stdout.take().unwrap());
-    // A line for the scene, and one for each.
+    // The program prints one line for the scene and one for each time step.
     for _ in 0..=steps {
         output.read_line(&mut String::new()).unwrap();
     }
@@ -73,7 +73,7 @@ fn kill_after(folder: &Folder, arguments: &[&str], steps: usize) {
 }
 
 #[test]
-fn a_killed_simulation_comes_to_the_same_bytes() {
+fn a_killed_and_resumed_simulation_has_the_same_bytes() {
     let folder = folder();
     let run = folder.run(&arguments("whole", "whole/queries", &["--threads", "1"]));
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
@@ -83,7 +83,7 @@ fn a_killed_simulation_comes_to_the_same_bytes() {
             let queries = format!("{out}/queries");
             let threads = ["--threads", threads];
             kill_after(&folder, &arguments(&out, &queries, &threads), steps);
-            // What the collection names is there at any time.
+            // All files of the collection exist at any time.
             let frames = exact_ccd_mesh::read_pvd(folder.path(&format!("{out}/motion.pvd"))).unwrap();
             assert!(frames.len() > steps && frames.iter().all(|(_, file)| file.is_file()));
 
@@ -96,7 +96,7 @@ fn a_killed_simulation_comes_to_the_same_bytes() {
 }
 
 #[test]
-fn a_simulation_can_be_killed_again_and_again() {
+fn a_simulation_can_be_killed_repeatedly() {
     let folder = folder();
     assert_eq!(folder.run(&arguments("whole", "whole/queries", &[])).status, 0);
     kill_after(&folder, &arguments("parts", "parts/queries", &[]), 1);
@@ -109,14 +109,14 @@ fn a_simulation_can_be_killed_again_and_again() {
 }
 
 #[test]
-fn what_is_later_than_the_checkpoint_is_dropped() {
+fn files_later_than_the_checkpoint_are_removed() {
     let folder = folder();
     for out in ["whole", "parts"] {
         let queries = format!("{out}/queries");
         let run = folder.run(&arguments(out, &queries, &["--steps", "4"]));
         assert_eq!(run.status, 0);
     }
-    // A run can be ended anywhere in a time step: here after its frames, in the middle of its row.
+    // A run can end at any point of a time step. Here it ends after the frames, in the middle of a row.
     for later in [
         "frames/000005.ply",
         "vtu/000005.vtu",
@@ -154,7 +154,7 @@ fn a_new_simulation_replaces_an_earlier_one() {
         assert_eq!(run.status, 0);
     }
     assert_same(&folder, "again", "whole");
-    // But nothing of anybody else.
+    // Files of other origin stay.
     folder.write("again/frames/notes.txt", "mine");
     folder.write("again/.notes.7", "mine");
     let run = folder.run(&arguments("again", "again/queries", &["--steps", "1"]));

@@ -1,57 +1,63 @@
-//! The barrier that keeps things apart.
+//! The barrier function.
 
-/// The smoothly clamped logarithmic barrier b(d) = −(d − d̂)² ln(d/d̂) for d < d̂, else 0, of squared distances: M. Li,
-/// Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D. Kaufman, *Incremental Potential Contact*, ACM
-/// Transactions on Graphics 39(4), 2020, equation 6, with the squares of its supplement.
+/// The smoothly clamped logarithmic barrier b(d) = −(d − d̂)² ln(d/d̂) for d < d̂, else 0.
+///
+/// Source: M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang, D. Kaufman,
+/// *Incremental Potential Contact*, ACM Transactions on Graphics 39(4), 2020, equation 6. As in the
+/// supplement of the paper, d and d̂ are squared distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Barrier {
-    reach: f64,
+    activation_distance_squared: f64,
 }
 
 impl Barrier {
-    /// The barrier that begins at a distance, in m.
+    /// The barrier with this activation distance, in m.
     #[must_use]
-    pub fn new(distance: f64) -> Self {
-        let reach = distance * distance;
-        Self { reach }
+    pub fn new(activation_distance: f64) -> Self {
+        Self {
+            activation_distance_squared: activation_distance * activation_distance,
+        }
     }
 
-    /// The squared distance d̂ at which it begins, in m².
+    /// d̂: the square of the activation distance, in m².
     #[must_use]
-    pub fn reach(&self) -> f64 {
-        self.reach
+    pub fn activation_distance_squared(&self) -> f64 {
+        self.activation_distance_squared
     }
 
-    /// b, in m⁴; infinite for d ≤ 0.
+    /// The value b of the barrier at a squared distance, in m⁴. Infinite for d ≤ 0.
     #[must_use]
     pub fn value(&self, squared: f64) -> f64 {
-        if squared >= self.reach {
+        let d_hat = self.activation_distance_squared;
+        if squared >= d_hat {
             0.0
         } else if squared <= 0.0 {
             f64::INFINITY
         } else {
-            let gap = squared - self.reach;
-            -gap * gap * (squared / self.reach).ln()
+            let gap = squared - d_hat;
+            -gap * gap * (squared / d_hat).ln()
         }
     }
 
-    /// b′, in m².
+    /// The first derivative b′ by the squared distance, in m².
     #[must_use]
     pub fn slope(&self, squared: f64) -> f64 {
-        if squared >= self.reach {
+        let d_hat = self.activation_distance_squared;
+        if squared >= d_hat {
             return 0.0;
         }
-        let gap = self.reach - squared;
-        gap * (2.0 * (squared / self.reach).ln() - gap / squared)
+        let gap = d_hat - squared;
+        gap * (2.0 * (squared / d_hat).ln() - gap / squared)
     }
 
-    /// b″.
+    /// The second derivative b″ by the squared distance.
     #[must_use]
     pub fn curvature(&self, squared: f64) -> f64 {
-        if squared >= self.reach {
+        let d_hat = self.activation_distance_squared;
+        if squared >= d_hat {
             return 0.0;
         }
-        let ratio = self.reach / squared;
-        (ratio + 2.0) * ratio - 2.0 * (squared / self.reach).ln() - 3.0
+        let ratio = d_hat / squared;
+        (ratio + 2.0) * ratio - 2.0 * (squared / d_hat).ln() - 3.0
     }
 }

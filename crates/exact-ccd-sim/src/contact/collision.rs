@@ -1,4 +1,4 @@
-//! Two primitives that are near each other.
+//! Two features within the activation distance of the barrier.
 
 use arrayvec::ArrayVec;
 use nalgebra::Vector3;
@@ -8,19 +8,19 @@ use crate::distance::{Factors, Feature, FeatureKind, Mollifier, Separation};
 use crate::element::{Element, Vector12};
 use crate::psd;
 
-/// Two features that are within reach of the barrier.
+/// Two features within the activation distance of the barrier.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision {
     vertices: ArrayVec<u32, 4>,
     feature: Feature,
     mollifier: Option<Mollifier>,
-    /// How many pairs of primitives have these features in common.
+    /// The number of pairs of primitives that share these features.
     multiplicity: f64,
 }
 
 impl Collision {
-    /// The collision of these vertices' features, in their shortest form: only the vertices on which the distance depends,
-    /// in an order that is the same whichever primitives they come from.
+    /// The collision of two features of these vertices, in canonical form. It has only the vertices on which
+    /// the distance depends, in an order that does not depend on the primitives that share the features.
     #[must_use]
     pub fn new(vertices: [u32; 4], feature: Feature) -> Self {
         let used = (0..4)
@@ -33,7 +33,7 @@ impl Collision {
                 Feature::point_point(0, 1)
             }
             FeatureKind::PointLine => {
-                // The point is the one whose weight does not vary.
+                // The point is the vertex with constant weight.
                 let point = feature.point();
                 let place = (0..point).filter(|&place| feature.uses(place)).count();
                 vertices[..=place].rotate_right(1);
@@ -67,29 +67,29 @@ impl Collision {
         &self.vertices
     }
 
-    /// Whether two collisions are between the same features.
+    /// True if two collisions are between the same features.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         self.vertices == other.vertices && self.feature == other.feature && self.mollifier == other.mollifier
     }
 
-    /// Counts another pair of primitives with the same features.
+    /// Adds the pairs of primitives of another collision between the same features.
     pub fn merge(&mut self, other: &Self) {
         self.multiplicity += other.multiplicity;
     }
 
-    /// The closest points, with the vertices at these points.
+    /// The closest points of the features, for these positions of the vertices.
     #[must_use]
     pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
         self.feature.separation(points)
     }
 
-    /// The barrier.
+    /// The value of the barrier, in m⁴.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
         let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
         let value = barrier.value(self.separation(points).squared());
-        // What has faded out has, also where the barrier is infinite.
+        // Parallel edges have no barrier, even if they touch: this avoids 0 · ∞.
         if fade == 0.0 {
             0.0
         } else {
@@ -97,7 +97,7 @@ impl Collision {
         }
     }
 
-    /// How much the barrier pushes: −b′ times the derivative of the squared distance by the distance.
+    /// The magnitude of the normal force for κ = 1: minus the derivative of the barrier by the distance.
     #[must_use]
     pub fn normal_force(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
         let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
@@ -123,7 +123,7 @@ impl Collision {
         gradient * self.multiplicity
     }
 
-    /// The derivatives of the barrier; the Hessian is projected if asked for.
+    /// The gradient and the Hessian of the barrier. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], barrier: &Barrier, projected: bool) -> Element {
         let squared = self.separation(points).squared();
@@ -136,7 +136,7 @@ impl Collision {
         let second = first * first.transpose() * curvature + second * slope;
         let mut gradient = change * first * slope;
         let mut hessian = if projected && self.mollifier.is_none() {
-            // In an orthonormal basis of the few directions that matter.
+            // The projection acts in an orthonormal basis of the five directions of the factors.
             let (basis, factor) = change.qr().unpack();
             basis * psd::project(factor * second * factor.transpose()) * basis.transpose()
         } else {

@@ -1,4 +1,4 @@
-//! The set of all collisions.
+//! The constraint set: all collisions of one configuration.
 
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
@@ -11,7 +11,7 @@ use super::surface::Surface;
 use crate::distance::{Mollifier, edge_edge, point_triangle};
 use crate::gather::{gather, gather_some};
 
-/// What is within reach of the barrier, at one configuration.
+/// The constraint set of one configuration: all pairs of features within the activation distance.
 #[derive(Clone, Debug)]
 pub struct Collisions {
     barrier: Barrier,
@@ -20,13 +20,15 @@ pub struct Collisions {
 }
 
 impl Collisions {
-    /// The collisions among some pairs, with the vertices at `points`. `rest` tells how long edges are at rest.
+    /// The collisions among the candidate pairs, with the vertices at `points`. `rest` has the positions at
+    /// rest, from which the mollifier takes the lengths of edges.
     ///
     /// # Panics
     /// If a vertex of a pair has no position.
     #[must_use]
     pub fn new(surface: &Surface, pairs: &Pairs, points: &[Point], rest: &[Point], barrier: Barrier) -> Self {
-        let distance = barrier.reach().sqrt();
+        let d_hat = barrier.activation_distance_squared();
+        let distance = d_hat.sqrt();
         let faces = pairs.vertex_face.par_iter().filter_map(|&pair| {
             let vertices = surface.vertex_face(pair);
             let corners = gather(points, &vertices);
@@ -35,7 +37,7 @@ impl Collisions {
             }
             let feature = point_triangle(&corners);
             let squared = feature.separation(&corners).squared();
-            (squared < barrier.reach()).then(|| (squared, Collision::new(vertices, feature)))
+            (squared < d_hat).then(|| (squared, Collision::new(vertices, feature)))
         });
         let edges = pairs.edge_edge.par_iter().filter_map(|&pair| {
             let vertices = surface.edge_edge(pair);
@@ -45,7 +47,7 @@ impl Collisions {
             }
             let feature = edge_edge(&corners);
             let squared = feature.separation(&corners).squared();
-            (squared < barrier.reach()).then(|| {
+            (squared < d_hat).then(|| {
                 let [a, b, c, d] = gather(rest, &vertices);
                 let mollifier = Mollifier::new([(b - a).norm_squared(), (d - c).norm_squared()]);
                 let collision = if mollifier.is_active(&corners) {
@@ -63,7 +65,7 @@ impl Collisions {
             .iter()
             .fold(f64::INFINITY, |least, (squared, _)| least.min(*squared));
         let mut collisions: Vec<Collision> = all.into_iter().map(|(_, collision)| collision).collect();
-        // Stable, and so in an order that does not depend on threads.
+        // The sort is stable, so that the order does not depend on threads.
         collisions.sort_by(|a, b| a.vertices().cmp(b.vertices()));
         collisions.dedup_by(|next, kept| {
             let same = next.is_same(kept);
@@ -79,13 +81,13 @@ impl Collisions {
         }
     }
 
-    /// The collisions, each once, sorted by their vertices.
+    /// The distinct collisions, sorted by their vertices.
     #[must_use]
     pub fn as_slice(&self) -> &[Collision] {
         &self.collisions
     }
 
-    /// The least distance, in m; infinite if there is no collision.
+    /// The least distance, in m. Infinite if there is no collision.
     #[must_use]
     pub fn minimal_distance(&self) -> f64 {
         self.minimum
@@ -102,7 +104,7 @@ impl Collisions {
         values.iter().sum()
     }
 
-    /// The gradient of the sum of the barriers, one row for each vertex.
+    /// The gradient of the sum of the barriers, with one entry for each vertex.
     #[must_use]
     pub fn gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = vec![Vector3::zeros(); points.len()];
@@ -115,14 +117,15 @@ impl Collisions {
         gradient
     }
 
-    /// The barrier.
+    /// The barrier function.
     #[must_use]
     pub fn barrier(&self) -> &Barrier {
         &self.barrier
     }
 }
 
-/// Whether the boxes around some points and others are farther apart along an axis than a distance. Most pairs are.
+/// True if the bounding boxes of two sets of points are more than a distance apart along an axis. This
+/// cheap test rejects most pairs.
 #[inline]
 fn are_apart(a: &[Vector3<f64>], b: &[Vector3<f64>], distance: f64) -> bool {
     (0..3).any(|axis| {

@@ -1,4 +1,4 @@
-//! Contact: which primitives are near, and the barrier between them.
+//! Contact: the broad phase, the constraint set and the barrier.
 
 mod barrier;
 mod collision;

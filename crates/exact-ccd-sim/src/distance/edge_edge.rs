@@ -1,13 +1,13 @@
-//! Two edges.
+//! The closest features of two edges.
 
 use nalgebra::Vector3;
 
 use super::feature::Feature;
 
-/// What of the first edge (the first two points) is closest to what of the second.
+/// The closest features of two edges: the first two points and the last two.
 ///
-/// The interiors of both if their lines are closest there; else the nearest of the four pairs of an end and the other
-/// edge, which is also what there is of parallel edges.
+/// The features are the two lines, if their closest points lie inside both edges. Otherwise, and for
+/// parallel edges, they are the closest of the four pairs of an end and the other edge.
 #[must_use]
 pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
     let [a, b, c, d] = *points;
@@ -17,7 +17,7 @@ pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
     let determinant = uu * vv - uv * uv;
     let (s, t) = (uv * vw - vv * uw, uu * vw - uv * uw);
     let inside = |x: f64| x > 0.0 && x < determinant;
-    // Of nearly parallel edges the determinant has no correct digit.
+    // The determinant of nearly parallel edges has no correct digit.
     if determinant > PARALLEL * uu * vv && inside(s) && inside(t) {
         return Feature::line_line();
     }
@@ -34,7 +34,7 @@ pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
     nearest.1
 }
 
-/// The squared sine of the angle below which edges count as parallel.
+/// The squared sine of the angle up to which edges count as parallel.
 const PARALLEL: f64 = 1e-14;
 
 fn point_segment(points: &[Vector3<f64>; 4], point: usize, from: usize, to: usize) -> Feature {

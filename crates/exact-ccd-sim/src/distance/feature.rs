@@ -1,10 +1,10 @@
-//! Two features of primitives, and the squared distance between them.
+//! Pairs of features, and the squared distance between them.
 
 use nalgebra::{Matrix2, Matrix2x3, SMatrix, SVector, Vector2, Vector3};
 
 use crate::element::{Matrix12, Vector12};
 
-/// What is closest to what.
+/// The kind of a pair of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FeatureKind {
     /// Two points.
@@ -17,27 +17,32 @@ pub enum FeatureKind {
     LineLine,
 }
 
-/// Two features, as the weights of four points that r combines: w + λ₁ d₁ + λ₂ d₂.
+/// A pair of features of four points. The vector r between two points of the features is the combination
+/// of the four points with the weights w + λ₁ d₁ + λ₂ d₂.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Feature {
     kind: FeatureKind,
+    /// w.
     weights: [f64; 4],
+    /// d₁ and d₂.
     along: [[f64; 4]; 2],
 }
 
-/// Where two features are closest.
+/// The shortest vector between two features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation {
-    /// The weights of the four points in the vector between the closest points.
+    /// The weights of the four points in the vector.
     pub weights: [f64; 4],
-    /// This vector.
+    /// The vector between the closest points.
     pub vector: Vector3<f64>,
 }
 
-/// Gradient and Hessian of a squared distance as C g and C H Cᵀ: few directions matter.
+/// The gradient C g and the Hessian C H Cᵀ of a squared distance, in factored form: it depends on the
+/// twelve coordinates by five linear combinations only.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Factors {
-    /// C: how the vector between the closest points, and half the slopes of its square by the two parameters, change with the four points.
+    /// C: the derivatives by the four points of the vector between the closest points (three columns) and of
+    /// half the derivatives of its square by λ₁ and λ₂ (two columns).
     pub change: SMatrix<f64, 12, 5>,
     /// g.
     pub first: SVector<f64, 5>,
@@ -54,7 +59,7 @@ impl Separation {
 }
 
 impl Feature {
-    /// The points at two places among the four.
+    /// Two points, given by their indices among the four.
     #[must_use]
     pub fn point_point(a: usize, b: usize) -> Self {
         Self {
@@ -64,7 +69,7 @@ impl Feature {
         }
     }
 
-    /// A point, and the line through two others.
+    /// A point and the line through two others.
     #[must_use]
     pub fn point_line(point: usize, a: usize, b: usize) -> Self {
         Self {
@@ -74,7 +79,7 @@ impl Feature {
         }
     }
 
-    /// The first point, and the plane through the others.
+    /// The first point and the plane through the others.
     #[must_use]
     pub fn point_plane() -> Self {
         Self {
@@ -84,7 +89,7 @@ impl Feature {
         }
     }
 
-    /// The line through the first two points, and that through the others.
+    /// The line through the first two points and the line through the last two.
     #[must_use]
     pub fn line_line() -> Self {
         Self {
@@ -94,27 +99,27 @@ impl Feature {
         }
     }
 
-    /// Which features these are.
+    /// The kind of the pair.
     #[must_use]
     pub fn kind(&self) -> FeatureKind {
         self.kind
     }
 
-    /// The place of the point among the four, of a point against something else: its weight is 1 wherever the closest
-    /// points are.
+    /// The index of the point in a pair of a point and another feature. Its weight is always 1.
     #[must_use]
     pub fn point(&self) -> usize {
         let is_point = |&place: &usize| self.weights[place] == 1.0 && self.along[0][place] == 0.0;
         (0..4).find(is_point).unwrap_or(0)
     }
 
-    /// Whether the distance depends on a point.
+    /// True if the distance depends on the point with this index.
     #[must_use]
     pub fn uses(&self, point: usize) -> bool {
         self.weights[point] != 0.0 || self.along.iter().any(|along| along[point] != 0.0)
     }
 
-    /// The closest points. Where a line or a plane is degenerate, one of the closest.
+    /// The vector between the closest points. If a line or a plane is degenerate, the closest points are
+    /// not unique, and the vector joins one such pair.
     #[must_use]
     pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
         let (parameters, ..) = self.closest(points);
@@ -139,7 +144,7 @@ impl Feature {
         (change * first, change * second * change.transpose())
     }
 
-    /// The gradient and the Hessian of the squared distance, in terms of the five numbers on which they depend.
+    /// The gradient and the Hessian of the squared distance, in factored form.
     #[must_use]
     pub fn factors(&self, points: &[Vector3<f64>; 4]) -> Factors {
         let (_, inverse, tangents) = self.closest(points);
@@ -155,7 +160,7 @@ impl Feature {
         });
         let mut first = SVector::<f64, 5>::zeros();
         first.fixed_rows_mut::<3>(0).copy_from(&(vector * 2.0));
-        // By λₖ, the Schur complement of half of ∂²|r|²/∂λ².
+        // The block of λ is the Schur complement of half of ∂²|r|²/∂λ².
         let mut second = SMatrix::<f64, 5, 5>::from_diagonal_element(2.0);
         second.fixed_view_mut::<2, 2>(3, 3).copy_from(&(inverse * -2.0));
         Factors {
@@ -165,7 +170,8 @@ impl Feature {
         }
     }
 
-    /// The parameters of the closest points, the (pseudo-)inverse of the normal equations, and ∂r/∂λₖ as rows.
+    /// The parameters λ of the closest points, the (pseudo-)inverse of the normal equations, and ∂r/∂λₖ as
+    /// rows.
     fn closest(&self, points: &[Vector3<f64>; 4]) -> (Vector2<f64>, Matrix2<f64>, Matrix2x3<f64>) {
         let vector = combine(points, &self.weights);
         let tangents = Matrix2x3::from_rows(&[
@@ -185,14 +191,15 @@ fn weights(entries: &[(usize, f64)]) -> [f64; 4] {
     weights
 }
 
-/// Σ wᵢ xᵢ where the weights sum to zero: from differences, so that it does not depend on where the origin is.
+/// Σ wᵢ xᵢ for weights that sum to zero, from differences of points. The result does not lose digits far
+/// from the origin.
 fn combine(points: &[Vector3<f64>; 4], weights: &[f64; 4]) -> Vector3<f64> {
     let origin = points[0];
     let term = |place: usize| (points[place] - origin) * weights[place];
     term(1) + term(2) + term(3)
 }
 
-/// The inverse of a Gram matrix, or that of its larger diagonal entry where the other direction adds nothing.
+/// The inverse of a Gram matrix. If the matrix is singular, the inverse of its larger diagonal entry alone.
 fn pseudo_inverse(gram: &Matrix2<f64>) -> Matrix2<f64> {
     let determinant = gram.determinant();
     if determinant > f64::EPSILON * gram[(0, 0)] * gram[(1, 1)] {

@@ -1,8 +1,9 @@
-//! Squared distances between points, edges and triangles, by their closest features.
+//! Squared distances between points, edges and triangles, from their closest features.
 //!
-//! All of them are one thing: the vector r = Σ wᵢ xᵢ between the closest points of two features has weights that are
-//! affine in at most two parameters λ, and the squared distance is the minimum of |r|² over these. By the envelope
-//! theorem its gradient is that of |r|² with λ held fixed, and its Hessian a Schur complement.
+//! All pairs of features share one formula. The vector between two points of the features is r = Σ wᵢ xᵢ,
+//! with weights that are affine in at most two parameters λ. The squared distance is the minimum of |r|²
+//! over λ. By the envelope theorem, its gradient is that of |r|² at fixed λ, and its Hessian is a Schur
+//! complement.
 
 mod edge_edge;
 mod feature;

@@ -1,31 +1,33 @@
-//! Edges that are nearly parallel.
+//! The mollifier for nearly parallel edges.
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
 use crate::element::{Matrix12, Vector12};
 
-/// Fades out the barrier between two edges that become parallel, where their distance is not differentiable:
-/// m(c) = (2 − c/ε) c/ε for c = |e₁ × e₂|² < ε, else 1 (*Incremental Potential Contact*, section 3.3, equation 24).
+/// The mollifier m(c) = (2 − c/ε) c/ε for c = |e₁ × e₂|² < ε, else 1. As a factor of the barrier of two
+/// edges, it removes the barrier of parallel edges, whose distance is not differentiable.
+///
+/// Source: *Incremental Potential Contact*, section 3.3, equation 24.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mollifier {
     threshold: f64,
 }
 
 impl Mollifier {
-    /// The mollifier of two edges with these squared lengths at rest: ε = 10⁻³ |e₁|² |e₂|².
+    /// The mollifier with ε = 10⁻³ |e₁|² |e₂|², from the squared lengths of the edges at rest.
     #[must_use]
     pub fn new(squared_lengths: [f64; 2]) -> Self {
         let threshold = 1e-3 * squared_lengths[0] * squared_lengths[1];
         Self { threshold }
     }
 
-    /// Whether it differs from 1 with the edges' ends at these points.
+    /// True if m < 1, for these positions of the edges' ends.
     #[must_use]
     pub fn is_active(&self, points: &[Vector3<f64>; 4]) -> bool {
         cross(points).norm_squared() < self.threshold
     }
 
-    /// m.
+    /// The value of m.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
         let ratio = cross(points).norm_squared() / self.threshold;
@@ -41,7 +43,7 @@ impl Mollifier {
         if ratio >= 1.0 {
             return (Vector12::zeros(), Matrix12::zeros());
         }
-        // With respect to e₁ and e₂; each edge is the difference of its ends.
+        // Derivatives by e₁ and e₂ first; each edge is the difference of its ends.
         let by_u = v.cross(&normal) * 2.0;
         let by_v = normal.cross(&u) * 2.0;
         let mut squared = SMatrix::<f64, 6, 6>::zeros();

@@ -1,12 +1,13 @@
-//! A point and a triangle.
+//! The closest features of a point and a triangle.
 
 use nalgebra::Vector3;
 
 use super::feature::Feature;
 
-/// What of the triangle (the last three points) is closest to the first point.
+/// The closest features of a point (the first) and a triangle (the last three points).
 ///
-/// The regions of the triangle's plane are told apart as by C. Ericson, *Real-Time Collision Detection*, section 5.1.5.
+/// The classification of the triangle's regions is that of C. Ericson, *Real-Time Collision Detection*,
+/// section 5.1.5.
 #[must_use]
 pub fn point_triangle(points: &[Vector3<f64>; 4]) -> Feature {
     let [p, a, b, c] = *points;

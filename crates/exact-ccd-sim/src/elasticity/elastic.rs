@@ -1,4 +1,4 @@
-//! Any elastic element.
+//! The elastic elements of a system.
 
 use arrayvec::ArrayVec;
 use exact_ccd_mesh::Point;
@@ -7,14 +7,14 @@ use super::{Hinge, Membrane, Tetrahedron};
 use crate::element::{Element, Vector12};
 use crate::gather::gather;
 
-/// A piece of a solid, of a shell, or what bends between two of these, among the vertices of a system.
+/// An elastic element on vertices of a system.
 #[derive(Clone, Debug)]
 pub(crate) enum Elastic {
-    /// A piece of a solid.
+    /// A tetrahedron of a solid.
     Tetrahedron(Tetrahedron),
-    /// A piece of a shell, in its plane.
+    /// A triangle of a shell, which resists deformation in its plane.
     Membrane(Membrane),
-    /// What bends between two pieces of a shell.
+    /// An edge between two triangles of a shell, which resists bending.
     Hinge(Hinge),
 }
 
@@ -29,7 +29,7 @@ impl Elastic {
         }
     }
 
-    /// The energy with all vertices of the system at these points, in J.
+    /// The energy in J, for these positions of all vertices of the system.
     #[must_use]
     pub(crate) fn value(&self, points: &[Point]) -> f64 {
         match self {
@@ -49,7 +49,7 @@ impl Elastic {
         }
     }
 
-    /// The derivatives of the energy; the Hessian is projected if asked for.
+    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub(crate) fn derivatives(&self, points: &[Point], projected: bool) -> Element {
         match self {

@@ -1,4 +1,4 @@
-//! The bending of thin shells.
+//! Bending of thin shells.
 
 use arrayvec::ArrayVec;
 use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
@@ -6,14 +6,16 @@ use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
 use crate::element::{Element, Matrix12, Vector12};
 use crate::psd;
 
-/// Two triangles that share an edge resist bending about it: ½ k (θ − θ₀)² with the angle θ between their normals, the
-/// angle θ₀ at rest and k = D |e|² / A for the flexural rigidity D, the length of the edge and the area of both triangles.
+/// The bending energy ½ k (θ − θ₀)² of two triangles that share an edge. θ is the angle between their
+/// normals, θ₀ that angle at rest, and k = D |e|² / A with the flexural rigidity D, the length |e| of the
+/// edge and the area A of both triangles.
 ///
-/// That is the energy of E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, with the factor (there it
-/// is open, and often 3) with which a plate that is rolled into a cylinder of curvature κ has ½ D κ² per area if edges run
-/// along the cylinder: two faces of height w on such an edge have A = w |e|, and θ = κ w, so that ½ k θ² = ½ D κ² A.
-/// Equilateral triangles have it whichever way they are rolled; squares that are rolled along a diagonal have 1.5 times as
-/// much with diagonals in turn, once or three times with parallel ones.
+/// The form is that of E. Grinspun, A. Hirani, M. Desbrun, P. Schröder, *Discrete shells*, 2003, who leave
+/// the factor of k open (often it is 3). The factor 1 is exact for a plate that is rolled into a cylinder of
+/// curvature κ, whose energy per area is ½ D κ², if edges run along the cylinder: two faces of height w on
+/// such an edge have A = w |e| and θ = κ w, so that ½ k θ² = ½ D κ² A. For equilateral triangles, it is exact
+/// for any direction of the cylinder. For a grid of squares that is rolled along a diagonal, the energy is
+/// 1.5 times as large with alternating diagonals, and once or three times as large with parallel ones.
 #[derive(Clone, Debug)]
 pub struct Hinge {
     vertices: [u32; 4],
@@ -22,8 +24,9 @@ pub struct Hinge {
 }
 
 impl Hinge {
-    /// The hinge of an edge, the first two vertices, between two triangles, whose third corners are the others: seen from
-    /// outside, the third lies to the left of the edge and the fourth to its right. `None` if a triangle has no area.
+    /// The hinge of an edge (the first two vertices) between two triangles, whose opposite corners are the
+    /// third and the fourth vertex. For a viewer at whom the normals point, the third vertex lies to the left
+    /// of the edge and the fourth to its right. `None` if a triangle has no area.
     #[must_use]
     pub fn new(vertices: [u32; 4], rest: &[Vector3<f64>; 4], rigidity: f64) -> Option<Self> {
         let shape = Shape::new(rest);
@@ -42,7 +45,7 @@ impl Hinge {
         self.vertices
     }
 
-    /// The energy with the vertices at these points, in J.
+    /// The energy in J, for these positions of the vertices.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
         let bend = self.bend(&Shape::new(points));
@@ -57,7 +60,7 @@ impl Hinge {
         gradient * (self.stiffness * self.bend(&shape))
     }
 
-    /// The derivatives of the energy; the Hessian is projected if asked for.
+    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {
         let shape = Shape::new(points);
@@ -71,13 +74,14 @@ impl Hinge {
         }
     }
 
-    /// θ − θ₀. Both are within half a turn: where the angle jumps, the faces touch, and there nothing passes.
+    /// θ − θ₀. Both angles are in [−π, π]. θ is discontinuous only where the faces touch, which no
+    /// intersection-free motion reaches.
     fn bend(&self, shape: &Shape) -> f64 {
         shape.angle() - self.rest
     }
 }
 
-/// The edge, the other sides from its start, and the normals, all with their lengths.
+/// The edge, the sides from its start to the opposite corners, and the normals; none of them is normalised.
 struct Shape {
     edge: Vector3<f64>,
     sides: [Vector3<f64>; 2],
@@ -99,10 +103,11 @@ impl Shape {
         sine.atan2(n.dot(&m))
     }
 
-    /// Gradient and Hessian of the angle.
+    /// The gradient and the Hessian of the angle.
     ///
-    /// A corner turns its triangle when it moves along the normal, by 1 / height; where the corner is above the edge tells
-    /// how the ends of the edge turn it. The Hessian follows by the product rule.
+    /// A displacement of a corner along the normal rotates its triangle about the edge, by 1 / height. The
+    /// foot of the corner on the edge divides the opposite rotation between the ends of the edge. The
+    /// Hessian follows by the product rule.
     fn derivatives(&self) -> (Vector12, Matrix12) {
         let edge = self.edge;
         let (squared, length) = (edge.norm_squared(), edge.norm());
@@ -139,7 +144,7 @@ impl Shape {
     }
 }
 
-/// How the vector from the first point to another changes with the four points.
+/// The derivative by the four points of the vector from the first point to another.
 fn difference(vertex: usize) -> SMatrix<f64, 3, 12> {
     SMatrix::from_fn(|row, column| match (row == column % 3, column / 3) {
         (true, 0) => -1.0,

@@ -1,4 +1,5 @@
-//! Isotropic hyperelasticity: energy densities that depend on the deformation gradient F by its singular values.
+//! Isotropic hyperelasticity: energy densities that depend on the singular values of the deformation
+//! gradient F.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -6,49 +7,52 @@ use crate::psd;
 
 /// An isotropic energy density Ψ(F), in J/m³.
 pub trait Isotropic {
-    /// Ψ(F); infinite where the material cannot be.
+    /// Ψ(F). Infinite for deformations that the material excludes.
     fn value(&self, deformation: &Matrix3<f64>) -> f64;
 
     /// The first Piola-Kirchhoff stress ∂Ψ/∂F, in Pa.
     fn stress(&self, deformation: &Matrix3<f64>) -> Matrix3<f64>;
 
-    /// The second derivatives in the frame of the singular vectors, for singular values whose product is det F.
+    /// The second derivatives in the frame of the singular vectors. The product of the singular values
+    /// `stretches` is det F.
     fn principal(&self, stretches: &Vector3<f64>) -> Principal;
 }
 
 /// The second derivatives of Ψ(σ₁, σ₂, σ₃) in the frame of the singular vectors of F = U diag(σ) Vᵀ.
 ///
-/// In this frame the Hessian falls apart into one block of three and three pairs of modes: A. Stomakhin, R. Howes,
-/// C. Schroeder, J. Teran, *Energetically consistent invertible elasticity*, 2012; the modes are named as by B. Smith,
-/// F. de Goes, T. Kim, *Analytic eigensystems for isotropic distortion energies*, 2019.
+/// In this frame the Hessian is block diagonal, with one 3 × 3 block and three pairs of modes: A. Stomakhin,
+/// R. Howes, C. Schroeder, J. Teran, *Energetically consistent invertible elasticity*, 2012. The names of
+/// the modes are those of B. Smith, F. de Goes, T. Kim, *Analytic eigensystems for isotropic distortion
+/// energies*, 2019.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Principal {
     /// ∂²Ψ/∂σᵢ∂σⱼ.
     pub stretch: Matrix3<f64>,
-    /// (∂ᵢΨ + ∂ⱼΨ) / (σᵢ + σⱼ) for the pairs (i, j) = (1, 2), (2, 0), (0, 1): the rotation of i against j.
+    /// (∂ᵢΨ + ∂ⱼΨ) / (σᵢ + σⱼ) for the pairs (i, j) = (1, 2), (2, 0), (0, 1): the rotation in the plane of i
+    /// and j.
     pub twist: [f64; 3],
-    /// (∂ᵢΨ − ∂ⱼΨ) / (σᵢ − σⱼ) for the same pairs: the shear of i against j.
+    /// (∂ᵢΨ − ∂ⱼΨ) / (σᵢ − σⱼ) for the same pairs: the shear in the plane of i and j.
     pub flip: [f64; 3],
 }
 
 /// The pairs of axes of [`Principal::twist`] and [`Principal::flip`].
 pub(super) const PAIRS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
-/// The Hessian of Ψ at F = U diag(σ) Vᵀ, in the frame of the singular vectors, where most of it is zero.
+/// The Hessian of Ψ at F = U diag(σ) Vᵀ, stored in the frame of the singular vectors, where it is sparse.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Curvature {
     u: Matrix3<f64>,
     v: Matrix3<f64>,
-    /// Between ∂Fᵢᵢ and ∂Fⱼⱼ.
+    /// ∂²Ψ/∂Fᵢᵢ∂Fⱼⱼ.
     stretch: Matrix3<f64>,
-    /// Between ∂Fᵢⱼ and itself; that of ∂Fᵢᵢ is in `stretch` too.
+    /// ∂²Ψ/∂Fᵢⱼ². Its diagonal is also that of `stretch`.
     own: Matrix3<f64>,
-    /// Between ∂Fᵢⱼ and ∂Fⱼᵢ; zero on the diagonal.
+    /// ∂²Ψ/∂Fᵢⱼ∂Fⱼᵢ for i ≠ j, zero on the diagonal.
     crossed: Matrix3<f64>,
 }
 
 impl Curvature {
-    /// The Hessian at a deformation; if `projected`, with its negative eigenvalues set to zero.
+    /// The Hessian at a deformation gradient. If `projected`, its negative eigenvalues are set to zero.
     #[must_use]
     pub fn new(energy: &impl Isotropic, deformation: &Matrix3<f64>, projected: bool) -> Self {
         let (u, stretches, v) = rotation_variant(deformation);
@@ -76,13 +80,14 @@ impl Curvature {
         }
     }
 
-    /// A row vector s in the frame of V: what [`Curvature::block`] wants.
+    /// A row vector in the frame of V, as [`Curvature::block`] expects.
     #[must_use]
     pub fn in_frame(&self, row: &Vector3<f64>) -> Vector3<f64> {
         self.v.tr_mul(row)
     }
 
-    /// The second derivatives by two points on which F depends as x aᵀ and as y bᵀ. `a` and `b` are in the frame of V.
+    /// The second derivatives by two points x and y on which F depends as x aᵀ and y bᵀ. `a` and `b` are in
+    /// the frame of V.
     #[must_use]
     pub fn block(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
         let products = a.component_mul(b);
@@ -98,7 +103,7 @@ impl Curvature {
     }
 }
 
-/// F = U diag(σ) Vᵀ with U Vᵀ a rotation: if F turns space inside out, the last σ is negative.
+/// The decomposition F = U diag(σ) Vᵀ in which U Vᵀ is a rotation. The last σ is negative if det F < 0.
 fn rotation_variant(f: &Matrix3<f64>) -> (Matrix3<f64>, Vector3<f64>, Matrix3<f64>) {
     let svd = f.svd(true, true);
     let (Some(mut u), Some(v_t)) = (svd.u, svd.v_t) else {

@@ -11,8 +11,9 @@ pub struct ElasticModuli {
     pub poisson: f64,
 }
 
-/// Moduli of no material.
+/// An elastic modulus that is out of range.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ModuliError {
     /// Young's modulus is not positive.
     #[error("Young's modulus is {0}, expected a positive number")]
@@ -60,7 +61,7 @@ impl ElasticModuli {
         self.young * self.poisson / ((1.0 + self.poisson) * (1.0 - 2.0 * self.poisson))
     }
 
-    /// λ of a thin plate, which is free of stress across its thickness: E ν / (1 − ν²), in Pa.
+    /// λ under plane stress, as in a thin plate: E ν / (1 − ν²), in Pa.
     #[must_use]
     pub fn plane_lambda(&self) -> f64 {
         self.young * self.poisson / (1.0 - self.poisson * self.poisson)

@@ -1,4 +1,4 @@
-//! The stretching of thin shells.
+//! In-plane deformation of thin shells.
 
 use arrayvec::ArrayVec;
 use nalgebra::{Matrix2, Matrix3x2, SMatrix, Vector3};
@@ -7,12 +7,12 @@ use super::lame::ElasticModuli;
 use crate::element::{Element, Matrix12, Vector12};
 use crate::psd;
 
-/// A triangle of a thin shell under plane stress, of the material of Saint-Venant and Kirchhoff:
-/// h A (μ |E|² + λ/2 tr² E) with the strain E = ½ (FᵀF − 1) in the plane of the triangle.
+/// A triangle of a thin shell under plane stress, with the Saint Venant-Kirchhoff energy
+/// h A (μ |E|² + λ/2 tr² E) of the strain E = ½ (FᵀF − 1) in the plane of the triangle.
 #[derive(Clone, Debug)]
 pub struct Membrane {
     vertices: [u32; 3],
-    /// Row i is the gradient of the barycentric coordinate of vertex i, in coordinates of the plane at rest.
+    /// Row i is the gradient of vertex i's barycentric coordinate, in coordinates of the plane at rest.
     shape: SMatrix<f64, 3, 2>,
     area: f64,
     thickness: f64,
@@ -21,7 +21,7 @@ pub struct Membrane {
 }
 
 impl Membrane {
-    /// The triangle of these vertices, at rest at these points; `None` if it has no area there.
+    /// The triangle of these vertices, with its rest shape. `None` if it has no area at rest.
     #[must_use]
     pub fn new(
         vertices: [u32; 3],
@@ -60,7 +60,7 @@ impl Membrane {
         self.area * self.thickness
     }
 
-    /// The energy with the vertices at these points, in J.
+    /// The energy in J, for these positions of the vertices.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 3]) -> f64 {
         let strain = strain(&self.deformation(points));
@@ -78,13 +78,13 @@ impl Membrane {
         gradient
     }
 
-    /// The derivatives of the energy; the Hessian is projected if asked for.
+    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 3], projected: bool) -> Element {
         let f = self.deformation(points);
         let stress = self.stress(&strain(&f));
 
-        // The Hessian with respect to the columns of F, one below the other: dP = dF S + F dS.
+        // The Hessian by the columns of F, stacked into one vector: dP = dF S + F dS.
         let mut second = SMatrix::<f64, 6, 6>::zeros();
         for column in 0..6 {
             let mut change = Matrix3x2::<f64>::zeros();

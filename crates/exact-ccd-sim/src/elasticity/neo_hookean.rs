@@ -1,12 +1,13 @@
-//! The compressible neo-Hookean solid.
+//! The compressible neo-Hookean material.
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::isotropic::{Isotropic, PAIRS, Principal};
 use super::lame::ElasticModuli;
 
-/// Ψ = μ/2 (tr FᵀF − 3) − μ ln J + λ/2 ln² J, which is infinite where J = det F ≤ 0: J. Bonet, R. D. Wood, *Nonlinear
-/// Continuum Mechanics for Finite Element Analysis*, section 6.4.3.
+/// Ψ = μ/2 (tr FᵀF − 3) − μ ln J + λ/2 ln² J, which is infinite for J = det F ≤ 0.
+///
+/// Source: J. Bonet, R. D. Wood, *Nonlinear Continuum Mechanics for Finite Element Analysis*, section 6.4.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NeoHookean {
     mu: f64,
@@ -14,7 +15,7 @@ pub struct NeoHookean {
 }
 
 impl NeoHookean {
-    /// The solid that has these moduli for small strains.
+    /// The material that has these moduli at small strains.
     #[must_use]
     pub fn new(moduli: ElasticModuli) -> Self {
         let (mu, lambda) = (moduli.shear(), moduli.lambda());

@@ -1,4 +1,4 @@
-//! The neo-Hookean solid that is finite and regular for every deformation.
+//! The stable neo-Hookean material.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -6,8 +6,11 @@ use super::isotropic::{Isotropic, Principal};
 use super::lame::ElasticModuli;
 use super::neo_hookean::cofactor;
 
-/// Ψ = μ/2 (I − 3) + λ/2 (J − α)² − μ/2 ln (I + 1) with I = tr FᵀF, J = det F, less its value at rest: B. Smith, F. de Goes,
-/// T. Kim, *Stable neo-Hookean flesh simulation*, ACM Transactions on Graphics 37(2), 2018, equation 14.
+/// Ψ = μ/2 (I − 3) + λ/2 (J − α)² − μ/2 ln (I + 1) with I = tr FᵀF and J = det F, minus its value at rest. It
+/// is finite and smooth for every deformation.
+///
+/// Source: B. Smith, F. de Goes, T. Kim, *Stable neo-Hookean flesh simulation*, ACM Transactions on Graphics
+/// 37(2), 2018, equation 14.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StableNeoHookean {
     mu: f64,
@@ -16,12 +19,12 @@ pub struct StableNeoHookean {
 }
 
 impl StableNeoHookean {
-    /// The solid that has these moduli for small strains (section 3.4 of the paper).
+    /// The material that has these moduli at small strains (section 3.4 of the paper).
     #[must_use]
     pub fn new(moduli: ElasticModuli) -> Self {
         let mu = 4.0 / 3.0 * moduli.shear();
         let lambda = moduli.lambda() + 5.0 / 6.0 * moduli.shear();
-        // At rest, where I = 3 and J = 1, the stress vanishes.
+        // With this α, the stress vanishes at rest, where I = 3 and J = 1.
         let alpha = 1.0 + 0.75 * mu / lambda;
         Self { mu, lambda, alpha }
     }

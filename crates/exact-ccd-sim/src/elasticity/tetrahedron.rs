@@ -10,22 +10,25 @@ use super::neo_hookean::NeoHookean;
 use super::stable_neo_hookean::StableNeoHookean;
 use crate::element::{Element, Matrix12, Vector12};
 
-/// The energies that a solid can have.
+/// The hyperelastic energy of a solid.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolidMaterial {
-    /// [`NeoHookean`]: cannot be turned inside out.
+    /// [`NeoHookean`]: infinite for inverted elements, so that no element inverts.
     #[default]
     NeoHookean,
-    /// [`StableNeoHookean`]: finite for every deformation.
+    /// [`StableNeoHookean`]: finite for every deformation. Elements can invert.
     StableNeoHookean,
 }
 
-/// A tetrahedron with its shape at rest, and a linear displacement within.
+/// A tetrahedron with constant deformation gradient.
+///
+/// Linear tetrahedra lock in bending: a beam that is one cell thick deflects by about a quarter of the
+/// deflection of beam theory.
 #[derive(Clone, Debug)]
 pub struct Tetrahedron {
     vertices: [u32; 4],
-    /// Row i is the gradient of the barycentric coordinate of vertex i.
+    /// Row i is the gradient of vertex i's barycentric coordinate.
     shape: SMatrix<f64, 4, 3>,
     volume: f64,
     energy: Energy,
@@ -38,7 +41,7 @@ enum Energy {
 }
 
 impl Tetrahedron {
-    /// The tetrahedron of these vertices, at rest at these points; `None` if its volume there is not positive.
+    /// The tetrahedron of these vertices, with its rest shape. `None` if its volume at rest is not positive.
     #[must_use]
     pub fn new(
         vertices: [u32; 4],
@@ -76,7 +79,7 @@ impl Tetrahedron {
         self.volume
     }
 
-    /// The energy with the vertices at these points, in J.
+    /// The energy in J, for these positions of the vertices.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
         let f = self.deformation(points);
@@ -95,12 +98,12 @@ impl Tetrahedron {
             Energy::NeoHookean(energy) => energy.stress(&f),
             Energy::Stable(energy) => energy.stress(&f),
         };
-        // F is linear in the points: column c is Σᵢ xᵢ shape(i, c).
+        // F is linear in the points. Its column c is Σᵢ xᵢ shape(i, c).
         let forces = stress * self.shape.transpose() * self.volume;
         Vector12::from_column_slice(forces.as_slice())
     }
 
-    /// The derivatives of the energy; the Hessian is projected if asked for.
+    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {
         let f = self.deformation(points);

@@ -1,4 +1,4 @@
-//! The friction of one contact.
+//! The friction potential of one contact.
 
 use arrayvec::ArrayVec;
 use nalgebra::{Matrix2, Matrix3x2, Vector2, Vector3};
@@ -7,15 +7,17 @@ use super::smooth::Smoothing;
 use crate::distance::Separation;
 use crate::element::{Element, Matrix12, Vector12};
 
-/// One contact with its normal force and its tangent plane, which stay as they were: *Incremental Potential Contact*,
-/// section 5.3.
+/// The friction of one contact, with lagged normal force and tangent plane.
+///
+/// Source: *Incremental Potential Contact*, section 5.3.
 #[derive(Clone, Debug)]
 pub struct FrictionContact {
     vertices: ArrayVec<u32, 4>,
     /// The weights of the vertices in the vector between the closest points.
     weights: [f64; 4],
+    /// An orthonormal basis of the tangent plane.
     tangents: Matrix3x2<f64>,
-    /// μ times the normal force, in the units in which the potential is wanted, per m.
+    /// μ λ: the friction coefficient times the normal force, in units of the potential per m.
     bound: f64,
 }
 
@@ -37,27 +39,27 @@ impl FrictionContact {
         &self.vertices
     }
 
-    /// The potential of displacements since the start of the step.
+    /// The potential, for the displacements of the vertices since the start of the step.
     #[must_use]
     pub fn value(&self, displacements: &[Vector3<f64>; 4], smoothing: Smoothing) -> f64 {
         self.bound * smoothing.potential(self.slip(displacements).norm())
     }
 
-    /// What the force does against the slip since the start of the step: f₁(y) y times the bound.
+    /// The work of the force against the slip since the start of the step: μ λ f₁(y) y.
     #[must_use]
     pub fn work(&self, displacements: &[Vector3<f64>; 4], smoothing: Smoothing) -> f64 {
         let slip = self.slip(displacements).norm();
         self.bound * smoothing.force_over_slip(slip) * slip * slip
     }
 
-    /// The derivatives of the potential. Its Hessian is positive semi-definite.
+    /// The gradient and the Hessian of the potential. The Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, displacements: &[Vector3<f64>; 4], smoothing: Smoothing) -> Element {
         let slip = self.slip(displacements);
         let size = slip.norm();
         let ratio = smoothing.force_over_slip(size);
         let force = self.tangents * slip * (self.bound * ratio);
-        // Along the slip f₂, across it f₁ / y.
+        // The second derivative is f₁′ along the slip and f₁ / y across it.
         let direction = slip.try_normalize(0.0).unwrap_or_else(Vector2::zeros);
         let along = direction * direction.transpose() * (smoothing.stiffness(size) - ratio);
         let plane = (Matrix2::identity() * ratio + along) * self.bound;

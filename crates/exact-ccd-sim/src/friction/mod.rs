@@ -1,4 +1,4 @@
-//! Friction, lagged: normal forces and tangent planes are those of an earlier iterate.
+//! Lagged friction: normal forces and tangent planes are those of an earlier iterate.
 
 mod contact;
 mod smooth;

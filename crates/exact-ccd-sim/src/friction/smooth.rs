@@ -1,10 +1,12 @@
-//! Coulomb's law, smoothed where things stick.
+//! Coulomb's law of friction, smoothed near zero slip.
 
-/// f₀ and its derivatives: *Incremental Potential Contact*, section 5.2 and supplement. f₁ = f₀′ rises smoothly from 0 at
-/// rest to 1 at a slip of `threshold`, and stays there.
+/// The smoothed friction function f₀ and its derivatives. f₁ = f₀′ rises smoothly from 0 at zero slip to 1
+/// at the slip `threshold`, and is 1 beyond.
+///
+/// Source: *Incremental Potential Contact*, section 5.2 and supplement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Smoothing {
-    /// The slip, in m, below which friction counts as static.
+    /// The slip, in m, below which friction counts as static: ε_v h of the paper.
     pub threshold: f64,
 }
 
@@ -31,7 +33,7 @@ impl Smoothing {
         }
     }
 
-    /// f₁′(y) = f₂, in 1/m.
+    /// f₁′(y), in 1/m.
     #[must_use]
     pub fn stiffness(&self, slip: f64) -> f64 {
         let e = self.threshold;

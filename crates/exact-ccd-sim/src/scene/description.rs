@@ -1,4 +1,4 @@
-//! What a scene file says.
+//! The contents of a scene file.
 
 use std::path::PathBuf;
 
@@ -14,9 +14,10 @@ use crate::settings::Settings;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct Description {
-    /// How long to simulate, in s.
-    pub(super) duration: f64,
-    /// The numbers of the simulation.
+    /// The simulated time, in s. Required: the check comes after parsing, so that its error is located at
+    /// the file and not at whichever table comes first.
+    pub(super) duration: Option<f64>,
+    /// The settings of the simulation.
     #[serde(default)]
     pub(super) settings: Settings,
     /// The bodies, `[[body]]`.
@@ -24,31 +25,31 @@ pub(super) struct Description {
     pub(super) body: Vec<BodyDescription>,
 }
 
-/// A body. With neither `solid` nor `shell`, it is an obstacle.
+/// A body. Without `solid` and `shell`, it is an obstacle.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct BodyDescription {
-    /// A mesh file: of tetrahedra (.msh) for a solid, else any that [`exact_ccd_mesh::Frame::read`] reads, or the surface of
-    /// tetrahedra.
+    /// A mesh file. Solids need tetrahedra (.msh). Shells and obstacles accept any file that
+    /// [`exact_ccd_mesh::Frame::read`] accepts, and the surface of tetrahedra.
     pub(super) mesh: Option<PathBuf>,
-    /// A shape instead of a file.
+    /// A generated mesh in place of a file.
     pub(super) shape: Option<Shape>,
     /// The material of a solid.
     pub(super) solid: Option<SolidProperties>,
     /// The material of a shell.
     pub(super) shell: Option<ShellProperties>,
-    /// How it is scaled first, about the origin.
+    /// The scaling about the origin, applied first.
     #[serde(default)]
     pub(super) scale: Scale,
-    /// How it is rotated then, about the origin.
+    /// The rotation about the origin, applied second.
     pub(super) rotate: Option<Rotation>,
-    /// How far it is translated then, in m.
+    /// The translation in m, applied third.
     #[serde(default)]
     pub(super) translate: Point,
-    /// The velocity at the start, in m/s.
+    /// The initial velocity, in m/s.
     #[serde(default)]
     pub(super) velocity: Point,
-    /// How vertices of it move, `[[body.script]]`; of several for one vertex, the last.
+    /// The scripts of its vertices, `[[body.script]]`. The last script of a vertex applies.
     #[serde(default)]
     pub(super) script: Vec<ScriptDescription>,
 }
@@ -59,46 +60,46 @@ pub(super) struct BodyDescription {
 pub(super) enum Shape {
     /// [`shapes::solid_box`](crate::shapes::solid_box).
     Box {
-        /// How many cubes there are along each axis.
+        /// The number of cells along each axis.
         cells: [u8; 3],
         /// The lengths of the sides, in m.
         size: Point,
     },
     /// [`shapes::cloth`](crate::shapes::cloth).
     Grid {
-        /// How many rectangles there are along x and z.
+        /// The numbers of cells along x and z.
         cells: [u16; 2],
         /// The lengths of the sides, in m.
         size: [f64; 2],
     },
     /// [`shapes::sphere`](crate::shapes::sphere).
     Sphere {
-        /// How often each triangle of an icosahedron is cut into four.
+        /// The number of subdivisions of an icosahedron.
         subdivisions: u8,
         /// The radius, in m.
         radius: f64,
     },
 }
 
-/// Some vertices, and how they move.
+/// A selection of vertices and their motion.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct ScriptDescription {
-    /// Which vertices of the body.
+    /// The selected vertices.
     #[serde(default)]
     pub(super) vertices: Selection,
-    /// How they move.
+    /// Their motion.
     pub(super) motion: Script,
 }
 
-/// Some vertices of a body.
+/// A selection of vertices of a body.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) enum Selection {
-    /// All.
+    /// All vertices.
     #[default]
     All,
-    /// Those in a box, after the body has been placed.
+    /// The vertices in a box, after the placement of the body.
     Box {
         /// The least coordinates, in m.
         lower: Point,

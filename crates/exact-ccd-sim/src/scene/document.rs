@@ -1,36 +1,38 @@
-//! Where in a scene file something is said.
+//! Positions of fields in the text of a scene file.
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 use toml::de::{DeTable, DeValue};
 
-/// What is wrong with a scene file.
+/// An error in a scene file.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum SceneError {
     /// The file cannot be read.
     #[error("{}: {source}", file.display())]
     Io {
         /// The file.
         file: PathBuf,
-        /// Why.
+        /// The cause.
         source: io::Error,
     },
-    /// A value is not what it should be, or is missing.
+    /// A value is missing or invalid.
     #[error("{}, line {line}, {field}: {message}", file.display())]
     Field {
         /// The file.
         file: PathBuf,
         /// The line, from 1.
         line: usize,
-        /// The field, as `body[1].solid.young` (bodies and scripts are counted from 0), or `the file` as a whole.
+        /// The path of the field, such as `body[1].solid.young`, or `the file` for the file as a whole.
+        /// Bodies and scripts are counted from 0.
         field: String,
-        /// What is wrong, and what was expected.
+        /// The value that was found and the values that are allowed.
         message: String,
     },
 }
 
-/// A step on the way to a field.
+/// One component of the path of a field.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Key<'a> {
     Name(&'a str),
@@ -44,16 +46,18 @@ pub(super) struct Document<'a> {
 }
 
 impl Document<'_> {
-    /// The error at a byte of the text: of the innermost field around it.
-    pub(super) fn error_at(&self, byte: usize, message: &str) -> SceneError {
+    /// The error at a byte of the text, located at the innermost field that contains the byte.
+    pub(super) fn error_at(&self, byte: usize, message: impl FnOnce(&str) -> String) -> SceneError {
         let mut field = String::new();
         if let Ok(table) = DeTable::parse(self.text) {
             in_table(table.get_ref(), byte, &mut field);
         }
-        self.error(byte, field, message)
+        let message = message(&field);
+        self.error(byte, field, &message)
     }
 
-    /// The error of a field; if the file does not have it, of what should have it.
+    /// The error of a field. If the file lacks the field, its line is that of the innermost table that
+    /// should contain it.
     pub(super) fn error_of(&self, path: &[Key<'_>], message: &str) -> SceneError {
         let mut byte = 0;
         let mut name = String::new();
@@ -100,7 +104,7 @@ fn push(name: &mut String, key: &str) {
     name.push_str(key);
 }
 
-/// Adds the way from a table to the byte.
+/// Appends the path from a table to the value at a byte.
 fn in_table(table: &DeTable<'_>, byte: usize, name: &mut String) {
     for (key, value) in table {
         if key.span().contains(&byte) || contains(value.get_ref(), value.span(), byte) {
@@ -127,7 +131,8 @@ fn in_value(value: &DeValue<'_>, byte: usize, name: &mut String) {
     }
 }
 
-/// Whether the byte is in a value: that of a table under a header is only its header, but what is in it counts too.
+/// True if a byte belongs to a value. The span of a table with a header is only the header, so the entries
+/// of the table are searched too.
 fn contains(value: &DeValue<'_>, span: std::ops::Range<usize>, byte: usize) -> bool {
     span.contains(&byte)
         || match value {

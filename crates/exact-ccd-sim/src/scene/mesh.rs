@@ -1,4 +1,4 @@
-//! Meshes, from files and of shapes.
+//! Meshes from files and from shapes.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use super::description::Shape;
 use crate::body::{Body, BodyKind};
 use crate::shapes;
 
-/// What there is of a mesh.
+/// A mesh with its faces and, if it has any, its tetrahedra.
 pub(super) struct Mesh {
     pub(super) points: Vec<Point>,
     pub(super) faces: Vec<[u32; 3]>,
@@ -16,7 +16,7 @@ pub(super) struct Mesh {
 }
 
 impl Mesh {
-    /// The mesh in a file.
+    /// Reads the mesh in a file.
     pub(super) fn read(path: &Path) -> Result<Self, String> {
         if Format::of_path(path) == Some(Format::Msh) {
             let mesh = TetMesh::read(path).map_err(|error| error.to_string())?;
@@ -34,27 +34,31 @@ impl Mesh {
         })
     }
 
-    /// The mesh of a shape.
+    /// Generates the mesh of a shape.
     pub(super) fn generate(shape: Shape) -> Result<Self, String> {
         let (cells, lengths): (u64, &[f64]) = match &shape {
             Shape::Box { cells, size } => (cells.map(u64::from).iter().product(), size),
             Shape::Grid { cells, size } => (cells.map(u64::from).iter().product(), size),
             Shape::Sphere { radius, .. } => (1, std::slice::from_ref(radius)),
         };
-        if !(1..=shapes::MOST_CELLS).contains(&cells) {
-            let most = shapes::MOST_CELLS;
-            return Err(format!("{cells} cells, expected 1 at least and {most} at most"));
+        if !(1..=shapes::MAX_CELLS).contains(&cells) {
+            let max = shapes::MAX_CELLS;
+            return Err(format!("the shape has {cells} cells, expected 1 to {max}"));
         }
         let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
         if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
-            return Err(format!("a length of {length} m, expected a positive number"));
+            return Err(format!(
+                "the shape has a length of {length} m, expected a positive number"
+            ));
         }
         let Body { points, kind, .. } = match shape {
             Shape::Box { cells, size } => shapes::solid_box(cells, size),
             Shape::Grid { cells, size } => shapes::cloth(cells, size),
-            Shape::Sphere { subdivisions, .. } if subdivisions > shapes::FINEST_SPHERE => {
-                let finest = shapes::FINEST_SPHERE;
-                return Err(format!("{subdivisions} subdivisions, expected at most {finest}"));
+            Shape::Sphere { subdivisions, .. } if subdivisions > shapes::MAX_SUBDIVISIONS => {
+                let max = shapes::MAX_SUBDIVISIONS;
+                return Err(format!(
+                    "the sphere has {subdivisions} subdivisions, expected at most {max}"
+                ));
             }
             Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
         };

@@ -1,4 +1,4 @@
-//! Scenes as TOML files.
+//! Scene files in TOML.
 //!
 //! ```
 //! use std::path::Path;
@@ -17,7 +17,7 @@
 //!     solid = { density = 1000.0, young = 1e6, poisson = 0.4 }
 //!     translate = [0.2, 0.1, 0.2]
 //!
-//!     [[body]] # Without a material, an obstacle.
+//!     [[body]] # A body without a material is an obstacle.
 //!     shape = { grid = { cells = [1, 1], size = [1.0, 1.0] } }
 //! "#;
 //! let scene = Scene::parse(text, Path::new("fall.toml"), None)?;
@@ -27,10 +27,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod body;
 mod description;
 mod document;
 mod load;
+mod locate;
 mod mesh;
+mod parse;
 mod placement;
 
 pub use document::SceneError;

@@ -1,4 +1,4 @@
-//! From the coordinates of a mesh file to those of the scene.
+//! The placement of a mesh in the scene.
 
 use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
@@ -6,13 +6,13 @@ use serde::Deserialize;
 
 use super::description::BodyDescription;
 
-/// A factor for all axes, or one for each.
+/// A scale factor for all axes, or one for each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "expected a number or three")]
 pub(super) enum Scale {
-    /// For all axes.
+    /// One factor for all axes.
     Uniform(f64),
-    /// For x, y and z.
+    /// The factors for x, y and z.
     Axes(Point),
 }
 
@@ -24,8 +24,8 @@ impl Scale {
         }
     }
 
-    /// Whether every factor is finite and not zero.
-    pub(super) fn is_sound(self) -> bool {
+    /// True if every factor is a normal number.
+    pub(super) fn is_valid(self) -> bool {
         self.factors().iter().all(|factor| factor.is_normal())
     }
 }
@@ -42,19 +42,19 @@ impl Default for Scale {
 pub(super) struct Rotation {
     /// The direction of the axis.
     pub(super) axis: Point,
-    /// The angle, counterclockwise seen against the axis.
+    /// The angle. Positive angles are counterclockwise for a viewer at whom the axis points.
     pub(super) degrees: f64,
 }
 
 impl Rotation {
-    /// Whether the axis has a direction.
+    /// True if the axis has a direction.
     pub(super) fn has_axis(&self) -> bool {
         Vector3::from(self.axis).norm().is_normal()
     }
 }
 
 impl BodyDescription {
-    /// Where a point of the mesh is in the scene.
+    /// The position in the scene of a point of the mesh.
     #[must_use]
     pub(super) fn place(&self, point: Point) -> Point {
         let scaled = Vector3::from(point).component_mul(&Vector3::from(self.scale.factors()));

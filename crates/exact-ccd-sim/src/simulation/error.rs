@@ -1,4 +1,4 @@
-//! Simulations that cannot start or go on.
+//! Errors of a simulation.
 
 use exact_ccd_mesh::Point;
 
@@ -6,73 +6,88 @@ use super::start::Primitive;
 use crate::filter::UnknownFilter;
 use crate::settings::SettingError;
 
-/// What keeps a simulation from starting or from going on.
+/// An error at the start of a simulation or in a time step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SimulationError {
-    /// A number of the settings is out of range.
+    /// A setting is out of range.
     #[error(transparent)]
     Setting(#[from] SettingError),
-    /// There is no such method of continuous collision detection.
+    /// There is no CCD method of this name.
     #[error(transparent)]
     Filter(#[from] UnknownFilter),
-    /// The state is that of another system.
-    #[error("the state has {found} {what}, expected {expected}, one for each vertex")]
+    /// The state belongs to another system.
+    #[error("the state has {found} {what}, expected {expected}, one for each vertex of the system")]
     State {
         /// `positions`, `velocities`, and so on.
         what: &'static str,
-        /// How many there are.
+        /// The number of entries.
         found: usize,
-        /// How many vertices the system has.
+        /// The number of vertices of the system.
         expected: usize,
     },
-    /// A number of the state is NaN or infinite.
-    #[error("the {what} of the state are not all finite")]
+    /// A number of the state is NaN or infinite, or the stiffness is negative.
+    #[error("the state has a number out of range in its {what}, expected finite numbers, and stiffness >= 0")]
     NotFinite {
         /// `positions`, `velocities`, and so on.
         what: &'static str,
     },
-    /// More steps are said to have been taken than can be counted in f64.
-    #[error("the state is after {step} steps, expected fewer than 2⁵³")]
+    /// The number of time steps is too large to be exact as an f64.
+    #[error("the state has the step number {step}, expected a number below 2⁵³")]
     Late {
-        /// How many.
+        /// The number of time steps.
         step: u64,
     },
-    /// The checkpoint is that of a run with another setting.
-    #[error("the checkpoint is of a run with `{what}` = {there}, now it is {here}")]
+    /// The checkpoint has another value of a setting.
+    #[error(
+        "the checkpoint has `{what}` = {there}, expected {here} as in the settings: \
+         resume with the settings of the checkpoint, or start a new run"
+    )]
     OtherSetting {
-        /// Which, as in [`Settings`](crate::Settings) with dots and hyphens.
+        /// The name of the setting: the path of fields in [`Settings`](crate::Settings) with dots, and
+        /// hyphens for underscores.
         what: String,
         /// Its value in the checkpoint, as JSON.
         there: String,
-        /// Its value now.
+        /// Its value in the settings, as JSON.
         here: String,
     },
-    /// The checkpoint is that of another system.
-    #[error("the checkpoint is of a run with other {what}")]
+    /// The checkpoint belongs to another system.
+    #[error(
+        "the checkpoint belongs to a system with other {what}: \
+         resume with the scene of the checkpoint, or start a new run"
+    )]
     OtherSystem {
-        /// What differs: `positions`, `elements`, `velocities`, `materials` or `scripts`.
+        /// The first part that differs: `positions`, `elements`, `velocities`, `materials` or `scripts`.
         what: &'static str,
     },
-    /// Something intersects or touches something already.
-    #[error("{} and {}, near {near:?}, meet where the simulation starts, expected a distance between them", primitives[0], primitives[1])]
+    /// Two primitives intersect or touch at the start.
+    #[error(
+        "{} and {} intersect or touch at the start, near {near:?}, expected a positive distance between them",
+        primitives[0], primitives[1]
+    )]
     Start {
-        /// What meets.
+        /// The two primitives.
         primitives: [Primitive; 2],
-        /// Where a vertex of them is, in m.
+        /// The position of one of their vertices, in m.
         near: Point,
     },
-    /// The linear system of a Newton iteration has no solution: forces are not finite, or far out of proportion.
-    #[error("step {step}: the linear system has no solution")]
+    /// The linear system of a Newton iteration has no finite solution: forces are not finite, or their
+    /// magnitudes differ too much.
+    #[error("step {step}: the linear system of Newton's method has no solution; try a smaller time step")]
     Singular {
         /// The number of the step.
         step: u64,
     },
-    /// No part of a Newton step is free of contact.
-    #[error("step {step}: `{filter}` finds contact where the step begins")]
+    /// The CCD method rejects a Newton step of any positive length.
+    #[error(
+        "step {step}: the CCD method `{filter}` rejects a Newton step of any length, \
+         expected a positive step size; the method `exact` has no false positives"
+    )]
     Blocked {
         /// The number of the step.
         step: u64,
-        /// The method of continuous collision detection.
+        /// The name of the CCD method.
         filter: String,
     },
 }

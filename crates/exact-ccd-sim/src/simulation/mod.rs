@@ -1,4 +1,4 @@
-//! A simulation, step by step.
+//! Simulations.
 
 mod error;
 mod start;
@@ -19,7 +19,7 @@ use crate::system::{Fingerprint, System};
 pub use error::SimulationError;
 pub use start::Primitive;
 
-/// A system that moves under elasticity, gravity, contact and friction.
+/// The motion of a system under elasticity, gravity, contact and friction.
 ///
 /// ```
 /// use exact_ccd_sim::{Body, Settings, Simulation, System, shapes};
@@ -41,15 +41,17 @@ pub struct Simulation {
     fingerprint: Fingerprint,
 }
 
-/// How much larger than the scene at its start the box is in which [`filter::Parity`] expects it to stay.
+/// The size of the box in which [`filter::Parity`] expects the scene to stay, relative to that of the scene
+/// at the start.
 const ROOM: f64 = 4.0;
 
 impl Simulation {
-    /// The simulation of a system from its start.
+    /// The simulation of a system from its initial positions and velocities.
     ///
     /// # Errors
-    /// [`SimulationError`] names the setting that is out of range, or two parts that intersect or touch at the start. A body that
-    /// is wholly inside of another one meets nothing: that is not told, and it can never come out.
+    /// [`SimulationError`] names the setting that is out of range, or two primitives that intersect or touch
+    /// at the start. A body that lies entirely inside another one has no such pair: this is no error, and
+    /// the body stays inside.
     pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
         let state = State {
             step: 0,
@@ -61,11 +63,11 @@ impl Simulation {
         Self::resume(system, settings, state)
     }
 
-    /// The simulation of a system from a state in which it was.
+    /// The simulation of a system from an earlier state.
     ///
     /// # Errors
-    /// [`SimulationError`] names the setting that is out of range, what of the state does not fit the system, or what
-    /// meets in it: as in [`Simulation::new`].
+    /// [`SimulationError`] names the setting that is out of range, the part of the state that does not match
+    /// the system, or two primitives that intersect or touch, as in [`Simulation::new`].
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
         settings.check(system.size())?;
         if state.step >= 1 << f64::MANTISSA_DIGITS {
@@ -107,11 +109,11 @@ impl Simulation {
         let filter = filter::by_name(&settings.ccd, room(&system))?;
         let distance = settings.contact_distance.meters(system.size());
         let barrier = Barrier::new(distance);
-        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_sound() {
+        if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_valid() {
             return Err(SettingError {
                 what: "contact-distance",
                 value: distance,
-                expected: "a length with which, and with the masses that there are, the barrier's stiffness is positive and finite",
+                expected: "a length for which the masses give a positive and finite stiffness of the barrier",
             }
             .into());
         }
@@ -126,9 +128,10 @@ impl Simulation {
         })
     }
 
-    /// The same, with another method of continuous collision detection, whose name is then that of its settings and
-    /// checkpoints. If [`filter::by_name`] does not know the name, [`Checkpoint::resume`] refuses it: give its state to
-    /// [`Simulation::resume`], and the filter to this again.
+    /// Replaces the filter. Its name becomes that of the settings and of checkpoints.
+    ///
+    /// [`Checkpoint::resume`] rejects a name that [`filter::by_name`] does not have. To resume such a
+    /// simulation, pass its state to [`Simulation::resume`] and call this function again.
     #[must_use]
     pub fn with_filter(mut self, filter: Box<dyn StepFilter>) -> Self {
         self.settings.ccd = filter.name().to_owned();
@@ -136,7 +139,7 @@ impl Simulation {
         self
     }
 
-    /// The same, with its filter inside of another one, which may observe what it is asked.
+    /// Wraps the filter in another one, for example to record its queries.
     #[must_use]
     pub fn map_filter(mut self, wrap: impl FnOnce(Box<dyn StepFilter>) -> Box<dyn StepFilter>) -> Self {
         self.filter = wrap(self.filter);
@@ -155,13 +158,14 @@ impl Simulation {
         &self.settings
     }
 
-    /// Where the simulation is: all that [`Simulation::resume`] needs to go on.
+    /// The current state, from which [`Simulation::resume`] continues.
     #[must_use]
     pub fn state(&self) -> &State {
         &self.state
     }
 
-    /// Where the simulation is, and of what: all that [`Checkpoint::resume`] needs, and checks.
+    /// A checkpoint of the current state, from which [`Checkpoint::resume`] continues after it has compared
+    /// settings and system.
     #[must_use]
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {
@@ -171,7 +175,7 @@ impl Simulation {
         }
     }
 
-    /// The time in the simulation, in s.
+    /// The simulated time, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.state.step as f64 * self.settings.time_step

@@ -1,4 +1,4 @@
-//! Where a simulation may start.
+//! The check that a simulation starts without intersections.
 
 use std::fmt;
 
@@ -30,7 +30,7 @@ impl Primitive {
         }
     }
 
-    /// The same with other numbers of its vertices.
+    /// The primitive with its vertex indices mapped by a function.
     pub(crate) fn map(self, number: impl Fn(u32) -> u32) -> Self {
         match self {
             Self::Vertex(vertex) => Self::Vertex(number(vertex)),
@@ -50,25 +50,26 @@ impl fmt::Display for Primitive {
     }
 }
 
-/// Whether nothing meets at the start, two obstacles included: as an [`Audit`] sees it, which begins with the same frame.
+/// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
+/// recorded motion starts with the same check.
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {
     let not_finite = || SimulationError::NotFinite { what: "positions" };
-    // Without the vertices inside of solids, which meet nothing.
+    // The frame has no vertices in the interior of solids, which touch nothing.
     let frame = system.surface_frame(&state.positions).map_err(|_| not_finite())?;
     let mesh = frame.mesh.clone();
     let violation = Audit::default().examine(frame).map_err(|_| not_finite())?;
     match violation {
         None => Ok(()),
         Some(violation) => {
-            let primitives = meeting(system, &mesh, &violation);
+            let primitives = primitives(system, &mesh, &violation);
             let near = state.positions[primitives[0].vertices()[0] as usize];
             Err(SimulationError::Start { primitives, near })
         }
     }
 }
 
-/// What meets, with the numbers that its vertices have in the system.
-fn meeting(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [Primitive; 2] {
+/// The two primitives of a violation, with the vertex indices of the system.
+fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [Primitive; 2] {
     let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
     let face = |face: u32| Primitive::Face(mesh.faces()[face as usize]);
     let primitives = match violation {

@@ -7,18 +7,18 @@ use nalgebra::Vector3;
 
 use super::{Simulation, SimulationError};
 use crate::contact::{Collision, Collisions, Pairs, StiffnessRange};
-use crate::drive::Drive;
+use crate::dirichlet::Dirichlet;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
 use crate::settings::Settings;
-use crate::solver::{Newton, Outcome, Potential};
+use crate::solver::{Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Statistics};
 use crate::system::System;
 
 impl Simulation {
-    /// Takes one time step. After an error, the state is what it was before.
+    /// Takes one time step. An error leaves the state unchanged.
     ///
     /// # Errors
     /// [`SimulationError::Singular`] and [`SimulationError::Blocked`].
@@ -26,10 +26,10 @@ impl Simulation {
         self.step_along(&mut |_| ())
     }
 
-    /// Takes one time step, and shows the way: all positions after each increment of it.
+    /// Takes one time step, and calls `visit` with all positions after each accepted Newton step.
     ///
-    /// Each increment, in straight lines from the one before, is what has been filtered. The straight line from the start of
-    /// the time step to its end is another way, on which there may be contact.
+    /// The filter applies to these increments, in which all vertices move in straight lines. The straight
+    /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
     /// # Errors
     /// As [`Simulation::step`].
@@ -37,7 +37,8 @@ impl Simulation {
         &mut self,
         visit: &mut (dyn FnMut(&[Point]) + Send),
     ) -> Result<Statistics, SimulationError> {
-        // All of it on a thread of the pool: to come from outside costs a switch each time.
+        // The whole step runs on a thread of the pool: each parallel call from outside the pool would cost a
+        // context switch.
         rayon::scope(|_| self.advance(visit))
     }
 
@@ -65,13 +66,13 @@ impl Simulation {
             &system.surface,
             &positions,
             &positions,
-            self.barrier.reach().sqrt(),
+            self.barrier.activation_distance_squared().sqrt(),
         );
         let collisions = Collisions::new(&system.surface, &pairs, &positions, &system.start, self.barrier);
         let mut lagged = self.kept_stiffness(&scheme);
-        let mut now = Outcome {
+        let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
-            drive: Drive::new(system, &positions, time),
+            dirichlet: Dirichlet::new(system, &positions, time),
             positions,
             collisions,
         };
@@ -100,7 +101,7 @@ impl Simulation {
 
         statistics.contacts = now.collisions.as_slice().len();
         statistics.minimal_distance = Some(now.collisions.minimal_distance()).filter(|d| d.is_finite());
-        statistics.script_lag = now.drive.lag(&now.positions);
+        statistics.script_lag = now.dirichlet.lag(&now.positions);
         let velocities = scheme.velocities(&now.positions);
         let potential = potential(system, &scheme, now.stiffness, &friction, smoothing);
         statistics.energies = energies(&potential, settings, &now, &velocities);
@@ -128,7 +129,7 @@ impl Simulation {
         Ok(statistics)
     }
 
-    /// κ at the start of a step: at least what balances the other forces, and never less than before.
+    /// κ at the start of a step: the larger of the κ that balances the other forces and the previous κ.
     fn stiffness(
         &self,
         scheme: &Scheme,
@@ -153,13 +154,13 @@ impl Simulation {
         before.max(range.balance(&energy, &barriers))
     }
 
-    /// κ with which the barrier repels as in the step before.
+    /// The κ of this step with which the barrier has the same forces as in the previous step.
     fn kept_stiffness(&self, scheme: &Scheme) -> Option<f64> {
         let energy = self.state.stiffness;
         energy.map(|stiffness| stiffness * scheme.duration * scheme.duration)
     }
 
-    fn friction(&self, now: &Outcome, stiffness: f64) -> Vec<FrictionContact> {
+    fn friction(&self, now: &Iterate, stiffness: f64) -> Vec<FrictionContact> {
         let coefficient = self.settings.friction.coefficient;
         if coefficient == 0.0 {
             return Vec::new();
@@ -196,11 +197,11 @@ fn energies(
     &Settings {
         gravity, time_step, ..
     }: &Settings,
-    now: &Outcome,
+    now: &Iterate,
     velocities: &[Point],
 ) -> Energies {
     let masses = || potential.system.masses.iter();
-    // The potential has the square of the duration as a factor.
+    // The incremental potential is the energy times duration².
     let scale = potential.scheme.duration.powi(-2);
     let gravity = Vector3::from(gravity);
     Energies {
@@ -210,7 +211,7 @@ fn energies(
             .sum(),
         elastic: potential.elastic(&now.positions),
         barrier: scale * now.stiffness * now.collisions.value(&now.positions),
-        // Slips are velocities times the duration.
+        // Slips are velocities times the effective time step, which is shorter than the time step for BDF2.
         friction: scale * potential.friction_work(&now.positions) * time_step / potential.scheme.duration,
         gravity: masses()
             .zip(&now.positions)

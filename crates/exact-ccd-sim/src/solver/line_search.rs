@@ -5,7 +5,7 @@ use std::time::Instant;
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use super::newton::{Newton, Outcome};
+use super::newton::{Iterate, Newton};
 use super::potential::Potential;
 use crate::contact::{Collisions, Pairs};
 use crate::filter::Increment;
@@ -26,16 +26,16 @@ const FARTHEST: f64 = 0.25;
 impl Newton<'_> {
     /// Puts the scripted vertices to their targets: with the rest going along as Newton's method says, or else alone. If
     /// neither is free of contact, springs shall pull. Whether they are there.
-    pub(super) fn put(
+    pub(super) fn prescribe(
         &self,
-        now: &mut Outcome,
+        now: &mut Iterate,
         direction: &[Vector3<f64>],
         potential: &Potential<'_>,
         statistics: &mut Statistics,
     ) -> bool {
         let mut together = displaced(&now.positions, direction, 1.0);
         let mut alone = now.positions.clone();
-        for &(vertex, target) in now.drive.targets() {
+        for &(vertex, target) in now.dirichlet.targets() {
             together[vertex as usize] = target;
             alone[vertex as usize] = target;
         }
@@ -57,20 +57,20 @@ impl Newton<'_> {
             if potential.value(&end, &collisions).is_finite() {
                 now.positions = end;
                 now.collisions = collisions;
-                now.drive.arrived();
+                now.dirichlet.reached();
                 statistics.step_sizes.push(1.0);
                 return true;
             }
         }
         statistics.step_sizes.push(0.0);
-        now.drive.pull(self.system);
+        now.dirichlet.stiffen(self.system);
         false
     }
 
     /// Goes along a direction, as far as it is free and the potential falls. Whether it goes anywhere.
     pub(super) fn search(
         &self,
-        now: &mut Outcome,
+        now: &mut Iterate,
         direction: &[Vector3<f64>],
         size: f64,
         potential: &Potential<'_>,
@@ -130,7 +130,7 @@ impl Newton<'_> {
     /// with guaranteed descent and an efficient line search*, 2005.
     fn flattens(
         &self,
-        now: &Outcome,
+        now: &Iterate,
         direction: &[Vector3<f64>],
         potential: &Potential<'_>,
         positions: &[Point],
@@ -148,7 +148,8 @@ impl Newton<'_> {
     }
 
     fn pairs(&self, start: &[Point], end: &[Point]) -> Pairs {
-        Pairs::near(&self.system.surface, start, end, self.barrier.reach().sqrt())
+        let distance = self.barrier.activation_distance_squared().sqrt();
+        Pairs::near(&self.system.surface, start, end, distance)
     }
 
     fn collisions(&self, pairs: &Pairs, points: &[Point]) -> Collisions {

@@ -9,13 +9,13 @@ use faer::{Conj, MatMut, Par, Side};
 
 use super::pattern::Pattern;
 
-/// Factorises symmetric positive definite matrices, and keeps the analysis of a pattern for as long as it stays the same.
+/// A sparse Cholesky solver, which reuses the symbolic analysis while the pattern stays the same.
 ///
-/// What it keeps is a function of the pattern, and memory: results do not depend on what was solved before.
+/// The analysis is a function of the pattern alone, so results do not depend on earlier systems.
 #[derive(Default)]
 pub(crate) struct LinearSolver {
     analysis: Option<Analysis>,
-    /// Where the factor is written.
+    /// The memory of the numeric factor.
     factor: Vec<f64>,
 }
 
@@ -25,11 +25,12 @@ struct Analysis {
     symbolic: SymbolicCholesky<usize>,
 }
 
-/// How often the diagonal is raised when rounding has spoilt positive definiteness.
+/// The maximal number of factorisations. Rounding can make one fail; the next has a larger diagonal.
 const ATTEMPTS: i32 = 8;
 
 impl LinearSolver {
-    /// The solution of a system, or `None` if there is none within reach of a small shift of the diagonal.
+    /// The solution of a system. `None` if a value is not finite, or if the matrix is not positive definite
+    /// even with a slightly increased diagonal.
     pub(crate) fn solve(
         &mut self,
         pattern: Pattern,
@@ -55,7 +56,7 @@ impl LinearSolver {
             .fold(0.0_f64, |largest, &place| largest.max(values[place]));
 
         self.factor.resize(symbolic.len_val(), 0.0);
-        // One thread: sums in another order would be other results.
+        // A single thread, because the order of sums must not depend on the number of threads.
         let par = Par::Seq;
         let scratch = symbolic
             .factorize_numeric_llt_scratch::<f64>(par, Default::default())
@@ -88,8 +89,8 @@ impl LinearSolver {
 }
 
 impl Analysis {
-    /// The unknowns in an order of little fill. Three of a vertex stay together, for they have the same neighbours: to order
-    /// the vertices is the same with a ninth of the entries.
+    /// The analysis, with a fill-reducing order of the vertices. The three unknowns of a vertex stay
+    /// together: they have the same neighbours, and a pattern of vertices has a ninth of the entries.
     fn new(pattern: Pattern) -> Option<Self> {
         let blocks = pattern.blocks();
         let count = blocks.ncols();

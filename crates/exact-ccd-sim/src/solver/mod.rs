@@ -1,4 +1,4 @@
-//! One time step: the minimum of an incremental potential, by projected Newton.
+//! The minimisation of the incremental potential of one time step, by projected Newton.
 
 mod line_search;
 mod linear;
@@ -11,5 +11,5 @@ mod tests;
 mod unknowns;
 
 pub(crate) use linear::LinearSolver;
-pub(crate) use newton::{Newton, Outcome};
+pub(crate) use newton::{Iterate, Newton};
 pub(crate) use potential::{Potential, Spring};

@@ -1,4 +1,4 @@
-//! Projected Newton with a line search that is filtered by continuous collision detection.
+//! Projected Newton with a line search that is filtered by CCD.
 
 use std::time::Instant;
 
@@ -9,7 +9,7 @@ use super::linear::LinearSolver;
 use super::potential::Potential;
 use super::unknowns::Unknowns;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
-use crate::drive::Drive;
+use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::Scheme;
@@ -17,7 +17,7 @@ use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 use crate::system::System;
 
-/// What stays the same while a potential is minimised.
+/// The data of a minimisation that stay constant.
 pub(crate) struct Newton<'a> {
     pub(crate) system: &'a System,
     pub(crate) scheme: &'a Scheme,
@@ -26,26 +26,29 @@ pub(crate) struct Newton<'a> {
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a dyn StepFilter,
-    /// In m/s.
+    /// The tolerance, in m/s.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,
 }
 
-/// What changes.
-pub(crate) struct Outcome {
+/// An iterate of Newton's method.
+pub(crate) struct Iterate {
     pub(crate) positions: Vec<Point>,
     pub(crate) collisions: Collisions,
     /// κ.
     pub(crate) stiffness: f64,
-    pub(crate) drive: Drive,
+    pub(crate) dirichlet: Dirichlet,
 }
 
 impl Newton<'_> {
-    /// Minimises the potential from where things are. Whether it converges.
+    /// Minimises the potential from an iterate. Returns true if it converges.
+    ///
+    /// Newton stops when the largest component of the direction and the predicted decrease of energy are
+    /// below the tolerance.
     pub(crate) fn minimise(
         &self,
         solver: &mut LinearSolver,
-        now: &mut Outcome,
+        now: &mut Iterate,
         statistics: &mut Statistics,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<bool, SimulationError> {
@@ -53,7 +56,7 @@ impl Newton<'_> {
         let mut plan: Option<(Unknowns, Vec<u64>)> = None;
         for _ in 0..self.max_iterations {
             let clock = Instant::now();
-            let springs = now.drive.springs();
+            let springs = now.dirichlet.springs();
             let potential = Potential {
                 system: self.system,
                 scheme: self.scheme,
@@ -62,20 +65,20 @@ impl Newton<'_> {
                 smoothing: self.smoothing,
                 springs: &springs,
             };
-            let unknowns = self.unknowns(&now.drive);
+            let unknowns = self.unknowns(&now.dirichlet);
             if plan.as_ref().is_none_or(|(before, _)| *before != unknowns) {
                 let keys = potential.elastic_keys(&unknowns);
                 plan = Some((unknowns, keys));
             }
             let Some((unknowns, keys)) = &plan else { continue };
 
-            let given = self.given(now);
-            let quadratic = potential.quadratic(&now.positions, &now.collisions, unknowns, keys, &given);
+            let prescribed = self.prescribed(now);
+            let quadratic = potential.quadratic(&now.positions, &now.collisions, unknowns, keys, &prescribed);
             let right: Vec<f64> = unknowns
                 .vertices()
                 .iter()
                 .flat_map(|&v| {
-                    <[f64; 3]>::from(-quadratic.gradient[v as usize] - quadratic.given[v as usize])
+                    <[f64; 3]>::from(-quadratic.gradient[v as usize] - quadratic.prescribed[v as usize])
                 })
                 .collect();
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();
@@ -87,20 +90,21 @@ impl Newton<'_> {
             })?;
             statistics.seconds.solve += clock.elapsed().as_secs_f64();
 
-            let mut direction = given;
+            let mut direction = prescribed;
             for (&vertex, part) in unknowns.vertices().iter().zip(solution.chunks_exact(3)) {
                 direction[vertex as usize] = Vector3::from_column_slice(part);
             }
             statistics.iterations += 1;
-            if now.drive.is_putting() {
-                if self.put(now, &direction, &potential, statistics) {
+            if now.dirichlet.is_prescribed() {
+                if self.prescribe(now, &direction, &potential, statistics) {
                     visit(&now.positions);
                 }
                 continue;
             }
             let size = direction.iter().fold(0.0_f64, |size, part| size.max(part.amax()));
-            // Twice what the quadratic falls by. Deep in the barrier, a short step may still set much energy free: it counts as
-            // small only if that is no more than the kinetic energy of all free masses at the tolerance.
+            // Twice the predicted decrease of the potential. Deep in the barrier, even a short step can
+            // release much energy. The step counts as small only if this energy is at most the kinetic
+            // energy of all free masses at the tolerance.
             let decrease: f64 = right.iter().zip(&solution).map(|(a, b)| a * b).sum();
             let length = self.tolerance * self.scheme.duration;
             let is_small = size <= length && decrease <= mass * length * length;
@@ -109,10 +113,10 @@ impl Newton<'_> {
             if moved {
                 visit(&now.positions);
             }
-            // A barrier that has just been made stiffer makes another potential, of which this is not the minimum.
+            // After an increase of κ, the iterate is not a minimum of the new potential.
             let is_done = !moved || is_small && now.stiffness == stiffness;
-            if is_done && now.drive.is_pulling() {
-                now.drive.put();
+            if is_done && now.dirichlet.has_springs() {
+                now.dirichlet.prescribe();
             } else if is_done {
                 return Ok(is_small);
             }
@@ -120,27 +124,27 @@ impl Newton<'_> {
         Ok(false)
     }
 
-    fn unknowns(&self, drive: &Drive) -> Unknowns {
+    fn unknowns(&self, dirichlet: &Dirichlet) -> Unknowns {
         let mut unknown: Vec<bool> = (0..self.system.start.len())
             .map(|v| self.system.is_free(v))
             .collect();
-        if drive.is_pulling() {
-            for &(vertex, _) in drive.targets() {
+        if dirichlet.has_springs() {
+            for &(vertex, _) in dirichlet.targets() {
                 unknown[vertex as usize] = true;
             }
         }
         Unknowns::new(&unknown)
     }
 
-    /// The displacements of the vertices that are put to their targets.
-    fn given(&self, now: &Outcome) -> Vec<Vector3<f64>> {
-        let mut given = vec![Vector3::zeros(); now.positions.len()];
-        if now.drive.is_putting() {
-            for &(vertex, target) in now.drive.targets() {
+    /// The displacements from the positions to the Dirichlet targets, zero for all other vertices.
+    fn prescribed(&self, now: &Iterate) -> Vec<Vector3<f64>> {
+        let mut prescribed = vec![Vector3::zeros(); now.positions.len()];
+        if now.dirichlet.is_prescribed() {
+            for &(vertex, target) in now.dirichlet.targets() {
                 let vertex = vertex as usize;
-                given[vertex] = Vector3::from(target) - Vector3::from(now.positions[vertex]);
+                prescribed[vertex] = Vector3::from(target) - Vector3::from(now.positions[vertex]);
             }
         }
-        given
+        prescribed
     }
 }

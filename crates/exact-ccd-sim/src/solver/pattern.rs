@@ -1,24 +1,24 @@
-//! Where a sparse symmetric matrix of 3 × 3 blocks is not zero.
+//! The sparsity pattern of a symmetric matrix of 3 × 3 blocks.
 
 use faer::sparse::SymbolicSparseColMat;
 use nalgebra::Matrix3;
 
-/// The pairs of unknowns that interact, as the lower triangle of a matrix in compressed columns.
+/// The pairs of unknowns that interact, as the lower triangle of a block matrix in compressed columns.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Pattern {
-    /// Where each block column begins in `rows`.
+    /// The start of each block column in `rows`.
     starts: Vec<usize>,
-    /// The block rows, sorted in each column; the first is the diagonal.
+    /// The block rows, sorted in each column. The first of a column is the diagonal block.
     rows: Vec<u32>,
 }
 
-/// A pair of unknowns, sorted first by the smaller.
+/// A pair of unknowns as one integer, which sorts by the smaller unknown first.
 pub(crate) fn key(a: u32, b: u32) -> u64 {
     (u64::from(a.min(b)) << 32) | u64::from(a.max(b))
 }
 
 impl Pattern {
-    /// The pattern of these pairs, in any order and number, and the diagonal.
+    /// The pattern of these pairs and the diagonal. The pairs may be in any order and may repeat.
     pub(crate) fn new(count: usize, mut keys: Vec<u64>) -> Self {
         keys.extend((0..count as u32).map(|i| key(i, i)));
         keys.sort_unstable();
@@ -37,20 +37,20 @@ impl Pattern {
         Self { starts, rows }
     }
 
-    /// How many scalars there are in the lower triangle.
+    /// The number of scalars in the lower triangle.
     pub(crate) fn scalar_count(&self) -> usize {
         let columns = self.starts.len() - 1;
         9 * self.rows.len() - 3 * columns
     }
 
-    /// The pattern, block by block.
+    /// The pattern of the blocks.
     pub(crate) fn blocks(&self) -> SymbolicSparseColMat<usize> {
         let columns = self.starts.len() - 1;
         let rows = self.rows.iter().map(|&row| row as usize).collect();
         SymbolicSparseColMat::new_checked(columns, columns, self.starts.clone(), None, rows)
     }
 
-    /// The same pattern, scalar by scalar.
+    /// The pattern of the scalars.
     pub(crate) fn scalars(&self) -> SymbolicSparseColMat<usize> {
         let columns = self.starts.len() - 1;
         let mut pointers = Vec::with_capacity(3 * columns + 1);
@@ -69,15 +69,15 @@ impl Pattern {
         SymbolicSparseColMat::new_checked(3 * columns, 3 * columns, pointers, None, rows)
     }
 
-    /// Adds a block to the values of the scalars: that of row `a` and column `b`, of which only one of the two triangles may
-    /// be given. Of a block on the diagonal the lower triangle counts.
+    /// Adds the block of row `a` and column `b` to the values of the scalars. Each off-diagonal block must be
+    /// given in one triangle only. Of a diagonal block, the lower triangle is used.
     pub(crate) fn add(&self, values: &mut [f64], a: u32, b: u32, block: &Matrix3<f64>) {
         let (row, column) = (a.max(b), a.min(b) as usize);
         let (start, end) = (self.starts[column], self.starts[column + 1]);
         let Ok(place) = self.rows[start..end].binary_search(&row) else {
             return;
         };
-        // Before this column: 9 scalars a block, without 3 above each diagonal.
+        // The columns before have 9 scalars a block, without the 3 above the diagonal of each diagonal block.
         let mut scalar = 9 * start - 3 * column;
         for axis in 0..3 {
             let length = 3 * (end - start) - axis;

@@ -1,4 +1,4 @@
-//! The incremental potential: what a time step minimises.
+//! The incremental potential, whose minimum is the result of a time step.
 
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
@@ -17,11 +17,11 @@ pub(crate) struct Potential<'a> {
     pub(crate) stiffness: f64,
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) smoothing: Smoothing,
-    /// What pulls scripted vertices to where they should be, if they cannot be put there.
+    /// The springs that draw scripted vertices to their Dirichlet targets.
     pub(crate) springs: &'a [Spring],
 }
 
-/// ½ k |x − target|².
+/// The spring ½ k |x − target|² of a scripted vertex.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spring {
     pub(crate) vertex: u32,
@@ -30,11 +30,18 @@ pub(crate) struct Spring {
     pub(crate) stiffness: f64,
 }
 
-/// How many elements are derived at a time: their Hessians are large.
+impl Spring {
+    /// The gradient with respect to the vertex.
+    pub(super) fn gradient(&self, points: &[Point]) -> Vector3<f64> {
+        (at(points, self.vertex as usize) - Vector3::from(self.target)) * self.stiffness
+    }
+}
+
+/// The number of elements whose derivatives are in memory at a time.
 const CHUNK: usize = 1024;
 
 impl Potential<'_> {
-    /// The value; infinite where a solid is turned inside out.
+    /// The value. Infinite if a neo-Hookean element is inverted.
     pub(crate) fn value(&self, points: &[Point], collisions: &Collisions) -> f64 {
         let inertia: f64 = self
             .inertia()
@@ -64,14 +71,14 @@ impl Potential<'_> {
         })
     }
 
-    /// What friction does against the slips, in kg m².
+    /// The work of friction against the slips, in kg m².
     pub(crate) fn friction_work(&self, points: &[Point]) -> f64 {
         sum(self.friction, |contact| {
             contact.work(&self.displacements(points, contact), self.smoothing)
         })
     }
 
-    /// The gradient without contact, friction and springs.
+    /// The gradient of inertia and elasticity.
     pub(crate) fn smooth_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
         let mut gradient = self.inertia_gradient(points);
         let scale = self.scheme.duration * self.scheme.duration;
@@ -87,7 +94,7 @@ impl Potential<'_> {
         gradient
     }
 
-    /// The gradient.
+    /// The gradient of the potential.
     pub(crate) fn gradient(&self, points: &[Point], collisions: &Collisions) -> Vec<Vector3<f64>> {
         let mut gradient = self.smooth_gradient(points);
         for (sum, barrier) in gradient.iter_mut().zip(collisions.gradient(points)) {
@@ -100,18 +107,18 @@ impl Potential<'_> {
             }
         }
         for spring in self.springs {
-            gradient[spring.vertex as usize] += self.pull(points, spring);
+            gradient[spring.vertex as usize] += spring.gradient(points);
         }
         gradient
     }
 
-    /// How much rounding may change the value.
+    /// The magnitude of the rounding error of a value.
     pub(crate) fn noise(&self, value: f64) -> f64 {
         let elastic = self.scheme.duration * self.scheme.duration * self.system.rigidity;
         8.0 * f64::EPSILON * (elastic + value.abs())
     }
 
-    /// The vertices that have inertia, with their masses.
+    /// The free vertices with their masses.
     pub(super) fn inertia(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let masses = self.system.masses.iter().copied().enumerate();
         masses.filter(|&(vertex, _)| self.system.is_free(vertex))
@@ -129,10 +136,6 @@ impl Potential<'_> {
         at(points, vertex) - at(&self.scheme.predicted, vertex)
     }
 
-    pub(super) fn pull(&self, points: &[Point], spring: &Spring) -> Vector3<f64> {
-        (at(points, spring.vertex as usize) - Vector3::from(spring.target)) * spring.stiffness
-    }
-
     pub(super) fn displacements(&self, points: &[Point], contact: &FrictionContact) -> [Vector3<f64>; 4] {
         let now = gather_some(points, contact.vertices());
         let then = gather_some(&self.scheme.origin, contact.vertices());
@@ -144,13 +147,13 @@ fn at(points: &[Point], vertex: usize) -> Vector3<f64> {
     Vector3::from(points[vertex])
 }
 
-/// The sum of the values of elements, in their order.
+/// The sum of the values of elements. They are computed in parallel and added in order.
 fn sum<T: Sync>(elements: &[T], value: impl Fn(&T) -> f64 + Sync) -> f64 {
     let values: Vec<f64> = elements.par_iter().map(&value).collect();
     values.iter().sum()
 }
 
-/// Derives elements in parallel, and adds what they give in their order.
+/// Computes the derivatives of elements in parallel, and calls `add` for them in order.
 pub(super) fn each<T: Sync, D: Send>(
     elements: &[T],
     derive: impl Fn(&T) -> D + Sync,

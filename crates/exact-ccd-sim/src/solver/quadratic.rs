@@ -1,4 +1,4 @@
-//! The quadratic that a Newton iteration minimises.
+//! The quadratic model that a Newton iteration minimises.
 
 use exact_ccd_mesh::Point;
 use nalgebra::{Matrix3, Vector3};
@@ -10,19 +10,21 @@ use crate::contact::Collisions;
 use crate::element::Element;
 use crate::gather::gather_some;
 
-/// Gradient and Hessian of a potential with respect to the unknowns.
+/// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
 pub(crate) struct Quadratic {
-    /// The gradient of all vertices.
+    /// The gradient with respect to all vertices.
     pub(crate) gradient: Vec<Vector3<f64>>,
+    /// The sparsity pattern of the Hessian with respect to the unknowns.
     pub(crate) pattern: Pattern,
+    /// The entries of this Hessian.
     pub(crate) values: Vec<f64>,
-    /// The Hessian's columns of the vertices that are not unknown, times their given displacements: what these do to the
-    /// gradient of the unknowns.
-    pub(crate) given: Vec<Vector3<f64>>,
+    /// The change of the gradient by the prescribed displacements: the columns of the Hessian that belong to
+    /// the vertices that are not unknown, times their displacements.
+    pub(crate) prescribed: Vec<Vector3<f64>>,
 }
 
 impl Potential<'_> {
-    /// The pairs of unknowns that interact by elasticity.
+    /// The pairs of unknowns that share an elastic element.
     pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
         let mut keys = Vec::new();
         for element in &self.system.elements {
@@ -33,14 +35,14 @@ impl Potential<'_> {
         keys
     }
 
-    /// Gradient and Hessian, where vertices that are not unknown are displaced by `given`.
+    /// The quadratic model. `displacements` are the prescribed ones of the vertices that are not unknown.
     pub(crate) fn quadratic(
         &self,
         points: &[Point],
         collisions: &Collisions,
         unknowns: &Unknowns,
         elastic_keys: &[u64],
-        given: &[Vector3<f64>],
+        displacements: &[Vector3<f64>],
     ) -> Quadratic {
         let mut keys = elastic_keys.to_vec();
         let contacts = collisions.as_slice();
@@ -54,17 +56,17 @@ impl Potential<'_> {
         let mut sum = Sum {
             values: vec![0.0; pattern.scalar_count()],
             gradient: self.inertia_gradient(points),
-            effect: vec![Vector3::zeros(); points.len()],
+            prescribed: vec![Vector3::zeros(); points.len()],
             pattern,
             unknowns,
-            given,
+            displacements,
         };
 
         for (vertex, mass) in self.inertia() {
             sum.add_diagonal(vertex as u32, mass);
         }
         for spring in self.springs {
-            sum.gradient[spring.vertex as usize] += self.pull(points, spring);
+            sum.gradient[spring.vertex as usize] += spring.gradient(points);
             sum.add_diagonal(spring.vertex, spring.stiffness);
         }
         let scale = self.scheme.duration * self.scheme.duration;
@@ -92,7 +94,7 @@ impl Potential<'_> {
             gradient: sum.gradient,
             pattern: sum.pattern,
             values: sum.values,
-            given: sum.effect,
+            prescribed: sum.prescribed,
         }
     }
 }
@@ -105,14 +107,14 @@ fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, vertices: &[u32]) {
     }
 }
 
-/// Gradient and Hessian while elements are added to them.
+/// A quadratic model under construction.
 struct Sum<'a> {
     pattern: Pattern,
     values: Vec<f64>,
     gradient: Vec<Vector3<f64>>,
-    effect: Vec<Vector3<f64>>,
+    prescribed: Vec<Vector3<f64>>,
     unknowns: &'a Unknowns,
-    given: &'a [Vector3<f64>],
+    displacements: &'a [Vector3<f64>],
 }
 
 impl Sum<'_> {
@@ -132,10 +134,10 @@ impl Sum<'_> {
             for (column, &other) in element.vertices.iter().enumerate() {
                 match self.unknowns.number(other) {
                     None => {
-                        let given = self.given[other as usize];
-                        self.effect[vertex as usize] += element.block(row, column) * given;
+                        let displacement = self.displacements[other as usize];
+                        self.prescribed[vertex as usize] += element.block(row, column) * displacement;
                     }
-                    // The other triangle is the same.
+                    // The upper triangle is not stored.
                     Some(other) if other > number => {}
                     Some(other) => {
                         let block = element.block(row, column);

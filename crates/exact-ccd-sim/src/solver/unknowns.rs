@@ -1,4 +1,4 @@
-//! Which vertices the linear system is about.
+//! The vertices that are unknowns of the linear system.
 
 /// A numbering of some of the vertices.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -8,7 +8,7 @@ pub(crate) struct Unknowns {
 }
 
 impl Unknowns {
-    /// The vertices that are unknown, in their order.
+    /// The numbering of the vertices for which `is_unknown` is true, in their order.
     pub(crate) fn new(is_unknown: &[bool]) -> Self {
         let mut vertices = Vec::new();
         let mut number = |(vertex, &unknown): (usize, &bool)| {
@@ -21,7 +21,7 @@ impl Unknowns {
         Self { numbers, vertices }
     }
 
-    /// How many there are.
+    /// The number of unknown vertices.
     pub(crate) fn len(&self) -> usize {
         self.vertices.len()
     }

@@ -1,16 +1,17 @@
-//! Bodies that make no system.
+//! Errors of bodies and scripts.
 
 use exact_ccd_mesh::{Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
 use crate::script::ScriptError;
 
-/// Bodies that make no system.
+/// An invalid body or script.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SystemError {
-    /// A tetrahedron or a triangle names a vertex that its body does not have.
+    /// A tetrahedron or a triangle has a vertex index that is out of range.
     #[error(
-        "body {body}: element {element} names vertex {vertex}, but there are only {vertex_count} vertices"
+        "body {body}: element {element} has the vertex index {vertex}, expected an index below {vertex_count}"
     )]
     Index {
         /// The body, from 0.
@@ -19,11 +20,11 @@ pub enum SystemError {
         element: usize,
         /// The vertex.
         vertex: u32,
-        /// How many vertices the body has.
+        /// The number of vertices of the body.
         vertex_count: usize,
     },
-    /// There is nothing that could touch anything.
-    #[error("body {body}: there are no faces or tetrahedra, expected some")]
+    /// A body has no elements.
+    #[error("body {body}: the mesh has no faces or tetrahedra, expected at least one")]
     Empty {
         /// The body, from 0.
         body: usize,
@@ -38,12 +39,12 @@ pub enum SystemError {
         /// Its position.
         position: Point,
     },
-    /// The tetrahedra are no solid.
+    /// The tetrahedra are not a valid mesh.
     #[error("body {body}: {source}")]
     Solid {
         /// The body, from 0.
         body: usize,
-        /// What is wrong with them.
+        /// The cause.
         source: TetMeshError,
     },
     /// An element has no volume or no area, up to rounding.
@@ -54,12 +55,12 @@ pub enum SystemError {
         /// The element, from 0.
         element: usize,
     },
-    /// The elastic moduli are out of range.
+    /// An elastic modulus is out of range.
     #[error("body {body}: {source}")]
     Moduli {
         /// The body, from 0.
         body: usize,
-        /// Which modulus.
+        /// The modulus and its value.
         source: ModuliError,
     },
     /// The density or the thickness is not positive.
@@ -72,8 +73,8 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
-    /// An element has no mass that is a normal number.
-    #[error("body {body}: element {element} has a mass of {mass} kg, expected a positive number")]
+    /// The mass of an element is not a normal number.
+    #[error("body {body}: element {element} has a mass of {mass} kg, expected a positive normal number")]
     Mass {
         /// The body, from 0.
         body: usize,
@@ -82,30 +83,30 @@ pub enum SystemError {
         /// Its mass.
         mass: f64,
     },
-    /// The velocity at the start is none.
+    /// The initial velocity is not finite, or an obstacle has one.
     #[error("body {body}: the velocity is {velocity:?}, expected {expected}")]
     Velocity {
         /// The body, from 0.
         body: usize,
         /// Its velocity.
         velocity: Point,
-        /// What it should be.
+        /// The velocities that are allowed.
         expected: &'static str,
     },
-    /// A number of a script is out of range.
+    /// A parameter of a script is out of range.
     #[error("script {script}: {source}")]
     Motion {
         /// The script, from 0.
         script: usize,
-        /// Which number.
+        /// The parameter.
         source: ScriptError,
     },
-    /// A script is for vertices that there are not.
-    #[error("a script moves vertex {vertex}, but there are only {vertex_count} vertices")]
+    /// A script has a vertex index that is out of range.
+    #[error("a script has the vertex index {vertex}, expected an index below {vertex_count}")]
     Script {
         /// The vertex.
         vertex: u32,
-        /// How many vertices there are.
+        /// The number of vertices of the system.
         vertex_count: usize,
     },
 }

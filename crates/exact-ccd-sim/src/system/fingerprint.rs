@@ -1,4 +1,4 @@
-//! What tells two systems apart.
+//! Fingerprints of systems.
 
 use std::fmt::{self, Debug, Write};
 
@@ -6,18 +6,18 @@ use serde::{Deserialize, Serialize};
 
 use super::System;
 
-/// Hashes of the parts of a [`System`]: two systems with other parts have other hashes, but for a chance of 2⁻⁶⁴.
+/// Hashes of the parts of a [`System`]. Different parts have different hashes, up to a probability of 2⁻⁶⁴.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fingerprint {
-    /// Of the positions at the start.
+    /// The hash of the initial positions.
     positions: String,
-    /// Of the velocities at the start.
+    /// The hash of the initial velocities.
     velocities: String,
-    /// Of the corners of faces and tetrahedra.
+    /// The hash of the corners of faces and tetrahedra.
     elements: String,
-    /// Of masses and stiffnesses.
+    /// The hash of masses and stiffnesses.
     materials: String,
-    /// Of the scripts.
+    /// The hash of the scripts.
     scripts: String,
 }
 
@@ -47,10 +47,11 @@ impl Fingerprint {
     }
 }
 
-/// The hash of what is written of a value, which of numbers is exact.
+/// The hash of the `Debug` text of a value, in which numbers are exact. The text contains the names of types
+/// and fields: a renamed field of an element or a script makes earlier checkpoints unusable.
 fn hash(value: &impl Debug) -> String {
     let mut hash = Fnv1a(0xcbf2_9ce4_8422_2325);
-    // It takes all that is written.
+    // `write_str` below does not fail.
     let _ = write!(hash, "{value:?}");
     format!("{:016x}", hash.0)
 }

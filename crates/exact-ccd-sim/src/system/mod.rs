@@ -1,4 +1,4 @@
-//! All bodies of a scene, as one list of vertices and lists of elements over it.
+//! The bodies of a scene, as one list of vertices and lists of elements over it.
 
 mod error;
 mod fingerprint;
@@ -28,17 +28,17 @@ pub struct System {
     /// The script of each vertex that has one.
     pub(crate) scripts: Vec<Option<Script>>,
     pub(crate) surface: Surface,
-    /// Σ E V, in J: what elastic energies are small differences of.
+    /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
     pub(crate) rigidity: f64,
     size: f64,
 }
 
 impl System {
-    /// The system of some bodies, whose vertices follow each other in their order. `scripts` say how some vertices move;
-    /// where there are several for one, the last counts. Obstacles without a script are fixed.
+    /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
+    /// the motion of vertices; the last script of a vertex applies. Obstacles without a script are fixed.
     ///
     /// # Errors
-    /// [`SystemError`] names the body, and what is wrong with it.
+    /// [`SystemError`] names the body or the script.
     pub fn new(bodies: &[Body], scripts: &[(Vec<u32>, Script)]) -> Result<Self, SystemError> {
         let mut parts = Parts::default();
         for (index, body) in bodies.iter().enumerate() {
@@ -79,7 +79,7 @@ impl System {
         })
     }
 
-    /// The vertices of each body, in the order of the bodies.
+    /// The range of vertices of each body, in the order of the bodies.
     #[must_use]
     pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
         let mut end = 0;
@@ -97,7 +97,7 @@ impl System {
         self.surface.mesh()
     }
 
-    /// The corners of all tetrahedra, each of positive volume at the start.
+    /// The corners of all tetrahedra, ordered so that the volume at the start is positive.
     pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
         self.elements.iter().filter_map(|element| match element {
             Elastic::Tetrahedron(tetrahedron) => Some(tetrahedron.vertices()),
@@ -105,59 +105,60 @@ impl System {
         })
     }
 
-    /// The surface alone with its vertices at these positions, which are those of all vertices: without those inside of
+    /// The surface, for these positions of all vertices of the system. It has no vertices in the interior of
     /// solids.
     ///
     /// # Errors
-    /// [`FrameError`] tells the first coordinate that is not finite, or that there are too few.
+    /// [`FrameError`], if a coordinate is not finite or there are too few positions.
     pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, FrameError> {
         let frame = Frame::new(positions.to_vec(), self.surface().faces().to_vec())?;
         Ok(frame.without_loose_vertices().0)
     }
 
-    /// The positions at the start, where everything is at rest, in m.
+    /// The initial positions, in m. They are also the rest shape.
     #[must_use]
     pub fn start(&self) -> &[Point] {
         &self.start
     }
 
-    /// The mass of each vertex, in kg. Obstacles have none.
+    /// The mass of each vertex, in kg. The vertices of obstacles have mass 0.
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.masses
     }
 
-    /// What tells it from other systems. It takes a look at all of it.
+    /// The fingerprint of the system. The run time is proportional to the size of the system.
     #[must_use]
     pub fn fingerprint(&self) -> Fingerprint {
         Fingerprint::of(self)
     }
 
-    /// The diagonal of the box around everything at the start, in m.
+    /// The diagonal of the bounding box at the start, in m.
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
     }
 
-    /// Whether a vertex moves by the laws of motion.
+    /// True if a vertex has mass and no script.
     #[must_use]
     pub fn is_free(&self, vertex: usize) -> bool {
         self.scripts[vertex].is_none() && self.masses[vertex] > 0.0
     }
 
-    /// The mass of the vertices that are free, in kg; of all, if none is free, and 1 kg if none has any.
+    /// The mass of all free vertices, in kg. If no vertex is free, the mass of all vertices; if no vertex has
+    /// mass, 1 kg.
     #[must_use]
     pub fn free_mass(&self) -> f64 {
         self.counted_masses().iter().sum()
     }
 
-    /// The mean mass of the same vertices, in kg.
+    /// The mean mass of the vertices that [`System::free_mass`] sums, in kg.
     #[must_use]
     pub fn mean_mass(&self) -> f64 {
         self.free_mass() / self.counted_masses().len() as f64
     }
 
-    /// The masses that [`System::free_mass`] sums: at least one.
+    /// The masses that [`System::free_mass`] sums. Not empty.
     fn counted_masses(&self) -> Vec<f64> {
         let masses = |is_counted: &dyn Fn(usize) -> bool| -> Vec<f64> {
             let masses = self.masses.iter().copied().enumerate();

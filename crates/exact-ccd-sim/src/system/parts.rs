@@ -1,4 +1,4 @@
-//! Body by body.
+//! The construction of a system, body by body.
 
 use exact_ccd_mesh::{Point, TetMesh};
 
@@ -9,7 +9,7 @@ use crate::gather::gather;
 use crate::hinges::hinges;
 use crate::script::Script;
 
-/// What a system is made of, while bodies are added.
+/// The parts of a system under construction.
 #[derive(Default)]
 pub(super) struct Parts {
     pub(super) start: Vec<Point>,
@@ -35,7 +35,7 @@ impl Parts {
         }
         let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
         let expected = if is_obstacle {
-            (added.velocity != [0.0; 3]).then_some("none, since only scripts move obstacles")
+            (added.velocity != [0.0; 3]).then_some("zero: obstacles are moved by scripts")
         } else {
             (!is_finite(&added.velocity)).then_some("finite numbers")
         };
@@ -155,7 +155,7 @@ fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemErr
     }
 }
 
-/// The mass of an element, if there is any.
+/// Checks the mass of an element.
 fn mass(body: usize, element: usize, mass: f64) -> Result<f64, SystemError> {
     if mass.is_normal() {
         Ok(mass)
@@ -164,7 +164,7 @@ fn mass(body: usize, element: usize, mass: f64) -> Result<f64, SystemError> {
     }
 }
 
-/// The elements of a body, with the numbers that its vertices have among all.
+/// The elements of a body, with the vertex indices of the system.
 fn placed<const N: usize>(
     body: usize,
     elements: &[[u32; N]],

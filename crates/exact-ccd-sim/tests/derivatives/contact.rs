@@ -10,7 +10,7 @@ use crate::differences::{
 };
 
 #[test]
-fn the_barrier_has_the_derivatives_that_it_tells() {
+fn the_derivatives_of_the_barrier_match_differences() {
     let barrier = Barrier::new(0.5);
     for i in 1..100 {
         let squared = 0.25 * f64::from(i) / 100.0;
@@ -71,7 +71,7 @@ fn check(collision: &Collision, points: &Points, barrier: &Barrier) -> bool {
 }
 
 #[test]
-fn collisions_have_the_derivatives_that_they_tell() {
+fn the_derivatives_of_collisions_match_differences() {
     let mut random = fastrand::Rng::with_seed(1);
     let barrier = Barrier::new(1.0);
     let (mut tested, mut indefinite, mut sizes) = (0, 0, [0; 5]);
@@ -91,7 +91,7 @@ fn collisions_have_the_derivatives_that_they_tell() {
         tested += 1;
         let collision = Collision::new([0, 1, 2, 3], feature);
         sizes[collision.vertices().len()] += 1;
-        // The form without the other vertices has the same distance.
+        // The canonical form, without unused vertices, has the same distance.
         let shortest = collision.separation(&compact(&points, &collision)).squared();
         assert!((shortest - squared).abs() < 1e-12);
         indefinite += usize::from(check(&collision, &points, &barrier));
@@ -103,7 +103,7 @@ fn collisions_have_the_derivatives_that_they_tell() {
 }
 
 #[test]
-fn mollified_collisions_have_the_derivatives_that_they_tell() {
+fn the_derivatives_of_mollified_collisions_match_differences() {
     let mut random = fastrand::Rng::with_seed(2);
     let barrier = Barrier::new(1.0);
     let mut tested = 0;
@@ -114,7 +114,7 @@ fn mollified_collisions_have_the_derivatives_that_they_tell() {
         let mollifier = Mollifier::new([20.0, 20.0]);
         let feature = edge_edge(&points);
         let squared = feature.separation(&points).squared();
-        // Away from where the mollifier ends and where another feature is closest.
+        // Differences need a distance from the end of the mollifier and from changes of the closest feature.
         let shares = feature.separation(&points).weights;
         let inside = shares
             .iter()
@@ -130,9 +130,9 @@ fn mollified_collisions_have_the_derivatives_that_they_tell() {
     }
 }
 
-/// The same two features, whichever primitives they belong to, are the same collision.
+/// Equal features of different primitives are the same collision.
 #[test]
-fn features_have_one_form() {
+fn features_have_a_canonical_form() {
     let [o, x, y] = [Vector3::zeros(), Vector3::x(), Vector3::y()];
     let p = Vector3::new(0.5, -0.5, 0.0);
     let (face, back) = ([p, o, x, y], [p, x, o, y]);
@@ -140,7 +140,7 @@ fn features_have_one_form() {
     let other = Collision::new([7, 5, 3, 6], point_triangle(&back));
     assert!(one.is_same(&other));
     assert_eq!(one.vertices().as_slice(), [7, 3, 5]);
-    // An edge from the point, against the edge.
+    // The same features, from a pair of edges.
     let edges = [o, x, p, p - y];
     let third = Collision::new([5, 3, 7, 8], edge_edge(&[edges[1], edges[0], edges[2], edges[3]]));
     assert!(one.is_same(&third), "{third:?}");

@@ -1,4 +1,4 @@
-//! Distances, and what is closest.
+//! Distances and closest features.
 
 use exact_ccd_sim::distance::{Feature, FeatureKind, Mollifier, edge_edge, point_triangle};
 use nalgebra::Vector3;
@@ -18,13 +18,13 @@ fn features() -> [Feature; 5] {
 }
 
 #[test]
-fn squared_distances_have_the_derivatives_that_they_tell() {
+fn the_derivatives_of_squared_distances_match_differences() {
     let mut random = fastrand::Rng::with_seed(1);
     let mut tested = 0;
     while tested < 200 {
         let points = random_points(&mut random);
         let feature = features()[tested % 5];
-        // Of nearly parallel lines the distance varies too fast for differences.
+        // The distance of nearly parallel lines varies too fast for differences.
         let [a, b, c, d] = points;
         let sines = [(b - a).cross(&(d - c)), (c - b).cross(&(d - b)), b - a, c - b];
         if sines.iter().any(|sine| sine.norm() < 0.5) {
@@ -39,9 +39,9 @@ fn squared_distances_have_the_derivatives_that_they_tell() {
     }
 }
 
-/// The least distance over a fine grid of both primitives is no smaller, and not much larger.
+/// The least distance over a fine grid on both primitives is not smaller, and not much larger.
 #[test]
-fn the_closest_features_are_the_closest() {
+fn the_distance_of_the_closest_features_is_the_least_on_a_grid() {
     let mut random = fastrand::Rng::with_seed(2);
     let mut kinds = std::collections::BTreeMap::new();
     const CELLS: i32 = 40;
@@ -54,7 +54,7 @@ fn the_closest_features_are_the_closest() {
             for j in 0..=CELLS {
                 let (u, v) = (share(i), share(j));
                 let vector = if sample % 2 == 0 {
-                    // The square of parameters, folded onto the triangle.
+                    // Folds the unit square of parameters onto the triangle.
                     let (u, v) = if u + v > 1.0 { (1.0 - u, 1.0 - v) } else { (u, v) };
                     a - (b * (1.0 - u - v) + c * u + d * v)
                 } else {
@@ -71,7 +71,7 @@ fn the_closest_features_are_the_closest() {
         *kinds.entry((sample % 2, feature.kind())).or_insert(0) += 1;
         let distance = feature.separation(&points).squared().sqrt();
         assert!(distance <= least + 1e-12, "{distance} > {least}: {points:?}");
-        // Within a cell's diagonal.
+        // The grid's error is at most the diagonal of a cell.
         assert!(least - distance < 0.15, "{distance} < {least}: {points:?}");
     }
     use FeatureKind::{LineLine, PointLine, PointPlane, PointPoint};
@@ -95,13 +95,13 @@ fn parallel_and_degenerate_edges_have_a_distance() {
     assert_eq!(distance([o, x, y + x * 3.0, y + x * 4.0]), 5.0_f64.sqrt());
     assert_eq!(distance([o, o, y, x + y]), 1.0);
     assert_eq!(distance([o, o, y, y]), 1.0);
-    // A tilt in the last digits.
+    // The edges differ from parallel ones in the last digits.
     let tilted = x + y + Vector3::z() * 1e-15;
     assert!((distance([o, x, y, tilted]) - 1.0).abs() < 1e-12);
 }
 
 #[test]
-fn the_mollifier_has_the_derivatives_that_it_tells() {
+fn the_derivatives_of_the_mollifier_match_differences() {
     let mut random = fastrand::Rng::with_seed(3);
     let mut active = 0;
     for sample in 0..100 {
@@ -118,7 +118,7 @@ fn the_mollifier_has_the_derivatives_that_it_tells() {
         let scale = 1.0 + expected.norm();
         assert!((first - expected).norm() < 1e-6 * scale);
         let expected = jacobian(&points, 1e-5, |x| mollifier.derivatives(x).0);
-        // Where it becomes 1, its second derivative jumps.
+        // The second derivative is discontinuous at the end of the mollifier.
         if (mollifier.value(&points) - 1.0).abs() > 1e-3 || second.norm() == 0.0 && expected.norm() == 0.0 {
             assert!((second - expected).norm() < 1e-6 * (1.0 + expected.norm()));
         }

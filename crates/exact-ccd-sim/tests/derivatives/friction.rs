@@ -1,4 +1,4 @@
-//! Friction.
+//! The derivatives of friction.
 
 use arrayvec::ArrayVec;
 use exact_ccd_sim::distance::point_triangle;
@@ -11,7 +11,7 @@ use crate::differences::{
 const SMOOTHING: Smoothing = Smoothing { threshold: 0.8 };
 
 #[test]
-fn the_smoothing_has_the_derivatives_that_it_tells() {
+fn the_derivatives_of_the_smoothing_match_differences() {
     for i in 1..200 {
         let slip = 0.01 * f64::from(i);
         let force = |y: f64| y * SMOOTHING.force_over_slip(y);
@@ -25,7 +25,7 @@ fn the_smoothing_has_the_derivatives_that_it_tells() {
 }
 
 #[test]
-fn friction_has_the_derivatives_that_it_tells() {
+fn the_derivatives_of_friction_match_differences() {
     let mut random = fastrand::Rng::with_seed(1);
     for _ in 0..100 {
         let points = random_points(&mut random);
@@ -40,7 +40,7 @@ fn friction_has_the_derivatives_that_it_tells() {
         });
         assert_hessian(&element.hessian, &expected, 2e-4, "friction");
         assert_semi_definite(&element.hessian, "friction");
-        // It opposes the slip, is tangential, and sums to nothing.
+        // The force opposes the slip and is tangential. The sum over the vertices is zero.
         let power: f64 = (0..4)
             .map(|place| element.force(place).dot(&displacements[place]))
             .sum();

@@ -1,4 +1,4 @@
-//! Gradients and Hessians of all energies against finite differences, and that projected Hessians are semi-definite.
+//! Gradients and Hessians of all energies against finite differences. Projected Hessians are semi-definite.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -8,3 +8,5 @@ mod differences;
 mod distance;
 mod elasticity;
 mod friction;
+mod naive;
+mod shells;

@@ -1,4 +1,4 @@
-//! Without forces from outside, momentum stays.
+//! Conservation of momentum without external forces.
 
 use exact_ccd_sim::{Body, Integrator, Length, Settings, Simulation, System, shapes};
 use nalgebra::Vector3;
@@ -22,10 +22,10 @@ fn cube(corner: [f64; 3], velocity: [f64; 3]) -> Body {
     cube
 }
 
-/// Two cubes collide, not centrally: they exchange linear and angular momentum, and their sums stay.
+/// An oblique collision of two cubes conserves the total momentum.
 ///
-/// Backward differences of the velocity keep Σ m v for forces that sum to zero. They keep Σ m x × v only up to the error of
-/// the time step, since x changes while the force acts: x̂ is where the torque is not.
+/// Both integrators conserve Σ m v for forces that sum to zero. They conserve Σ m x × v only up to the
+/// error of the time step.
 #[test]
 fn a_collision_conserves_momentum() {
     for integrator in [Integrator::ImplicitEuler, Integrator::Bdf2] {
@@ -44,15 +44,15 @@ fn a_collision_conserves_momentum() {
         }
         assert!(contacts > 0);
         let change = (momentum(&simulation) - before).norm();
-        // Of 125 kg at 1 m/s each.
+        // Each cube has a momentum of 125 kg m/s.
         assert!(change < 1e-5, "{integrator:?}: momentum changed by {change}");
         let first = simulation.state().velocities[0][0];
         assert!(first < 0.9, "nothing bounced: {first}");
     }
 }
 
-/// A spinning cube that is at ease with its spin keeps its angular momentum as well as the time step allows: the loss per
-/// turn falls with the time step, to first order for implicit Euler and faster for BDF2.
+/// The loss of angular momentum of a spinning cube decreases with the time step: to first order for implicit
+/// Euler, and faster for BDF2.
 #[test]
 fn spin_is_lost_with_the_order_of_the_integrator() {
     let loss = |integrator: Integrator, steps: u32| {
@@ -89,9 +89,9 @@ fn spin_is_lost_with_the_order_of_the_integrator() {
     );
 }
 
-/// Free fall from rest: x = −g (h t + t²) / 2 with implicit Euler, which is exact for its velocities.
+/// With implicit Euler, the positions of free fall from rest are x = −g (h t + t²) / 2.
 #[test]
-fn free_fall_is_that_of_the_integrator() {
+fn free_fall_follows_the_formula_of_implicit_euler() {
     let system = System::new(&[cube([0.0; 3], [0.0; 3])], &[]).unwrap();
     let mut settings = settings(Integrator::ImplicitEuler);
     settings.gravity = [0.0, -10.0, 0.0];

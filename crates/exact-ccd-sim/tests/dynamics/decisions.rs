@@ -1,10 +1,10 @@
-//! The step that is taken is one that the filter has decided to be free.
+//! The line search takes only steps that the filter has accepted.
 
 use exact_ccd_mesh::{Audit, Frame, Point, Violation};
 use exact_ccd_sim::filter::{Exact, Increment, LAST, StepFilter};
 use exact_ccd_sim::{Script, Settings, Simulation, System, shapes};
 
-/// Says of every step that all but the very end of it is free, and decides exactly, or not at all.
+/// A filter whose step size is always just below 1. Its decision is exact if `decides`, else always free.
 struct Hasty {
     decides: bool,
 }
@@ -23,7 +23,7 @@ impl StepFilter for Hasty {
     }
 }
 
-/// Where the increments of two time steps first touch.
+/// The first violation in the increments of two time steps.
 fn violation(system: System, filter: Hasty) -> Option<Violation> {
     let faces = system.surface().faces().to_vec();
     let frame = |positions: &[Point]| Frame::new(positions.to_vec(), faces.clone()).unwrap();
@@ -42,21 +42,21 @@ fn violation(system: System, filter: Hasty) -> Option<Violation> {
     violation
 }
 
-/// However far the filter says that a step may go, it goes nowhere that the filter has not decided to be free.
+/// The decision of the filter applies to every step, whatever the step size that the filter returns.
 #[test]
 fn no_step_is_taken_without_a_decision() {
     let mut cloth = shapes::cloth([2, 2], [1.0, 1.0]).placed(|[x, y, z]| [x, y + 0.05, z]);
     let floor = shapes::floor([1, 1], [3.0, 3.0]).placed(|[x, y, z]| [x - 0.9, y, z - 1.1]);
-    // Six times the way to the floor in a time step.
+    // In one time step, the cloth moves by six times its distance to the floor.
     cloth.velocity = [0.0, -30.0, 0.0];
     let system = || System::new(&[cloth.clone(), floor.clone()], &[]).unwrap();
     assert_eq!(violation(system(), Hasty { decides: true }), None);
     assert!(violation(system(), Hasty { decides: false }).is_some());
 }
 
-/// Nor is an obstacle put where a script says, behind what is in the way.
+/// The decision of the filter also applies to steps that set scripted vertices to their targets.
 #[test]
-fn no_vertex_is_put_without_a_decision() {
+fn no_scripted_step_is_taken_without_a_decision() {
     let cloth = shapes::cloth([2, 2], [1.0, 1.0]).placed(|[x, y, z]| [x, y + 0.05, z]);
     let floor = shapes::floor([1, 1], [3.0, 3.0]).placed(|[x, y, z]| [x - 0.9, y, z - 1.1]);
     let rising = Script::Moving {

@@ -1,16 +1,16 @@
-//! Continuous collision detection by any method.
+//! All filters of the line search.
 
 use exact_ccd_mesh::{Aabb, Point, TriangleMesh};
 use exact_ccd_sim::contact::{Pairs, Surface};
 use exact_ccd_sim::filter::{self, Increment};
 use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, System};
 
-/// A vertex that falls through a triangle at t = ¾.
+/// A vertex that passes through a triangle at t = ¾.
 fn falling() -> (Surface, [Vec<Point>; 2]) {
     falling_to(-1.0)
 }
 
-/// A vertex that falls from the height 3 to another one, above or below the triangle at 0.
+/// A vertex that falls from the height 3 to the height `end`, with a triangle at the height 0.
 fn falling_to(end: f64) -> (Surface, [Vec<Point>; 2]) {
     let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
     let at = |height: f64| {
@@ -45,7 +45,7 @@ fn every_method_stops_short_of_the_contact() {
         assert!((0.5..=0.75).contains(&size), "{name}: {size}");
         assert!(!filter.is_free(&increment, &end), "{name}");
         assert!(filter.is_free(&increment, &increment.at(0.5)), "{name}");
-        // Only as far as it is free.
+        // A step without motion is free.
         let short = Increment::new(&surface, &pairs, &start, &start);
         assert_eq!(filter.largest(&short), 1.0, "{name}");
     }
@@ -60,9 +60,9 @@ fn the_exact_filter_stops_at_the_time_of_impact() {
     assert_eq!(size, 0.75);
 }
 
-/// A motion that ends in contact is not free, and does not count as such.
+/// A motion that ends in contact is not free, and its step size is below 1.
 #[test]
-fn a_contact_at_the_very_end_is_one() {
+fn a_contact_at_the_end_counts() {
     for height in [0.0, -f64::MIN_POSITIVE] {
         let (surface, [start, end]) = falling_to(height);
         let pairs = Pairs::near(&surface, &start, &end, 0.0);
@@ -70,20 +70,21 @@ fn a_contact_at_the_very_end_is_one() {
         for name in filter::names() {
             let filter = filter::by_name(&name, room()).unwrap();
             let is_free = filter.is_free(&increment, &end);
-            // Some methods miss it, and say so in both ways.
+            // Some methods miss this contact. Their step size and their decision agree.
             assert_eq!(filter.largest(&increment) == 1.0, is_free, "{name}");
             assert!(!is_free || !["exact", "bisection"].contains(&&*name), "{name}");
         }
     }
 }
 
-/// The line search takes no step that ends in contact: one vertex of a triangle would end exactly on a slanted one.
+/// The line search takes no step that ends in contact. Without contact, the falling vertex would end exactly
+/// on the slope.
 #[test]
 fn no_step_ends_in_contact() {
     let corners = [[-10.0, -1.0, -7.0], [11.0, 3.0, -6.0], [-1.0, -2.0, 13.0]];
     let material = ShellProperties {
         density: 1.5,
-        // So soft that it moves as its vertices would alone.
+        // The material is so soft that the vertices move independently.
         young: 1e-30,
         poisson: 0.25,
         thickness: 0.5,
@@ -120,15 +121,14 @@ fn no_step_ends_in_contact() {
             at = positions.to_vec();
         };
         simulation.step_along(&mut visit).unwrap();
-        // It would have ended at 0.
+        // The height without contact is 0.
         let height = simulation.state().positions[0][1];
         assert!(height > 0.0 && height < 1.0, "{height}");
     }
 }
 
-/// Obstacles do not meet each other.
 #[test]
-fn two_obstacles_are_no_pair() {
+fn primitives_of_two_obstacles_are_no_candidates() {
     let (surface, [start, end]) = falling();
     let all = Pairs::near(&surface, &start, &end, 0.0);
     assert!(all.vertex_face.contains(&[3, 0]));

@@ -8,9 +8,9 @@ use crate::measure::center;
 const GRAVITY: f64 = 10.0;
 const COEFFICIENT: f64 = 0.5;
 
-/// A stiff block on a slope of an angle (its tangent is given), after it has settled.
+/// A stiff block on a slope, after it has settled. The argument is the tangent of the angle of the slope.
 ///
-/// Not the slope is tilted, but gravity.
+/// The direction of gravity is tilted instead of the slope.
 fn settled(tangent: f64, integrator: Integrator) -> Simulation {
     let mut block =
         shapes::solid_box([2, 1, 2], [0.4, 0.1, 0.4]).placed(|[x, y, z]| [x + 1.0, y + 0.0019, z + 0.3]);
@@ -40,7 +40,7 @@ fn settled(tangent: f64, integrator: Integrator) -> Simulation {
     simulation
 }
 
-/// How fast the block gains speed down the slope, in m/s².
+/// The acceleration of the block down the slope, in m/s².
 fn acceleration(tangent: f64) -> f64 {
     let mut simulation = settled(tangent, Integrator::ImplicitEuler);
     let speed = |simulation: &Simulation, from: Vector3<f64>| (center(simulation) - from).x / 0.01;
@@ -55,19 +55,17 @@ fn acceleration(tangent: f64) -> f64 {
     (speed(&simulation, at) - before) / 0.2
 }
 
-/// Down the slope g sin α pulls, and friction holds with at most μ g cos α: within 1 % of the angle at which both are the
-/// same, the block sticks below and slides above.
+/// The block slides if g sin α exceeds μ g cos α. This critical angle is accurate to 1 %.
 #[test]
-fn a_block_slides_from_the_angle_of_friction_on() {
+fn a_block_slides_above_the_angle_of_friction() {
     let sticks = acceleration(COEFFICIENT * 0.99);
     assert!(sticks.abs() < 1e-3, "{sticks} m/s²");
     let slides = acceleration(COEFFICIENT * 1.01);
     assert!(slides > 0.01, "{slides} m/s²");
 }
 
-/// It slides with the acceleration of Coulomb's law.
 #[test]
-fn a_block_slides_as_fast_as_coulomb_says() {
+fn a_block_slides_with_the_acceleration_of_coulombs_law() {
     let tangent = 0.8_f64;
     let angle = tangent.atan();
     let expected = GRAVITY * (angle.sin() - COEFFICIENT * angle.cos());
@@ -78,8 +76,8 @@ fn a_block_slides_as_fast_as_coulomb_says() {
     );
 }
 
-/// What friction dissipates is its force times how far the block slips, whichever integrator says how far that is: nothing
-/// where the block sticks.
+/// The dissipation of friction is its force times the slip, for both integrators. It is zero for a block that
+/// sticks.
 #[test]
 fn friction_dissipates_force_times_slip() {
     for integrator in [Integrator::ImplicitEuler, Integrator::Bdf2] {
@@ -97,7 +95,7 @@ fn friction_dissipates_force_times_slip() {
                 let ratio = dissipated / slipped;
                 assert!((ratio - 1.0).abs() < 0.02, "{integrator:?}: {ratio}");
             } else {
-                // In 0.1 s it could creep so far and still count as static.
+                // In 0.1 s, the work of static friction is at most the work of this creep.
                 let creep = bound * 1e-4 * 0.1;
                 assert!(
                     (0.0..0.1 * creep).contains(&dissipated),

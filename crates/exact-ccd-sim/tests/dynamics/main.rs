@@ -1,4 +1,4 @@
-//! What moves as it must: laws of conservation, rest, friction, contact without intersection, and the same bits again.
+//! Properties of simulations: conservation laws, rest, friction, no intersections, reproducibility.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 

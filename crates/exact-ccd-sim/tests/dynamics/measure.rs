@@ -22,7 +22,7 @@ pub(crate) fn angular_momentum(simulation: &Simulation) -> Vector3<f64> {
     vertices(simulation).map(|(m, x, v)| x.cross(&v) * m).sum()
 }
 
-/// Σ m x / Σ m of the vertices with mass, in m.
+/// The center of mass Σ m x / Σ m, in m.
 pub(crate) fn center(simulation: &Simulation) -> Vector3<f64> {
     let (mass, moment) = vertices(simulation).fold((0.0, Vector3::zeros()), |(mass, moment), (m, x, _)| {
         (mass + m, moment + x * m)
@@ -30,7 +30,7 @@ pub(crate) fn center(simulation: &Simulation) -> Vector3<f64> {
     moment / mass
 }
 
-/// Whether the motion since some positions passes through itself, exactly.
+/// True if the straight motion from earlier positions to the current ones is free of contact.
 pub(crate) fn is_free_since(simulation: &Simulation, before: &[exact_ccd_mesh::Point]) -> bool {
     let after = &simulation.state().positions;
     exact_ccd_mesh::step(simulation.system().surface(), before, after)

@@ -1,9 +1,9 @@
-//! When Newton's method has converged, and when it goes nowhere.
+//! The convergence of Newton's method.
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{BodyKind, Friction, Length, Script, Settings, Simulation, Statistics, System, shapes};
 
-/// A step has converged only if it has for each lag of friction: not if the first one takes more iterations than are allowed.
+/// A step counts as converged only if Newton converges for every friction lag.
 #[test]
 fn every_lag_must_converge() {
     let system = || {
@@ -43,11 +43,12 @@ fn every_lag_must_converge() {
     assert!(step(4, 100).converged);
 }
 
-/// Far from the origin, positions cannot be told as exactly as the tolerance asks: the step ends where they are the best.
+/// Far from the origin, the tolerance is below the spacing of coordinates. The step ends without convergence,
+/// and all of its increments move a vertex.
 #[test]
-fn steps_that_rounding_takes_back_are_none() {
+fn increments_below_the_spacing_of_coordinates_are_not_taken() {
     let mut cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 1e6, y + 1e6, z + 1e6]);
-    // So soft that in one step it shifts vertices by less than can be told.
+    // The cube is so soft that its displacements in one step are below the spacing of coordinates.
     if let BodyKind::Solid { material, .. } = &mut cube.kind {
         material.young = 1e-3;
     }
@@ -56,7 +57,7 @@ fn steps_that_rounding_takes_back_are_none() {
         contact_distance: Length::Absolute(1e-3),
         ..Settings::default()
     };
-    // It hangs by a corner.
+    // One corner of the cube is fixed.
     let system = System::new(&[cube], &[(vec![0], Script::Fixed)]).unwrap();
     let mut simulation = Simulation::new(system, settings).unwrap();
     let mut at = simulation.state().positions.clone();

@@ -1,4 +1,4 @@
-//! The pairs that the broad phase gives to the barrier and to the filters, against a look at all that there are.
+//! The candidate pairs of the broad phase, against all pairs of primitives.
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{Aabb, Point, TriangleMesh};
@@ -8,7 +8,7 @@ use exact_ccd_sim::filter::Increment;
 use fastrand::Rng;
 use nalgebra::Vector3;
 
-/// Some pieces of two triangles each, the first of them an obstacle's and so is the last.
+/// The number of pieces of a scene, with two triangles each. The first and the last are obstacles.
 const PIECES: usize = 5;
 
 struct Scene {
@@ -18,15 +18,16 @@ struct Scene {
     distance: f64,
 }
 
-/// Pieces of random shape that move at random, in lengths between a nanometre and a metre, near the origin or far from it.
+/// Pieces of random shape and motion, with lengths between a nanometre and a metre, near the origin or far
+/// from it.
 fn random_scene(random: &mut Rng) -> Scene {
     let mut choose = |choices: &[f64]| choices[random.usize(..choices.len())];
     let scale = choose(&[1.0, 1e-3, 1e-9]);
     let offset = [0, 1, 2].map(|_| choose(&[0.0, 0.0, 1.0, -1e6]));
     let distance = scale * choose(&[0.0, 1e-3, 0.1, 0.4]);
-    // Far from the origin, the least step is less than rounding leaves of it.
+    // Far from the origin, the smallest motion is below the spacing of coordinates.
     let motion = scale * choose(&[0.0, 1e-15, 1e-3, 0.3, 3.0]);
-    // On a grid, so that many touch in corners and along edges.
+    // Points on a grid have many contacts at corners and along edges.
     let grid = choose(&[0.0, 0.25, 0.5]);
     let mut coordinate = |centre: f64| {
         let x = centre + random.f64() - 0.5;
@@ -60,7 +61,7 @@ impl Scene {
         Pairs::near(&self.surface, &self.start, &self.end, self.distance)
     }
 
-    /// All pairs without a common vertex, of which one is not of an obstacle.
+    /// All pairs without a common vertex that do not belong to two obstacles.
     fn all(&self) -> Pairs {
         let is_obstacle = |vertex: u32| [0, PIECES - 1].contains(&(vertex as usize / 4));
         let is_of_concern = |vertices: [u32; 4], first: usize| {
@@ -81,7 +82,7 @@ impl Scene {
         }
     }
 
-    /// Those of all pairs for which a property of their four vertices holds.
+    /// All pairs with a property of their four vertices.
     fn filtered(
         &self,
         vertex_face: impl Fn([u32; 4]) -> bool,
@@ -95,13 +96,13 @@ impl Scene {
         all
     }
 
-    /// The pairs that are nearer than the distance.
+    /// The pairs that are closer than the distance.
     fn within(&self, points: &[Point]) -> Pairs {
         let at = |vertices: [u32; 4]| vertices.map(|vertex| Vector3::from(points[vertex as usize]));
-        let reach = self.distance * self.distance;
+        let limit = self.distance * self.distance;
         self.filtered(
-            |vertices| point_triangle(&at(vertices)).separation(&at(vertices)).squared() < reach,
-            |vertices| edge_edge(&at(vertices)).separation(&at(vertices)).squared() < reach,
+            |vertices| point_triangle(&at(vertices)).separation(&at(vertices)).squared() < limit,
+            |vertices| edge_edge(&at(vertices)).separation(&at(vertices)).squared() < limit,
         )
     }
 
@@ -134,9 +135,10 @@ fn assert_has_all(pairs: &Pairs, expected: &Pairs, what: &str) {
     }
 }
 
-/// What the line search rests on: wherever it stops on the way, no pair that is near or collides is forgotten.
+/// The candidate pairs contain all pairs that are near at any step size, and all pairs that collide on the
+/// motion to it.
 #[test]
-fn all_that_comes_near_on_the_way_is_among_the_pairs() {
+fn candidates_contain_all_near_and_colliding_pairs_at_any_step_size() {
     let mut random = Rng::with_seed(7);
     let (mut apart, mut between, mut colliding) = (0, 0, 0);
     for case in 0..300 {
@@ -159,17 +161,18 @@ fn all_that_comes_near_on_the_way_is_among_the_pairs() {
             between += near.vertex_face.iter().filter(is_new).count();
         }
     }
-    // Else the scenes would show nothing.
+    // The scenes must contain pairs of all kinds.
     assert!(
         apart > 500 && between > 50 && colliding > 5000,
         "{apart} {between} {colliding}"
     );
 }
 
-/// Also of the scene as the parity filter shifts and rounds it, even where nothing but rounding brings parts together: for
-/// there is an obstacle so far away that rounding is as coarse as a hundredth of a piece, or coarser.
+/// The candidate pairs also contain all pairs that collide after the shift and the rounding of the parity
+/// filter, even if only rounding makes them collide. A distant obstacle makes the rounding as coarse as a
+/// hundredth of a piece, or coarser.
 #[test]
-fn all_that_collides_after_a_shift_is_among_the_pairs() {
+fn candidates_contain_all_pairs_that_collide_after_a_shift() {
     let mut random = Rng::with_seed(8);
     let mut by_rounding = 0;
     let mut apart = 0;

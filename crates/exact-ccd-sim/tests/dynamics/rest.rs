@@ -1,18 +1,19 @@
-//! What rests stays at rest.
+//! Bodies at rest stay at rest.
 
 use exact_ccd_sim::{Body, BodyKind, Length, Settings, Simulation, System, shapes};
 use nalgebra::Vector3;
 
 use crate::measure::{center, is_free_since};
 
-/// A cube above a floor settles on it, and from then on stays where it is.
+/// A cube above a floor settles on it and then stays in place.
 #[test]
 fn a_cube_on_a_floor_rests() {
     let mut cube = shapes::solid_box([2, 2, 2], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.004, z + 0.2]);
     if let BodyKind::Solid { material, .. } = &mut cube.kind {
         material.young = 1e7;
     }
-    // One triangle, so that no edge of the floor is near: there the barriers of two faces add up, which pushes sideways.
+    // The floor is a single triangle, so that none of its edges is near: the barriers of two faces at an edge
+    // have a tangential force.
     let floor = Body {
         points: vec![[-9.0, 0.0, -9.0], [0.0, 0.0, 19.0], [19.0, 0.0, -9.0]],
         kind: BodyKind::Obstacle {

@@ -1,4 +1,4 @@
-//! A simulation that goes on from a checkpoint.
+//! Resumed simulations.
 
 use exact_ccd_sim::{
     Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Settings, Simulation, SimulationError,
@@ -26,7 +26,7 @@ fn settings() -> Settings {
 }
 
 #[test]
-fn killed_and_resumed_it_comes_to_the_same_bits() {
+fn a_resumed_simulation_has_the_same_bits() {
     let mut whole = Simulation::new(system(), settings()).unwrap();
     let mut contacts = 0;
     let mut saved = Vec::new();
@@ -42,22 +42,22 @@ fn killed_and_resumed_it_comes_to_the_same_bits() {
         for _ in step..16 {
             resumed.step().unwrap();
         }
-        // As text, in which −0.0 is not 0.0.
+        // Compared as text, where −0.0 differs from 0.0.
         let states = [&whole, &resumed].map(|simulation| serde_json::to_string(simulation.state()).unwrap());
         assert_eq!(states[0], states[1], "from step {step}");
     }
 }
 
-/// The barrier goes on to repel as it did, though BDF2 scales its potential otherwise than its first step does, which is one of
-/// implicit Euler.
+/// The energy of the barrier keeps its stiffness between the first step of BDF2, which is one of implicit
+/// Euler, and the next step, although their effective time steps differ.
 #[test]
-fn the_barrier_of_bdf2_repels_as_that_of_its_first_step() {
+fn the_stiffness_of_the_barrier_is_kept_after_the_first_step_of_bdf2() {
     let mut simulation = Simulation::new(system(), settings()).unwrap();
     while simulation.step().unwrap().contacts == 0 {}
-    // From there on, as if from the start.
+    // Without an earlier state, the next step is the first of BDF2.
     let mut state = simulation.state().clone();
     state.earlier = None;
-    // In the middle of its range, so that it is kept.
+    // A stiffness inside the range is kept.
     state.stiffness = state.stiffness.map(|stiffness| 10.0 * stiffness);
     let expected = state.stiffness.unwrap();
     let mut simulation = Simulation::resume(system(), settings(), state).unwrap();
@@ -72,7 +72,7 @@ fn the_barrier_of_bdf2_repels_as_that_of_its_first_step() {
 }
 
 #[test]
-fn a_state_of_another_system_is_refused() {
+fn a_state_of_another_system_is_an_error() {
     let simulation = Simulation::new(system(), settings()).unwrap();
     let mut state = simulation.state().clone();
     state.velocities.pop();
@@ -90,9 +90,9 @@ fn a_state_of_another_system_is_refused() {
     );
 }
 
-/// A checkpoint is of some settings and a system, and goes on with no others.
+/// A checkpoint can only be resumed with its settings and its system.
 #[test]
-fn a_checkpoint_of_another_simulation_is_refused() {
+fn a_checkpoint_of_another_simulation_is_an_error() {
     type Change = fn(&mut Settings);
     let mut simulation = Simulation::new(system(), settings()).unwrap();
     simulation.step().unwrap();
@@ -149,7 +149,7 @@ fn a_checkpoint_of_another_simulation_is_refused() {
 }
 
 #[test]
-fn settings_out_of_range_are_refused() {
+fn settings_out_of_range_are_errors() {
     let with = |change: fn(&mut Settings)| {
         let mut settings = settings();
         change(&mut settings);
@@ -168,9 +168,9 @@ fn settings_out_of_range_are_refused() {
     ));
 }
 
-/// The name of a filter that is put in is that of the checkpoint: without it, it does not go on unnoticed.
+/// A checkpoint has the name of a replaced filter, so that it cannot be resumed with another filter.
 #[test]
-fn a_checkpoint_tells_of_a_filter_that_was_put_in() {
+fn a_checkpoint_has_the_name_of_a_replaced_filter() {
     let simulation = Simulation::new(system(), settings()).unwrap();
     let checkpoint = simulation
         .with_filter(filter::by_name("bisection", exact_ccd_mesh::Aabb::EMPTY).unwrap())

@@ -1,4 +1,4 @@
-//! Obstacles that move.
+//! Scripted motion of vertices and obstacles.
 
 use exact_ccd_sim::{Length, Script, Settings, Simulation, System, shapes};
 
@@ -11,9 +11,9 @@ fn settings() -> Settings {
     }
 }
 
-/// A floor lifts a cube from below, faster than the contact distance in each step.
+/// In each step, the floor rises by more than the contact distance.
 #[test]
-fn a_floor_that_rises_lifts_what_lies_on_it() {
+fn a_rising_floor_lifts_a_cube() {
     let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
     let floor = shapes::floor([1, 1], [1.1, 1.2]);
     let rising = Script::Moving {
@@ -34,9 +34,9 @@ fn a_floor_that_rises_lifts_what_lies_on_it() {
     assert!(center(&simulation).y - start > 0.25);
 }
 
-/// A cloth cannot be pulled through a wall: the script is not kept, and says by how much.
+/// A script cannot move a cloth through a wall. The statistics have the distance to the target.
 #[test]
-fn what_cannot_be_reached_is_told() {
+fn the_script_lag_is_the_distance_to_an_unreachable_target() {
     let ceiling = shapes::floor([2, 2], [2.0, 2.0]).placed(|[x, y, z]| [x - 0.5, y + 0.05, z - 0.5]);
     let cloth = shapes::cloth([4, 4], [1.0, 1.0]);
     let up = Script::Moving {
@@ -46,7 +46,7 @@ fn what_cannot_be_reached_is_told() {
     let system = System::new(&[cloth, ceiling], &[(vec![0, 4], up)]).unwrap();
     let mut simulation = Simulation::new(system, settings()).unwrap();
     let statistics = simulation.step().unwrap();
-    // Their targets are 0.05 m behind the ceiling, and the springs pull them up to it.
+    // The targets are 0.05 m behind the ceiling. The springs draw the vertices close to the ceiling.
     assert!((0.05..0.06).contains(&statistics.script_lag), "{statistics:?}");
     let pulled = [0, 4].map(|vertex: usize| simulation.state().positions[vertex][1]);
     assert!(pulled.iter().all(|&height| height > 0.04), "{pulled:?}");

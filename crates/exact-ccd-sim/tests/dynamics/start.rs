@@ -1,4 +1,4 @@
-//! A simulation starts only where nothing meets.
+//! A simulation starts only without intersections.
 
 use exact_ccd_sim::{Body, BodyKind, Primitive, Settings, Simulation, SimulationError, System, shapes};
 
@@ -17,8 +17,8 @@ fn start(bodies: &[Body]) -> Result<Simulation, SimulationError> {
     Simulation::new(System::new(bodies, &[]).unwrap(), Settings::default())
 }
 
-/// What meets at the start, with its vertices.
-fn meeting(bodies: &[Body]) -> [Primitive; 2] {
+/// The primitives that intersect or touch at the start.
+fn primitives(bodies: &[Body]) -> [Primitive; 2] {
     match start(bodies).err().unwrap() {
         SimulationError::Start { primitives, .. } => primitives,
         other => panic!("{other}"),
@@ -26,35 +26,35 @@ fn meeting(bodies: &[Body]) -> [Primitive; 2] {
 }
 
 #[test]
-fn what_meets_at_the_start_is_named() {
+fn errors_name_the_primitives_that_intersect_at_the_start() {
     let cube = || shapes::solid_box([2, 2, 2], [0.5; 3]);
     assert!(start(&[cube(), triangle(-0.1)]).is_ok());
-    // 27 vertices, of which the one in the middle is not on the surface.
+    // One of the 27 vertices of the cube is in its interior, not on the surface.
     for height in [0.0, 0.1] {
         let error = start(&[cube(), triangle(height)]).err().unwrap();
         assert!(error.to_string().contains("[27, 28, 29]"), "{error}");
         assert!(
-            error.to_string().contains("meet where the simulation starts"),
+            error.to_string().contains("intersect or touch at the start"),
             "{error}"
         );
     }
-    let [Primitive::Edge(edge), Primitive::Face(face)] = meeting(&[triangle(0.1), cube()]) else {
+    let [Primitive::Edge(edge), Primitive::Face(face)] = primitives(&[triangle(0.1), cube()]) else {
         panic!("an edge passes through the face")
     };
     assert_eq!(face, [0, 1, 2]);
     assert!(edge.iter().all(|vertex| (3..30).contains(vertex)));
 }
 
-/// An audit would complain of them too.
+/// An audit of the motion would report them too.
 #[test]
-fn obstacles_do_not_meet_either() {
+fn intersections_of_obstacles_are_errors() {
     let steep = triangle(0.0).placed(|[x, y, z]| [x, y + x, z]);
-    let meeting = meeting(&[triangle(0.0), steep]);
-    assert!(matches!(meeting, [Primitive::Edge(_), Primitive::Face(_)]));
+    let primitives = primitives(&[triangle(0.0), steep]);
+    assert!(matches!(primitives, [Primitive::Edge(_), Primitive::Face(_)]));
 }
 
 #[test]
-fn a_state_in_which_things_meet_is_refused() {
+fn an_invalid_state_is_an_error() {
     let bodies = [shapes::solid_box([1, 1, 1], [0.5; 3]), triangle(-0.1)];
     let state = start(&bodies).unwrap().state().clone();
     let resume = |change: &dyn Fn(&mut exact_ccd_sim::State)| {

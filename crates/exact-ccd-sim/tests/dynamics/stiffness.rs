@@ -1,4 +1,4 @@
-//! How stiff the barrier is made.
+//! The choice of the barrier's stiffness.
 
 use exact_ccd_sim::contact::{Barrier, StiffnessRange};
 use exact_ccd_sim::{Length, Script, Settings, Simulation, System, shapes};
@@ -12,9 +12,10 @@ fn range() -> (StiffnessRange, Barrier) {
     (StiffnessRange::new(SIZE, MASS, &barrier), barrier)
 }
 
-/// At 10⁻⁸ of the size of the scene, the least barrier bends along a distance d as 10¹¹ masses do: there (d²)′² b″ κ.
+/// At the distance d of 10⁻⁸ of the scene's size, the second derivative (d²)′² b″ κ of the softest barrier is
+/// 10¹¹ mean masses.
 #[test]
-fn the_least_barrier_outweighs_masses() {
+fn the_least_stiffness_is_a_multiple_of_the_mean_mass() {
     let (range, barrier) = range();
     let distance = 1e-8 * SIZE;
     let curvature = 4.0 * distance * distance * barrier.curvature(distance * distance) * range.least;
@@ -22,9 +23,9 @@ fn the_least_barrier_outweighs_masses() {
     assert_eq!(range.greatest, 100.0 * range.least);
 }
 
-/// Of all κ in the range, the one that leaves the least force: a little more or less leaves more of it.
+/// The balancing κ minimises the remaining force in the range: larger and smaller κ leave more force.
 #[test]
-fn forces_are_balanced_as_well_as_they_can_be() {
+fn the_balancing_stiffness_minimises_the_remaining_force() {
     let (range, _) = range();
     let barriers = [[3.0, -1.0, 0.5], [0.0, 2.0, 0.0], [0.0; 3]].map(Vector3::from);
     let across = [[1.0, 3.0, 0.0], [0.0, 0.0, 7.0], [5.0, 0.0, 0.0]].map(Vector3::from);
@@ -35,7 +36,7 @@ fn forces_are_balanced_as_well_as_they_can_be() {
             .sum()
     };
     for (wanted, expected) in [(-1.0, 1.0), (0.3, 1.0), (1.5, 1.5), (60.0, 60.0), (1e3, 100.0)] {
-        // Forces that κ of the wanted size would hold, and others across to them.
+        // Forces that the wanted κ balances, and forces orthogonal to them.
         let energy: Vec<_> = (barriers.iter().zip(&across))
             .map(|(barrier, across)| (across - barrier * wanted) * range.least)
             .collect();
@@ -49,13 +50,13 @@ fn forces_are_balanced_as_well_as_they_can_be() {
             assert!(left(&energy, found) < left(&energy, other), "{wanted}");
         }
     }
-    // Nothing repels: there is nothing to balance.
+    // Without barriers, the balance is the least κ.
     assert_eq!(range.balance(&across, &[Vector3::zeros(); 3]), range.least);
 }
 
-/// Twice as stiff where what is much too near comes nearer, and up to the greatest κ only; one that is above it stays.
+/// κ doubles if a critical distance decreases, up to the greatest κ. A κ above the greatest one is kept.
 #[test]
-fn a_barrier_that_is_too_soft_is_doubled() {
+fn the_stiffness_doubles_if_a_critical_distance_decreases() {
     let (range, _) = range();
     let (near, nearer, far) = (1e-10 * SIZE, 0.9e-10 * SIZE, 1e-8 * SIZE);
     assert_eq!(range.adapt(range.least, near, nearer), 2.0 * range.least);
@@ -78,9 +79,9 @@ fn a_barrier_that_is_too_soft_is_doubled() {
     assert_eq!(range.adapt(stiffer, near, nearer), stiffer);
 }
 
-/// Where scripts move everything, no vertex is free; the barrier repels nonetheless, and what is in the way is waited for.
+/// If scripts move all vertices, no vertex is free. The barrier still acts on the springs of the scripts.
 #[test]
-fn there_is_a_barrier_where_no_vertex_is_free() {
+fn the_barrier_acts_without_free_vertices() {
     let cloth = shapes::cloth([2, 2], [1.0, 1.0]);
     let ceiling = shapes::floor([1, 1], [3.0, 3.0]).placed(|[x, y, z]| [x - 1.0, y + 0.05, z - 1.0]);
     let up = Script::Moving {

@@ -1,4 +1,4 @@
-//! A twisted mat.
+//! A mat that is twisted by scripts.
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{Length, Script, Settings, Simulation, State, System, shapes};
@@ -28,7 +28,7 @@ fn settings() -> Settings {
     }
 }
 
-/// The state after 20 steps, on each increment of which something looks.
+/// The state after 20 steps. `visit` gets the positions before and after each increment.
 fn twisted(mut visit: impl FnMut(&[Point], &[Point]) + Send) -> State {
     let mut simulation = Simulation::new(system(), settings()).unwrap();
     let mut at = simulation.state().positions.clone();
@@ -48,7 +48,7 @@ fn twisted(mut visit: impl FnMut(&[Point], &[Point]) + Send) -> State {
     simulation.state().clone()
 }
 
-/// What is filtered is each increment: together they lead from one time step to the next.
+/// The filter applies to each increment, and the increments connect the time steps.
 #[test]
 fn every_increment_is_free_of_contact() {
     let surface = system().surface().clone();
@@ -58,13 +58,13 @@ fn every_increment_is_free_of_contact() {
         assert!(exact_ccd_mesh::step(&surface, from, to).unwrap().is_free());
     });
     assert!(increments > 40);
-    // The ends have turned by 3.2 rad each way.
+    // The scripts rotate the ends by 3.2 rad in opposite directions.
     let moved = state.positions[0];
     assert!((moved[1] - 0.2 * 3.2_f64.sin()).abs() < 1e-12, "{moved:?}");
 }
 
 #[test]
-fn the_number_of_threads_does_not_show() {
+fn results_do_not_depend_on_the_number_of_threads() {
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)

@@ -1,0 +1,112 @@
+//! Errors of `exact-ccd simulate`.
+
+use std::fs;
+
+use crate::folder::Run;
+use crate::simulate::{SCENE, folder};
+
+#[track_caller]
+fn assert_error(run: &Run, error: &str) {
+    assert_eq!((run.status, run.stdout.as_str()), (2, ""));
+    assert!(
+        run.stderr.starts_with(&format!("exact-ccd: error: {error}")),
+        "{run:?}"
+    );
+}
+
+#[test]
+fn an_unknown_method_is_an_error() {
+    let folder = folder();
+    let run = folder.run(&["simulate", "scene.toml", "--ccd", "luck"]);
+    assert_error(
+        &run,
+        "there is no method `luck` of continuous collision detection, expected one of: exact, ",
+    );
+}
+
+#[test]
+fn errors_name_the_file_and_the_field() {
+    let folder = folder();
+    folder.write("typo.toml", SCENE.replace("time-step", "timestep"));
+    let run = folder.run(&["simulate", "typo.toml"]);
+    assert_error(
+        &run,
+        "typo.toml, line 5, settings.timestep: unknown field `timestep`, expected ",
+    );
+    let run = folder.run(&["simulate", "missing.toml"]);
+    assert_error(&run, "missing.toml: ");
+    let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
+    assert_error(&run, "empty/checkpoint.json: the file does not exist");
+    fs::create_dir(folder.path("empty")).unwrap();
+    folder.write("empty/checkpoint.json", "{\"step\": 3}");
+    let run = folder.run(&["simulate", "scene.toml", "--out", "empty", "--resume"]);
+    assert_error(&run, "empty/checkpoint.json: missing field `settings`");
+}
+
+/// A checkpoint can only be resumed with its own scene.
+#[test]
+fn a_checkpoint_of_another_scene_is_an_error() {
+    let folder = folder();
+    let simulate = |scene: &str, more: &[&str]| {
+        let arguments = ["simulate", scene, "--out", "out", "--steps", "2"];
+        folder.run(&[arguments.as_slice(), more].concat())
+    };
+    assert_eq!(simulate("scene.toml", &[]).status, 0);
+    assert_eq!(simulate("scene.toml", &["--resume"]).status, 0);
+    let changes = [
+        (
+            "time-step = 0.02",
+            "time-step = 0.01",
+            "has `time-step` = 0.02, expected 0.01",
+        ),
+        (
+            "young = 1e6",
+            "young = 2e6",
+            "belongs to a system with other materials",
+        ),
+        (
+            "translate = [0.2, 0.05",
+            "translate = [0.2, 0.06",
+            "belongs to a system with other positions",
+        ),
+    ];
+    for (from, to, what) in changes {
+        assert!(SCENE.contains(from), "{from}");
+        folder.write("other.toml", SCENE.replace(from, to));
+        let run = simulate("other.toml", &["--resume"]);
+        let expected = format!("out/checkpoint.json: the checkpoint {what}");
+        assert_error(&run, &expected);
+    }
+    let run = simulate("scene.toml", &["--resume", "--ccd", "bisection"]);
+    assert_error(
+        &run,
+        "out/checkpoint.json: the checkpoint has `ccd` = \"exact\", expected \"bisection\"",
+    );
+}
+
+/// A checkpoint is invalid if the files of its time step are missing.
+#[test]
+fn a_checkpoint_without_the_files_of_its_step_is_an_error() {
+    let folder = folder();
+    let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "2"];
+    assert_eq!(folder.run(&arguments).status, 0);
+    let checkpoint = folder.read("out/checkpoint.json");
+    assert!(checkpoint.contains("\"step\":2,"));
+    for (step, error) in [
+        (
+            "1000000000000000",
+            "the checkpoint has time step 1000000000000000, expected the file out/vtu/1000000000000000.vtu",
+        ),
+        (
+            "18446744073709551615",
+            "the state has the step number 18446744073709551615, expected a number below",
+        ),
+    ] {
+        folder.write(
+            "out/checkpoint.json",
+            checkpoint.replace("\"step\":2,", &format!("\"step\":{step},")),
+        );
+        let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
+        assert_error(&run, &format!("out/checkpoint.json: {error}"));
+    }
+}

@@ -1,0 +1,128 @@
+//! From the description of a body to the body.
+
+use std::path::Path;
+
+use exact_ccd_mesh::{Aabb, Point};
+
+use super::description::{BodyDescription, Selection};
+use super::mesh::Mesh;
+use crate::body::{Body, BodyKind};
+
+/// The described body, or the invalid field with a message.
+pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
+    let Mesh {
+        points,
+        faces,
+        tetrahedra,
+    } = mesh(described, folder)?;
+    let kind = match (described.solid, described.shell) {
+        (Some(_), None) if tetrahedra.is_empty() => {
+            return Err((
+                "solid",
+                "the mesh of the solid has no tetrahedra, expected a .msh file with tetrahedra or a box"
+                    .to_owned(),
+            ));
+        }
+        (Some(material), None) => BodyKind::Solid { tetrahedra, material },
+        (None, Some(material)) => BodyKind::Shell { faces, material },
+        (None, None) => BodyKind::Obstacle { faces },
+        (Some(_), Some(_)) => {
+            return Err((
+                "shell",
+                "the body has both `solid` and `shell`, expected at most one of them".to_owned(),
+            ));
+        }
+    };
+    check_placement(described)?;
+    let points = points.into_iter().map(|point| described.place(point)).collect();
+    let velocity = described.velocity;
+    Ok(Body {
+        points,
+        kind,
+        velocity,
+    })
+}
+
+/// The mesh of a body, from its file or its shape.
+fn mesh(described: &BodyDescription, folder: &Path) -> Result<Mesh, (&'static str, String)> {
+    match (&described.mesh, described.shape) {
+        (Some(path), None) => {
+            let path = folder.join(path);
+            if !path.is_file() {
+                let file = path.display();
+                let message = format!(
+                    "the file {file} does not exist: mesh files are read from the folder of the scene, \
+                     or from that of `--meshes`"
+                );
+                return Err(("mesh", message));
+            }
+            Mesh::read(&path).map_err(|message| ("mesh", message))
+        }
+        (None, Some(shape)) => Mesh::generate(shape).map_err(|message| ("shape", message)),
+        (Some(_), Some(_)) => Err((
+            "shape",
+            "the body has both `mesh` and `shape`, expected one of them".to_owned(),
+        )),
+        (None, None) => Err((
+            "mesh",
+            "the body has no mesh, expected `mesh` with a file or `shape`".to_owned(),
+        )),
+    }
+}
+
+/// Checks `scale`, `rotate` and `translate`.
+fn check_placement(described: &BodyDescription) -> Result<(), (&'static str, String)> {
+    if !described.scale.is_valid() {
+        let factors = described.scale.factors();
+        let message = format!("the scale factors are {factors:?}, expected finite numbers other than 0");
+        return Err(("scale", message));
+    }
+    if let Some(rotation) = described.rotate {
+        if !rotation.has_axis() {
+            let axis = rotation.axis;
+            let message = format!("the axis is {axis:?}, expected a vector of positive length");
+            return Err(("rotate", message));
+        }
+        if !rotation.degrees.is_finite() {
+            let degrees = rotation.degrees;
+            return Err((
+                "rotate",
+                format!("the angle is {degrees} degrees, expected a finite number"),
+            ));
+        }
+    }
+    let translation = described.translate;
+    if translation.iter().any(|x| !x.is_finite()) {
+        let message = format!("the translation is {translation:?}, expected finite numbers");
+        return Err(("translate", message));
+    }
+    Ok(())
+}
+
+/// The selected vertices of a body, or the reason why there are none. `first` is the body's first vertex in
+/// the system.
+pub(super) fn select(selection: Selection, points: &[Point], first: u32) -> Result<Vec<u32>, String> {
+    let all = (first..).zip(points);
+    let Selection::Box { lower, upper } = selection else {
+        return Ok(all.map(|(vertex, _)| vertex).collect());
+    };
+    if (0..3).any(|axis| lower[axis] > upper[axis]) {
+        return Err(format!(
+            "the box from {lower:?} to {upper:?} is empty, expected `lower` not above `upper`"
+        ));
+    }
+    let is_selected = |point: &Point| (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&point[axis]));
+    let selected: Vec<u32> = all
+        .filter(|(_, point)| is_selected(point))
+        .map(|(vertex, _)| vertex)
+        .collect();
+    if selected.is_empty() {
+        let body: Aabb = points.iter().copied().collect();
+        return Err(format!(
+            "the box contains no vertex of the body, expected a box that meets the placed body, \
+             which extends from {:?} to {:?}",
+            body.lower, body.upper
+        ));
+    }
+    Ok(selected)
+}

@@ -1,0 +1,93 @@
+//! The fields of a scene file to which errors of systems and simulations belong.
+
+use exact_ccd_mesh::Point;
+
+use super::description::Description;
+use super::document::{Document, Key, SceneError};
+use crate::body::Body;
+use crate::simulation::{Primitive, SimulationError};
+use crate::system::{System, SystemError};
+
+use Key::{Index, Name};
+
+/// The error of a system, at the body and its field.
+pub(super) fn of_system(
+    document: &Document<'_>,
+    description: &Description,
+    error: &SystemError,
+) -> SceneError {
+    let (body, field) = match error {
+        SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
+        SystemError::Moduli { body, source } => (*body, Some(source.field())),
+        SystemError::Mass { body, .. } => (*body, Some("density")),
+        SystemError::Velocity { body, .. } => {
+            let path = [Name("body"), Index(*body), Name("velocity")];
+            return document.error_of(&path, &without_body(*body, error));
+        }
+        // The points of a mesh are finite: the placement overflows.
+        SystemError::NotFinite { body, .. } => {
+            let path = [Name("body"), Index(*body)];
+            return document.error_of(&path, &without_body(*body, error));
+        }
+        SystemError::Index { body, .. }
+        | SystemError::Empty { body }
+        | SystemError::Solid { body, .. }
+        | SystemError::Flat { body, .. } => (*body, None),
+        SystemError::Script { .. } | SystemError::Motion { .. } => {
+            return document.error_of(&[Name("body")], &error.to_string());
+        }
+    };
+    let described = description.body.get(body);
+    let message = without_body(body, error);
+    let Some(field) = field else {
+        let has_shape = described.is_some_and(|described| described.shape.is_some());
+        let source = if has_shape { "shape" } else { "mesh" };
+        return document.error_of(&[Name("body"), Index(body), Name(source)], &message);
+    };
+    let is_solid = described.is_some_and(|described| described.solid.is_some());
+    let material = if is_solid { "solid" } else { "shell" };
+    let path = [Name("body"), Index(body), Name(material), Name(field)];
+    document.error_of(&path, &message)
+}
+
+/// The message without the number of the body, which the path of the field has already.
+fn without_body(body: usize, error: &SystemError) -> String {
+    let message = error.to_string();
+    let rest = message.strip_prefix(&format!("body {body}: ")).map(str::to_owned);
+    rest.unwrap_or(message)
+}
+
+/// The error of a simulation, at the setting or at the second of two touching bodies.
+pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
+    let field = match error {
+        SimulationError::Start { primitives, near } => return of_start(document, bodies, *primitives, *near),
+        SimulationError::Setting(setting) => setting.what,
+        SimulationError::Filter(_) => "ccd",
+        SimulationError::State { .. }
+        | SimulationError::NotFinite { .. }
+        | SimulationError::Late { .. }
+        | SimulationError::OtherSetting { .. }
+        | SimulationError::OtherSystem { .. }
+        | SimulationError::Singular { .. }
+        | SimulationError::Blocked { .. } => "",
+    };
+    let names = field.split('.').filter(|name| !name.is_empty()).map(Name);
+    let path: Vec<Key<'_>> = std::iter::once(Name("settings")).chain(names).collect();
+    document.error_of(&path, &error.to_string())
+}
+
+/// The error of two primitives that intersect or touch, with the vertex indices of their bodies.
+fn of_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2], near: Point) -> SceneError {
+    let ranges = System::ranges(bodies);
+    // A primitive has a vertex, and each vertex belongs to a body.
+    let [(a, first), (b, second)] = primitives.map(|primitive| {
+        let vertex = primitive.vertices()[0];
+        let body = ranges.partition_point(|range| range.end <= vertex);
+        (body, primitive.map(|vertex| vertex - ranges[body].start))
+    });
+    let message = format!(
+        "{second} of body[{b}] and {first} of body[{a}] intersect or touch at the start, near {near:?}, \
+         expected a positive distance between them"
+    );
+    document.error_of(&[Name("body"), Index(b)], &message)
+}

@@ -1,0 +1,70 @@
+//! From the text of a scene file to its contents.
+
+use toml::de::{DeTable, DeValue};
+
+use super::description::Description;
+use super::document::{Document, Key, SceneError};
+
+use Key::{Index, Name};
+
+/// The contents of a scene file.
+pub(super) fn parse(document: &Document<'_>) -> Result<Description, SceneError> {
+    if let Some(error) = table_for_array(document) {
+        return Err(error);
+    }
+    toml::from_str(document.text).map_err(|error| {
+        let message = error.message();
+        match error.span() {
+            Some(span) => document.error_at(span.start, |field| readable(message, field)),
+            None => document.error_of(&[], &readable(message, "")),
+        }
+    })
+}
+
+/// The error of `[body]` or `[body.script]` in single brackets, if there is one.
+fn table_for_array(document: &Document<'_>) -> Option<SceneError> {
+    let table = DeTable::parse(document.text).ok()?;
+    let error = |path: &[Key<'_>], name: &str| {
+        let message = format!("found the table `[{name}]`, expected an array of tables: write `[[{name}]]`");
+        Some(document.error_of(path, &message))
+    };
+    match table.get_ref().get("body")?.get_ref() {
+        DeValue::Table(_) => error(&[Name("body")], "body"),
+        DeValue::Array(bodies) => bodies.iter().enumerate().find_map(|(index, body)| {
+            let DeValue::Table(body) = body.get_ref() else {
+                return None;
+            };
+            let DeValue::Table(_) = body.get("script")?.get_ref() else {
+                return None;
+            };
+            error(&[Name("body"), Index(index), Name("script")], "body.script")
+        }),
+        _ => None,
+    }
+}
+
+/// Numeric types in messages of the TOML parser, with their names for users.
+const NUMBERS: [(&str, &str); 4] = [
+    ("expected usize", "expected an integer not below 0"),
+    ("expected u16", "expected an integer from 0 to 65535"),
+    ("expected u8", "expected an integer from 0 to 255"),
+    ("expected f64", "expected a number"),
+];
+
+/// The message of the TOML parser for a field, in terms of the scene file.
+fn readable(message: &str, field: &str) -> String {
+    if message.starts_with("wanted string or table") {
+        let expected = match field.rsplit('.').next() {
+            Some("contact-distance" | "tolerance" | "static-velocity") => {
+                "expected a length, `{ absolute = METERS }` or `{ relative = FRACTION }`"
+            }
+            _ => "expected a string or a table",
+        };
+        return expected.to_owned();
+    }
+    let number = NUMBERS.into_iter().find_map(|(from, to)| {
+        let start = message.strip_suffix(from)?;
+        Some(format!("{start}{to}"))
+    });
+    number.unwrap_or_else(|| message.to_owned())
+}

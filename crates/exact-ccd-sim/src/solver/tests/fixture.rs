@@ -1,0 +1,175 @@
+//! A small system with all kinds of elements, for the tests of sums over them.
+
+use exact_ccd_mesh::Point;
+use fastrand::Rng;
+use nalgebra::{DMatrix, Vector3};
+
+use crate::contact::{Barrier, Collisions, Pairs};
+use crate::element::Element;
+use crate::friction::{FrictionContact, Smoothing};
+use crate::gather::gather_some;
+use crate::integrator::Scheme;
+use crate::shapes;
+use crate::solver::potential::{Potential, Spring};
+use crate::solver::quadratic::Quadratic;
+use crate::solver::unknowns::Unknowns;
+use crate::system::System;
+
+/// The activation distance of the barrier.
+const DISTANCE: f64 = 0.2;
+
+const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
+
+/// The vertex with a spring.
+const SPRING_VERTEX: u32 = 9;
+
+/// A cloth between a floor and a box: elements of all kinds, on vertices of all bodies.
+pub(super) struct Fixture {
+    pub(super) system: System,
+    pub(super) scheme: Scheme,
+    pub(super) points: Vec<Point>,
+    pub(super) barrier: Barrier,
+    pub(super) friction: Vec<FrictionContact>,
+    pub(super) springs: Vec<Spring>,
+}
+
+impl Fixture {
+    /// The system, stretched by a factor and displaced at random by at most `noise` along each axis.
+    pub(super) fn new(stretch: f64, noise: f64) -> Self {
+        let mut random = Rng::with_seed(11);
+        let floor = shapes::floor([1, 1], [1.3, 1.2]);
+        let cloth = shapes::cloth([1, 1], [1.0, 1.1]).placed(|[x, _, z]| [x + 0.2, 0.1, z + 0.1]);
+        let solid =
+            shapes::solid_box([1, 1, 1], [0.7, 0.6, 0.8]).placed(|[x, y, z]| [x + 0.3, y + 0.2, z + 0.2]);
+        let system = System::new(&[floor, cloth, solid], &[]).unwrap();
+        let mut moved = |point: &Point, by: f64| point.map(|x| x + by * (2.0 * random.f64() - 1.0));
+        let stretched = |point: &Point| point.map(|x| stretch * x);
+        let points: Vec<Point> = system
+            .start
+            .iter()
+            .map(|point| moved(&stretched(point), noise))
+            .collect();
+        let scheme = Scheme {
+            duration: 0.1,
+            origin: points.iter().map(|point| moved(point, 0.04)).collect(),
+            predicted: points.iter().map(|point| moved(point, 0.3)).collect(),
+        };
+        let spring = Spring {
+            vertex: SPRING_VERTEX,
+            target: [1.0, 2.0, 3.0],
+            stiffness: 50.0,
+        };
+        let mut fixture = Self {
+            system,
+            scheme,
+            points,
+            barrier: Barrier::new(DISTANCE),
+            friction: Vec::new(),
+            springs: vec![spring],
+        };
+        let collisions = fixture.collisions(&fixture.points);
+        let friction = collisions.as_slice().iter().map(|collision| {
+            let separation = collision.separation(&gather_some(&fixture.points, collision.vertices()));
+            FrictionContact::new(collision.vertices().clone(), &separation, 1e3)
+        });
+        fixture.friction = friction.collect();
+        fixture
+    }
+
+    pub(super) fn potential(&self) -> Potential<'_> {
+        Potential {
+            system: &self.system,
+            scheme: &self.scheme,
+            stiffness: 1e7,
+            friction: &self.friction,
+            smoothing: SMOOTHING,
+            springs: &self.springs,
+        }
+    }
+
+    pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
+        let System { surface, start, .. } = &self.system;
+        let pairs = Pairs::near(surface, points, points, DISTANCE);
+        Collisions::new(surface, &pairs, points, start, self.barrier)
+    }
+
+    /// The empty constraint set.
+    pub(super) fn no_collisions(&self) -> Collisions {
+        let System { surface, start, .. } = &self.system;
+        Collisions::new(surface, &Pairs::default(), &self.points, start, self.barrier)
+    }
+
+    /// Four of five free vertices are unknowns.
+    pub(super) fn unknowns(&self) -> Unknowns {
+        let unknown: Vec<bool> = (0..self.points.len())
+            .map(|vertex| self.system.is_free(vertex) && vertex % 5 != 0)
+            .collect();
+        Unknowns::new(&unknown)
+    }
+
+    /// The displacements of the vertices that are not unknown.
+    pub(super) fn prescribed(&self, unknowns: &Unknowns) -> Vec<Vector3<f64>> {
+        let prescribed = |vertex: usize| match unknowns.number(vertex as u32) {
+            Some(_) => Vector3::zeros(),
+            None => Vector3::new(1.0, -2.0, 0.5) * (1.0 + vertex as f64),
+        };
+        (0..self.points.len()).map(prescribed).collect()
+    }
+
+    pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
+        let potential = self.potential();
+        let keys = potential.elastic_keys(unknowns);
+        potential.quadratic(
+            &self.points,
+            collisions,
+            unknowns,
+            &keys,
+            &self.prescribed(unknowns),
+        )
+    }
+
+    /// The projected Hessian with respect to all vertices.
+    pub(super) fn dense(&self, collisions: &Collisions) -> DMatrix<f64> {
+        let points = &self.points;
+        let mut dense = DMatrix::zeros(3 * points.len(), 3 * points.len());
+        let mut add = |element: &Element, scale: f64| {
+            for (row, &a) in element.vertices.iter().enumerate() {
+                for (column, &b) in element.vertices.iter().enumerate() {
+                    let mut block = dense.fixed_view_mut::<3, 3>(3 * a as usize, 3 * b as usize);
+                    block += element.block(row, column) * scale;
+                }
+            }
+        };
+        let potential = self.potential();
+        let scale = self.scheme.duration * self.scheme.duration;
+        for element in &self.system.elements {
+            add(&element.derivatives(points, true), scale);
+        }
+        for c in collisions.as_slice() {
+            let corners = gather_some(points, c.vertices());
+            add(&c.derivatives(&corners, &self.barrier, true), potential.stiffness);
+        }
+        for f in &self.friction {
+            add(
+                &f.derivatives(&potential.displacements(points, f), SMOOTHING),
+                1.0,
+            );
+        }
+        for vertex in 0..points.len() {
+            let springs = self
+                .springs
+                .iter()
+                .filter(|spring| spring.vertex as usize == vertex);
+            let inertia = if self.system.is_free(vertex) {
+                self.system.masses[vertex]
+            } else {
+                0.0
+            };
+            let sum = inertia + springs.map(|spring| spring.stiffness).sum::<f64>();
+            for axis in 0..3 {
+                dense[(3 * vertex + axis, 3 * vertex + axis)] += sum;
+            }
+        }
+        dense
+    }
+}

@@ -1,0 +1,162 @@
+//! The sums over all elements, against finite differences and dense matrices.
+
+mod fixture;
+
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
+
+use super::linear::LinearSolver;
+use super::pattern::{Pattern, key};
+use fixture::Fixture;
+
+/// The rows of some vertices.
+fn rows_of(vertices: &[u32]) -> Vec<usize> {
+    vertices
+        .iter()
+        .flat_map(|&vertex| [0, 1, 2].map(|axis: usize| 3 * vertex as usize + axis))
+        .collect()
+}
+
+/// The dense form of a symmetric matrix with a stored lower triangle.
+fn expanded(pattern: &Pattern, values: &[f64]) -> DMatrix<f64> {
+    let scalars = pattern.scalars();
+    let size = scalars.ncols();
+    let mut dense = DMatrix::zeros(size, size);
+    for column in 0..size {
+        let places = scalars.col_ptr()[column]..scalars.col_ptr()[column + 1];
+        for (&row, &value) in scalars.row_idx()[places.clone()].iter().zip(&values[places]) {
+            assert!(row >= column);
+            dense[(row, column)] = value;
+            dense[(column, row)] = value;
+        }
+    }
+    dense
+}
+
+fn flat(vectors: &[Vector3<f64>]) -> DVector<f64> {
+    DVector::from_iterator(3 * vectors.len(), vectors.iter().flat_map(|v| v.iter().copied()))
+}
+
+/// The derivatives of a function by all coordinates, as columns, from differences of fourth order.
+fn differences(points: &[Point], step: f64, f: impl Fn(&[Point]) -> DVector<f64>) -> DMatrix<f64> {
+    let columns: Vec<DVector<f64>> = (0..3 * points.len())
+        .map(|place| {
+            let at = |by: f64| {
+                let mut points = points.to_vec();
+                points[place / 3][place % 3] += by * step;
+                f(&points)
+            };
+            ((at(1.0) - at(-1.0)) * 8.0 - (at(2.0) - at(-2.0))) / (12.0 * step)
+        })
+        .collect();
+    DMatrix::from_columns(&columns)
+}
+
+#[test]
+fn the_gradient_is_the_slope_of_the_value() {
+    let fixture = Fixture::new(1.0, 0.02);
+    let potential = fixture.potential();
+    let collisions = fixture.collisions(&fixture.points);
+    assert!(collisions.as_slice().len() > 20);
+    let found = flat(&potential.gradient(&fixture.points, &collisions));
+    let value =
+        |points: &[Point]| DVector::from_element(1, potential.value(points, &fixture.collisions(points)));
+    let expected = differences(&fixture.points, 1e-5, value).transpose();
+    let error = (&found - &expected).amax();
+    assert!(error < 1e-6 * expected.amax(), "{error} of {}", expected.amax());
+    // The gradient of the quadratic model is the same.
+    let quadratic = fixture.quadratic(&collisions, &fixture.unknowns());
+    let error = (flat(&quadratic.gradient) - &found).amax();
+    assert!(error < 1e-12 * found.amax(), "{error} of {}", found.amax());
+}
+
+#[test]
+fn the_sparse_hessian_is_the_sum_of_the_elements() {
+    let mut fixture = Fixture::new(1.0, 0.02);
+    assert_sum(&fixture);
+    // Without friction, the contacts alone determine the pattern.
+    fixture.friction.clear();
+    assert_sum(&fixture);
+}
+
+fn assert_sum(fixture: &Fixture) {
+    let unknowns = fixture.unknowns();
+    let collisions = fixture.collisions(&fixture.points);
+    let quadratic = fixture.quadratic(&collisions, &unknowns);
+    let dense = fixture.dense(&collisions);
+    let rows = rows_of(unknowns.vertices());
+
+    let found = expanded(&quadratic.pattern, &quadratic.values);
+    let expected = dense.select_rows(&rows).select_columns(&rows);
+    let error = (&found - &expected).amax();
+    assert!(error < 1e-12 * expected.amax(), "{error} of {}", expected.amax());
+    // The test detects transposed blocks only if blocks are not symmetric.
+    let block = expected.view((3, 0), (3, 3));
+    assert!((block - block.transpose()).amax() > 1e-3 * expected.amax());
+
+    // The change of the gradient by the prescribed displacements.
+    let expected = (&dense * flat(&fixture.prescribed(&unknowns))).select_rows(&rows);
+    let found = flat(&quadratic.prescribed).select_rows(&rows);
+    let error = (&found - &expected).amax();
+    assert!(
+        expected.amax() > 0.0 && error < 1e-12 * expected.amax(),
+        "{error} of {}",
+        expected.amax()
+    );
+}
+
+/// In tension, the elements are convex, so that projection does not change the Hessian.
+#[test]
+fn the_hessian_is_the_slope_of_the_gradient() {
+    let fixture = Fixture::new(1.1, 0.0);
+    assert!(!fixture.friction.is_empty());
+    let none = fixture.no_collisions();
+    let unknowns = fixture.unknowns();
+    let quadratic = fixture.quadratic(&none, &unknowns);
+    let potential = fixture.potential();
+    let slopes = differences(&fixture.points, 1e-5, |points| {
+        flat(&potential.gradient(points, &none))
+    });
+    let rows = rows_of(unknowns.vertices());
+
+    let found = expanded(&quadratic.pattern, &quadratic.values);
+    let expected = slopes.select_rows(&rows).select_columns(&rows);
+    let error = (&found - &expected).amax();
+    assert!(error < 1e-6 * expected.amax(), "{error} of {}", expected.amax());
+    let expected = (slopes * flat(&fixture.prescribed(&unknowns))).select_rows(&rows);
+    let error = (flat(&quadratic.prescribed).select_rows(&rows) - &expected).amax();
+    assert!(error < 1e-6 * expected.amax(), "{error} of {}", expected.amax());
+}
+
+#[test]
+fn the_sparse_solution_is_the_dense_one() {
+    let fixture = Fixture::new(1.0, 0.02);
+    let unknowns = fixture.unknowns();
+    let quadratic = fixture.quadratic(&fixture.collisions(&fixture.points), &unknowns);
+    let dense = expanded(&quadratic.pattern, &quadratic.values);
+    let right = flat(&quadratic.gradient).select_rows(&rows_of(unknowns.vertices()));
+    let expected = dense.cholesky().unwrap().solve(&right);
+    let solution = LinearSolver::default().solve(quadratic.pattern, quadratic.values, right.as_slice());
+    let error = (DVector::from_vec(solution.unwrap()) - &expected).amax();
+    assert!(error < 1e-8 * expected.amax(), "{error} of {}", expected.amax());
+}
+
+/// A block may be given in either triangle; blocks of the same pair are summed.
+#[test]
+fn a_block_and_its_transpose_across_the_diagonal_are_the_same() {
+    let pattern = Pattern::new(3, vec![key(2, 0), key(0, 1), key(0, 2)]);
+    let block = Matrix3::from_fn(|row, column| (3 * row + column) as f64);
+    let mut values = vec![0.0; pattern.scalar_count()];
+    pattern.add(&mut values, 2, 0, &block);
+    pattern.add(&mut values, 0, 2, &block.transpose());
+    pattern.add(&mut values, 1, 1, &(block + block.transpose()));
+    let mut expected = DMatrix::zeros(9, 9);
+    expected.view_mut((6, 0), (3, 3)).copy_from(&(block * 2.0));
+    expected
+        .view_mut((0, 6), (3, 3))
+        .copy_from(&(block.transpose() * 2.0));
+    expected
+        .view_mut((3, 3), (3, 3))
+        .copy_from(&(block + block.transpose()));
+    assert_eq!(expanded(&pattern, &values), expected);
+}

@@ -1,0 +1,189 @@
+//! Elastic energies of shells.
+
+use exact_ccd_sim::elasticity::{Hinge, Membrane};
+use exact_ccd_sim::{Body, BodyKind};
+use nalgebra::Vector3;
+
+use crate::differences::{
+    Points, assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
+};
+use crate::elasticity::MODULI;
+
+#[test]
+fn the_derivatives_of_membranes_match_differences() {
+    let mut random = fastrand::Rng::with_seed(6);
+    let mut indefinite = 0;
+    for _ in 0..50 {
+        let (rest, points) = (random_points(&mut random), random_points(&mut random));
+        let [a, b, c, _] = rest;
+        if (b - a).cross(&(c - a)).norm() < 0.3 {
+            continue;
+        }
+        let membrane = Membrane::new([0, 1, 2], &[a, b, c], 0.1, MODULI).unwrap();
+        let three = |x: &Points| [x[0], x[1], x[2]];
+        let element = membrane.derivatives(&three(&points), false);
+        let expected = gradient(&points, 1e-3, |x| membrane.value(&three(x)));
+        assert_gradient(&element.gradient, &expected, 1e-8, "membrane");
+        let expected = jacobian(&points, 1e-3, |x| membrane.derivatives(&three(x), false).gradient);
+        assert_hessian(&element.hessian, &expected, 1e-8, "membrane");
+        assert_semi_definite(&membrane.derivatives(&three(&points), true).hessian, "membrane");
+        indefinite += usize::from(element.hessian.symmetric_eigenvalues().min() < -1e-6);
+    }
+    assert!(indefinite > 5);
+}
+
+/// The energy of a triangle that is stretched along one side is h A (μ ε² + λ/2 ε²) with ε = (s² − 1) / 2.
+#[test]
+fn a_stretched_membrane_has_the_energy_of_saint_venant_and_kirchhoff() {
+    let rest = [Vector3::zeros(), Vector3::x(), Vector3::y()];
+    let membrane = Membrane::new([0, 1, 2], &rest, 0.1, MODULI).unwrap();
+    let strain = 0.5 * (1.2_f64 * 1.2 - 1.0);
+    let expected = 0.05 * (MODULI.shear() + 0.5 * MODULI.plane_lambda()) * strain * strain;
+    let value = membrane.value(&rest.map(|x| Vector3::new(0.0, x.x * 1.2, -x.y)));
+    assert!((value / expected - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn the_derivatives_of_hinges_match_differences() {
+    let mut random = fastrand::Rng::with_seed(7);
+    for _ in 0..100 {
+        let (rest, points) = (random_points(&mut random), random_points(&mut random));
+        let flat = |[a, b, c, d]: Points| {
+            let edge = b - a;
+            edge.norm()
+                .min(edge.cross(&(c - a)).norm())
+                .min(edge.cross(&(d - a)).norm())
+                < 0.4
+        };
+        let Some(hinge) = Hinge::new([0, 1, 2, 3], &rest, 1.0).filter(|_| !flat(rest) && !flat(points))
+        else {
+            continue;
+        };
+        let element = hinge.derivatives(&points, false);
+        let expected = gradient(&points, 1e-4, |x| hinge.value(x));
+        assert_gradient(&element.gradient, &expected, 1e-6, "hinge");
+        let expected = jacobian(&points, 1e-4, |x| hinge.derivatives(x, false).gradient);
+        assert_hessian(&element.hessian, &expected, 1e-6, "hinge");
+        assert_semi_definite(&hinge.derivatives(&points, true).hessian, "hinge");
+    }
+}
+
+/// Two triangles, folded by an angle about their common edge.
+#[test]
+fn the_energy_of_a_fold_is_half_the_stiffness_times_the_square_of_the_angle() {
+    let rest = [Vector3::zeros(), Vector3::z(), Vector3::x(), -Vector3::x()];
+    let hinge = Hinge::new([0, 1, 2, 3], &rest, 2.0).unwrap();
+    for angle in [-3.0_f64, -1.0, 0.25, 2.5] {
+        let mut folded = rest;
+        folded[3] = Vector3::new(-angle.cos(), angle.sin(), 0.0);
+        // D |e|² / A = 2 · 1 / 1.
+        let expected = 0.5 * 2.0 * angle * angle;
+        assert!((hinge.value(&folded) / expected - 1.0).abs() < 1e-13);
+    }
+}
+
+/// The angle of a hinge that is bent at rest is continuous through the flat shape, up to the angles at which
+/// the faces touch.
+#[test]
+fn the_angle_of_a_hinge_is_continuous_between_touching_faces() {
+    let bent = |angle: f64| {
+        let corner = |y: f64, z: f64| Vector3::new(0.5, y, z);
+        [
+            Vector3::zeros(),
+            Vector3::x(),
+            corner(1.0, 0.0),
+            corner(-angle.cos(), angle.sin()),
+        ]
+    };
+    let hinge = Hinge::new([0, 1, 2, 3], &bent(2.0), 1.0).unwrap();
+    for angle in (-31..=31).map(|tenths| 0.1 * f64::from(tenths)) {
+        // k = |e|² / A = 1: the edge has length 1, and the triangles together have area 1.
+        let expected = 0.5 * (angle - 2.0).powi(2);
+        let found = hinge.value(&bent(angle));
+        assert!(
+            (found - expected).abs() < 1e-12,
+            "{angle}: {found}, expected {expected}"
+        );
+    }
+}
+
+/// A plate that is rolled into a cylinder of curvature κ has the energy ½ D κ² per area, except at the rim,
+/// which has no hinges. The plates are a grid of squares, rolled along a side, and a grid of equilateral
+/// triangles, rolled along any direction.
+#[test]
+fn a_rolled_plate_has_the_energy_of_its_curvature() {
+    const RIGIDITY: f64 = 0.7;
+    const CURVATURE: f64 = 0.5;
+    let squares = |n: u16| exact_ccd_sim::shapes::cloth([n, n], [1.0, 1.0]);
+    // The triangles are equilateral: rows of a grid are shifted and have the height √¾.
+    let triangles = |n: u16| {
+        let n = u32::from(n);
+        let at = |i: u32, j: u32| i + j * (n + 1);
+        let points = (0..=n).flat_map(|j| (0..=n).map(move |i| (i, j)));
+        let point = |(i, j): (u32, u32)| {
+            let (x, z) = (f64::from(i) + 0.5 * f64::from(j), 0.75_f64.sqrt() * f64::from(j));
+            Vector3::new(x, 0.0, z) / f64::from(n)
+        };
+        let cells = (0..n).flat_map(|j| (0..n).map(move |i| (i, j)));
+        let faces = cells.flat_map(|(i, j)| {
+            [
+                [at(i, j), at(i, j + 1), at(i + 1, j)],
+                [at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)],
+            ]
+        });
+        (points.map(point).collect::<Vec<_>>(), faces.collect::<Vec<_>>())
+    };
+    let energy = |points: &[Vector3<f64>], faces: &[[u32; 3]], turn: f64| {
+        let (sin, cos) = turn.sin_cos();
+        let rolled = |p: &Vector3<f64>| {
+            let (across, along) = (cos * p.x + sin * p.z, cos * p.z - sin * p.x);
+            let angle = CURVATURE * across;
+            Vector3::new(angle.sin(), 1.0 - angle.cos(), CURVATURE * along) / CURVATURE
+        };
+        let bent: Vec<_> = points.iter().map(rolled).collect();
+        let mut energy = 0.0;
+        for (place, &[a, b, c]) in faces.iter().enumerate() {
+            for [from, to, left] in [[a, b, c], [b, c, a], [c, a, b]] {
+                for &[a, b, c] in &faces[place + 1..] {
+                    for [first, second, right] in [[a, b, c], [b, c, a], [c, a, b]] {
+                        if [from, to] == [second, first] {
+                            let vertices = [from, to, left, right];
+                            let rest = vertices.map(|v| points[v as usize]);
+                            let hinge = Hinge::new(vertices, &rest, RIGIDITY).unwrap();
+                            energy += hinge.value(&vertices.map(|v| bent[v as usize]));
+                        }
+                    }
+                }
+            }
+        }
+        energy
+    };
+    let area = |points: &[Vector3<f64>], faces: &[[u32; 3]]| -> f64 {
+        let area = |face: &[u32; 3]| {
+            let [a, b, c] = face.map(|v| points[v as usize]);
+            0.5 * (b - a).cross(&(c - a)).norm()
+        };
+        faces.iter().map(area).sum()
+    };
+    let check = |points: &[Vector3<f64>], faces: &[[u32; 3]], turn: f64, n: u16| {
+        let expected = 0.5 * RIGIDITY * CURVATURE * CURVATURE * area(points, faces);
+        let ratio = energy(points, faces, turn) / expected;
+        // One of n rows of faces is at the rim.
+        let rim = 3.0 / f64::from(n);
+        assert!((1.0 - rim..=1.001).contains(&ratio), "{n}, {turn}: {ratio}");
+    };
+    for n in [10, 20] {
+        let Body { points, kind, .. } = squares(n);
+        let BodyKind::Shell { faces, .. } = kind else {
+            panic!("cloth is a shell")
+        };
+        let points: Vec<_> = points.into_iter().map(Vector3::from).collect();
+        for turn in [0.0, core::f64::consts::FRAC_PI_2] {
+            check(&points, &faces, turn, n);
+        }
+        let (points, faces) = triangles(n);
+        for turn in [0.0, 0.3, 1.0, 2.0] {
+            check(&points, &faces, turn, n);
+        }
+    }
+}
