@@ -23,12 +23,14 @@
 //! ```
 
 mod corner;
+mod decide;
 mod patch;
 mod planar;
 mod ray;
 mod rounding;
 
 pub(crate) use corner::{Integers, certain_sign, determinant, is_safe, permanent, volume};
+pub use decide::RootParity;
 pub use rounding::{Displacement, Rounded, RoundingError};
 
 use crate::exact::to_integers;
