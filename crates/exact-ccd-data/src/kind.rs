@@ -2,7 +2,6 @@
 
 use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, Step, TriangleMesh};
-use exact_ccd_methods::{Answer, Method};
 
 /// A kind of query, as the data sets know it.
 pub trait DataKind: Kind + Send + Sync {
@@ -34,9 +33,6 @@ pub trait DataKind: Kind + Send + Sync {
 
     /// The candidates of this kind.
     fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]];
-
-    /// What a method says of a query of this kind.
-    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer;
 }
 
 impl DataKind for VertexFace {
@@ -69,10 +65,6 @@ impl DataKind for VertexFace {
     fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
         candidates.vertex_face()
     }
-
-    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
-        method.vertex_face(query)
-    }
 }
 
 impl DataKind for EdgeEdge {
@@ -100,10 +92,6 @@ impl DataKind for EdgeEdge {
 
     fn candidates<'a>(candidates: &'a Candidates<'_>) -> &'a [[u32; 2]] {
         candidates.edge_edge()
-    }
-
-    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
-        method.edge_edge(query)
     }
 }
 
