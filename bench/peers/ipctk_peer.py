@@ -83,12 +83,12 @@ def main():
     methods = [
         {
             "name": name,
-            "may_miss": may_miss,
-            "may_invent": True,
+            "false_negatives": false_negatives,
+            "false_positives": True,
             "time": "conservative",
             "call_ns": call_ns(prepare, method),
         }
-        for name, (prepare, method, may_miss) in METHODS.items()
+        for name, (prepare, method, false_negatives) in METHODS.items()
     ]
     writer.write(json.dumps({"methods": methods}).encode() + b"\n")
     writer.flush()

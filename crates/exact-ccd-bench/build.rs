@@ -1,26 +1,28 @@
-//! Tells the tests whether the published data sets are there: without them, `cfg(no_data)` is set. And tells the reports how
-//! the program was built.
-
-#[path = "src/location.rs"]
-mod location;
+//! Sets `cfg(no_data)` for the tests if the published data sets are missing, and passes the build settings to the reports.
 
 use std::env;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 fn main() {
-    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let folder = location::data_folder(&repository);
-    println!("cargo::rustc-check-cfg=cfg(no_data)");
     println!("cargo::rerun-if-changed=build.rs");
-    println!("cargo::rerun-if-env-changed={}", location::VARIABLE);
+    find_data();
+    describe_build();
+}
+
+/// The folder is that of `exact_ccd_data::DataFolder::find`.
+fn find_data() {
+    const VARIABLE: &str = "EXACT_CCD_DATA";
+    let default = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let folder = env::var_os(VARIABLE).map_or(default, PathBuf::from);
+    println!("cargo::rustc-check-cfg=cfg(no_data)");
+    println!("cargo::rerun-if-env-changed={VARIABLE}");
     if folder.is_dir() {
         println!("cargo::rerun-if-changed={}", folder.display());
     } else {
-        // Watching a folder that is not there would compile the crate anew every time.
+        // A watched folder that does not exist would cause a new build every time.
         println!("cargo::rustc-cfg=no_data");
     }
-    describe_build();
 }
 
 fn describe_build() {

@@ -5,7 +5,7 @@
 use std::fmt::Debug;
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_bench::{DataKind, QueryReader, Rounding, Sample};
+use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample};
 use dashu_ratio::RBig;
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_fuzz::file;

@@ -11,7 +11,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
-use exact_ccd_bench::{DataError, DataFolder};
+use exact_ccd_data::{DataError, DataFolder};
 use exact_ccd_mesh::{BroadPhase, Bvh, Motion, Point, Step, StepReport, Sweep, advance};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 

@@ -1,56 +1,63 @@
-//! A method of one's own against those of this project: `cargo run --release -p exact-ccd-bench --example own_method`.
+//! A user-defined method against two of this project, on random queries:
+//! `cargo run --release -p exact-ccd-bench --example own_method`.
 //!
-//! It asks random queries. On a folder of data sets, `Source::all` finds them: see `exact-ccd bench`.
+//! `Source::all` finds the data sets in a folder: see `exact-ccd bench`.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
 use std::time::Duration;
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_bench::comparison::{Comparison, Contestant, PeerError, Subject, Subjects};
-use exact_ccd_methods::{Answer, Exact, Method, Promise, RootParity, Time};
+use exact_ccd::parity::RootParity;
+use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Point, Query, TimeGuarantee, VertexFace};
+use exact_ccd_bench::comparison::{Comparison, Contestant, Subject, Subjects};
 
-/// Says that primitives collide if the boxes around their motion overlap.
+/// Decides that primitives collide if the boxes around their motion overlap.
 struct Boxes;
 
-/// Whether the box of the first points, at both times, overlaps that of the others.
-fn overlap(points: &[[Point; 4]; 2], first: usize) -> Answer {
+/// True if the boxes of the points before and from index `second` overlap, each at both times.
+fn overlap(points: &[[Point; 4]; 2], second: usize) -> bool {
     let range = |from: usize, to: usize, axis: usize| {
         let values = points
             .iter()
-            .flat_map(|now| &now[from..to])
+            .flat_map(|frame| &frame[from..to])
             .map(|point| point[axis]);
         values.fold([f64::MAX, f64::MIN], |[least, most], x| {
             [least.min(x), most.max(x)]
         })
     };
-    let overlap = |axis| {
-        let ([a, b], [c, d]) = (range(0, first, axis), range(first, 4, axis));
+    (0..3).all(|axis| {
+        let ([a, b], [c, d]) = (range(0, second, axis), range(second, 4, axis));
         a <= d && c <= b
-    };
-    Answer::from_decision((0..3).all(overlap))
+    })
 }
 
-impl Method for Boxes {
-    fn name(&self) -> &str {
-        "boxes"
-    }
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: false,
-            may_invent: true,
-            time: Time::Absent,
-        }
-    }
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
+impl Decide<VertexFace> for Boxes {
+    fn collides(&self, query: &Query<VertexFace>) -> bool {
         overlap(query.points(), 1)
     }
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
+}
+
+impl Decide<EdgeEdge> for Boxes {
+    fn collides(&self, query: &Query<EdgeEdge>) -> bool {
         overlap(query.points(), 2)
     }
 }
 
-fn main() -> Result<(), PeerError> {
+impl Ccd for Boxes {
+    fn name(&self) -> &'static str {
+        "boxes"
+    }
+
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Absent,
+        }
+    }
+}
+
+fn main() {
     let mut random = fastrand::Rng::with_seed(1);
     let mut subjects = Subjects::<VertexFace>::new(2000);
     for _ in 0..10_000 {
@@ -59,12 +66,11 @@ fn main() -> Result<(), PeerError> {
         subjects.add(Subject::new(query, None));
     }
     let contestants = [
-        Box::new(Exact) as Box<dyn Method>,
+        Box::new(Exact) as Box<dyn Ccd>,
         Box::new(RootParity),
         Box::new(Boxes),
     ];
     let contestants = contestants.into_iter().map(Contestant::Method).collect();
-    let table = Comparison::new(contestants, Duration::from_secs(10)).run("random", &subjects, &|_| ())?;
+    let table = Comparison::new(contestants, Duration::from_secs(10)).run("random", &subjects, &|_| ());
     println!("{}", table.markdown());
-    Ok(())
 }

@@ -6,10 +6,9 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
 use exact_ccd_bench::comparison::{Comparison, Contestant, Report, Source, Subject, Subjects, Table};
-use exact_ccd_bench::{DataKind, QueryWriter, Record, Sample, Seventh};
-use exact_ccd_methods::{Answer, Exact, Method, Promise, Time};
+use exact_ccd_data::{DataKind, QueryWriter, Record, Sample, Seventh};
 
 /// Points that move at random, with coordinates in 64ths: the exact method needs no time for them.
 fn queries<K: DataKind>(count: usize) -> Vec<Query<K>> {
@@ -23,39 +22,31 @@ fn queries<K: DataKind>(count: usize) -> Vec<Query<K>> {
 /// Says the opposite of the truth, at a time that is too late.
 struct Liar;
 
-impl Liar {
-    fn answer<K: DataKind>(query: &Query<K>) -> Answer {
-        if query.collides() {
-            Answer::Free
-        } else {
-            Answer::Contact { time: Some(2.0) }
-        }
+impl<K: Kind> Decide<K> for Liar {
+    fn collides(&self, query: &Query<K>) -> bool {
+        !query.collides()
+    }
+
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
+        self.collides(query).then_some(2.0)
     }
 }
 
-impl Method for Liar {
-    fn name(&self) -> &str {
+impl Ccd for Liar {
+    fn name(&self) -> &'static str {
         "liar"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: true,
-            may_invent: true,
-            time: Time::Approximate,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: true,
+            false_positives: true,
+            time: TimeGuarantee::Approximate,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        Self::answer(query)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        Self::answer(query)
     }
 }
 
-fn comparison(methods: Vec<Box<dyn Method>>, budget: Duration) -> Comparison {
+fn comparison(methods: Vec<Box<dyn Ccd>>, budget: Duration) -> Comparison {
     Comparison::new(methods.into_iter().map(Contestant::Method).collect(), budget)
 }
 
@@ -70,9 +61,7 @@ fn subjects<K: DataKind>(count: usize, most: usize) -> Subjects<K> {
 #[test]
 fn every_cell_of_every_method_is_filled() {
     let mut comparison = comparison(exact_ccd_methods::all(), Duration::from_secs(1));
-    let table = comparison
-        .run("random", &subjects::<EdgeEdge>(100, 40), &|_| ())
-        .unwrap();
+    let table = comparison.run("random", &subjects::<EdgeEdge>(100, 40), &|_| ());
     assert_eq!(table.rows.len(), exact_ccd_methods::all().len());
     for (row, method) in table.rows.iter().zip(exact_ccd_methods::all()) {
         let times = [
@@ -89,7 +78,7 @@ fn every_cell_of_every_method_is_filled() {
         );
         assert_eq!(
             row.time_error.is_some(),
-            method.promise().time != Time::Absent,
+            method.guarantees().time != TimeGuarantee::Absent,
             "{row:?}"
         );
     }
@@ -101,7 +90,7 @@ fn answers_are_judged_by_the_truth() {
     let subjects = subjects::<VertexFace>(1000, 1000);
     let [free, colliding] = subjects.population();
     assert!(free + colliding == 1000 && colliding > 30, "{colliding}");
-    let table = comparison.run("random", &subjects, &|_| ()).unwrap();
+    let table = comparison.run("random", &subjects, &|_| ());
     let [exact, liar] = &table.rows[..] else {
         panic!("{table:?}")
     };
@@ -119,9 +108,7 @@ fn a_sample_has_half_of_its_queries_in_contact() {
     let sample = subjects.sample();
     assert_eq!(sample.len(), 40);
     assert_eq!(sample.iter().filter(|subject| subject.collides).count(), 20);
-    let table = comparison(vec![Box::new(Exact)], Duration::from_secs(100))
-        .run("random", &subjects, &|_| ())
-        .unwrap();
+    let table = comparison(vec![Box::new(Exact)], Duration::from_secs(100)).run("random", &subjects, &|_| ());
     let row = &table.rows[0];
     let (tp, tn) = (row.mean_colliding.unwrap(), row.mean_free.unwrap());
     let expected = (tp * table.colliding as f64 + tn * (table.queries - table.colliding) as f64) / 2000.0;
@@ -131,32 +118,31 @@ fn a_sample_has_half_of_its_queries_in_contact() {
 /// Sleeps.
 struct Slow;
 
-impl Method for Slow {
-    fn name(&self) -> &str {
+impl<K: Kind> Decide<K> for Slow {
+    fn collides(&self, query: &Query<K>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
+        std::thread::sleep(Duration::from_millis(1));
+        query.time_of_impact()
+    }
+}
+
+impl Ccd for Slow {
+    fn name(&self) -> &'static str {
         "slow"
     }
 
-    fn promise(&self) -> Promise {
-        Exact.promise()
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        std::thread::sleep(Duration::from_millis(1));
-        Exact.vertex_face(query)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        std::thread::sleep(Duration::from_millis(1));
-        Exact.edge_edge(query)
+    fn guarantees(&self) -> Guarantees {
+        Exact.guarantees()
     }
 }
 
 #[test]
 fn who_has_spent_the_budget_leaves_and_the_others_go_on() {
     let mut comparison = comparison(vec![Box::new(Slow), Box::new(Exact)], Duration::from_millis(10));
-    let table = comparison
-        .run("random", &subjects::<EdgeEdge>(2000, 200), &|_| ())
-        .unwrap();
+    let table = comparison.run("random", &subjects::<EdgeEdge>(2000, 200), &|_| ());
     let [slow, exact] = &table.rows[..] else {
         panic!("{table:?}")
     };
@@ -191,9 +177,9 @@ fn run_all(folder: &Path) -> Vec<Table> {
     let mut tables = Vec::new();
     for source in Source::all(folder).unwrap() {
         let vertex_face = source.read::<VertexFace>(1000).unwrap();
-        tables.push(comparison.run(source.name(), &vertex_face, &|_| ()).unwrap());
+        tables.push(comparison.run(source.name(), &vertex_face, &|_| ()));
         let edge_edge = source.read::<EdgeEdge>(1000).unwrap();
-        tables.push(comparison.run(source.name(), &edge_edge, &|_| ()).unwrap());
+        tables.push(comparison.run(source.name(), &edge_edge, &|_| ()));
     }
     tables
 }
@@ -244,9 +230,11 @@ fn a_report_is_replaced_as_it_grows() {
     let folder = tempfile::tempdir().unwrap();
     let mut report = Report::new(&[]);
     for name in ["first", "second, rounded"] {
-        let table = comparison(exact_ccd_methods::all(), Duration::from_millis(100))
-            .run(name, &subjects::<VertexFace>(60, 20), &|_| ())
-            .unwrap();
+        let table = comparison(exact_ccd_methods::all(), Duration::from_millis(100)).run(
+            name,
+            &subjects::<VertexFace>(60, 20),
+            &|_| (),
+        );
         report.tables.push(table);
         report.write(folder.path()).unwrap();
         let markdown = fs::read_to_string(folder.path().join("report.md")).unwrap();

@@ -8,11 +8,10 @@
 use std::io::{self, BufRead, Read, Write};
 use std::time::{Duration, Instant};
 
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Kind, Point, Query, TimeGuarantee, VertexFace};
 use exact_ccd_bench::comparison::{
     Comparison, Contestant, Peer, PeerError, Report, Subject, Subjects, Table,
 };
-use exact_ccd_methods::Time;
 
 fn main() {
     // Libtest's arguments, of which there may be some, do not matter here.
@@ -20,7 +19,10 @@ fn main() {
         Some("peer") => answer_all(None),
         Some("mute") => {}
         Some("babbling") => println!("no JSON at all"),
-        Some(fault @ ("truncating" | "endless" | "undecided" | "late")) => answer_all(Some(fault)),
+        Some("silent") => std::thread::sleep(Duration::from_secs(600)),
+        Some(fault @ ("truncating" | "endless" | "undecided" | "late" | "stalling")) => {
+            answer_all(Some(fault))
+        }
         _ => test_all(),
     }
 }
@@ -30,7 +32,7 @@ fn answer_all(fault: Option<&str>) {
     let (mut reader, mut writer) = (io::stdin().lock(), io::stdout().lock());
     let describe = |name: &str, time: &str| {
         format!(
-            r#"{{"name": "{name}", "may_miss": false, "may_invent": false, "time": "{time}", "call_ns": 250.0}}"#
+            r#"{{"name": "{name}", "false_negatives": false, "false_positives": false, "time": "{time}", "call_ns": 250.0}}"#
         )
     };
     let methods = [describe("twin", "exact"), describe("lazy", "absent")].join(", ");
@@ -65,6 +67,10 @@ fn answer_all(fault: Option<&str>) {
             let answer = match fault {
                 None => answer,
                 Some("truncating") => return,
+                Some("stalling") => {
+                    std::thread::sleep(Duration::from_secs(600));
+                    return;
+                }
                 Some("endless") => [f64::INFINITY, 1.0, 0.5],
                 Some("undecided") => [1.0, f64::NAN, 0.5],
                 Some(_) => [1.0, 1.0, 1.5],
@@ -83,7 +89,7 @@ fn time_of_impact<K: Kind>([start, end]: [[Point; 4]; 2]) -> Option<f64> {
 }
 
 fn test_all() {
-    let tests: [(&str, fn()); 4] = [
+    let tests: [(&str, fn()); 6] = [
         (
             "answers_arrive_as_they_were_given",
             answers_arrive_as_they_were_given,
@@ -97,6 +103,11 @@ fn test_all() {
             "what_a_program_does_wrong_is_an_error",
             what_a_program_does_wrong_is_an_error,
         ),
+        ("a_silent_program_is_an_error", a_silent_program_is_an_error),
+        (
+            "a_comparison_goes_on_without_a_peer_that_has_failed",
+            a_comparison_goes_on_without_a_peer_that_has_failed,
+        ),
     ];
     for (name, test) in tests {
         test();
@@ -106,17 +117,31 @@ fn test_all() {
 
 fn start(role: &str) -> Result<Vec<Peer>, PeerError> {
     let program = std::env::current_exe().unwrap();
-    Peer::start(&shell_words::join([program.to_str().unwrap(), role]))
+    Peer::start(&shell_words::join([program.to_str().unwrap(), role]), grace(role))
 }
 
-fn compare<K: exact_ccd_bench::DataKind>(
+/// Those that are silent are given up soon, the others never.
+fn grace(role: &str) -> Duration {
+    match role {
+        "silent" => Duration::from_millis(10),
+        "stalling" => Duration::from_secs(1),
+        _ => Duration::from_secs(600),
+    }
+}
+
+fn compare<K: exact_ccd_data::DataKind>(
     peers: Vec<Peer>,
     query: impl Fn(f64) -> Query<K>,
-) -> Result<Table, PeerError> {
+) -> Result<Table, PeerError>
+where
+    dyn Ccd: Decide<K>,
+{
     let mut subjects = Subjects::new(1000);
     (0..300).for_each(|i| subjects.add(Subject::new(query(f64::from(i)), None)));
     let contestants = peers.into_iter().map(Contestant::Peer).collect();
-    Comparison::new(contestants, Duration::from_secs(100)).run("falling", &subjects, &|_| ())
+    let mut comparison = Comparison::new(contestants, Duration::from_millis(500));
+    let table = comparison.run("falling", &subjects, &|_| ());
+    comparison.finish().map(|()| table)
 }
 
 /// A vertex falls from a height of 1 onto a face, or past it.
@@ -158,7 +183,7 @@ fn both_kinds_are_asked() {
 fn the_cost_of_a_call_is_in_the_report() {
     let peers = start("peer").unwrap();
     assert!(peers.iter().all(|peer| peer.call_nanoseconds() == 250.0));
-    assert_eq!(peers[0].promise().time, Time::Exact);
+    assert_eq!(peers[0].guarantees().time, TimeGuarantee::Exact);
     let contestants: Vec<_> = peers.into_iter().map(Contestant::Peer).collect();
     let report = Report::new(&contestants);
     assert!(
@@ -170,9 +195,9 @@ fn the_cost_of_a_call_is_in_the_report() {
 
 fn what_a_program_does_wrong_is_an_error() {
     let message = |result: Result<Vec<Peer>, PeerError>| result.err().map(|error| error.to_string()).unwrap();
-    assert!(message(Peer::start("no-such-program")).starts_with("no-such-program: "));
-    assert!(message(Peer::start("an 'open quote")).contains("cannot be split into words"));
-    assert!(message(Peer::start("")).contains("cannot be split into words"));
+    assert!(message(Peer::start("no-such-program", Duration::ZERO)).starts_with("no-such-program: "));
+    assert!(message(Peer::start("an 'open quote", Duration::ZERO)).contains("cannot be split into words"));
+    assert!(message(Peer::start("", Duration::ZERO)).contains("cannot be split into words"));
     assert!(message(start("mute")).ends_with("it has ended"));
     assert!(message(start("babbling")).contains(r#"expected a line with its methods, found "no JSON"#));
     let error = compare(start("truncating").unwrap(), falling).unwrap_err();
@@ -188,4 +213,36 @@ fn what_a_program_does_wrong_is_an_error() {
             "{error}"
         );
     }
+}
+
+fn a_silent_program_is_an_error() {
+    let error = start("silent").err().unwrap().to_string();
+    assert!(error.ends_with("no answer within 0.0 s"), "{error}");
+    let error = compare(start("stalling").unwrap(), falling)
+        .unwrap_err()
+        .to_string();
+    assert!(error.ends_with("no answer within 1.5 s"), "{error}");
+}
+
+/// The exact method answers all queries of this data set and of the next one, and the table has the peer's rows.
+fn a_comparison_goes_on_without_a_peer_that_has_failed() {
+    let mut subjects = Subjects::new(1000);
+    (0..300).for_each(|i| subjects.add(Subject::new(falling(f64::from(i)), None)));
+    let peers = start("truncating").unwrap().into_iter().map(Contestant::Peer);
+    let exact = Contestant::Method(Box::new(Exact));
+    let mut comparison = Comparison::new(peers.chain([exact]).collect(), Duration::from_secs(100));
+    for data_set in ["first", "second"] {
+        let table = comparison.run(data_set, &subjects, &|_| ());
+        let answered: Vec<usize> = table
+            .rows
+            .iter()
+            .map(|row| row.answered.colliding + row.answered.free)
+            .collect();
+        assert_eq!(answered, [0, 0, 300]);
+        assert!(table.rows[0].mean.is_none() && table.rows[2].mean.is_some());
+        assert!(table.markdown().contains("| twin | 0 + 0 | "));
+    }
+    let failed: Vec<&str> = comparison.failures().map(|(name, _)| name).collect();
+    assert_eq!(failed, ["twin", "lazy"]);
+    assert!(comparison.finish().is_err());
 }

@@ -6,9 +6,10 @@ use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::value_parser;
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::DataKind;
+use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
 use exact_ccd_bench::comparison::{Comparison, Contestant, Peer, Report, Source, Table};
+use exact_ccd_data::DataKind;
+use exact_ccd_methods::UnknownMethod;
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -18,48 +19,51 @@ use crate::progress::{self, during};
 ///
 /// The folder, or folders inside of it, have query files in `edge-edge` and
 /// `vertex-face`, or `frames` of a mesh with the queried pairs in `boxes` and the
-/// truth on them in `mma_bool`, as the published data sets do. Query files are
-/// also asked rounded, each query by itself, and frames also for the candidates of
-/// the broad phase. The truth is in the files; where it is not, and for the times
-/// of impact, it is the answer of the exact method.
+/// ground truth in `mma_bool`, as the published data sets do. Query files are two
+/// data sets: as they are, and with each query shifted and rounded by itself.
+/// Frames are two as well: the queried pairs, and the candidates of the broad
+/// phase. The exact method replaces ground truth that is missing.
 ///
-/// For each data set and kind, a table has a row for each method: how many queries
-/// it answered, the mean time in microseconds (T) of all, of those that collide
-/// (TP) and of the others (TN), the time that 99 % take at most and the longest,
-/// false positives and false negatives, and, of methods that tell times of impact,
-/// how far these are from the true ones and how many are after them.
+/// For each data set and kind, a table has a row for each method: the number of
+/// queries that it answered, the mean time in microseconds of all (T), of those
+/// that collide (TP) and of the others (TN), the 99th percentile and the longest
+/// time, the numbers of false positives and of false negatives, and, of methods
+/// with times of impact, their errors and the number of late ones.
 ///
-/// Methods take turns on the same queries, on one thread. One that has spent its
-/// budget on a data set leaves; the table says how many queries it answered.
+/// Methods take turns on the same queries, on one thread. A method that has spent
+/// its budget on a data set answers no more of it.
 ///
 /// A peer is a program that answers queries through a pipe, in any language; see
-/// docs/benchmark.md.
+/// docs/benchmark.md. A peer that fails, or is silent for a minute longer than its
+/// budget, answers no more; the report has a note.
 ///
-/// Exit status: 0 whatever the answers, 2 error. With --out, the report is written
-/// anew after each data set.
+/// Exit status: 0 whatever the answers, 2 error, among them a peer that failed.
+/// With --out, the report is written anew after each data set.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The folder.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// Ask only these, separated by commas; if not given, all.
+    /// Only these methods, separated by commas, in upper or lower case [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     methods: Vec<String>,
-    /// Ask a random sample of at most this many queries of each data set and kind, half of them in contact if there are
-    /// as many.
+    /// The size of the random sample of each data set and kind. Half of it are queries in contact, if there are enough.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(2..))]
     sample: u32,
-    /// How long a method may take for each data set and kind, in seconds.
+    /// The time that a method has for each data set and kind, in seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 10.0, value_parser = budget)]
     budget: f64,
-    /// Ask the methods of another program too; may be repeated.
+    /// A program whose methods take part; may be repeated.
     #[arg(long = "peer", value_name = "COMMAND")]
     peers: Vec<String>,
     /// Write the report to this folder, as Markdown, CSV and JSON, with plots.
     #[arg(long, value_name = "REPORT_DIR")]
     out: Option<PathBuf>,
 }
+
+/// The time that a peer has to start, and for an answer beyond its budget.
+const GRACE: Duration = Duration::from_secs(60);
 
 fn budget(text: &str) -> Result<f64, String> {
     let budget = text.parse().ok().filter(|budget| (1e-3..=1e6).contains(budget));
@@ -78,12 +82,19 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
     let bar = progress::thousandths(2 * 1000 * sources.len() as u64);
     during(bar, |progress| {
+        let mut noted = 0;
         for source in &sources {
-            for kind in [compare::<VertexFace>, compare::<EdgeEdge>] {
-                let Some(table) = kind(&mut comparison, source, arguments.sample, progress)? else {
+            for compare in [compare::<VertexFace>, compare::<EdgeEdge>] {
+                let Some(table) = compare(&mut comparison, source, arguments.sample, progress)? else {
                     continue;
                 };
                 print(&table.markdown())?;
+                for (name, error) in comparison.failures().skip(noted) {
+                    let note = format!("{name} has failed and answers no more: {error}.");
+                    print(&format!("{note}\n"))?;
+                    report.notes.push(note);
+                    noted += 1;
+                }
                 report.tables.push(table);
                 if let Some(folder) = &arguments.out {
                     report
@@ -92,18 +103,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 }
             }
         }
-        Ok(ExitCode::SUCCESS)
-    })
+        Ok::<_, Failure>(())
+    })?;
+    comparison.finish()?;
+    Ok(ExitCode::SUCCESS)
 }
 
-/// The methods that were asked for, and the peers.
+/// The chosen methods, those of the peers among them.
 fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
     let mut contestants: Vec<_> = exact_ccd_methods::all()
         .into_iter()
         .map(Contestant::Method)
         .collect();
     for command in &arguments.peers {
-        contestants.extend(Peer::start(command)?.into_iter().map(Contestant::Peer));
+        contestants.extend(Peer::start(command, GRACE)?.into_iter().map(Contestant::Peer));
     }
     for (index, contestant) in contestants.iter().enumerate() {
         let name = contestant.name();
@@ -120,38 +133,37 @@ fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
     let is = |name: &str, contestant: &Contestant| contestant.name().eq_ignore_ascii_case(name);
     for name in &arguments.methods {
         if !contestants.iter().any(|contestant| is(name, contestant)) {
-            return Err(Failure::Method {
-                name: name.clone(),
-                known: contestants
-                    .iter()
-                    .map(|contestant| contestant.name().to_owned())
-                    .collect(),
-            });
+            let known = contestants.iter().map(|contestant| contestant.name().to_owned());
+            let (name, known) = (name.clone(), known.collect());
+            return Err(UnknownMethod { name, known }.into());
         }
     }
     contestants.retain(|contestant| arguments.methods.iter().any(|name| is(name, contestant)));
     Ok(contestants)
 }
 
-/// The table of a data set and kind, if there are any such queries; it is a thousand steps of progress.
+/// The table of a data set and kind, if there are such queries. It is a thousand steps of progress.
 fn compare<K: DataKind>(
     comparison: &mut Comparison,
     source: &Source,
     sample: u32,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<Option<Table>, Failure> {
-    let told = Cell::new(0);
-    let tell = |done: f64| {
+) -> Result<Option<Table>, Failure>
+where
+    dyn Ccd: Decide<K>,
+{
+    let reported = Cell::new(0);
+    let report = |done: f64| {
         let thousandths = (1000.0 * done) as usize;
-        progress(thousandths.saturating_sub(told.get()));
-        told.set(told.get().max(thousandths));
+        progress(thousandths.saturating_sub(reported.get()));
+        reported.set(reported.get().max(thousandths));
     };
     let subjects = source.read::<K>(sample as usize / 2)?;
     let table = if subjects.population() == [0, 0] {
         None
     } else {
-        Some(comparison.run(source.name(), &subjects, &tell)?)
+        Some(comparison.run(source.name(), &subjects, &report))
     };
-    tell(1.0);
+    report(1.0);
     Ok(table)
 }

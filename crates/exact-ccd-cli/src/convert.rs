@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::{DataKind, Record, Rounding, Scene, Seventh};
+use exact_ccd_data::{DataKind, Record, Rounding, Scene, Seventh};
 use rayon::prelude::*;
 
 use crate::failure::Failure;

@@ -4,9 +4,10 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::parity::RoundingError;
-use exact_ccd_bench::DataError;
 use exact_ccd_bench::comparison::PeerError;
+use exact_ccd_data::DataError;
 use exact_ccd_mesh::{ReadError, ReadMotionError, StepError};
+use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 
@@ -38,8 +39,8 @@ pub(crate) enum Failure {
     Peer(#[from] PeerError),
     #[error("there are two methods called {0}")]
     SameMethod(String),
-    #[error("there is no method {name}; there are {}", .known.join(", "))]
-    Method { name: String, known: Vec<String> },
+    #[error(transparent)]
+    Method(#[from] UnknownMethod),
     #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]

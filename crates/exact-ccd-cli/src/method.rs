@@ -1,44 +1,93 @@
-//! The methods that answer queries.
+//! The methods of `exact-ccd queries`.
 
 use std::fmt;
+use std::str::FromStr;
+use std::sync::Arc;
 
 use exact_ccd::parity::{self, Parity, Rounded, RoundingError};
-use exact_ccd::{ContactTime, ContactTimes, Kind, Query};
+use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, TimeGuarantee};
+use exact_ccd_methods::{UnknownMethod, by_name};
 
 use crate::shortest::shortest;
 
-/// What a query is asked.
-#[derive(Clone, Copy, clap::ValueEnum)]
+/// A registered method, or the parity in integers. Those that count contacts are apart.
+#[derive(Clone)]
 pub(crate) enum Method {
-    /// The contact times, exactly.
     Exact,
-    /// The parity of the number of contacts, after each query was shifted and rounded by itself.
     Parity,
-    /// The parity of the number of contacts, in integers, without rounding.
     ParityRational,
+    Other(Arc<dyn Ccd>),
 }
 
-/// What a method says of a query.
-pub(crate) enum Answer {
-    Times(ContactTimes),
-    Parity(Parity),
+/// The name of [`Method::ParityRational`], which is no method of its own: it is the parity without rounding.
+const PARITY_RATIONAL: &str = "parity-rational";
+
+impl FromStr for Method {
+    type Err = UnknownMethod;
+
+    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
+        match name.to_ascii_lowercase().as_str() {
+            "exact" => Ok(Self::Exact),
+            "parity" => Ok(Self::Parity),
+            PARITY_RATIONAL => Ok(Self::ParityRational),
+            _ => by_name(name)
+                .map(|method| Self::Other(method.into()))
+                .map_err(|mut unknown| {
+                    unknown.known.push(PARITY_RATIONAL.to_owned());
+                    unknown
+                }),
+        }
+    }
 }
 
 impl Method {
-    pub(crate) fn answer<K: Kind>(self, query: &Query<K>) -> Result<Answer, RoundingError> {
+    pub(crate) fn answer<K: Kind>(&self, query: &Query<K>) -> Result<Answer, RoundingError>
+    where
+        dyn Ccd: Decide<K>,
+    {
         Ok(match self {
-            Self::Exact => Answer::Times(query.contact_times()),
-            Self::Parity => Answer::Parity(Rounded::shift(query)?.parity()),
-            Self::ParityRational => Answer::Parity(parity::rational(query)),
+            Self::Exact => {
+                let times = query.contact_times();
+                Answer {
+                    collides: times.first().is_some(),
+                    count: times.count().map_or("-1".to_owned(), |count| count.to_string()),
+                    toi: times.first().map(ContactTime::lower),
+                }
+            }
+            Self::Parity => Rounded::shift(query)?.parity().into(),
+            Self::ParityRational => parity::rational(query).into(),
+            Self::Other(method) => {
+                let time = method.time_of_impact(query);
+                let has_times = method.guarantees().time != TimeGuarantee::Absent;
+                Answer {
+                    collides: time.is_some(),
+                    count: String::new(),
+                    toi: time.filter(|_| has_times),
+                }
+            }
         })
     }
 }
 
-impl Answer {
-    pub(crate) fn is_contact(&self) -> bool {
-        match self {
-            Self::Times(times) => times.first().is_some(),
-            Self::Parity(parity) => parity.is_collision(),
+/// The answer of a method to a query.
+pub(crate) struct Answer {
+    pub(crate) collides: bool,
+    /// The number of contacts or its parity; empty from a method that does not count.
+    count: String,
+    toi: Option<f64>,
+}
+
+impl From<Parity> for Answer {
+    fn from(parity: Parity) -> Self {
+        let count = match parity {
+            Parity::Even => "even",
+            Parity::Odd => "odd",
+            Parity::Boundary => "boundary",
+        };
+        Self {
+            collides: parity.is_collision(),
+            count: count.to_owned(),
+            toi: None,
         }
     }
 }
@@ -46,16 +95,7 @@ impl Answer {
 /// The columns `contact`, `count` and `toi`.
 impl fmt::Display for Answer {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{},", u8::from(self.is_contact()))?;
-        match self {
-            Self::Times(times) => {
-                let count = times.count().map_or("-1".to_owned(), |count| count.to_string());
-                let toi = times.first().map(ContactTime::lower);
-                write!(f, "{count},{}", toi.map_or(String::new(), shortest))
-            }
-            Self::Parity(Parity::Even) => write!(f, "even,"),
-            Self::Parity(Parity::Odd) => write!(f, "odd,"),
-            Self::Parity(Parity::Boundary) => write!(f, "boundary,"),
-        }
+        let toi = self.toi.map_or(String::new(), shortest);
+        write!(f, "{},{},{toi}", u8::from(self.collides), self.count)
     }
 }

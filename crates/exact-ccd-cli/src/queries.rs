@@ -1,11 +1,11 @@
-//! `exact-ccd queries`: the contact times of the queries in files, or the parity of their number.
+//! `exact-ccd queries`: the contacts of the queries in files, by any method.
 
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::{DataKind, Rounding, Sample};
+use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
+use exact_ccd_data::{DataKind, Rounding, Sample};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
@@ -16,10 +16,10 @@ use crate::progress::{self, during};
 use crate::query_files::{self, Samples};
 use crate::tally::Tally;
 
-/// How many queries are read before they are answered, all at once.
+/// The number of queries that are read before they are answered in parallel.
 const BATCH: usize = 4096;
 
-/// The contact times of the queries in files, or the parity of their number
+/// The contacts of the queries in files, by the exact method or another one
 ///
 /// A query is eight rows: its four points at t = 0, then the same at t = 1.
 /// These are the vertex and the corners of the face, or the ends of the first
@@ -29,20 +29,25 @@ const BATCH: usize = 4096;
 /// columns of `exact-ccd convert` instead.
 ///
 /// The answers are CSV, a row for each query:
-///   query    its number, from 0, which runs on from one file to the next
+///   query    the number of the query, from 0, over all files
 ///   contact  1 or 0
-///   count    how many distinct contact times there are, -1 for an interval
+///   count    the number of distinct contact times, -1 for an interval
 ///   toi      the earliest, rounded down to f64, as the shortest decimal that
 ///            reads back to it; empty if there is none
 ///
-/// The parity methods are those of the paper "Fast and Exact Root Parity for
-/// Continuous Collision Detection" (2022). They do not tell zero contacts from
-/// two. Of their answers, toi is empty, and the other columns are
-///   contact  0 for even, 1 for odd and boundary
-///   count    even, odd, or boundary for a contact at t = 0 or t = 1, with an
-///            edge of the face, or with an end of an edge
+/// Two methods count the parity of the number of contacts, as in the paper
+/// "Fast and Exact Root Parity for Continuous Collision Detection" (2022):
+/// parity shifts and rounds each query, parity-rational computes in integers.
+/// To them, two contacts look like none. Their toi is empty, and
+///   contact  is 0 for even, 1 for odd and boundary
+///   count    is even, odd, or boundary for a contact at t = 0 or t = 1, with
+///            an edge of the face, or with an end of an edge
 ///
-/// How many answers differ from the ground truth is told on standard error.
+/// The other methods are those of `exact-ccd bench`. Their count is empty, and
+/// so is the toi of those without times.
+///
+/// If there is ground truth, the numbers of false positives and of false
+/// negatives go to standard error.
 ///
 /// Exit status: 0 whatever the answers, 2 error. The queries before an error
 /// are answered.
@@ -52,7 +57,7 @@ pub(crate) struct Arguments {
     /// A vertex against a face, or an edge against an edge.
     #[arg(long)]
     kind: Kind,
-    /// What to ask.
+    /// The method, in upper or lower case: exact, parity, parity-rational, or one of `exact-ccd bench`.
     #[arg(long, default_value = "exact")]
     method: Method,
     /// Round coordinates that are not exactly f64 to the nearest, instead of refusing them.
@@ -64,7 +69,7 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    // Answers on the same terminal show progress enough.
+    // A bar and answers on the same terminal would overwrite each other.
     let bar = if io::stdout().is_terminal() {
         ProgressBar::hidden()
     } else {
@@ -84,7 +89,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 fn answer_all<K: DataKind + 'static>(
     arguments: &Arguments,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<Tally, Failure> {
+) -> Result<Tally, Failure>
+where
+    dyn Ccd: Decide<K>,
+{
     let rounding = if arguments.round_input {
         Rounding::ToNearest
     } else {
@@ -95,7 +103,14 @@ fn answer_all<K: DataKind + 'static>(
     let mut tally = Tally::default();
     let answered = arguments.files.iter().try_for_each(|file| {
         let samples = query_files::open::<K>(file, rounding)?;
-        answer(file, samples, arguments.method, &mut tally, &mut output, progress)
+        answer(
+            file,
+            samples,
+            &arguments.method,
+            &mut tally,
+            &mut output,
+            progress,
+        )
     });
     let flushed = output.flush();
     answered?;
@@ -106,11 +121,14 @@ fn answer_all<K: DataKind + 'static>(
 fn answer<K: DataKind>(
     file: &Path,
     mut samples: Samples<K>,
-    method: Method,
+    method: &Method,
     tally: &mut Tally,
     output: &mut impl Write,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(), Failure> {
+) -> Result<(), Failure>
+where
+    dyn Ccd: Decide<K>,
+{
     let first = tally.queries();
     loop {
         let mut read = Ok(());
@@ -125,7 +143,7 @@ fn answer<K: DataKind>(
             let answer =
                 answer.map_err(|source| Failure::query(query_files::name(file), query - first, source))?;
             writeln!(output, "{query},{answer}")?;
-            tally.add(answer.is_contact(), sample.truth);
+            tally.add(answer.collides, sample.truth);
         }
         progress(batch.len());
         read?;

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use exact_ccd_bench::{
+use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataError, DataKind, QueryReader, QueryWriter, Record, Rounding, Sample,
     Seventh,
 };

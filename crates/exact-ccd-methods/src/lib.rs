@@ -1,23 +1,31 @@
-//! Ten published methods of continuous collision detection, and the exact one, behind one trait.
+//! Nine published methods of continuous collision detection behind the trait [`Ccd`](exact_ccd::Ccd), for comparison.
 //!
-//! Each is implemented from the literature, as published, with its published parameters as the defaults: what it
-//! misses and what it invents is part of it. They are here to be compared with; the method to use is [`Exact`].
+//! Each is implemented from the literature, as published and with its published parameters as the defaults. Its false
+//! negatives and false positives are part of it, and its documentation lists them. [`all`] adds the two methods of the
+//! kernel: [`Exact`](exact_ccd::Exact), which is the one to use, and [`RootParity`](exact_ccd::parity::RootParity).
+//!
+//! ```
+//! use exact_ccd::{Query, VertexFace};
+//!
+//! let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+//! let at = |z: f64| [[0.25, 0.25, z], face[0], face[1], face[2]];
+//! let query = Query::<VertexFace>::new(at(1.0), at(-1.0))?;
+//!
+//! let tight_inclusion = exact_ccd_methods::by_name("ti")?;
+//! let time = tight_inclusion.time_of_impact(&query);
+//! assert!(time.is_some_and(|time| time <= 0.5));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-mod all;
 mod bernstein;
-mod exact;
 mod inclusion;
 mod interval;
-mod method;
-mod parity;
+mod registry;
 mod root_finding;
 mod root_parity;
 
-pub use all::all;
 pub use bernstein::{BernsteinSignClassification, TightCcd};
-pub use exact::Exact;
 pub use inclusion::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};
-pub use method::{Answer, Method, Promise, Time};
-pub use parity::RootParity;
+pub use registry::{UnknownMethod, all, by_name, names};
 pub use root_finding::{FloatingPointRootFinder, MinimumSeparationRootFinder};
 pub use root_parity::{BrochuRootParity, RationalRootParity};

@@ -1,8 +1,8 @@
 //! The methods in Bernstein form: what they promise, and where they are known to fail.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_methods::{BernsteinSignClassification, Method, TightCcd};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd_methods::{BernsteinSignClassification, TightCcd};
 use proptest::array::{uniform3, uniform4};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -53,10 +53,10 @@ fn edge_edge([start, end]: Points) -> Query<EdgeEdge> {
 }
 
 /// What a method says of a vertex and a face, and of two edges.
-fn both(method: &impl Method, points: Points) -> [bool; 2] {
+fn both(method: &impl Ccd, points: Points) -> [bool; 2] {
     [
-        method.vertex_face(&vertex_face(points)).is_contact(),
-        method.edge_edge(&edge_edge(points)).is_contact(),
+        method.collides(&vertex_face(points)),
+        method.collides(&edge_edge(points)),
     ]
 }
 
@@ -89,9 +89,9 @@ proptest! {
     fn sign_classification_is_right_about_a_translation(face in translation(1), edge in translation(2)) {
         let method = BernsteinSignClassification::default();
         let vertex_face = vertex_face(face);
-        prop_assert_eq!(method.vertex_face(&vertex_face).is_contact(), vertex_face.collides());
+        prop_assert_eq!(method.collides(&vertex_face), vertex_face.collides());
         let edge_edge = edge_edge(edge);
-        prop_assert_eq!(method.edge_edge(&edge_edge).is_contact(), edge_edge.collides());
+        prop_assert_eq!(method.collides(&edge_edge), edge_edge.collides());
     }
 }
 
@@ -121,37 +121,25 @@ fn against_face(start: Point, end: Point) -> Query<VertexFace> {
 #[test]
 fn a_vertex_falls_through_a_face() {
     let query = against_face([0.25, 0.25, 1.0], [0.25, 0.25, -1.0]);
-    assert!(TightCcd.vertex_face(&query).is_contact());
-    assert!(
-        BernsteinSignClassification::default()
-            .vertex_face(&query)
-            .is_contact()
-    );
+    assert!(TightCcd.collides(&query));
+    assert!(BernsteinSignClassification::default().collides(&query));
 }
 
 #[test]
 fn a_vertex_stays_above_a_face() {
     let query = against_face([0.25, 0.25, 2.0], [0.25, 0.25, 1.0]);
-    assert!(!TightCcd.vertex_face(&query).is_contact());
-    assert!(
-        !BernsteinSignClassification::default()
-            .vertex_face(&query)
-            .is_contact()
-    );
+    assert!(!TightCcd.collides(&query));
+    assert!(!BernsteinSignClassification::default().collides(&query));
 }
 
 #[test]
 fn tight_ccd_invents_a_contact_where_the_cubic_is_linear() {
     let query = against_face([5.0, 5.0, 1.0], [5.0, 5.0, -1.0]);
-    assert!(TightCcd.vertex_face(&query).is_contact());
-    assert!(
-        !BernsteinSignClassification::default()
-            .vertex_face(&query)
-            .is_contact()
-    );
+    assert!(TightCcd.collides(&query));
+    assert!(!BernsteinSignClassification::default().collides(&query));
     // The first coefficient alone has a sign of its own.
     let query = against_face([5.0, 5.0, 1.0], [5.0, 5.0, -4.0]);
-    assert!(!TightCcd.vertex_face(&query).is_contact());
+    assert!(!TightCcd.collides(&query));
 }
 
 /// The product of a linear height and a quadratic area, with coefficients 2, 1, −1, −2.
@@ -175,7 +163,7 @@ fn tight_ccd_depends_on_the_unit() {
     for (unit, is_reported) in [(1.0 / 64.0, true), (1.0 / 4.0, false), (64.0, true)] {
         let query = vertex_face(points.map(|points| points.map(|point| point.map(|x| x * unit))));
         assert!(!query.collides());
-        assert_eq!(TightCcd.vertex_face(&query).is_contact(), is_reported);
+        assert_eq!(TightCcd.collides(&query), is_reported);
     }
 }
 
@@ -186,11 +174,7 @@ fn sign_classification_gives_up_on_an_inflection_point() {
         [[9.0, 9.0, -1.0], [0.0; 3], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
     ]);
     assert!(!query.collides());
-    assert!(
-        BernsteinSignClassification::default()
-            .vertex_face(&query)
-            .is_contact()
-    );
+    assert!(BernsteinSignClassification::default().collides(&query));
 }
 
 #[test]
@@ -198,8 +182,8 @@ fn sign_classification_misses_what_is_always_coplanar() {
     let method = BernsteinSignClassification::default();
     let slides_in = against_face([2.0, 0.25, 0.0], [0.25, 0.25, 0.0]);
     assert!(slides_in.collides());
-    assert!(!method.vertex_face(&slides_in).is_contact());
-    assert!(TightCcd.vertex_face(&slides_in).is_contact());
+    assert!(!method.collides(&slides_in));
+    assert!(TightCcd.collides(&slides_in));
 
     let [a0, a1] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
     let crosses = edge_edge([
@@ -207,8 +191,8 @@ fn sign_classification_misses_what_is_always_coplanar() {
         [a0, a1, [0.5, -1.0, 0.0], [0.5, 1.0, 0.0]],
     ]);
     assert!(crosses.collides());
-    assert!(!method.edge_edge(&crosses).is_contact());
-    assert!(TightCcd.edge_edge(&crosses).is_contact());
+    assert!(!method.collides(&crosses));
+    assert!(TightCcd.collides(&crosses));
 }
 
 #[test]
@@ -219,12 +203,8 @@ fn both_invent_a_contact_where_a_vertex_reaches_the_line_of_an_edge() {
         [a0, a1, [9.0, 0.0, -4.0], [9.0, 1.0, -4.0]],
     ]);
     assert!(!query.collides());
-    assert!(TightCcd.edge_edge(&query).is_contact());
-    assert!(
-        BernsteinSignClassification::default()
-            .edge_edge(&query)
-            .is_contact()
-    );
+    assert!(TightCcd.collides(&query));
+    assert!(BernsteinSignClassification::default().collides(&query));
 }
 
 #[test]
@@ -239,14 +219,10 @@ fn sign_classification_culls_contacts_at_large_coordinates() {
     let [a, b, c] = face;
     let query = vertex_face([[[x, y, low], a, b, c], [[x, y, high], a, b, c]]);
     assert!(query.collides());
-    assert!(
-        !BernsteinSignClassification::default()
-            .vertex_face(&query)
-            .is_contact()
-    );
+    assert!(!BernsteinSignClassification::default().collides(&query));
     let careful = BernsteinSignClassification {
         culling_bound: f64::INFINITY,
     };
-    assert!(careful.vertex_face(&query).is_contact());
-    assert!(TightCcd.vertex_face(&query).is_contact());
+    assert!(careful.collides(&query));
+    assert!(TightCcd.collides(&query));
 }

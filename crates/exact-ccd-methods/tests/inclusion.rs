@@ -1,15 +1,13 @@
 //! The methods that never miss, and what they take for a contact instead.
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_methods::{
-    Answer, IntervalRootFinder, Magnitude, Method, TightInclusion, UnivariateIntervalRootFinder,
-};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd_methods::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 /// The methods, with a limit: what they promise does not depend on when they give up.
-fn methods(max_iterations: usize) -> [Box<dyn Method>; 4] {
+fn methods(max_iterations: usize) -> [Box<dyn Ccd>; 4] {
     let tight_inclusion = TightInclusion {
         max_iterations,
         ..Default::default()
@@ -32,28 +30,28 @@ fn methods(max_iterations: usize) -> [Box<dyn Method>; 4] {
     ]
 }
 
-/// Neither misses a contact, nor tells a time after the earliest.
-fn keeps_its_promise(answer: Answer, time_of_impact: Option<f64>) -> bool {
-    match (time_of_impact, answer.time()) {
+/// True if a method neither misses a contact nor returns a time after the earliest.
+fn is_conservative(time: Option<f64>, time_of_impact: Option<f64>) -> bool {
+    match (time_of_impact, time) {
         (None, _) => true,
         (Some(earliest), Some(time)) => time <= earliest,
         (Some(_), None) => false,
     }
 }
 
-fn all_keep_their_promises(points: [[Point; 4]; 2], max_iterations: usize) -> Result<(), TestCaseError> {
+fn assert_conservative(points: [[Point; 4]; 2], max_iterations: usize) -> Result<(), TestCaseError> {
     let [start, end] = points;
     let vertex_face = Query::<VertexFace>::new(start, end).unwrap();
     let edge_edge = Query::<EdgeEdge>::new(start, end).unwrap();
     for method in methods(max_iterations) {
         let answers = [
-            (method.vertex_face(&vertex_face), vertex_face.time_of_impact()),
-            (method.edge_edge(&edge_edge), edge_edge.time_of_impact()),
+            (method.time_of_impact(&vertex_face), vertex_face.time_of_impact()),
+            (method.time_of_impact(&edge_edge), edge_edge.time_of_impact()),
         ];
-        for (answer, earliest) in answers {
+        for (time, earliest) in answers {
             prop_assert!(
-                keeps_its_promise(answer, earliest),
-                "{}: {answer:?} {earliest:?}",
+                is_conservative(time, earliest),
+                "{}: {time:?} {earliest:?}",
                 method.name()
             );
         }
@@ -96,12 +94,12 @@ proptest! {
 
     #[test]
     fn degenerate_contacts_are_not_missed(points in points(grid())) {
-        all_keep_their_promises(points, 500)?;
+        assert_conservative(points, 500)?;
     }
 
     #[test]
     fn almost_degenerate_contacts_are_not_missed(points in points(nudged())) {
-        all_keep_their_promises(points, 500)?;
+        assert_conservative(points, 500)?;
     }
 }
 
@@ -111,7 +109,7 @@ proptest! {
 
     #[test]
     fn contacts_of_any_size_are_not_missed(points in points(finite())) {
-        all_keep_their_promises(points, 100)?;
+        assert_conservative(points, 100)?;
     }
 }
 
@@ -127,7 +125,7 @@ fn above_a_face(from: Point, to: Point) -> Query<VertexFace> {
 fn times_are_early_by_no_more_than_the_tolerance() {
     let query = above_a_face([0.25, 0.25, 1.0], [0.25, 0.25, -2.0]);
     for method in methods(1_000_000) {
-        let time = method.vertex_face(&query).time().unwrap();
+        let time = method.time_of_impact(&query).unwrap();
         assert!(
             time <= 1.0 / 3.0 && time > 1.0 / 3.0 - 1e-6,
             "{} {time}",
@@ -144,7 +142,7 @@ fn a_contact_that_rounding_would_open_is_not_missed() {
         Query::<VertexFace>::new([[0.25, 0.25, 1.0], v1, v2, v3], [[0.25, 0.25, 0.3], v1, v2, v3]).unwrap();
     assert!(query.collides());
     for method in methods(1_000_000) {
-        assert!(method.vertex_face(&query).is_contact(), "{}", method.name());
+        assert!(method.collides(&query), "{}", method.name());
     }
 }
 
@@ -152,7 +150,7 @@ fn a_contact_that_rounding_would_open_is_not_missed() {
 fn what_stays_apart_is_free() {
     let query = above_a_face([0.25, 0.25, 1.0], [0.25, 0.25, 1e-7]);
     for method in methods(1_000_000) {
-        assert_eq!(method.vertex_face(&query), Answer::Free, "{}", method.name());
+        assert_eq!(method.time_of_impact(&query), None, "{}", method.name());
     }
 }
 
@@ -161,8 +159,8 @@ fn what_stays_apart_is_free() {
 fn what_passes_closer_than_the_tolerance_is_a_contact() {
     let query = above_a_face([0.5 + 1e-7, 0.5, 1.0], [0.5 + 1e-7, 0.5, -1.0]);
     assert!(!query.collides());
-    assert!(TightInclusion::default().vertex_face(&query).is_contact());
-    assert!(IntervalRootFinder::default().vertex_face(&query).is_contact());
+    assert!(TightInclusion::default().collides(&query));
+    assert!(IntervalRootFinder::default().collides(&query));
 }
 
 /// u + v ≤ 1: a vertex that passes the face's longest edge is in the square of u and v all the same.
@@ -170,7 +168,7 @@ fn what_passes_closer_than_the_tolerance_is_a_contact() {
 fn the_domain_of_a_face_is_a_triangle() {
     let query = above_a_face([0.6, 0.6, 1.0], [0.6, 0.6, -1.0]);
     for method in methods(1_000_000) {
-        assert_eq!(method.vertex_face(&query), Answer::Free, "{}", method.name());
+        assert_eq!(method.time_of_impact(&query), None, "{}", method.name());
     }
 }
 
@@ -181,9 +179,9 @@ fn tight_inclusion_keeps_a_separation() {
         minimum_separation,
         ..Default::default()
     };
-    assert_eq!(with(0.49).vertex_face(&query), Answer::Free);
+    assert_eq!(with(0.49).time_of_impact(&query), None);
     // The separation is reached at t = 1/2, over an area of (u, v) that has more boxes than it looks at.
-    let time = with(0.75).vertex_face(&query).time().unwrap();
+    let time = with(0.75).time_of_impact(&query).unwrap();
     assert!(time <= 0.5 && time > 0.4, "{time}");
 }
 
@@ -204,10 +202,10 @@ fn tight_inclusion_says_contact_when_its_queue_is_full() {
         ..Default::default()
     };
     assert_eq!(
-        TightInclusion::default().edge_edge(&sliding_edges(0.02)),
-        Answer::Free
+        TightInclusion::default().time_of_impact(&sliding_edges(0.02)),
+        None
     );
-    assert!(limited.edge_edge(&sliding_edges(0.02)).is_contact());
+    assert!(limited.collides(&sliding_edges(0.02)));
 }
 
 #[test]
@@ -217,11 +215,8 @@ fn tight_inclusion_bounds_rounding_by_the_size_of_the_scene() {
         magnitude: Magnitude::Scene([size; 3]),
         ..Default::default()
     };
-    assert_eq!(in_a_scene(1e3).vertex_face(&query), Answer::Free);
-    assert_eq!(
-        in_a_scene(1e5).vertex_face(&query),
-        Answer::Contact { time: Some(0.0) }
-    );
+    assert_eq!(in_a_scene(1e3).time_of_impact(&query), None);
+    assert_eq!(in_a_scene(1e5).time_of_impact(&query), Some(0.0));
 }
 
 /// Collinear edges span no plane, so that every time passes for coplanar, and every position for inside.
@@ -229,8 +224,8 @@ fn tight_inclusion_bounds_rounding_by_the_size_of_the_scene() {
 fn only_the_univariate_finder_takes_edges_in_line_for_edges_that_touch() {
     let edges = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]];
     let query = Query::<EdgeEdge>::new(edges, edges).unwrap();
-    let answer = UnivariateIntervalRootFinder::default().edge_edge(&query);
-    assert_eq!(answer, Answer::Contact { time: Some(0.0) });
-    assert_eq!(IntervalRootFinder::default().edge_edge(&query), Answer::Free);
-    assert_eq!(TightInclusion::default().edge_edge(&query), Answer::Free);
+    let time = UnivariateIntervalRootFinder::default().time_of_impact(&query);
+    assert_eq!(time, Some(0.0));
+    assert_eq!(IntervalRootFinder::default().time_of_impact(&query), None);
+    assert_eq!(TightInclusion::default().time_of_impact(&query), None);
 }

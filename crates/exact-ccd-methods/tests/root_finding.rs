@@ -1,8 +1,8 @@
 //! The floating-point root finders: what they find, what they miss, and what they invent.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_methods::{Answer, FloatingPointRootFinder, Method, MinimumSeparationRootFinder};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd_methods::{FloatingPointRootFinder, MinimumSeparationRootFinder};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{RngSeed, TestRunner};
@@ -47,28 +47,28 @@ fn crossing(length: f64, height: f64, depth: f64) -> Query<EdgeEdge> {
     Query::<EdgeEdge>::new(start, end).unwrap()
 }
 
-fn assert_time(answer: Answer, expected: f64) {
-    let time = answer.time().unwrap();
+fn assert_time(time: Option<f64>, expected: f64) {
+    let time = time.unwrap();
     assert!((time - expected).abs() < 1e-5, "{time} is not {expected}");
 }
 
 #[test]
 fn plain_contacts_are_found_in_time() {
-    for method in [&SOME_DISTANCE as &dyn Method, &minimum_separation()] {
-        assert_time(method.vertex_face(&falling(1.0, 2.0)), 1.0 / 3.0);
-        assert_time(method.edge_edge(&crossing(1.0, 1.0, 2.0)), 1.0 / 3.0);
-        assert_eq!(method.vertex_face(&falling(1.0, -0.5)), Answer::Free);
-        assert_eq!(method.edge_edge(&crossing(1.0, 1.0, -0.5)), Answer::Free);
+    for method in [&SOME_DISTANCE as &dyn Ccd, &minimum_separation()] {
+        assert_time(method.time_of_impact(&falling(1.0, 2.0)), 1.0 / 3.0);
+        assert_time(method.time_of_impact(&crossing(1.0, 1.0, 2.0)), 1.0 / 3.0);
+        assert_eq!(method.time_of_impact(&falling(1.0, -0.5)), None);
+        assert_eq!(method.time_of_impact(&crossing(1.0, 1.0, -0.5)), None);
     }
 }
 
 /// The same contact at other heights: rounding decides, unless there is a distance far above the precision.
 #[test]
 fn double_roots_are_missed() {
-    let missed = |method: &dyn Method| {
+    let missed = |method: &dyn Ccd| {
         let heights = (1..=100).map(|n| f64::from(n) / 7.0);
         heights
-            .filter(|&height| !method.edge_edge(&crossing(1.0, height, 0.3)).is_contact())
+            .filter(|&height| !method.collides(&crossing(1.0, height, 0.3)))
             .count()
     };
     let of_none = missed(&NO_DISTANCE);
@@ -84,16 +84,16 @@ fn parallel_edges_are_missed() {
     let end = moved(start, [true, true, false, false], [0.0, 0.0, -2.0]);
     let query = Query::<EdgeEdge>::new(start, end).unwrap();
     assert!(query.collides());
-    assert_eq!(SOME_DISTANCE.edge_edge(&query), Answer::Free);
-    assert_eq!(minimum_separation().edge_edge(&query), Answer::Free);
+    assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
+    assert_eq!(minimum_separation().time_of_impact(&query), None);
 }
 
 #[test]
 fn short_edges_are_missed() {
     let query = crossing(4e-5, 1e-4, 1e-4);
     assert!(query.collides());
-    assert_eq!(SOME_DISTANCE.edge_edge(&query), Answer::Free);
-    assert_eq!(minimum_separation().edge_edge(&query), Answer::Free);
+    assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
+    assert_eq!(minimum_separation().time_of_impact(&query), None);
 }
 
 /// The corner that swings over turns the normal, of which the method only knows the direction at t = 0.
@@ -102,8 +102,8 @@ fn a_turning_face_is_missed() {
     let p = [0.25, -0.2, 0.225];
     let (a, b) = ([0.0; 3], [1.0, 0.0, 0.0]);
     let query = Query::<VertexFace>::new([p, a, b, [0.0, 1.0, 0.0]], [p, a, b, [0.0, -1.0, 1.0]]).unwrap();
-    assert_eq!(SOME_DISTANCE.vertex_face(&query), Answer::Free);
-    assert!(minimum_separation().vertex_face(&query).is_contact());
+    assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
+    assert!(minimum_separation().collides(&query));
 }
 
 /// 2e-5 apart at the closest.
@@ -118,8 +118,8 @@ fn near_passes_are_taken_for_contacts_by_the_minimum_separation() {
     )
     .unwrap();
     assert!(!query.collides());
-    assert!(minimum_separation().vertex_face(&query).is_contact());
-    assert_eq!(SOME_DISTANCE.vertex_face(&query), Answer::Free);
+    assert!(minimum_separation().collides(&query));
+    assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
 }
 
 fn point() -> impl Strategy<Value = Point> {
@@ -140,34 +140,34 @@ struct Tally {
     invented: usize,
 }
 
-impl FromIterator<(bool, Answer)> for Tally {
-    fn from_iter<I: IntoIterator<Item = (bool, Answer)>>(answers: I) -> Self {
+impl FromIterator<(bool, bool)> for Tally {
+    fn from_iter<I: IntoIterator<Item = (bool, bool)>>(answers: I) -> Self {
         answers
             .into_iter()
             .fold(Self::default(), |tally, (truth, answer)| Self {
                 contacts: tally.contacts + usize::from(truth),
-                missed: tally.missed + usize::from(truth && !answer.is_contact()),
-                invented: tally.invented + usize::from(!truth && answer.is_contact()),
+                missed: tally.missed + usize::from(truth && !answer),
+                invented: tally.invented + usize::from(!truth && answer),
             })
     }
 }
 
-fn tally_of_edges(method: &dyn Method) -> Tally {
+fn tally_of_edges(method: &dyn Ccd) -> Tally {
     in_general_position()
         .map(|[start, end]| Query::<EdgeEdge>::new(start, end).unwrap())
-        .map(|query| (query.collides(), method.edge_edge(&query)))
+        .map(|query| (query.collides(), method.collides(&query)))
         .collect()
 }
 
 /// With a face that does not turn.
-fn tally_of_faces(method: &dyn Method) -> Tally {
+fn tally_of_faces(method: &dyn Ccd) -> Tally {
     in_general_position()
         .map(|[start, [by, p, ..]]| {
             let mut end = moved(start, [false, true, true, true], by);
             end[0] = p;
             Query::<VertexFace>::new(start, end).unwrap()
         })
-        .map(|query| (query.collides(), method.vertex_face(&query)))
+        .map(|query| (query.collides(), method.collides(&query)))
         .collect()
 }
 
@@ -217,9 +217,9 @@ proptest! {
     #[test]
     fn times_are_in_the_step(start in prop::array::uniform4(point()), end in prop::array::uniform4(point())) {
         let (face, edges) = (Query::<VertexFace>::new(start, end).unwrap(), Query::<EdgeEdge>::new(start, end).unwrap());
-        for method in [&NO_DISTANCE as &dyn Method, &minimum_separation()] {
-            for answer in [method.vertex_face(&face), method.edge_edge(&edges)] {
-                prop_assert!(answer.time().is_none_or(|t| (0.0..=1.0).contains(&t)));
+        for method in [&NO_DISTANCE as &dyn Ccd, &minimum_separation()] {
+            for time in [method.time_of_impact(&face), method.time_of_impact(&edges)] {
+                prop_assert!(time.is_none_or(|t| (0.0..=1.0).contains(&t)));
             }
         }
     }
@@ -229,10 +229,10 @@ proptest! {
         start in prop::array::uniform4(prop::array::uniform3(any::<f64>())),
         end in prop::array::uniform4(prop::array::uniform3(any::<f64>())),
     ) {
-        for method in [&NO_DISTANCE as &dyn Method, &SOME_DISTANCE, &minimum_separation()] {
+        for method in [&NO_DISTANCE as &dyn Ccd, &SOME_DISTANCE, &minimum_separation()] {
             if let (Ok(face), Ok(edges)) = (Query::<VertexFace>::new(start, end), Query::<EdgeEdge>::new(start, end)) {
-                method.vertex_face(&face);
-                method.edge_edge(&edges);
+                method.time_of_impact(&face);
+                method.time_of_impact(&edges);
             }
         }
     }

@@ -1,37 +1,30 @@
-//! Who answers, and what an answer takes.
+//! The methods of a comparison, and how their answers are timed.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-use exact_ccd::Query;
-use exact_ccd_methods::{Answer, Method, Promise};
+use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
+use exact_ccd_data::DataKind;
 
 use super::peer::{Peer, PeerError};
-use crate::kind::DataKind;
+use super::timed::Timed;
 
-/// A method in a comparison: one behind the trait, or one of another program.
+/// A method in a comparison.
 pub enum Contestant {
-    /// It runs in this process.
-    Method(Box<dyn Method>),
-    /// It runs in a process of its own.
+    /// A method that runs in this process.
+    Method(Box<dyn Ccd>),
+    /// A method that runs in a process of its own.
     Peer(Peer),
 }
 
-/// An answer and the time that it took, in nanoseconds.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Timed {
-    pub(super) answer: Answer,
-    pub(super) nanoseconds: f64,
-}
-
-/// How often the same queries are answered, of which the least time counts: what is longer tells of the scheduler.
+/// The number of times that the same queries are answered. The least time counts: longer ones are due to the scheduler.
 const ATTEMPTS: usize = 3;
 
-/// Answers that take longer than this, for some queries together, are not repeated.
+/// Queries that together take longer than this are answered only once.
 const PATIENCE: Duration = Duration::from_millis(20);
 
 impl Contestant {
-    /// The name in tables.
+    /// The name of the method.
     #[must_use]
     pub fn name(&self) -> &str {
         match self {
@@ -40,21 +33,24 @@ impl Contestant {
         }
     }
 
-    /// What its answers are worth.
+    /// The guarantees of the method's answers.
     #[must_use]
-    pub fn promise(&self) -> Promise {
+    pub fn guarantees(&self) -> Guarantees {
         match self {
-            Self::Method(method) => method.promise(),
-            Self::Peer(peer) => peer.promise(),
+            Self::Method(method) => method.guarantees(),
+            Self::Peer(peer) => peer.guarantees(),
         }
     }
 
-    /// Answers some queries, the first of them at least, until the time is up.
+    /// Answers queries in order, the first at least, until the time is up.
     pub(super) fn answer<K: DataKind>(
         &mut self,
         queries: &[Query<K>],
         limit: Duration,
-    ) -> Result<Vec<Timed>, PeerError> {
+    ) -> Result<Vec<Timed>, PeerError>
+    where
+        dyn Ccd: Decide<K>,
+    {
         let clock = Instant::now();
         let mut best = self.attempt(queries, limit)?;
         for _ in 1..ATTEMPTS {
@@ -69,29 +65,37 @@ impl Contestant {
         Ok(best)
     }
 
-    fn attempt<K: DataKind>(
-        &mut self,
-        queries: &[Query<K>],
-        limit: Duration,
-    ) -> Result<Vec<Timed>, PeerError> {
+    fn attempt<K: DataKind>(&mut self, queries: &[Query<K>], limit: Duration) -> Result<Vec<Timed>, PeerError>
+    where
+        dyn Ccd: Decide<K>,
+    {
         match self {
-            Self::Method(method) => Ok(time_all(method.as_ref(), queries, limit)),
+            Self::Method(method) => {
+                let has_times = method.guarantees().time != TimeGuarantee::Absent;
+                Ok(time_all(method.as_ref(), has_times, queries, limit))
+            }
             Self::Peer(peer) => peer.answer(queries, limit),
         }
     }
 }
 
-fn time_all<K: DataKind>(method: &dyn Method, queries: &[Query<K>], limit: Duration) -> Vec<Timed> {
-    let reading = reading_the_clock();
+fn time_all<K: DataKind>(
+    method: &(impl Decide<K> + ?Sized),
+    has_times: bool,
+    queries: &[Query<K>],
+    limit: Duration,
+) -> Vec<Timed> {
+    let overhead = clock_overhead();
     let begin = Instant::now();
     let mut answers = Vec::with_capacity(queries.len());
     for query in queries {
         let clock = Instant::now();
-        let answer = black_box(K::ask(method, black_box(query)));
+        let time = black_box(method.time_of_impact(black_box(query)));
         let elapsed = clock.elapsed().as_secs_f64() * 1e9;
         answers.push(Timed {
-            answer,
-            nanoseconds: (elapsed - reading).max(0.0),
+            collides: time.is_some(),
+            time: time.filter(|_| has_times),
+            nanoseconds: (elapsed - overhead).max(0.0),
         });
         if begin.elapsed() > limit {
             break;
@@ -100,8 +104,8 @@ fn time_all<K: DataKind>(method: &dyn Method, queries: &[Query<K>], limit: Durat
     answers
 }
 
-/// What it takes to read the clock, in nanoseconds: the least of some attempts.
-fn reading_the_clock() -> f64 {
+/// The time that a reading of the clock takes, in nanoseconds: the least of some attempts.
+fn clock_overhead() -> f64 {
     let attempt = |_| {
         let clock = Instant::now();
         clock.elapsed().as_secs_f64() * 1e9

@@ -3,12 +3,15 @@
 mod contestant;
 mod peer;
 mod plots;
+mod process;
 mod report;
 mod run;
 mod sampling;
 mod setting;
 mod source;
+mod statistics;
 mod table;
+mod timed;
 
 pub use contestant::Contestant;
 pub use peer::{Peer, PeerError};
@@ -17,4 +20,5 @@ pub use run::Comparison;
 pub use sampling::{Subject, Subjects};
 pub use setting::Setting;
 pub use source::Source;
-pub use table::{Row, Table, TimeError};
+pub use statistics::TimeError;
+pub use table::{Row, Sizes, Table};

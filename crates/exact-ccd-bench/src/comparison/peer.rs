@@ -3,80 +3,84 @@
 //! A peer is a command. It writes a line of JSON, its methods:
 //!
 //! ```json
-//! {"methods": [{"name": "TI", "may_miss": false, "may_invent": true, "time": "conservative", "call_ns": 700.0}]}
+//! {"methods": [{"name": "TI", "false_negatives": false, "false_positives": true, "time": "conservative", "call_ns": 700.0}]}
 //! ```
 //!
-//! where `time` is `absent`, `approximate`, `conservative` or `exact`, and `call_ns` is what a call takes that has nothing
-//! to do. Then, again and again, it reads a line such as
+//! where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`, `conservative` or `exact`, and
+//! `call_ns` is the time of an empty call in nanoseconds. Then, again and again, it reads a line such as
 //!
 //! ```json
 //! {"method": "TI", "kind": "vf", "queries": 128, "limit_ns": 1000000}
 //! ```
 //!
-//! and 24 little-endian `f64` for each query, the points at t = 0 and then at t = 1. It answers the queries in order, and stops
-//! after the one during which the limit is passed. It writes a line with the number of queries that it answered and, for
-//! each, three little-endian `f64`: the nanoseconds that it took, 1 for contact or 0, and the time of contact or NaN. It ends when its
-//! input does.
+//! and 24 little-endian `f64` for each query: the points at t = 0 and then at t = 1. It answers the queries in order, and
+//! stops after the one during which the limit is passed. It writes a line with the number of queries that it answered
+//! and, for each, three little-endian `f64`: the nanoseconds that it took, 1 for contact or 0, and the time of contact or
+//! NaN. It ends when its input ends.
 
 use std::cell::RefCell;
-use std::io::{self, BufRead, BufReader, BufWriter, Read, Write};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::io::{self, Write};
 use std::rc::Rc;
 use std::time::Duration;
 
-use exact_ccd::Query;
-use exact_ccd_methods::{Answer, Promise, Time};
+use exact_ccd::{Guarantees, Query, TimeGuarantee};
+use exact_ccd_data::DataKind;
 use serde::{Deserialize, Serialize};
 
-use super::contestant::Timed;
-use crate::kind::DataKind;
+use super::process::Process;
+use super::timed::Timed;
 
 /// A method of another program.
 pub struct Peer {
     name: String,
-    promise: Promise,
+    guarantees: Guarantees,
     call_nanoseconds: f64,
-    process: Rc<RefCell<Process>>,
+    program: Rc<RefCell<Program>>,
 }
 
-struct Process {
+/// A program with its methods.
+struct Program {
     command: String,
-    child: Child,
-    requests: BufWriter<ChildStdin>,
-    answers: BufReader<ChildStdout>,
+    process: Process,
+    /// The time that it has for an answer, beyond that for the queries.
+    grace: Duration,
 }
 
-/// A program that should answer queries does not.
+/// A program that should answer queries fails.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum PeerError {
-    /// The command is not one.
+    /// The command cannot be split into words.
     #[error("{command}: cannot be split into words")]
     Command {
         /// The command.
         command: String,
     },
-    /// It cannot be started, or its pipes broke.
+    /// The program cannot be started, has ended, or does not answer in time.
     #[error("{command}: {source}")]
     Io {
         /// The command.
         command: String,
-        /// What went wrong.
+        /// The error of the system.
         source: io::Error,
     },
-    /// It answers something else.
+    /// The answer has another form.
     #[error("{command}: expected {expected}, found {found:?}")]
     Answer {
         /// The command.
         command: String,
-        /// What should have come.
+        /// The right form.
         expected: &'static str,
-        /// What came.
+        /// The beginning of the answer.
         found: String,
     },
 }
 
 /// A day.
-const MOST_NANOSECONDS: f64 = 24.0 * 3600.0 * 1e9;
+const MAX_NANOSECONDS: f64 = 24.0 * 3600.0 * 1e9;
+
+/// The length of an excerpt of a wrong answer, in characters.
+const EXCERPT: usize = 80;
 
 #[derive(Deserialize)]
 struct Greeting {
@@ -86,8 +90,8 @@ struct Greeting {
 #[derive(Deserialize)]
 struct Description {
     name: String,
-    may_miss: bool,
-    may_invent: bool,
+    false_negatives: bool,
+    false_positives: bool,
     time: TimeName,
     call_ns: f64,
 }
@@ -112,102 +116,87 @@ struct Request<'a> {
 impl Peer {
     /// Starts a program, and returns its methods.
     ///
+    /// The program fails if it needs longer than `grace` for the line with its methods, or, beyond the time limit of the
+    /// queries, for an answer.
+    ///
     /// # Errors
-    /// If it cannot be started, or does not say what its methods are.
-    pub fn start(command: &str) -> Result<Vec<Self>, PeerError> {
+    /// If the program cannot be started, or does not write the line with its methods.
+    pub fn start(command: &str, grace: Duration) -> Result<Vec<Self>, PeerError> {
         let words = shell_words::split(command).ok().filter(|words| !words.is_empty());
-        let Some([program, arguments @ ..]) = words.as_deref() else {
+        let Some([name, arguments @ ..]) = words.as_deref() else {
             let command = command.to_owned();
             return Err(PeerError::Command { command });
         };
-        let io = |source| PeerError::Io {
+        let process = Process::start(name, arguments).map_err(|source| PeerError::Io {
             command: command.to_owned(),
             source,
-        };
-        let mut child = Command::new(program)
-            .args(arguments)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(io)?;
-        let (requests, answers) = child
-            .stdin
-            .take()
-            .zip(child.stdout.take())
-            .ok_or_else(|| io(io::ErrorKind::BrokenPipe.into()))?;
-        let mut process = Process {
+        })?;
+        let mut program = Program {
             command: command.to_owned(),
-            child,
-            requests: BufWriter::new(requests),
-            answers: BufReader::new(answers),
+            process,
+            grace,
         };
-        let line = process.line()?;
-        let greeting: Greeting =
-            serde_json::from_str(&line).map_err(|_| process.unexpected("a line with its methods", &line))?;
-        let process = Rc::new(RefCell::new(process));
+        let methods = program.greeting()?;
+        let program = Rc::new(RefCell::new(program));
         let peer = |description: Description| Self {
             name: description.name,
-            promise: Promise {
-                may_miss: description.may_miss,
-                may_invent: description.may_invent,
+            guarantees: Guarantees {
+                false_negatives: description.false_negatives,
+                false_positives: description.false_positives,
                 time: match description.time {
-                    TimeName::Absent => Time::Absent,
-                    TimeName::Approximate => Time::Approximate,
-                    TimeName::Conservative => Time::Conservative,
-                    TimeName::Exact => Time::Exact,
+                    TimeName::Absent => TimeGuarantee::Absent,
+                    TimeName::Approximate => TimeGuarantee::Approximate,
+                    TimeName::Conservative => TimeGuarantee::Conservative,
+                    TimeName::Exact => TimeGuarantee::Exact,
                 },
             },
             call_nanoseconds: description.call_ns,
-            process: Rc::clone(&process),
+            program: Rc::clone(&program),
         };
-        Ok(greeting.methods.into_iter().map(peer).collect())
+        Ok(methods.into_iter().map(peer).collect())
     }
 
-    /// The name in tables.
+    /// The name of the method.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// What its answers are worth.
+    /// The guarantees of the method's answers, according to the program.
     #[must_use]
-    pub fn promise(&self) -> Promise {
-        self.promise
+    pub fn guarantees(&self) -> Guarantees {
+        self.guarantees
     }
 
-    /// What a call takes that does nothing, in nanoseconds: it is part of all times of this method.
+    /// The time of an empty call in nanoseconds. It is part of all times of this method.
     #[must_use]
     pub fn call_nanoseconds(&self) -> f64 {
         self.call_nanoseconds
     }
 
+    /// Answers queries in order, the first at least, until the time is up. After an error the program is ended.
     pub(super) fn answer<K: DataKind>(
         &mut self,
         queries: &[Query<K>],
         limit: Duration,
     ) -> Result<Vec<Timed>, PeerError> {
-        let mut process = self.process.borrow_mut();
+        let mut program = self.program.borrow_mut();
         let request = Request {
             method: &self.name,
             kind: K::SHORT,
             queries: queries.len(),
             limit_ns: u64::try_from(limit.as_nanos()).unwrap_or(u64::MAX),
         };
-        process
-            .ask(&request, queries)
-            .map_err(|source| process.io(source))?;
-        let line = process.line()?;
-        let answered = line
-            .trim()
-            .parse()
-            .ok()
-            .filter(|answered| (1..=queries.len()).contains(answered));
-        let answered = answered.ok_or_else(|| process.unexpected("how many queries it answered", &line))?;
-        (0..answered).map(|_| process.timed()).collect()
+        let answers = program.answer(&request, queries, limit);
+        if answers.is_err() {
+            // The rest of a wrong answer must not be read as the answer to the next request.
+            program.process.kill();
+        }
+        answers
     }
 }
 
-impl Process {
+impl Program {
     fn io(&self, source: io::Error) -> PeerError {
         let command = self.command.clone();
         PeerError::Io { command, source }
@@ -217,56 +206,68 @@ impl Process {
         PeerError::Answer {
             command: self.command.clone(),
             expected,
-            found: found.chars().take(80).collect(),
+            found: found.chars().take(EXCERPT).collect(),
         }
     }
 
-    fn line(&mut self) -> Result<String, PeerError> {
-        let mut line = String::new();
-        let read = self.answers.read_line(&mut line);
-        match read.map_err(|source| self.io(source))? {
-            0 => Err(self.io(io::Error::new(io::ErrorKind::UnexpectedEof, "it has ended"))),
-            _ => Ok(line),
-        }
+    fn greeting(&mut self) -> Result<Vec<Description>, PeerError> {
+        self.process.set_patience(self.grace);
+        let line = self.process.line().map_err(|source| self.io(source))?;
+        let greeting: Result<Greeting, _> = serde_json::from_str(&line);
+        greeting
+            .map(|greeting| greeting.methods)
+            .map_err(|_| self.unexpected("a line with its methods", &line))
     }
 
-    fn ask<K: DataKind>(&mut self, request: &Request<'_>, queries: &[Query<K>]) -> io::Result<()> {
-        serde_json::to_writer(&mut self.requests, request)?;
-        self.requests.write_all(b"\n")?;
-        for x in queries
-            .iter()
-            .flat_map(|query| query.points().as_flattened().as_flattened())
-        {
-            self.requests.write_all(&x.to_le_bytes())?;
-        }
-        self.requests.flush()
+    fn answer<K: DataKind>(
+        &mut self,
+        request: &Request<'_>,
+        queries: &[Query<K>],
+        limit: Duration,
+    ) -> Result<Vec<Timed>, PeerError> {
+        self.process.set_patience(self.grace.saturating_add(limit));
+        write(self.process.requests(), request, queries).map_err(|source| self.io(source))?;
+        let line = self.process.line().map_err(|source| self.io(source))?;
+        let answered = line
+            .trim()
+            .parse()
+            .ok()
+            .filter(|answered| (1..=queries.len()).contains(answered));
+        let answered = answered.ok_or_else(|| self.unexpected("how many queries it answered", &line))?;
+        (0..answered).map(|_| self.timed()).collect()
     }
 
     fn timed(&mut self) -> Result<Timed, PeerError> {
         let mut bytes = [[0; 8]; 3];
-        self.answers
-            .read_exact(bytes.as_flattened_mut())
-            .map_err(|source| self.io(source))?;
+        let read = self.process.read(bytes.as_flattened_mut());
+        read.map_err(|source| self.io(source))?;
         let [nanoseconds, contact, time] = bytes.map(f64::from_le_bytes);
         let answer = match (contact, time) {
-            (0.0, _) => Some(Answer::Free),
-            (1.0, time) if time.is_nan() => Some(Answer::Contact { time: None }),
-            (1.0, 0.0..=1.0) => Some(Answer::Contact { time: Some(time) }),
+            (0.0, _) => Some((false, None)),
+            (1.0, time) if time.is_nan() => Some((true, None)),
+            (1.0, 0.0..=1.0) => Some((true, Some(time))),
             _ => None,
         };
-        let answer = answer.filter(|_| (0.0..=MOST_NANOSECONDS).contains(&nanoseconds));
-        let answer = answer.ok_or_else(|| {
-            let expected = "nanoseconds from 0, contact 0 or 1, and a time from 0 to 1 or NaN";
-            self.unexpected(expected, &format!("{nanoseconds} {contact} {time}"))
-        })?;
-        Ok(Timed { answer, nanoseconds })
+        let (collides, time) = answer
+            .filter(|_| (0.0..=MAX_NANOSECONDS).contains(&nanoseconds))
+            .ok_or_else(|| {
+                let expected = "nanoseconds from 0, contact 0 or 1, and a time from 0 to 1 or NaN";
+                self.unexpected(expected, &format!("{nanoseconds} {contact} {time}"))
+            })?;
+        Ok(Timed {
+            collides,
+            time,
+            nanoseconds,
+        })
     }
 }
 
-impl Drop for Process {
-    fn drop(&mut self) {
-        // It ends when its input does, or now.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
+fn write<K: DataKind>(pipe: &mut impl Write, request: &Request<'_>, queries: &[Query<K>]) -> io::Result<()> {
+    serde_json::to_writer(&mut *pipe, request)?;
+    pipe.write_all(b"\n")?;
+    let points = queries.iter().flat_map(|query| query.points().as_flattened());
+    for x in points.flatten() {
+        pipe.write_all(&x.to_le_bytes())?;
     }
+    pipe.flush()
 }

@@ -2,24 +2,27 @@
 
 use std::time::Duration;
 
-use exact_ccd::Query;
+use exact_ccd::{Ccd, Decide, Query};
+use exact_ccd_data::DataKind;
 
-use super::contestant::{Contestant, Timed};
+use super::contestant::Contestant;
 use super::peer::PeerError;
 use super::sampling::{Subject, Subjects};
 use super::table::Table;
-use crate::kind::DataKind;
+use super::timed::Timed;
 
 /// Contestants, and the time that each of them has.
 pub struct Comparison {
     contestants: Vec<Contestant>,
     budget: Duration,
+    /// The contestants that have failed: they answer no more.
+    failures: Vec<(usize, PeerError)>,
 }
 
-/// How many queries a contestant answers before the next one takes its turn.
+/// The number of queries that a contestant answers in one turn.
 const TURN: usize = 128;
 
-/// How the contestants stand on one data set.
+/// The answers of a contestant to the queries of a data set, and the rest of its budget.
 struct Standing {
     answers: Vec<Timed>,
     left: Duration,
@@ -30,7 +33,11 @@ impl Comparison {
     /// them.
     #[must_use]
     pub fn new(contestants: Vec<Contestant>, budget: Duration) -> Self {
-        Self { contestants, budget }
+        Self {
+            contestants,
+            budget,
+            failures: Vec::new(),
+        }
     }
 
     /// The contestants.
@@ -39,48 +46,72 @@ impl Comparison {
         &self.contestants
     }
 
-    /// Lets all contestants answer the sample of a data set. They take turns, so that whatever the machine does besides
-    /// hits all of them alike. `progress` is told, from time to time, which part of the work is done.
+    /// The peers that have failed, by name, in the order of their failures.
+    pub fn failures(&self) -> impl ExactSizeIterator<Item = (&str, &PeerError)> {
+        self.failures
+            .iter()
+            .map(|(index, error)| (self.contestants[*index].name(), error))
+    }
+
+    /// Lets all contestants answer the sample of a data set. They take turns, so that the load of the machine is the same
+    /// for all of them. `progress` is called from time to time with the part of the work that is done.
     ///
-    /// # Errors
-    /// If a peer fails.
+    /// A peer that [fails](Self::failures) answers no more, in this data set and in later ones.
     pub fn run<K: DataKind>(
         &mut self,
         data_set: &str,
         subjects: &Subjects<K>,
         progress: &dyn Fn(f64),
-    ) -> Result<Table, PeerError> {
+    ) -> Table
+    where
+        dyn Ccd: Decide<K>,
+    {
         let sample = subjects.sample();
-        let mut standings: Vec<Standing> = self
-            .contestants
-            .iter()
-            .map(|_| Standing {
+        let mut standings: Vec<Standing> = (0..self.contestants.len())
+            .map(|index| Standing {
                 answers: Vec::new(),
-                left: self.budget,
+                left: if self.has_failed(index) {
+                    Duration::ZERO
+                } else {
+                    self.budget
+                },
             })
             .collect();
         for (turn, chunk) in sample.chunks(TURN).enumerate() {
             let queries: Vec<Query<K>> = chunk.iter().map(|subject| subject.query).collect();
             for place in 0..standings.len() {
-                // Who comes first finds the queries out of the cache.
+                // The first finds the queries out of the cache, so that each contestant is first in its turn.
                 let index = (turn + place) % standings.len();
                 let standing = &mut standings[index];
-                if standing.answers.len() == turn * TURN {
-                    let answers = self.contestants[index].answer(&queries, standing.left)?;
-                    standing.spend(&answers, queries.len());
+                if standing.answers.len() == turn * TURN && !self.has_failed(index) {
+                    match self.contestants[index].answer(&queries, standing.left) {
+                        Ok(answers) => standing.spend(&answers, queries.len()),
+                        Err(error) => {
+                            standing.left = Duration::ZERO;
+                            self.failures.push((index, error));
+                        }
+                    }
                 }
                 progress(self.done(&standings, &sample));
             }
         }
         let answers: Vec<_> = standings.into_iter().map(|standing| standing.answers).collect();
-        Ok(Table::new(
-            data_set,
-            K::SHORT,
-            subjects,
-            &sample,
-            &self.contestants,
-            &answers,
-        ))
+        Table::new(data_set, K::SHORT, subjects, &sample, &self.contestants, &answers)
+    }
+
+    /// Ends the comparison.
+    ///
+    /// # Errors
+    /// The first failure of a peer.
+    pub fn finish(self) -> Result<(), PeerError> {
+        self.failures
+            .into_iter()
+            .next()
+            .map_or(Ok(()), |(_, error)| Err(error))
+    }
+
+    fn has_failed(&self, contestant: usize) -> bool {
+        self.failures.iter().any(|(index, _)| *index == contestant)
     }
 
     /// The part of the work that is done.
@@ -95,7 +126,7 @@ impl Comparison {
 }
 
 impl Standing {
-    /// Takes answers to some queries, or to the first of them, after which the time is up.
+    /// Adds the answers to `asked` queries, or to the first of them if the time was up before the last.
     fn spend(&mut self, answers: &[Timed], asked: usize) {
         let spent: f64 = answers.iter().map(|timed| timed.nanoseconds).sum();
         self.left = self.left.saturating_sub(Duration::from_nanos(spent as u64));

@@ -5,16 +5,10 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd::parity::Rounded;
 use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_data::{ColumnReader, DataError, DataKind, QueryReader, Rounding, Sample, Scene, list};
 use exact_ccd_mesh::{Bvh, Candidates};
 
 use super::sampling::{Subject, Subjects};
-use crate::columns::ColumnReader;
-use crate::data_folder::list;
-use crate::error::DataError;
-use crate::kind::DataKind;
-use crate::queries::{QueryReader, Sample};
-use crate::rational::Rounding;
-use crate::scene::Scene;
 
 /// A data set in a folder, not read yet.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -110,7 +104,10 @@ impl Source {
 
 fn collect(folder: &Path, depth: usize, sources: &mut Vec<Source>) -> Result<(), DataError> {
     if folder.join("frames").is_dir() {
-        let folder = fs::canonicalize(folder).map_err(|source| DataError::io(folder, source))?;
+        let folder = fs::canonicalize(folder).map_err(|source| DataError::Io {
+            file: folder.to_owned(),
+            source,
+        })?;
         for scene in Scene::steps(&folder)? {
             let name = scene.name();
             if scene.has_pairs() {

@@ -2,7 +2,7 @@
 
 use exact_ccd::batch::{Instructions, Trajectories};
 use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_bench::{DataKind, QueryReader, Rounding};
+use exact_ccd_data::{DataKind, QueryReader, Rounding};
 use exact_ccd_mesh::{Bvh, Candidates, Point, Step};
 
 use crate::{data, scenes};

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::{
+use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataKind, QueryReader, QueryWriter, Record, Rounding, Seventh,
 };
 

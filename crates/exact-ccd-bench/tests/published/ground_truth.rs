@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Query, VertexFace, exact};
-use exact_ccd_bench::{DataKind, QueryReader, Roots, Rounding, Sample, Scene, read_roots};
+use exact_ccd_data::{DataKind, QueryReader, Roots, Rounding, Sample, Scene, read_roots};
 use exact_ccd_mesh::Step;
 
 use crate::{data, scenes};

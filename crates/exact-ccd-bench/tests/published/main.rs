@@ -18,7 +18,7 @@ mod expected;
 
 use std::path::Path;
 
-use exact_ccd_bench::{DataFolder, Scene};
+use exact_ccd_data::{DataFolder, Scene};
 
 fn data() -> DataFolder {
     DataFolder::find(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))).unwrap()

@@ -2,7 +2,7 @@
 
 use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_bench::{DataKind, QueryReader, Rounding, Sample, Scene};
+use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample, Scene};
 use exact_ccd_mesh::Step;
 use rayon::prelude::*;
 

@@ -1,7 +1,7 @@
 //! The steps of the scenes against a plain loop over all candidates.
 
 use exact_ccd::{EdgeEdge, VertexFace, exact};
-use exact_ccd_bench::DataKind;
+use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{
     Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step,
 };

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
 use exact_ccd::{Kind, NonFinite, Query};
-use exact_ccd_bench::{DataKind, Record, Rounding, Seventh};
+use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
 use rayon::prelude::*;
 
 use super::report::Report;

@@ -3,8 +3,8 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_bench::DataKind;
 use exact_ccd_bench::comparison::{Subject, Subjects};
+use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{Aabb, Point, Step};
 use exact_ccd_sim::Simulation;
 use exact_ccd_sim::filter::{Increment, StepFilter};

@@ -78,3 +78,37 @@ fn what_is_wrong_is_told() {
     fs::remove_file(folder.path("data/wedge/vertex-face/1.csv")).unwrap();
     assert!(error(&["data", "--methods", "exact", "--out", "blocked"]).starts_with("cannot write blocked: "));
 }
+
+/// The peer writes its greeting and ends.
+#[test]
+fn the_run_goes_on_without_a_peer_that_has_failed() {
+    let folder = folder();
+    let greeting = r#"{"methods": [{"name": "mute", "false_negatives": true, "false_positives": true, "time": "absent", "call_ns": 1}]}"#;
+    folder.write("peer.sh", format!("echo '{greeting}'\n"));
+    let run = folder.run(&[
+        "bench",
+        "data",
+        "--methods",
+        "exact,mute",
+        "--peer",
+        "sh peer.sh",
+        "--out",
+        "report",
+    ]);
+    assert_eq!(run.stdout.matches("\n| exact | all | ").count(), 2, "{run:?}");
+    assert_eq!(run.stdout.matches("\n| mute | 0 + 0 | ").count(), 2, "{run:?}");
+    assert_eq!(
+        run.stdout
+            .matches("\nmute has failed and answers no more: sh peer.sh: ")
+            .count(),
+        1,
+        "{run:?}"
+    );
+    assert!(
+        folder
+            .read("report/report.md")
+            .contains("mute has failed and answers no more")
+    );
+    assert_eq!(run.status, 2);
+    assert!(run.stderr.contains("sh peer.sh: "), "{run:?}");
+}

@@ -3,7 +3,7 @@
 use std::fs;
 
 use exact_ccd::{Query, VertexFace};
-use exact_ccd_bench::{ColumnReader, Record};
+use exact_ccd_data::{ColumnReader, Record};
 use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;

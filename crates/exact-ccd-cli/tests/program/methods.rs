@@ -139,3 +139,43 @@ proptest! {
         assert_answers::<EdgeEdge>("ee", &points);
     }
 }
+
+/// The conservative times of Tight Inclusion are early by its tolerance at most; BSC has no times.
+#[test]
+fn any_registered_method_answers_by_its_name_in_any_case() {
+    let folder = Folder::new();
+    folder.write("vf.csv", rows(&miss(), ",0") + &rows(&pass(), ",1"));
+    let answers = |method: &str| {
+        let run = folder.run(&["queries", "--kind", "vf", "--method", method, "vf.csv"]);
+        assert_eq!(run.status, 0, "{run:?}");
+        run.stdout
+    };
+    for name in exact_ccd_methods::names() {
+        let expected = answers(&name);
+        assert_eq!(answers(&name.to_lowercase()), expected);
+        assert!(
+            expected.contains("\n0,0,") && expected.contains("\n1,1,"),
+            "{name}: {expected}"
+        );
+    }
+    assert_eq!(answers("bsc"), format!("{HEADER}0,0,,\n1,1,,\n"));
+    let tight_inclusion = answers("ti");
+    let time: f64 = tight_inclusion
+        .trim_end()
+        .rsplit_once("1,1,,")
+        .and_then(|(_, time)| time.parse().ok())
+        .unwrap();
+    let exact = pass().time_of_impact().unwrap();
+    assert!(time <= exact && time > exact - 1e-5, "{tight_inclusion}");
+}
+
+#[test]
+fn an_unknown_method_is_an_error_that_lists_the_names() {
+    let folder = Folder::new();
+    folder.write("vf.csv", file(&[pass()]));
+    let run = folder.run(&["queries", "--kind", "vf", "--method", "guess", "vf.csv"]);
+    assert_eq!((run.status, run.stdout.as_str()), (2, ""));
+    for name in ["exact", "parity", "TI", "parity-rational"] {
+        assert!(run.stderr.contains(name), "{run:?}");
+    }
+}

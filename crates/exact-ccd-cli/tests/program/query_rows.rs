@@ -1,7 +1,7 @@
 //! Query files.
 
 use exact_ccd::{Kind, Point, Query};
-use exact_ccd_bench::{DataKind, QueryReader, Rounding, write_query};
+use exact_ccd_data::{DataKind, QueryReader, Rounding, write_query};
 
 use crate::folder::Folder;
 

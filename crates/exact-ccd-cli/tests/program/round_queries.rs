@@ -2,7 +2,7 @@
 
 use exact_ccd::parity::{Displacement, Rounded};
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_bench::DataKind;
+use exact_ccd_data::DataKind;
 use exact_ccd_mesh::Aabb;
 use proptest::prelude::*;
 

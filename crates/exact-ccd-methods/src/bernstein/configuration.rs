@@ -1,6 +1,6 @@
 //! The polynomials of a query, in Bernstein form over the time step.
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 
 use super::number::Number;
 
@@ -17,21 +17,30 @@ pub(super) struct Configuration {
     sides: [[usize; 2]; 3],
 }
 
-impl From<&Query<VertexFace>> for Configuration {
-    fn from(query: &Query<VertexFace>) -> Self {
-        Self {
-            points: query.points().map(|[vertex, a, b, c]| [a, b, c, vertex]),
-            sides: [[1, 2], [2, 0], [0, 1]],
-        }
-    }
+/// The configuration of a kind of query.
+pub(super) trait Configured: Kind {
+    /// The points of the query that are a, b, c and d.
+    const POINTS: [usize; 4];
+    /// The pairs x, y of [`Configuration::sides`].
+    const PAIRS: [[usize; 2]; 3];
+}
+
+impl Configured for VertexFace {
+    const POINTS: [usize; 4] = [1, 2, 3, 0];
+    const PAIRS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 }
 
 /// c and d lie on different sides of ab, and a and b on different sides of cd.
-impl From<&Query<EdgeEdge>> for Configuration {
-    fn from(query: &Query<EdgeEdge>) -> Self {
+impl Configured for EdgeEdge {
+    const POINTS: [usize; 4] = [0, 1, 2, 3];
+    const PAIRS: [[usize; 2]; 3] = [[1, 2], [2, 0], [1, 0]];
+}
+
+impl Configuration {
+    pub(super) fn new<K: Configured>(query: &Query<K>) -> Self {
         Self {
-            points: *query.points(),
-            sides: [[1, 2], [2, 0], [1, 0]],
+            points: query.points().map(|points| K::POINTS.map(|point| points[point])),
+            sides: K::PAIRS,
         }
     }
 }

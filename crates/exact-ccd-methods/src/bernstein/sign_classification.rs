@@ -2,15 +2,14 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
 
-use super::configuration::{Configuration, Polynomials};
+use super::configuration::{Configuration, Configured, Polynomials};
 use super::curve::{Curve, Roots};
 use super::inside::is_inside;
 use super::integers::to_integers;
 use super::number::{Number, signs};
 use crate::interval::Interval;
-use crate::method::{Answer, Method, Promise, Time};
 
 /// Bernstein sign classification ("BSC") of M. Tang, R. Tong, Z. Wang and D. Manocha.
 ///
@@ -77,46 +76,38 @@ impl BernsteinSignClassification {
         let k = [k0 / 3.0, k1, k2, k3 / 3.0];
         k.iter().all(|k| *k > self.culling_bound) || k.iter().all(|k| *k < -self.culling_bound)
     }
+}
 
-    fn collides(&self, configuration: &Configuration) -> bool {
-        if self.culls(configuration) {
+impl<K: Configured> Decide<K> for BernsteinSignClassification {
+    fn collides(&self, query: &Query<K>) -> bool {
+        let configuration = Configuration::new(query);
+        if self.culls(&configuration) {
             return false;
         }
-        decide(&Polynomials::<Interval>::from_coordinates(configuration))
-            .or_else(|| {
-                decide(&Polynomials::new(
-                    to_integers(&configuration.points),
-                    configuration,
-                ))
-            })
+        let exactly = || Polynomials::new(to_integers(&configuration.points), &configuration);
+        decide(&Polynomials::<Interval>::from_coordinates(&configuration))
+            .or_else(|| decide(&exactly()))
             .unwrap_or(true)
     }
 }
 
-impl Method for BernsteinSignClassification {
-    fn name(&self) -> &str {
+impl Ccd for BernsteinSignClassification {
+    fn name(&self) -> &'static str {
         "BSC"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: true,
-            may_invent: true,
-            time: Time::Absent,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: true,
+            false_positives: true,
+            time: TimeGuarantee::Absent,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        Answer::from_decision(self.collides(&query.into()))
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        Answer::from_decision(self.collides(&query.into()))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use exact_ccd::{EdgeEdge, VertexFace};
     use proptest::array::{uniform3, uniform4};
     use proptest::prelude::*;
     use proptest::test_runner::RngSeed;
@@ -148,13 +139,13 @@ mod tests {
             let method = BernsteinSignClassification::default();
             let query = Query::<VertexFace>::new(start, end).unwrap();
             prop_assert_eq!(
-                method.vertex_face(&query).is_contact(),
-                is_given_up(&(&query).into()) || query.collides()
+                method.collides(&query),
+                is_given_up(&Configuration::new(&query)) || query.collides()
             );
             let query = Query::<EdgeEdge>::new(start, end).unwrap();
             prop_assert_eq!(
-                method.edge_edge(&query).is_contact(),
-                is_given_up(&(&query).into()) || query.collides()
+                method.collides(&query),
+                is_given_up(&Configuration::new(&query)) || query.collides()
             );
         }
 
@@ -165,7 +156,7 @@ mod tests {
             end in uniform4(uniform3(-2..=2i8)),
         ) {
             let [start, end] = [start, end].map(|points| points.map(|point| point.map(f64::from)));
-            let configuration = Configuration::from(&Query::<EdgeEdge>::new(start, end).unwrap());
+            let configuration = Configuration::new(&Query::<EdgeEdge>::new(start, end).unwrap());
             let filtered = decide(&Polynomials::<Interval>::from_coordinates(&configuration));
             let exact = decide(&Polynomials::new(to_integers(&configuration.points), &configuration));
             prop_assert!(filtered.is_none() || filtered == exact);

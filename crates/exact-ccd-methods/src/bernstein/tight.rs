@@ -2,15 +2,14 @@
 
 use std::cmp::Ordering::Equal;
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
 
 use super::bounded::Bounded;
-use super::configuration::{Configuration, Polynomials};
+use super::configuration::{Configuration, Configured, Polynomials};
 use super::curve::Curve;
 use super::inflection::Inflection;
 use super::inside::is_inside;
 use super::number::signs;
-use crate::method::{Answer, Method, Promise, Time};
 
 /// TightCCD ("TCCD") of Z. Wang, M. Tang, R. Tong and D. Manocha.
 ///
@@ -71,24 +70,22 @@ fn decide(configuration: &Configuration) -> Option<bool> {
     Some(false)
 }
 
-impl Method for TightCcd {
-    fn name(&self) -> &str {
+impl<K: Configured> Decide<K> for TightCcd {
+    fn collides(&self, query: &Query<K>) -> bool {
+        decide(&Configuration::new(query)).unwrap_or(true)
+    }
+}
+
+impl Ccd for TightCcd {
+    fn name(&self) -> &'static str {
         "TCCD"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: false,
-            may_invent: true,
-            time: Time::Absent,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Absent,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        Answer::from_decision(decide(&query.into()).unwrap_or(true))
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        Answer::from_decision(decide(&query.into()).unwrap_or(true))
     }
 }

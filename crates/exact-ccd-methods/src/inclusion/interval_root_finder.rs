@@ -1,12 +1,11 @@
 //! Interval bisection in time and in the parameters of the primitives.
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, Guarantees, Point, Query, TimeGuarantee};
 
 use super::bisection::Bisection;
 use super::cell::Cell;
-use super::motion::{Gap, Motion};
+use super::gap::{Coordinates, Gap};
 use crate::interval::Interval;
-use crate::method::{Answer, Method, Promise, Time};
 
 /// IRF, the multivariate interval root finder: bisects (t, u, v) depth-first, and keeps the boxes over which F, in
 /// interval arithmetic, contains zero, until they are small.
@@ -51,8 +50,12 @@ pub(super) fn greatest_displacement([start, end]: &[[Point; 4]; 2]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-impl IntervalRootFinder {
-    fn answer<K: Gap>(&self, query: &Query<K>) -> Answer {
+impl<K: Gap> Decide<K> for IntervalRootFinder {
+    fn collides(&self, query: &Query<K>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         let points = query.points();
         let [u_length, v_length] = K::EDGES.map(|[from, to]| {
             let [start, end] = points.map(|points| distance(points[from], points[to]));
@@ -63,33 +66,25 @@ impl IntervalRootFinder {
                 .map(|length| self.tolerance / length),
             max_iterations: self.max_iterations,
         };
-        let motion = Motion::<Interval>::new(points);
+        let coordinates = Coordinates::<Interval>::new(points);
         let may_contain_root = |cell: &Cell<3>| {
             let [t, u, v] = [0, 1, 2].map(|axis| cell.interval(axis));
-            K::meets_domain(cell) && (0..3).all(|axis| K::gap(motion.at(axis, t), u, v).contains_zero())
+            K::meets_domain(cell) && (0..3).all(|axis| K::gap(coordinates.at(axis, t), u, v).contains_zero())
         };
-        Answer::from_time(search.earliest(may_contain_root, |_| true))
+        search.earliest(may_contain_root, |_| true)
     }
 }
 
-impl Method for IntervalRootFinder {
-    fn name(&self) -> &str {
+impl Ccd for IntervalRootFinder {
+    fn name(&self) -> &'static str {
         "IRF"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: false,
-            may_invent: true,
-            time: Time::Conservative,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Conservative,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        self.answer(query)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        self.answer(query)
     }
 }

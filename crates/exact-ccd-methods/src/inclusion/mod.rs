@@ -2,8 +2,8 @@
 
 mod bisection;
 mod cell;
+mod gap;
 mod interval_root_finder;
-mod motion;
 mod tight_inclusion;
 mod univariate_interval_root_finder;
 

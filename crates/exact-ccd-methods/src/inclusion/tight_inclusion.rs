@@ -2,11 +2,10 @@
 
 use std::mem;
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Point, Query, TimeGuarantee, VertexFace};
 
 use super::cell::Cell;
-use super::motion::{Gap, Motion};
-use crate::method::{Answer, Method, Promise, Time};
+use super::gap::{Coordinates, Gap};
 
 /// TI, Tight Inclusion: bisects (t, u, v) breadth-first, and keeps the boxes over which the bounding box of F contains
 /// the origin. F is linear in each parameter, so that its values at the corners of a box give the smallest bounds.
@@ -59,30 +58,38 @@ impl Default for TightInclusion {
 /// The published bounds on the rounding errors of F for coordinates up to 1.
 ///
 /// They are 60 and 56 times 2⁻⁵³ without a minimum separation. Adding up the error of each operation of
-/// [`Motion::at`] and [`Gap::gap`] gives 49 and 42, in proportion to the coordinates.
+/// [`Coordinates::at`] and [`Gap::gap`] gives 49 and 42, in proportion to the coordinates.
 struct Filter {
     touching: f64,
     separated: f64,
 }
 
-const VERTEX_FACE: Filter = Filter {
-    touching: 6.661338147750939e-15,
-    separated: 7.549516567451064e-15,
-};
+trait Filtered: Gap {
+    const FILTER: Filter;
+}
 
-const EDGE_EDGE: Filter = Filter {
-    touching: 6.217248937900877e-15,
-    separated: 7.105427357601002e-15,
-};
+impl Filtered for VertexFace {
+    const FILTER: Filter = Filter {
+        touching: 6.661338147750939e-15,
+        separated: 7.549516567451064e-15,
+    };
+}
+
+impl Filtered for EdgeEdge {
+    const FILTER: Filter = Filter {
+        touching: 6.217248937900877e-15,
+        separated: 7.105427357601002e-15,
+    };
+}
 
 /// The corners of a box: bit k of the index of a corner tells at which end of axis k it is.
 const CORNERS: usize = 8;
 
 /// F at the corners of a box, on one axis of space.
-fn corners<K: Gap>(motion: &Motion<f64>, axis: usize, cell: &Cell<3>) -> [f64; CORNERS] {
+fn corners<K: Gap>(coordinates: &Coordinates<f64>, axis: usize, cell: &Cell<3>) -> [f64; CORNERS] {
     let ends = |axis: usize| [cell.lower[axis], cell.lower[axis] + cell.width[axis]];
     let [t, u, v] = [ends(0), ends(1), ends(2)];
-    let points = [motion.at(axis, t[0]), motion.at(axis, t[1])];
+    let points = [coordinates.at(axis, t[0]), coordinates.at(axis, t[1])];
     std::array::from_fn(|corner| K::gap(points[corner & 1], u[corner >> 1 & 1], v[corner >> 2]))
 }
 
@@ -109,18 +116,18 @@ enum Image {
 /// A search for the earliest contact of a query.
 struct Search<'a> {
     method: &'a TightInclusion,
-    motion: Motion<f64>,
+    coordinates: Coordinates<f64>,
     /// What |F| may be on each axis where the primitives touch.
     zero: [f64; 3],
 }
 
 impl<'a> Search<'a> {
-    fn new<K: Gap>(method: &'a TightInclusion, query: &Query<K>, filter: &Filter) -> Self {
+    fn new<K: Filtered>(method: &'a TightInclusion, query: &Query<K>) -> Self {
         let separation = method.minimum_separation.max(0.0);
         let filter = if separation > 0.0 {
-            filter.separated
+            K::FILTER.separated
         } else {
-            filter.touching
+            K::FILTER.touching
         };
         let scene = match method.magnitude {
             Magnitude::Query => [1.0; 3],
@@ -138,14 +145,14 @@ impl<'a> Search<'a> {
         });
         Self {
             method,
-            motion: Motion::new(query.points()),
+            coordinates: Coordinates::new(query.points()),
             zero,
         }
     }
 
     /// How far t, u and v may lead so that F varies less than the tolerance: a third of it for each.
     fn tolerances<K: Gap>(&self) -> [f64; 3] {
-        let corners = [0, 1, 2].map(|axis| corners::<K>(&self.motion, axis, &Cell::WHOLE));
+        let corners = [0, 1, 2].map(|axis| corners::<K>(&self.coordinates, axis, &Cell::WHOLE));
         [0, 1, 2].map(|axis| {
             let along = |corners: &[f64; CORNERS]| {
                 (0..CORNERS)
@@ -161,7 +168,7 @@ impl<'a> Search<'a> {
     fn image<K: Gap>(&self, cell: &Cell<3>) -> Image {
         let (mut is_small, mut is_zero) = (true, true);
         for axis in 0..3 {
-            let [lower, upper] = range(corners::<K>(&self.motion, axis, cell));
+            let [lower, upper] = range(corners::<K>(&self.coordinates, axis, cell));
             let zero = self.zero[axis];
             if lower > zero || upper < -zero {
                 return Image::Away;
@@ -239,30 +246,26 @@ impl<'a> Search<'a> {
     }
 }
 
-impl TightInclusion {
-    fn answer<K: Gap>(&self, query: &Query<K>, filter: &Filter) -> Answer {
-        Answer::from_time(Search::new(self, query, filter).earliest::<K>())
+impl<K: Filtered> Decide<K> for TightInclusion {
+    fn collides(&self, query: &Query<K>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
+        Search::new(self, query).earliest::<K>()
     }
 }
 
-impl Method for TightInclusion {
-    fn name(&self) -> &str {
+impl Ccd for TightInclusion {
+    fn name(&self) -> &'static str {
         "TI"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: false,
-            may_invent: true,
-            time: Time::Conservative,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Conservative,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        self.answer(query, &VERTEX_FACE)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        self.answer(query, &EDGE_EDGE)
     }
 }

@@ -1,13 +1,12 @@
 //! Interval bisection in time.
 
-use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
 
 use super::bisection::Bisection;
 use super::cell::Cell;
+use super::gap::Coordinates;
 use super::interval_root_finder::greatest_displacement;
-use super::motion::Motion;
 use crate::interval::Interval;
-use crate::method::{Answer, Method, Promise, Time};
 
 /// UIRF, the univariate interval root finder: bisects t, and keeps the intervals in which the four points may be
 /// coplanar, until they are short; then it tests in interval arithmetic whether the primitives meet.
@@ -46,20 +45,29 @@ struct Barycentric {
     signs: [f64; 3],
 }
 
+/// The barycentric coordinates that decide a kind of query.
+trait Decided: Kind {
+    const BARYCENTRIC: Barycentric;
+}
+
 /// The vertex lies in the face.
-const VERTEX_FACE: Barycentric = Barycentric {
-    point: 0,
-    triangle: [1, 2, 3],
-    signs: [1.0, 1.0, 1.0],
-};
+impl Decided for VertexFace {
+    const BARYCENTRIC: Barycentric = Barycentric {
+        point: 0,
+        triangle: [1, 2, 3],
+        signs: [1.0, 1.0, 1.0],
+    };
+}
 
 /// (1 − u) a₀ + u a₁ = (1 − v) b₀ + v b₁ gives b₁ = ((1 − u) a₀ + u a₁ − (1 − v) b₀) / v. If v = 0, then a₀, a₁ and b₀
 /// are collinear, and all products with the normal of their triangle vanish.
-const EDGE_EDGE: Barycentric = Barycentric {
-    point: 3,
-    triangle: [0, 1, 2],
-    signs: [1.0, 1.0, -1.0],
-};
+impl Decided for EdgeEdge {
+    const BARYCENTRIC: Barycentric = Barycentric {
+        point: 3,
+        triangle: [0, 1, 2],
+        signs: [1.0, 1.0, -1.0],
+    };
+}
 
 type Vector = [Interval; 3];
 
@@ -77,22 +85,22 @@ fn cross(a: Vector, b: Vector) -> Vector {
 
 impl Barycentric {
     /// q, x, y and z in an interval of time.
-    fn at(&self, motion: &Motion<Interval>, t: Interval) -> (Vector, [Vector; 3]) {
-        let coordinates = [0, 1, 2].map(|axis| motion.at(axis, t));
-        let position = |point: usize| coordinates.map(|coordinates| coordinates[point]);
+    fn at(&self, coordinates: &Coordinates<Interval>, t: Interval) -> (Vector, [Vector; 3]) {
+        let axes = [0, 1, 2].map(|axis| coordinates.at(axis, t));
+        let position = |point: usize| axes.map(|axis| axis[point]);
         (position(self.point), self.triangle.map(position))
     }
 
     /// Whether q may lie in the plane of the triangle.
-    fn may_be_coplanar(&self, motion: &Motion<Interval>, t: Interval) -> bool {
-        let (q, [x, y, z]) = self.at(motion, t);
+    fn may_be_coplanar(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
+        let (q, [x, y, z]) = self.at(coordinates, t);
         dot(sub(q, x), cross(sub(y, x), sub(z, x))).contains_zero()
     }
 
     /// Whether the barycentric coordinates may have their signs. For the normal n, the one of x is
     /// n · ((y − q) × (z − q)) / n², and so on around the triangle.
-    fn may_meet(&self, motion: &Motion<Interval>, t: Interval) -> bool {
-        let (q, triangle) = self.at(motion, t);
+    fn may_meet(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
+        let (q, triangle) = self.at(coordinates, t);
         let [x, y, z] = triangle;
         let normal = cross(sub(y, x), sub(z, x));
         let to_corner = triangle.map(|corner| sub(corner, q));
@@ -103,38 +111,34 @@ impl Barycentric {
     }
 }
 
-impl UnivariateIntervalRootFinder {
-    fn answer<K: Kind>(&self, query: &Query<K>, barycentric: &Barycentric) -> Answer {
+impl<K: Decided> Decide<K> for UnivariateIntervalRootFinder {
+    fn collides(&self, query: &Query<K>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         let search = Bisection {
             tolerances: [self.tolerance / greatest_displacement(query.points())],
             max_iterations: self.max_iterations,
         };
-        let motion = Motion::new(query.points());
-        Answer::from_time(search.earliest(
-            |cell: &Cell<1>| barycentric.may_be_coplanar(&motion, cell.interval(0)),
-            |cell: &Cell<1>| barycentric.may_meet(&motion, cell.interval(0)),
-        ))
+        let coordinates = Coordinates::new(query.points());
+        search.earliest(
+            |cell: &Cell<1>| K::BARYCENTRIC.may_be_coplanar(&coordinates, cell.interval(0)),
+            |cell: &Cell<1>| K::BARYCENTRIC.may_meet(&coordinates, cell.interval(0)),
+        )
     }
 }
 
-impl Method for UnivariateIntervalRootFinder {
-    fn name(&self) -> &str {
+impl Ccd for UnivariateIntervalRootFinder {
+    fn name(&self) -> &'static str {
         "UIRF"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: false,
-            may_invent: true,
-            time: Time::Conservative,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: false,
+            false_positives: true,
+            time: TimeGuarantee::Conservative,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        self.answer(query, &VERTEX_FACE)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        self.answer(query, &EDGE_EDGE)
     }
 }

@@ -3,12 +3,11 @@
 use std::iter;
 
 use arrayvec::ArrayVec;
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Query, TimeGuarantee, VertexFace};
 
 use super::jenkins_traub;
-use super::motion::{cross, difference, dot, slab};
 use super::polynomial::{MAX_DEGREE, Polynomial};
-use crate::method::{Answer, Method, Promise, Time};
+use super::vectors::{cross, difference, dot, slab};
 
 /// The floating-point root finder ("FPRF") of E. Vouga.
 ///
@@ -103,11 +102,11 @@ fn upper_bound(polynomial: &Polynomial) -> f64 {
 }
 
 /// Contact when first all conditions hold at once: to be within the given times, and that no polynomial is negative.
-fn answer(times: Vec<Interval>, conditions: impl IntoIterator<Item = Polynomial>) -> Answer {
+fn earliest(times: Vec<Interval>, conditions: impl IntoIterator<Item = Polynomial>) -> Option<f64> {
     let mut times = times;
     for condition in conditions {
         if times.is_empty() {
-            return Answer::Free;
+            return None;
         }
         let others = nonnegative(&condition);
         times = times
@@ -115,7 +114,7 @@ fn answer(times: Vec<Interval>, conditions: impl IntoIterator<Item = Polynomial>
             .flat_map(|time| others.iter().filter_map(|other| time.intersection(*other)))
             .collect();
     }
-    Answer::from_time(times.iter().map(|interval| interval.start).reduce(f64::min))
+    times.iter().map(|interval| interval.start).reduce(f64::min)
 }
 
 /// Not negative while the vertex is on the inner side of the edge from xᵢ to xⱼ of a face with the third corner xₖ.
@@ -147,33 +146,45 @@ fn are_parallel(query: &Query<EdgeEdge>, t: f64) -> bool {
     dot(&normal, &normal).at(t).sqrt() < PARALLEL
 }
 
-impl Method for FloatingPointRootFinder {
-    fn name(&self) -> &str {
+impl Ccd for FloatingPointRootFinder {
+    fn name(&self) -> &'static str {
         "FPRF"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: true,
-            may_invent: true,
-            time: Time::Approximate,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: true,
+            false_positives: true,
+            time: TimeGuarantee::Approximate,
         }
     }
+}
 
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
+impl Decide<VertexFace> for FloatingPointRootFinder {
+    fn collides(&self, query: &Query<VertexFace>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<VertexFace>) -> Option<f64> {
         let x = |i, j| difference(query, i, j);
         let sides = [[1, 3, 2], [2, 1, 3], [3, 2, 1]]
             .into_iter()
             .map(|corners| side(query, corners));
         let near = iter::once_with(|| -slab(&x(0, 1), [&x(2, 1), &x(3, 1)], self.distance));
-        answer(vec![Interval::STEP], sides.chain(near))
+        earliest(vec![Interval::STEP], sides.chain(near))
+    }
+}
+
+impl Decide<EdgeEdge> for FloatingPointRootFinder {
+    fn collides(&self, query: &Query<EdgeEdge>) -> bool {
+        self.time_of_impact(query).is_some()
     }
 
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
+    fn time_of_impact(&self, query: &Query<EdgeEdge>) -> Option<f64> {
         let x = |i, j| difference(query, i, j);
         let mut near = nonnegative(&-slab(&x(1, 3), [&x(1, 0), &x(3, 2)], self.distance));
         near.retain(|interval| !are_parallel(query, interval.middle()));
         let ends = [[0, 1, 2, 3], [1, 0, 2, 3], [2, 3, 0, 1], [3, 2, 0, 1]];
-        answer(near, ends.into_iter().map(|points| end(query, points)))
+        earliest(near, ends.into_iter().map(|points| end(query, points)))
     }
 }

@@ -1,12 +1,11 @@
 //! The root finder of Harmon and others.
 
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Kind, Point, Query, TimeGuarantee, VertexFace};
 
 use super::closest::{point_triangle, segment_segment};
 use super::jenkins_traub;
-use super::motion::{cross, difference, dot, points_at, slab};
 use super::polynomial::Polynomial;
-use crate::method::{Answer, Method, Promise, Time};
+use super::vectors::{cross, difference, dot, points_at, slab};
 
 /// The minimum-separation root finder ("MSRF") of D. Harmon, D. Panozzo, O. Sorkine and D. Zorin.
 ///
@@ -45,39 +44,43 @@ impl Default for MinimumSeparationRootFinder {
 
 impl MinimumSeparationRootFinder {
     /// The first root at which the primitives are as close as that.
-    fn answer<K: Kind>(
+    fn earliest<K: Kind>(
         &self,
         query: &Query<K>,
         events: impl Iterator<Item = Polynomial>,
         squared_distance: impl Fn([Point; 4]) -> f64,
-    ) -> Answer {
+    ) -> Option<f64> {
         let limit = self.separation * self.separation + 0.1 * self.separation;
         let times = events.flat_map(|event| jenkins_traub::zeros(&event));
-        Answer::from_time(
-            times
-                .filter(|zero| zero.im == 0.0)
-                .map(|zero| zero.re)
-                .filter(|t| (0.0..=1.0).contains(t))
-                .filter(|&t| squared_distance(points_at(query, t)) <= limit)
-                .reduce(f64::min),
-        )
+        times
+            .filter(|zero| zero.im == 0.0)
+            .map(|zero| zero.re)
+            .filter(|t| (0.0..=1.0).contains(t))
+            .filter(|&t| squared_distance(points_at(query, t)) <= limit)
+            .reduce(f64::min)
     }
 }
 
-impl Method for MinimumSeparationRootFinder {
-    fn name(&self) -> &str {
+impl Ccd for MinimumSeparationRootFinder {
+    fn name(&self) -> &'static str {
         "MSRF"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: true,
-            may_invent: true,
-            time: Time::Approximate,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: true,
+            false_positives: true,
+            time: TimeGuarantee::Approximate,
         }
     }
+}
 
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
+impl Decide<VertexFace> for MinimumSeparationRootFinder {
+    fn collides(&self, query: &Query<VertexFace>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<VertexFace>) -> Option<f64> {
         let x = |i, j| difference(query, i, j);
         let separation = Polynomial::new([self.separation * self.separation]);
         let face = slab(&x(0, 1), [&x(2, 1), &x(3, 1)], self.separation);
@@ -90,16 +93,22 @@ impl Method for MinimumSeparationRootFinder {
             let area = cross(&x(0, i), &edge);
             dot(&area, &area) - dot(&edge, &edge) * separation
         });
-        self.answer(
+        self.earliest(
             query,
             [face].into_iter().chain(corners).chain(edges),
             point_triangle,
         )
     }
+}
 
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
+impl Decide<EdgeEdge> for MinimumSeparationRootFinder {
+    fn collides(&self, query: &Query<EdgeEdge>) -> bool {
+        self.time_of_impact(query).is_some()
+    }
+
+    fn time_of_impact(&self, query: &Query<EdgeEdge>) -> Option<f64> {
         let x = |i, j| difference(query, i, j);
         let lines = slab(&x(3, 0), [&x(1, 0), &x(3, 2)], self.separation);
-        self.answer(query, [lines].into_iter(), segment_segment)
+        self.earliest(query, [lines].into_iter(), segment_segment)
     }
 }

@@ -4,8 +4,8 @@ mod closest;
 mod floating_point;
 mod jenkins_traub;
 mod minimum_separation;
-mod motion;
 mod polynomial;
+mod vectors;
 
 pub use floating_point::FloatingPointRootFinder;
 pub use minimum_separation::MinimumSeparationRootFinder;

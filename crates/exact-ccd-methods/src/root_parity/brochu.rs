@@ -5,18 +5,15 @@ use std::cmp::Ordering;
 use std::iter::successors;
 
 use dashu_ratio::Relaxed;
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, Guarantees, Point, Query, TimeGuarantee};
 
 use super::culling;
 use super::expansion::Expansion;
-use super::image::{
-    Differences, Domain, HEXAHEDRON, Image, PRISM, Predicate, RAY, Vectors, differences, vectors,
-};
+use super::image::{Differences, Image, Predicate, RAY, Solid, Vectors, differences, vectors};
 use super::number::{Number, Vector};
 use super::patch::hull_contains_origin;
 use super::ray::cast;
 use crate::interval::Interval;
-use crate::method::{Answer, Method, Promise, Time};
 
 /// Root parity as it was first published: a ray from the origin, and signs in intervals first, then in expansions.
 ///
@@ -118,8 +115,8 @@ impl Image for Filtered {
 }
 
 impl Filtered {
-    fn new<K: Kind>(query: &Query<K>, domain: &Domain, ray: Point) -> Self {
-        let differences = differences(query, domain, ray);
+    fn new<K: Solid>(query: &Query<K>, ray: Point) -> Self {
+        let differences = differences(query, ray);
         Self {
             intervals: vectors(&differences),
             differences,
@@ -165,16 +162,17 @@ impl Filtered {
     }
 }
 
-impl BrochuRootParity {
-    fn answer<K: Kind>(self, query: &Query<K>, domain: &Domain) -> Answer {
+impl<K: Solid> Decide<K> for BrochuRootParity {
+    fn collides(&self, query: &Query<K>) -> bool {
+        let domain = K::DOMAIN;
         let mut images = rays()
-            .map(|ray| Filtered::new(query, domain, ray))
+            .map(|ray| Filtered::new(query, ray))
             .take(self.rays.into())
             .peekable();
         if let Some(first) = images.peek()
             && culling::separates(first.corners(), domain.faces)
         {
-            return Answer::Free;
+            return false;
         }
         let collides = images.find_map(|image| {
             let length = image.extent() + self.margin;
@@ -187,28 +185,20 @@ impl BrochuRootParity {
                 cast(&image, domain.faces)
             }
         });
-        Answer::from_decision(collides.unwrap_or(true))
+        collides.unwrap_or(true)
     }
 }
 
-impl Method for BrochuRootParity {
-    fn name(&self) -> &str {
+impl Ccd for BrochuRootParity {
+    fn name(&self) -> &'static str {
         "RP"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: true,
-            may_invent: true,
-            time: Time::Absent,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: true,
+            false_positives: true,
+            time: TimeGuarantee::Absent,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        self.answer(query, &PRISM)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        self.answer(query, &HEXAHEDRON)
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::{Kind, Point, Query};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 
 use super::number::{Number, Vector, dot, turn, volume};
 
@@ -14,30 +14,39 @@ pub(super) struct Domain {
     pub(super) faces: &'static [[usize; 4]],
 }
 
-/// That of a vertex and a face.
-pub(super) const PRISM: Domain = Domain {
-    corners: [(0, 1), (0, 2), (0, 3), (0, 3)],
-    faces: &[
-        [0, 1, 2, 2],
-        [4, 5, 6, 6],
-        [0, 1, 5, 4],
-        [1, 2, 6, 5],
-        [2, 0, 4, 6],
-    ],
-};
+/// A kind of query with its domain.
+pub(super) trait Solid: Kind {
+    const DOMAIN: Domain;
+}
 
-/// That of two edges.
-pub(super) const HEXAHEDRON: Domain = Domain {
-    corners: [(0, 2), (0, 3), (1, 3), (1, 2)],
-    faces: &[
-        [0, 1, 2, 3],
-        [4, 5, 6, 7],
-        [0, 1, 5, 4],
-        [1, 2, 6, 5],
-        [2, 3, 7, 6],
-        [3, 0, 4, 7],
-    ],
-};
+/// The domain is a prism.
+impl Solid for VertexFace {
+    const DOMAIN: Domain = Domain {
+        corners: [(0, 1), (0, 2), (0, 3), (0, 3)],
+        faces: &[
+            [0, 1, 2, 2],
+            [4, 5, 6, 6],
+            [0, 1, 5, 4],
+            [1, 2, 6, 5],
+            [2, 0, 4, 6],
+        ],
+    };
+}
+
+/// The domain is a cube.
+impl Solid for EdgeEdge {
+    const DOMAIN: Domain = Domain {
+        corners: [(0, 2), (0, 3), (1, 3), (1, 2)],
+        faces: &[
+            [0, 1, 2, 3],
+            [4, 5, 6, 7],
+            [0, 1, 5, 4],
+            [1, 2, 6, 5],
+            [2, 3, 7, 6],
+            [3, 0, 4, 7],
+        ],
+    };
+}
 
 impl Domain {
     /// The faces that are triangles.
@@ -58,10 +67,10 @@ pub(super) const RAY: usize = 8;
 /// The vectors as differences of two points, before anything is computed or rounded.
 pub(super) type Differences = [[Point; 2]; 9];
 
-pub(super) fn differences<K: Kind>(query: &Query<K>, domain: &Domain, ray: Point) -> Differences {
+pub(super) fn differences<K: Solid>(query: &Query<K>, ray: Point) -> Differences {
     let mut differences = [[ray, [0.0; 3]]; 9];
     for (time, points) in query.points().iter().enumerate() {
-        for (corner, &(i, j)) in domain.corners.iter().enumerate() {
+        for (corner, &(i, j)) in K::DOMAIN.corners.iter().enumerate() {
             differences[4 * time + corner] = [points[i], points[j]];
         }
     }

@@ -3,13 +3,12 @@
 use std::cmp::Ordering;
 
 use dashu_ratio::Relaxed;
-use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
 
 use super::fold;
-use super::image::{Domain, HEXAHEDRON, Image, PRISM, Predicate, Vectors, differences, vectors};
+use super::image::{Image, Predicate, Solid, Vectors, differences, vectors};
 use super::number::Number;
 use super::ray::cast;
-use crate::method::{Answer, Method, Promise, Time};
 
 /// Root parity in rational arithmetic: the method of [`BrochuRootParity`](super::BrochuRootParity), without its filters and
 /// with the degenerate cases settled, on the input as it is.
@@ -42,32 +41,26 @@ impl Image for Vectors<Relaxed> {
 /// a hexahedron has 24. A plane through the origin contains two of the directions at most.
 const MOST_REJECTED: u32 = 2 * 24;
 
-fn answer<K: Kind>(query: &Query<K>, domain: &Domain) -> Answer {
-    let collides = (0..=MOST_REJECTED).map(f64::from).find_map(|k| {
-        let image: Vectors<Relaxed> = vectors(&differences(query, domain, [1.0, k, k * k]));
-        cast(&image, domain.faces)
-    });
-    Answer::from_decision(collides.unwrap_or(true))
+impl<K: Solid> Decide<K> for RationalRootParity {
+    fn collides(&self, query: &Query<K>) -> bool {
+        let collides = (0..=MOST_REJECTED).map(f64::from).find_map(|k| {
+            let image: Vectors<Relaxed> = vectors(&differences(query, [1.0, k, k * k]));
+            cast(&image, K::DOMAIN.faces)
+        });
+        collides.unwrap_or(true)
+    }
 }
 
-impl Method for RationalRootParity {
-    fn name(&self) -> &str {
+impl Ccd for RationalRootParity {
+    fn name(&self) -> &'static str {
         "RRP"
     }
 
-    fn promise(&self) -> Promise {
-        Promise {
-            may_miss: true,
-            may_invent: false,
-            time: Time::Absent,
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: true,
+            false_positives: false,
+            time: TimeGuarantee::Absent,
         }
-    }
-
-    fn vertex_face(&self, query: &Query<VertexFace>) -> Answer {
-        answer(query, &PRISM)
-    }
-
-    fn edge_edge(&self, query: &Query<EdgeEdge>) -> Answer {
-        answer(query, &HEXAHEDRON)
     }
 }

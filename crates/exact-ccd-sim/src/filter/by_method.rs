@@ -1,16 +1,17 @@
 //! Any method of [`exact_ccd_methods`] as a filter.
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Query, TimeGuarantee, VertexFace};
-use exact_ccd_mesh::Point;
-use exact_ccd_methods::{Answer, Method, Time};
+use std::sync::Arc;
+
+use exact_ccd::{Ccd, EdgeEdge, Query, TimeGuarantee, VertexFace};
+use exact_ccd_mesh::{Decision, Point};
 
 use super::bisection::Bisection;
 use super::increment::Increment;
 use super::{LAST, StepFilter};
 
-/// A method of [`exact_ccd_methods`]: by the times that it tells, if it does, else by [`Bisection`] with what it decides.
+/// A method of [`exact_ccd_methods`]: by its times of impact, if it has times, else by [`Bisection`] with its decision.
 ///
-/// It is worth what the method's [`Promise`](exact_ccd_methods::Promise) is: a method that may miss contacts lets them pass.
+/// A method with [false negatives](exact_ccd::Guarantees::false_negatives) lets contacts pass.
 pub struct ByMethod {
     method: DecidingMethod,
     bisection: Bisection,
@@ -19,7 +20,7 @@ pub struct ByMethod {
 impl ByMethod {
     /// The filter of a method, by a name.
     #[must_use]
-    pub fn new(name: &str, method: Box<dyn Method>) -> Self {
+    pub fn new(name: &str, method: Box<dyn Ccd>) -> Self {
         let method = DecidingMethod(method.into());
         let bisection = Bisection::new(name, Box::new(method.clone()));
         Self { method, bisection }
@@ -33,23 +34,18 @@ impl StepFilter for ByMethod {
 
     fn largest(&self, increment: &Increment<'_>) -> f64 {
         let DecidingMethod(method) = &self.method;
-        if method.promise().time == Time::Absent {
+        if method.guarantees().time == TimeGuarantee::Absent {
             return self.bisection.largest(increment);
         }
-        // Contact at a time that it does not know may be at once.
-        let time = |answer: Answer| {
-            answer
-                .is_contact()
-                .then(|| answer.time().unwrap_or(0.0).clamp(0.0, LAST))
-        };
+        let clamped = |time: Option<f64>| time.map(|time| time.clamp(0.0, LAST));
         let earliest = increment.earliest(
-            |query| time(method.vertex_face(query)),
-            |query| time(method.edge_edge(query)),
+            |query| clamped(method.time_of_impact(query)),
+            |query| clamped(method.time_of_impact(query)),
         );
         match earliest {
             None => 1.0,
             Some(time) if time > 0.0 => time,
-            // A conservative time of 0 says no more than that there is contact.
+            // A conservative time of 0 means no more than that there is a contact.
             Some(_) => self.bisection.largest(increment),
         }
     }
@@ -59,19 +55,18 @@ impl StepFilter for ByMethod {
     }
 }
 
-/// What a method decides.
+/// The decision of a method.
 #[derive(Clone)]
-struct DecidingMethod(std::sync::Arc<dyn Method>);
+struct DecidingMethod(Arc<dyn Ccd>);
 
-impl Decide<VertexFace> for DecidingMethod {
-    fn collides(&self, query: &Query<VertexFace>) -> bool {
-        self.0.vertex_face(query).is_contact()
+impl Decision for DecidingMethod {
+    fn vertex_face(&self, query: &Query<VertexFace>) -> bool {
+        self.0.collides(query)
     }
 }
 
-impl Decide<EdgeEdge> for DecidingMethod {
-    fn collides(&self, query: &Query<EdgeEdge>) -> bool {
-        self.0.edge_edge(query).is_contact()
+    fn edge_edge(&self, query: &Query<EdgeEdge>) -> bool {
+        self.0.collides(query)
     }
 }
 

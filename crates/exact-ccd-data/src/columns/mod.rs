@@ -4,9 +4,11 @@
 //! share: half the bytes on most data sets. Compression is gzip: every reader of Parquet knows it, it needs no C
 //! library, and its checksum finds damaged data.
 
+mod group;
 mod guard;
 mod leaf;
 mod read;
+mod row;
 mod write;
 
 pub use read::ColumnReader;

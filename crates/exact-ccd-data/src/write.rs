@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use dashu_ratio::RBig;
 use exact_ccd::{Kind, Point, Query};
 
-use crate::queries::Seventh;
 use crate::record::Record;
+use crate::rows::Seventh;
 
 /// Writes a query file, in all rows with the seventh column or in none.
 pub struct QueryWriter<W> {

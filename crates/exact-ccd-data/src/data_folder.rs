@@ -1,12 +1,18 @@
 //! The folder of published data sets.
 
+use std::env;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 use crate::error::DataError;
 use crate::kind::DataKind;
-use crate::location;
+use crate::list::list;
 use crate::scene::Scene;
+
+/// The environment variable that names the folder.
+const VARIABLE: &str = "EXACT_CCD_DATA";
+
+/// The folder without the variable, relative to the root of the repository.
+const DEFAULT: &str = "../shared/data";
 
 /// The folder of published data sets: handcrafted queries and simulated scenes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,7 +31,7 @@ impl DataFolder {
     /// # Errors
     /// If there is no such folder.
     pub fn find(repository: &Path) -> Result<Self, DataError> {
-        let folder = location::data_folder(repository);
+        let folder = env::var_os(VARIABLE).map_or_else(|| repository.join(DEFAULT), PathBuf::from);
         list(&folder).map(|_| Self(folder))
     }
 
@@ -60,14 +66,4 @@ impl DataFolder {
             .map(Scene::new)
             .collect())
     }
-}
-
-/// What is in a folder, sorted by name.
-pub(crate) fn list(folder: &Path) -> Result<Vec<PathBuf>, DataError> {
-    let error = |source| DataError::io(folder, source);
-    let entries = fs::read_dir(folder).map_err(error)?;
-    let path = |entry: io::Result<fs::DirEntry>| entry.map(|entry| entry.path()).map_err(error);
-    let mut paths = entries.map(path).collect::<Result<Vec<_>, _>>()?;
-    paths.sort();
-    Ok(paths)
 }

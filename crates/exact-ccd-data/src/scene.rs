@@ -6,12 +6,11 @@ use std::sync::Arc;
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_mesh::{Motion, Step, TriangleMesh};
 
-use crate::data_folder::list;
 use crate::error::DataError;
 use crate::json::{read_pairs, read_verdicts};
 use crate::kind::DataKind;
-use crate::queries::Sample;
-use crate::record::{Record, number};
+use crate::list::list;
+use crate::record::{Record, Sample, number};
 use crate::roots::{Roots, read_roots};
 
 /// A time step of a simulation in the folder of a scene.

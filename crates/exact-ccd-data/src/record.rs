@@ -1,17 +1,26 @@
-//! A query with all that is known about it.
+//! Queries with the data that belong to them.
 
 use std::sync::Arc;
 
-use exact_ccd::{ContactTime, Kind};
+use exact_ccd::{ContactTime, Kind, Query};
 
-use crate::queries::Sample;
+/// A query from a file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<K> {
+    /// The query.
+    pub query: Query<K>,
+    /// The ground truth, if the file has it: true if the primitives collide.
+    pub truth: Option<bool>,
+}
 
-/// A query with all that is known about it. Query files hold less, files of columns all of it.
+/// A query with all that a data set can hold about it.
+///
+/// Query files hold a part of it, Parquet files all of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record<K> {
-    /// The query, and whether its primitives collide.
+    /// The query and its ground truth.
     pub sample: Sample<K>,
-    /// How many contact times there are, −1 for infinitely many.
+    /// The number of contact times, −1 for infinitely many.
     pub count: Option<i64>,
     /// The time of impact: the earliest contact time, rounded down to f64.
     pub toi: Option<f64>,
@@ -22,7 +31,7 @@ pub struct Record<K> {
 }
 
 impl<K: Kind> Record<K> {
-    /// The record with the count and the time of impact that the exact method finds, in place of those it has.
+    /// The record with the count and the time of impact of the exact method, in place of its own.
     #[must_use]
     pub fn answered(self) -> Self {
         let times = self.sample.query.contact_times();
@@ -46,7 +55,7 @@ impl<K> From<Sample<K>> for Record<K> {
     }
 }
 
-/// A number of contact times as the data sets write it.
+/// A number of contact times as the data sets write it: −1 for infinitely many.
 pub(crate) fn number(count: Option<usize>) -> i64 {
     count.map_or(-1, |count| count.try_into().unwrap_or(i64::MAX))
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::{DataError, DataFolder, DataKind, Roots, Sample, Scene, read_roots};
+use exact_ccd_data::{DataError, DataFolder, DataKind, Roots, Sample, Scene, read_roots};
 use exact_ccd_mesh::{Frame, Motion};
 use tempfile::TempDir;
 

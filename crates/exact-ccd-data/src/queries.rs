@@ -1,62 +1,28 @@
 //! Query files: eight rows a query, a point of rational coordinates in each.
 
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::Read;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-use csv::{ByteRecord, ReaderBuilder, Terminator, Trim};
-use exact_ccd::{Point, Query};
+use exact_ccd::Query;
 
 use crate::error::{DataError, Problem};
-use crate::excerpt::excerpt;
 use crate::kind::DataKind;
-use crate::rational::{self, Rounding};
-use crate::record::Record;
-
-/// A query from a file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample<K> {
-    /// The query.
-    pub query: Query<K>,
-    /// Whether its primitives collide, if the file says so.
-    pub truth: Option<bool>,
-}
-
-/// What the seventh column of a query file says.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Seventh {
-    /// Whether the primitives collide: 0 or 1.
-    #[default]
-    Contact,
-    /// How many contact times there are: 0 or more, or −1 for infinitely many.
-    Count,
-}
+use crate::rational::Rounding;
+use crate::record::{Record, Sample};
+use crate::rows::{Row, RowReader, Seventh};
 
 /// Reads queries one after the other, from files of any size. It ends after the first error.
 ///
-/// A query is eight rows, its four points at t = 0 and then at t = 1 in the order of
-/// [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge); a row is the numerators and
-/// denominators of x, y and z, in all rows of the file or in none followed by the ground truth, 1 for contact and
-/// 0 for none, which is the same in the eight rows. Fields may have blanks around them; blank lines are skipped.
+/// A query is eight rows: its four points at t = 0 and then at t = 1, in the order of
+/// [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge). A row is the numerators and denominators
+/// of x, y and z. In all rows of the file or in none, the ground truth follows, 1 for contact and 0 for none, which is
+/// the same in the eight rows. Fields may have blanks around them. Blank lines are skipped.
 pub struct QueryReader<K, R> {
-    file: PathBuf,
-    csv: csv::Reader<io::Chain<R, &'static [u8]>>,
-    record: ByteRecord,
-    rounding: Rounding,
-    seventh: Seventh,
-    /// The number of fields in the first row.
-    fields: Option<usize>,
+    rows: RowReader<R>,
     done: bool,
     kind: PhantomData<K>,
-}
-
-/// A point, the ground truth, and the line that they stand in.
-struct Row {
-    point: Point,
-    /// What is in the seventh column.
-    truth: Option<i64>,
-    line: u64,
 }
 
 impl<K: DataKind> QueryReader<K, File> {
@@ -71,37 +37,23 @@ impl<K: DataKind> QueryReader<K, File> {
 }
 
 impl<K: DataKind, R: Read> QueryReader<K, R> {
-    /// A reader of the queries in any text; errors call it `name`. It does its own buffering.
+    /// A reader of the queries in any text, which errors call `name`. It has a buffer of its own.
     pub fn new(name: impl Into<PathBuf>, text: R, rounding: Rounding) -> Self {
-        let csv = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .quoting(false)
-            .trim(Trim::All)
-            // Trimming takes care of carriage returns.
-            .terminator(Terminator::Any(b'\n'))
-            // With this, every record ends in a line break, and its line is the one before the reader's position.
-            .from_reader(text.chain(b"\n".as_slice()));
         Self {
-            file: name.into(),
-            csv,
-            record: ByteRecord::new(),
-            rounding,
-            seventh: Seventh::Contact,
-            fields: None,
+            rows: RowReader::new(name.into(), text, rounding, K::POINTS),
             done: false,
             kind: PhantomData,
         }
     }
 
-    /// The reader of a file whose seventh column says this.
+    /// The reader of a file whose seventh column has this meaning.
     #[must_use]
     pub fn with_seventh(mut self, seventh: Seventh) -> Self {
-        self.seventh = seventh;
+        self.rows.set_seventh(seventh);
         self
     }
 
-    /// The queries with all that the file says of them.
+    /// The queries with all data that the file has about them.
     pub fn records(mut self) -> impl Iterator<Item = Result<Record<K>, DataError>> {
         std::iter::from_fn(move || self.next_record())
     }
@@ -117,102 +69,31 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
 
     fn record(&mut self) -> Result<Option<Record<K>>, DataError> {
         let mut points = [[[0.0; 3]; 4]; 2];
-        let mut first_truth = None;
+        let mut first = None;
         let mut last_line = 0;
         for index in 0..8 {
-            let Some(Row { point, truth, line }) = self.row(index)? else {
+            let Some(Row { point, seventh, line }) = self.rows.next(index)? else {
                 return match index {
                     0 => Ok(None),
-                    rows => Err(DataError::line(&self.file, last_line, Problem::CutShort(rows))),
+                    rows => Err(self.rows.error(last_line, Problem::CutShort(rows))),
                 };
             };
             points[index / 4][index % 4] = point;
             last_line = line;
             if index == 0 {
-                first_truth = truth;
-            } else if let (Some(expected), Some(found)) = (first_truth, truth)
+                first = seventh;
+            } else if let (Some(expected), Some(found)) = (first, seventh)
                 && expected != found
             {
-                return Err(DataError::line(
-                    &self.file,
-                    line,
-                    Problem::TruthDiffers { expected, found },
-                ));
+                return Err(self.rows.error(line, Problem::TruthDiffers { expected, found }));
             }
         }
-        let query = Query::new(points[0], points[1]).expect("coordinates were checked to be finite");
-        let sample = Sample {
-            query,
-            truth: first_truth.map(|truth| truth != 0),
-        };
+        let query = Query::new(points[0], points[1]).expect("`rational::parse` returns finite numbers");
+        let truth = first.map(|seventh| seventh != 0);
         Ok(Some(Record {
-            count: first_truth.filter(|_| self.seventh == Seventh::Count),
-            ..sample.into()
+            count: first.filter(|_| self.rows.seventh() == Seventh::Count),
+            ..Sample { query, truth }.into()
         }))
-    }
-
-    /// The next row, which is row `index` of its query.
-    fn row(&mut self, index: usize) -> Result<Option<Row>, DataError> {
-        loop {
-            if !self
-                .csv
-                .read_byte_record(&mut self.record)
-                .map_err(|error| self.io(error))?
-            {
-                return Ok(None);
-            }
-            if self.record.iter().any(|field| !field.is_empty()) || self.record.len() > 1 {
-                break;
-            }
-        }
-        let line = self.csv.position().line() - 1;
-        self.parse(index)
-            .map(|(point, truth)| Some(Row { point, truth, line }))
-            .map_err(|problem| DataError::line(&self.file, line, problem))
-    }
-
-    fn parse(&mut self, index: usize) -> Result<(Point, Option<i64>), Problem> {
-        let found = self.record.len();
-        let expected = match self.fields {
-            Some(6) => "6 fields, as in the first row",
-            Some(_) => "7 fields, as in the first row",
-            None => "6 or 7 fields",
-        };
-        if !matches!(found, 6 | 7) || self.fields.is_some_and(|fields| fields != found) {
-            return Err(Problem::Fields { expected, found });
-        }
-        self.fields = Some(found);
-        let mut point = [0.0; 3];
-        for (axis, coordinate) in point.iter_mut().enumerate() {
-            let [numerator, denominator] = [0, 1].map(|part| &self.record[2 * axis + part]);
-            *coordinate = rational::parse(numerator, denominator, self.rounding).map_err(|source| {
-                Problem::Coordinate {
-                    axis: ['x', 'y', 'z'][axis],
-                    point: K::POINTS[index % 4],
-                    time: index / 4,
-                    source,
-                }
-            })?;
-        }
-        let truth = self.record.get(6).map(|field| self.truth(field)).transpose()?;
-        Ok((point, truth))
-    }
-
-    fn truth(&self, field: &[u8]) -> Result<i64, Problem> {
-        match (self.seventh, field) {
-            (Seventh::Contact, b"0") => Ok(0),
-            (Seventh::Contact, b"1") => Ok(1),
-            (Seventh::Contact, other) => Err(Problem::Truth(excerpt(other))),
-            (Seventh::Count, field) => str::from_utf8(field)
-                .ok()
-                .and_then(|text| text.parse().ok())
-                .filter(|&count| count >= -1)
-                .ok_or_else(|| Problem::Count(excerpt(field))),
-        }
-    }
-
-    fn io(&self, error: csv::Error) -> DataError {
-        DataError::io(&self.file, error.into())
     }
 }
 

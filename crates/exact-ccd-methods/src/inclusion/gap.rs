@@ -16,15 +16,15 @@ pub(crate) trait Number:
 impl Number for f64 {}
 impl Number for Interval {}
 
-/// The motion of the four points of a query.
-pub(crate) struct Motion<T> {
+/// The coordinates of the four points of a query over time.
+pub(crate) struct Coordinates<T> {
     /// The points at t = 0, by axis.
     start: [[T; 4]; 3],
     /// How far they move until t = 1.
     displacement: [[T; 4]; 3],
 }
 
-impl<T: Number> Motion<T> {
+impl<T: Number> Coordinates<T> {
     pub(crate) fn new(points: &[[Point; 4]; 2]) -> Self {
         let [start, end]: [[[T; 4]; 3]; 2] =
             points.map(|points| [0, 1, 2].map(|axis| points.map(|point| point[axis].into())));

@@ -2,7 +2,6 @@
 
 use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
-use exact_ccd_methods::{Answer, Method};
 
 /// A kind of query, as the data sets know it.
 pub trait DataKind: Kind + Send + Sync {
@@ -33,10 +32,7 @@ pub trait DataKind: Kind + Send + Sync {
     fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4];
 
     /// The candidates of this kind.
-    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]];
-
-    /// What a method says of a query of this kind.
-    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer;
+    fn candidates(candidates: &Candidates) -> &[[u32; 2]];
 }
 
 impl DataKind for VertexFace {
@@ -65,12 +61,8 @@ impl DataKind for VertexFace {
         <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
-    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]] {
+    fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
         candidates.vertex_face()
-    }
-
-    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
-        method.vertex_face(query)
     }
 }
 
@@ -96,12 +88,8 @@ impl DataKind for EdgeEdge {
         <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
-    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]] {
+    fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
         candidates.edge_edge()
-    }
-
-    fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer {
-        method.edge_edge(query)
     }
 }
 

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_bench::{
+use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataError, DataKind, QueryReader, QueryWriter, Record, Rounding, Sample,
     Seventh,
 };

@@ -1,0 +1,124 @@
+//! The columns of a row group.
+
+use std::sync::Arc;
+
+use parquet::data_type::{BoolType, ByteArrayType, DoubleType, Int64Type};
+use parquet::file::metadata::{ParquetMetaData, RowGroupMetaData};
+
+use super::COORDINATES;
+use super::guard::GuardedFile;
+use super::leaf::{Column, Expected, Leaf};
+use super::row::Row;
+use crate::error::ColumnProblem;
+
+/// The largest number of rows of a row group; usual writers make smaller ones.
+const GROUP: usize = 1 << 20;
+
+/// The places of the columns.
+pub(super) struct Leaves {
+    kind: Leaf,
+    points: Leaf,
+    truth: Leaf,
+    count: Leaf,
+    toi: Leaf,
+    scene: Leaf,
+    ids: [Leaf; 2],
+}
+
+/// The columns of a row group.
+pub(super) struct Group {
+    pub(super) rows_left: usize,
+    kind: Column<ByteArrayType>,
+    points: Column<DoubleType>,
+    truth: Column<BoolType>,
+    count: Column<Int64Type>,
+    toi: Column<DoubleType>,
+    scene: Column<ByteArrayType>,
+    ids: [Column<Int64Type>; 2],
+}
+
+impl Leaves {
+    pub(super) fn find(metadata: &ParquetMetaData) -> Result<Self, ColumnProblem> {
+        let columns = metadata.file_metadata().schema_descr().columns();
+        let expected = |name, type_name, is_list| Expected {
+            name,
+            type_name,
+            is_list,
+        };
+        let text = |name| Leaf::find::<ByteArrayType>(columns, &expected(name, "strings", false));
+        let double = |name| Leaf::find::<DoubleType>(columns, &expected(name, "DOUBLE", false));
+        let integer = |name| Leaf::find::<Int64Type>(columns, &expected(name, "INT64", false));
+        Ok(Self {
+            kind: text("kind")?,
+            points: Leaf::find::<DoubleType>(columns, &expected("points", "lists of 24 DOUBLE", true))?,
+            truth: Leaf::find::<BoolType>(columns, &expected("truth", "BOOLEAN", false))?,
+            count: integer("count")?,
+            toi: double("toi")?,
+            scene: text("scene")?,
+            ids: [integer("id_a")?, integer("id_b")?],
+        })
+    }
+}
+
+impl Group {
+    pub(super) fn open(
+        file: &Arc<GuardedFile>,
+        group: &RowGroupMetaData,
+        leaves: &Leaves,
+    ) -> Result<Self, ColumnProblem> {
+        let rows = usize::try_from(group.num_rows())
+            .ok()
+            .filter(|&rows| rows <= GROUP);
+        let Some(rows) = rows else {
+            let rows = group.num_rows();
+            let problem = format!("a row group of {rows} rows, which is not from 0 to {GROUP}");
+            return Err(ColumnProblem::parquet(problem));
+        };
+        let integer = |leaf| Column::open(file, group, leaf, rows, 1);
+        Ok(Self {
+            rows_left: rows,
+            kind: Column::open(file, group, leaves.kind, rows, 1)?,
+            // Twice the length: a list of a slightly wrong length is an error of its query, not of the file.
+            points: Column::open(file, group, leaves.points, rows, 2 * COORDINATES)?,
+            truth: Column::open(file, group, leaves.truth, rows, 1)?,
+            count: integer(leaves.count)?,
+            toi: Column::open(file, group, leaves.toi, rows, 1)?,
+            scene: Column::open(file, group, leaves.scene, rows, 1)?,
+            ids: [integer(leaves.ids[0])?, integer(leaves.ids[1])?],
+        })
+    }
+
+    pub(super) fn read(&mut self, rows: usize) -> Result<Vec<Row>, ColumnProblem> {
+        let kinds = self.kind.values(rows)?;
+        let mut points = self.points.lists(rows)?.into_iter();
+        let mut truths = self.truth.values(rows)?.into_iter();
+        let mut counts = self.count.values(rows)?.into_iter();
+        let mut tois = self.toi.values(rows)?.into_iter();
+        let mut scenes = self.scene.values(rows)?.into_iter();
+        let mut ids_a = self.ids[0].values(rows)?.into_iter();
+        let mut ids_b = self.ids[1].values(rows)?.into_iter();
+        let row = |kind| Row {
+            kind,
+            points: points.next().flatten(),
+            truth: truths.next().flatten(),
+            count: counts.next().flatten(),
+            toi: tois.next().flatten(),
+            scene: scenes.next().flatten(),
+            ids: [ids_a.next().flatten(), ids_b.next().flatten()],
+        };
+        Ok(kinds.into_iter().map(row).collect())
+    }
+
+    pub(super) fn end(&mut self) -> Result<(), ColumnProblem> {
+        let [a, b] = &mut self.ids;
+        self.kind
+            .end()
+            .and_then(|()| self.points.end())
+            .and_then(|()| self.truth.end())
+            .and_then(|()| self.count.end())
+            .and_then(|()| self.toi.end())
+            .and_then(|()| self.scene.end())
+            .and_then(|()| a.end())
+            .and_then(|()| b.end())
+    }
+}

@@ -1,0 +1,139 @@
+//! Queries out of columns.
+
+use std::fs::File;
+use std::marker::PhantomData;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::vec;
+
+use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
+
+use super::group::{Group, Leaves};
+use super::guard::{GuardedFile, catch};
+use crate::error::{ColumnProblem, DataError};
+use crate::kind::DataKind;
+use crate::record::{Record, Sample};
+
+/// The number of queries that are read at once.
+const BATCH: usize = 1024;
+
+/// Reads the queries of a Parquet file one after the other. It ends after the first error.
+///
+/// The columns are those of [`ColumnWriter`](crate::ColumnWriter), found by name, in any order. Other software may have
+/// written them. Further columns are skipped. Columns are plain or compressed with gzip or snappy.
+pub struct ColumnReader<K> {
+    path: PathBuf,
+    file: Arc<GuardedFile>,
+    metadata: ParquetMetaData,
+    leaves: Leaves,
+    /// The number of the row group to be opened next.
+    next_group: usize,
+    group: Option<Group>,
+    batch: vec::IntoIter<Record<K>>,
+    /// The number of queries that were read.
+    queries: usize,
+    done: bool,
+    kind: PhantomData<K>,
+}
+
+impl<K: DataKind> ColumnReader<K> {
+    /// A reader of the queries in a file.
+    ///
+    /// # Errors
+    /// If the file cannot be opened, is not a Parquet file, or lacks a column.
+    pub fn open(path: &Path) -> Result<Self, DataError> {
+        let file = File::open(path).map_err(|source| DataError::io(path, source))?;
+        let file = Arc::new(GuardedFile(file));
+        let metadata = catch(|| ParquetMetaDataReader::new().parse_and_finish(&*file))
+            .map_err(|error| DataError::columns(path, ColumnProblem::from(error)))?;
+        let leaves = Leaves::find(&metadata).map_err(|problem| DataError::columns(path, problem))?;
+        Ok(Self {
+            path: path.to_owned(),
+            file,
+            metadata,
+            leaves,
+            next_group: 0,
+            group: None,
+            batch: Vec::new().into_iter(),
+            queries: 0,
+            done: false,
+            kind: PhantomData,
+        })
+    }
+
+    /// The queries with all data that the file has about them.
+    pub fn records(mut self) -> impl Iterator<Item = Result<Record<K>, DataError>> {
+        std::iter::from_fn(move || self.next_record())
+    }
+
+    fn next_record(&mut self) -> Option<Result<Record<K>, DataError>> {
+        if let Some(record) = self.batch.next() {
+            return Some(Ok(record));
+        }
+        if self.done {
+            return None;
+        }
+        match self.read_batch() {
+            Ok(batch) => {
+                self.batch = batch.into_iter();
+                let next = self.batch.next();
+                self.done = next.is_none();
+                next.map(Ok)
+            }
+            Err(error) => {
+                self.done = true;
+                Some(Err(error))
+            }
+        }
+    }
+
+    /// The next queries; none at the end of the file.
+    fn read_batch(&mut self) -> Result<Vec<Record<K>>, DataError> {
+        let wrong = |problem| DataError::columns(&self.path, problem);
+        loop {
+            let Some(group) = &mut self.group else {
+                let Some(metadata) = self.metadata.row_groups().get(self.next_group) else {
+                    return match usize::try_from(self.metadata.file_metadata().num_rows()) {
+                        Ok(rows) if rows == self.queries => Ok(Vec::new()),
+                        _ => Err(wrong(ColumnProblem::parquet(
+                            "the number of rows is not that announced",
+                        ))),
+                    };
+                };
+                self.group = Some(Group::open(&self.file, metadata, &self.leaves).map_err(wrong)?);
+                self.next_group += 1;
+                continue;
+            };
+            if group.rows_left == 0 {
+                group.end().map_err(wrong)?;
+                self.group = None;
+                continue;
+            }
+            let rows = group.rows_left.min(BATCH);
+            group.rows_left -= rows;
+            let rows = group.read(rows).map_err(wrong)?;
+            let first = self.queries;
+            self.queries += rows.len();
+            return rows
+                .into_iter()
+                .enumerate()
+                .map(|(index, row)| {
+                    row.record().map_err(|problem| DataError::Record {
+                        file: self.path.clone(),
+                        query: first + index,
+                        problem,
+                    })
+                })
+                .collect();
+        }
+    }
+}
+
+impl<K: DataKind> Iterator for ColumnReader<K> {
+    type Item = Result<Sample<K>, DataError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.next_record()
+            .map(|record| record.map(|record| record.sample))
+    }
+}

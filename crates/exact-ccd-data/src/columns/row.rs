@@ -1,0 +1,74 @@
+//! A query out of the fields of a row.
+
+use std::sync::Arc;
+
+use exact_ccd::Query;
+use parquet::data_type::ByteArray;
+
+use super::COORDINATES;
+use crate::error::RecordProblem;
+use crate::excerpt::excerpt;
+use crate::kind::DataKind;
+use crate::record::{Record, Sample};
+
+/// The fields of a row. `None` is a null, or a list of coordinates of another length.
+pub(super) struct Row {
+    pub(super) kind: Option<ByteArray>,
+    pub(super) points: Option<[f64; COORDINATES]>,
+    pub(super) truth: Option<bool>,
+    pub(super) count: Option<i64>,
+    pub(super) toi: Option<f64>,
+    pub(super) scene: Option<ByteArray>,
+    pub(super) ids: [Option<i64>; 2],
+}
+
+impl Row {
+    /// The query and its data.
+    pub(super) fn record<K: DataKind>(self) -> Result<Record<K>, RecordProblem> {
+        let kind = self.kind.as_ref().map(ByteArray::data);
+        if kind != Some(K::SHORT.as_bytes()) {
+            let found = kind.map_or("null".into(), excerpt);
+            return Err(RecordProblem::field("kind", K::SHORT, found));
+        }
+        let Some(coordinates) = self.points else {
+            let found = "null or another number";
+            return Err(RecordProblem::field("points", "24 coordinates", found));
+        };
+        let (points, _) = coordinates.as_chunks::<3>();
+        let (times, _) = points.as_chunks::<4>();
+        let count_is_wrong = |count: &i64| *count < -1;
+        if let Some(count) = self.count.filter(count_is_wrong) {
+            return Err(RecordProblem::field("count", "a number of contacts or -1", count));
+        }
+        if let Some(toi) = self.toi.filter(|toi| !(0.0..=1.0).contains(toi)) {
+            return Err(RecordProblem::field("toi", "a time from 0 to 1", toi));
+        }
+        let scene = self.scene.as_ref().map(|name| {
+            let text = str::from_utf8(name.data());
+            text.map_err(|_| RecordProblem::field("scene", "UTF-8", excerpt(name.data())))
+        });
+        let ids = match self.ids {
+            [None, None] => None,
+            [Some(a @ 0..), Some(b @ 0..)] => Some([a, b].map(i64::unsigned_abs)),
+            ids => {
+                let found = ids.map(|id| id.map_or("null".to_owned(), |id| id.to_string()));
+                let expected = "two ids of 0 or more, or none";
+                return Err(RecordProblem::field(
+                    "id_a and id_b",
+                    expected,
+                    found.join(" and "),
+                ));
+            }
+        };
+        Ok(Record {
+            sample: Sample {
+                query: Query::new(times[0], times[1])?,
+                truth: self.truth,
+            },
+            count: self.count,
+            toi: self.toi,
+            scene: scene.transpose()?.map(Arc::from),
+            ids,
+        })
+    }
+}

@@ -1,0 +1,52 @@
+//! Files of continuous collision queries, in the formats of the published data sets.
+//!
+//! | files | types |
+//! |---|---|
+//! | query files: CSV, eight rows a query | [`QueryReader`], [`QueryWriter`], [`write_query`] |
+//! | Parquet files, a row a query, with all fields of a [`Record`] | [`ColumnReader`], [`ColumnWriter`] |
+//! | scenes: two meshes of a recorded time step, the queried pairs, and verdicts | [`Scene`] |
+//! | root files: the contact times of the queries of a scene | [`read_roots`] |
+//! | the folder of the published data sets | [`DataFolder`] |
+//!
+//! Readers are iterators that need little memory, whatever the size of the file, and end after the first error.
+//! Errors name the file and the line, query or pair.
+//!
+//! ```
+//! use exact_ccd::VertexFace;
+//! use exact_ccd_data::{QueryReader, Rounding};
+//!
+//! let point = "1,4,1,4,-1,1\n";
+//! let text = point.repeat(8);
+//! for sample in QueryReader::<VertexFace, _>::new("points.csv", text.as_bytes(), Rounding::Refuse) {
+//!     assert!(sample?.query.collides());
+//! }
+//! # Ok::<(), exact_ccd_data::DataError>(())
+//! ```
+
+mod columns;
+mod data_folder;
+mod error;
+mod excerpt;
+mod json;
+mod kind;
+mod list;
+mod queries;
+mod rational;
+mod record;
+mod roots;
+mod rows;
+mod scene;
+mod write;
+
+pub use columns::{ColumnReader, ColumnWriter};
+pub use data_folder::DataFolder;
+pub use error::{ColumnProblem, DataError, Problem, RecordProblem};
+pub use kind::DataKind;
+pub use list::list;
+pub use queries::QueryReader;
+pub use rational::{CoordinateError, Rounding};
+pub use record::{Record, Sample};
+pub use roots::{Roots, read_roots};
+pub use rows::Seventh;
+pub use scene::Scene;
+pub use write::{QueryWriter, write_query};
