@@ -67,7 +67,7 @@ fn main() {
     }
     let contestants = [
         Box::new(Exact) as Box<dyn Ccd>,
-        Box::new(RootParity),
+        Box::new(RootParity::default()),
         Box::new(Boxes),
     ];
     let contestants = contestants.into_iter().map(Contestant::Method).collect();

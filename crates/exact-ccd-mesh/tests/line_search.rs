@@ -95,7 +95,10 @@ fn parity_goes_through_two_contacts() {
         is_free && (1.0 / 3.0 - 64.0 * f64::EPSILON..=1.0 / 3.0).contains(&size),
         "{size}"
     );
-    assert_eq!(search(&motion, bisection(1e-3, &RootParity)), (1.0, false));
+    assert_eq!(
+        search(&motion, bisection(1e-3, &RootParity::default())),
+        (1.0, false)
+    );
 }
 
 #[test]

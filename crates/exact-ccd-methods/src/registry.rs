@@ -14,7 +14,7 @@ use crate::{
 pub fn all() -> Vec<Box<dyn Ccd>> {
     vec![
         Box::new(Exact),
-        Box::new(RootParity),
+        Box::new(RootParity::default()),
         Box::new(IntervalRootFinder::default()),
         Box::new(UnivariateIntervalRootFinder::default()),
         Box::new(FloatingPointRootFinder::default()),

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+use crate::filter::StepFilter;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
 use crate::state::State;
@@ -23,17 +24,32 @@ pub struct Checkpoint {
 }
 
 impl Checkpoint {
-    /// The simulation in the state of the checkpoint.
+    /// The simulation in the state of the checkpoint, with a filter that has the name in its settings.
     ///
     /// # Errors
     /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name the difference between
     /// the checkpoint and the arguments. All other errors are those of [`Simulation::resume`].
-    pub fn resume(self, system: System, settings: Settings) -> Result<Simulation, SimulationError> {
+    pub fn resume(
+        self,
+        system: System,
+        settings: Settings,
+        filter: StepFilter,
+    ) -> Result<Simulation, SimulationError> {
+        let settings = Settings {
+            ccd: filter.name().to_owned(),
+            ..settings
+        };
         if let Some(different) = different_setting(&self.settings, &settings) {
             return Err(different);
         }
         match self.system.difference(&system.fingerprint()) {
-            None => Simulation::resume(system, settings, self.state),
+            None => {
+                let settings = Settings {
+                    ccd: StepFilter::default().name().to_owned(),
+                    ..settings
+                };
+                Ok(Simulation::resume(system, settings, self.state)?.with_filter(filter))
+            }
             Some(what) => Err(SimulationError::OtherSystem { what }),
         }
     }

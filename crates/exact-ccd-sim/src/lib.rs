@@ -5,8 +5,8 @@
 //! D. Kaufman, *Incremental Potential Contact: Intersection- and Inversion-free Large-Deformation
 //! Dynamics*, ACM Transactions on Graphics 39(4), 2020. Each time step minimises the sum of an inertia
 //! term, [`elasticity`], a barrier over the distances of nearby primitives ([`contact`], [`distance`])
-//! and lagged [`friction`], by projected Newton. A [`filter`] bounds each Newton step. It is the exact
-//! filter or, for comparison, any method of [`exact_ccd_methods`].
+//! and lagged [`friction`], by projected Newton. A [`StepFilter`] bounds each Newton step: by the exact
+//! method or, for comparison, by any other [`Ccd`](exact_ccd::Ccd).
 //!
 //! - A [`Body`] is a mesh with its material. Bodies and [`Script`]s form a [`System`]. The vertices of a
 //!   system are those of its bodies, one body after the other ([`System::ranges`]).
@@ -42,7 +42,7 @@ mod dirichlet;
 pub mod distance;
 pub mod elasticity;
 mod element;
-pub mod filter;
+mod filter;
 pub mod friction;
 mod gather;
 mod hinges;
@@ -61,6 +61,7 @@ mod system;
 pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
 pub use checkpoint::Checkpoint;
 pub use element::{Element, Matrix12, Vector12};
+pub use filter::StepFilter;
 pub use integrator::Integrator;
 pub use script::{Script, ScriptError};
 pub use settings::{Friction, Length, SettingError, Settings};

@@ -6,11 +6,16 @@ use std::path::Path;
 
 use exact_ccd_mesh::{Aabb, Point, TriangleMesh, intersections, step};
 use exact_ccd_sim::scene::Scene;
-use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, shapes};
+use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, StepFilter, System, shapes};
+
+fn exact(name: &str, _: &System) -> Result<StepFilter, String> {
+    assert_eq!(name, "exact");
+    Ok(StepFilter::default())
+}
 
 fn scene(name: &str) -> Scene {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
-    Scene::read(folder.join(name), None).unwrap()
+    Scene::read(folder.join(name), None, &exact).unwrap()
 }
 
 /// Takes some steps of a scene. Checks that each increment is free of contact, and the final state free of
@@ -125,7 +130,7 @@ fn errors_name_the_missing_mesh_file() {
         ("mat-twist.toml", "mat40x40.msh"),
     ] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/scenes");
-        let error = Scene::read(folder.join(name), Some(Path::new("nowhere"))).unwrap_err();
+        let error = Scene::read(folder.join(name), Some(Path::new("nowhere")), &exact).unwrap_err();
         let message = error.to_string();
         assert!(message.contains(name) && message.contains(mesh), "{message}");
     }

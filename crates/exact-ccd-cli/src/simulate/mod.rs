@@ -1,5 +1,6 @@
 //! `exact-ccd simulate`: the intersection-free simulation of a scene.
 
+mod filters;
 mod folder;
 mod grid;
 mod line;
@@ -16,8 +17,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd_sim::Simulation;
 use exact_ccd_sim::scene::Scene;
+use exact_ccd_sim::{Simulation, System};
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -91,15 +92,19 @@ pub(crate) struct Arguments {
 }
 
 fn ccd_help() -> String {
-    let names = exact_ccd_sim::filter::names().join(", ");
+    let names = filters::names().join(", ");
     format!("The CCD method, in place of that of the scene, one of: {names}")
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let mut scene = Scene::read(&arguments.scene, arguments.meshes.as_deref())?;
-    if let Some(ccd) = &arguments.ccd {
-        scene.settings.ccd.clone_from(ccd);
+    if let Some(name) = &arguments.ccd {
+        filters::check(name)?;
     }
+    let by_name = |name: &str, system: &System| {
+        let name = arguments.ccd.as_deref().unwrap_or(name);
+        filters::by_name(name, system).map_err(|error| error.to_string())
+    };
+    let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
     let (simulation, mut folder) = match &arguments.out {
         None => (scene.simulation()?, None),
         Some(folder) => {

@@ -23,14 +23,14 @@ pub(super) struct QueryFolder {
     total: Counts<[usize; 3]>,
 }
 
-/// For each kind: how many queries were asked, how many of them are in contact, how many were kept.
+/// For each kind: the numbers of queries, of queries in contact, and of queries written.
 #[derive(Default)]
 struct Counts<T> {
     vertex_face: T,
     edge_edge: T,
 }
 
-/// A row of `counts.csv`: what was asked in a time step, and what of it was kept.
+/// A row of `counts.csv`: the queries of a time step, and those of them that were written.
 #[derive(Serialize, Deserialize)]
 struct Row {
     step: u64,
@@ -49,7 +49,7 @@ impl log::Row for Row {
 }
 
 impl QueryFolder {
-    /// The folder of the queries of a simulation from where it is, without those of later time steps from an earlier run.
+    /// Opens the folder for a simulation in its current state. Queries of later time steps are removed.
     pub(super) fn open(
         folder: &Path,
         simulation: Simulation,
@@ -71,7 +71,7 @@ impl QueryFolder {
         Ok((simulation, this))
     }
 
-    /// Writes what was asked in a time step.
+    /// Writes the queries of a time step.
     pub(super) fn add(&mut self, step: u64) -> Result<(), Failure> {
         let samples = self.recording.take();
         let counts = Counts {
@@ -100,7 +100,7 @@ impl QueryFolder {
         })
     }
 
-    /// Writes a sample, if there is anything in it, and counts.
+    /// Writes a sample unless it is empty, and returns the counts.
     fn write<K: DataKind>(&self, step: u64, sample: &Subjects<K>) -> Result<[usize; 3], Failure> {
         let [free, colliding] = sample.population();
         let kept = sample.sample();
@@ -117,7 +117,7 @@ impl QueryFolder {
         Ok([free + colliding, colliding, kept.len()])
     }
 
-    /// What of all time steps was kept, as a line of text.
+    /// The numbers of queries of all time steps, as a line of text.
     pub(super) fn summary(&self) -> String {
         let text = |name: &str, [asked, in_contact, kept]: [usize; 3]| {
             format!("{kept} of {asked} {name} queries, {in_contact} in contact")

@@ -1,16 +1,15 @@
-//! The queries that a simulation asks: a sample of them for each time step.
+//! Samples of the queries of a simulation for each time step.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_bench::comparison::{Subject, Subjects};
 use exact_ccd_data::DataKind;
-use exact_ccd_mesh::{Aabb, Point, Step};
+use exact_ccd_mesh::{Aabb, Candidates, Step};
 use exact_ccd_sim::Simulation;
-use exact_ccd_sim::filter::{Increment, StepFilter};
 use rayon::prelude::*;
 
-/// How many queries are decided at a time.
+/// The number of queries that are decided at a time.
 const CHUNK: usize = 1 << 16;
 
 /// Random samples of the queries of a time step: of each kind, of those in contact and of the others.
@@ -28,7 +27,7 @@ impl Samples {
     }
 }
 
-/// What a simulation with this filter has asked it since the samples were taken last.
+/// Samples of the queries of a simulation since they were last taken.
 #[derive(Clone)]
 pub(super) struct Recording {
     samples: Arc<Mutex<Samples>>,
@@ -36,33 +35,26 @@ pub(super) struct Recording {
 }
 
 impl Recording {
-    /// The simulation, whose filter is observed, and what is seen: at most so many queries of each sample.
+    /// The simulation with an observed filter, and the samples: at most `most` queries each.
     pub(super) fn of(simulation: Simulation, most: usize) -> (Simulation, Self) {
         let samples = Arc::new(Mutex::new(Samples::new(most)));
         let recording = Self { samples, most };
-        let recorder = |filter| -> Box<dyn StepFilter> {
-            Box::new(Recorder {
-                filter,
-                recording: recording.clone(),
-            })
-        };
-        (simulation.map_filter(recorder), recording)
+        let observer = recording.clone();
+        let filter = simulation.filter().clone();
+        let filter = filter.observed(move |candidates, step| observer.record(candidates, step));
+        (simulation.with_filter(filter), recording)
     }
 
-    /// The samples; those of the next time step begin empty.
+    /// Takes the samples, and starts those of the next time step.
     pub(super) fn take(&self) -> Samples {
         std::mem::replace(&mut *self.lock(), Samples::new(self.most))
     }
 
-    /// Samples the queries of the step to these positions whose boxes overlap, the others being free at a glance.
-    fn record(&self, increment: &Increment<'_>, end: &[Point]) {
-        let (mesh, pairs) = (increment.surface().mesh(), increment.pairs());
-        // There are no queries about positions that are not finite.
-        if let Ok(step) = Step::new(mesh, increment.start(), end) {
-            let samples = &mut *self.lock();
-            add(&step, &pairs.vertex_face, 1, &mut samples.vertex_face);
-            add(&step, &pairs.edge_edge, 2, &mut samples.edge_edge);
-        }
+    /// Samples the queries of a step whose boxes overlap.
+    fn record(&self, candidates: &Candidates, step: Step<'_>) {
+        let samples = &mut *self.lock();
+        add(&step, candidates.vertex_face(), 1, &mut samples.vertex_face);
+        add(&step, candidates.edge_edge(), 2, &mut samples.edge_edge);
     }
 
     fn lock(&self) -> MutexGuard<'_, Samples> {
@@ -70,29 +62,7 @@ impl Recording {
     }
 }
 
-/// A filter that is observed: its answers are those of the filter inside.
-struct Recorder {
-    filter: Box<dyn StepFilter>,
-    recording: Recording,
-}
-
-impl StepFilter for Recorder {
-    fn name(&self) -> &str {
-        self.filter.name()
-    }
-
-    fn largest(&self, increment: &Increment<'_>) -> f64 {
-        self.recording.record(increment, increment.end());
-        self.filter.largest(increment)
-    }
-
-    fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool {
-        self.recording.record(increment, end);
-        self.filter.is_free(increment, end)
-    }
-}
-
-/// Adds those of some pairs whose boxes overlap to a sample, in order; `first` is how many points belong to the first primitive.
+/// Adds the pairs whose boxes overlap to a sample, in order. `first` is the number of points of the first primitive.
 fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &mut Subjects<K>) {
     for pairs in pairs.chunks(CHUNK) {
         let subject = |&pair: &[u32; 2]| {
@@ -108,7 +78,7 @@ fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &
     }
 }
 
-/// Whether the boxes around the ways of two primitives overlap.
+/// Returns true if the boxes around the paths of two primitives overlap.
 fn do_boxes_overlap<K: DataKind>(query: &Query<K>, first: usize) -> bool {
     let [start, end] = query.points();
     let around = |range: std::ops::Range<usize>| -> Aabb {

@@ -20,7 +20,7 @@ fn an_unknown_method_is_an_error() {
     let run = folder.run(&["simulate", "scene.toml", "--ccd", "luck"]);
     assert_error(
         &run,
-        "there is no method `luck` of continuous collision detection, expected one of: exact, ",
+        "there is no method luck; there are exact, bisection, parity, ",
     );
 }
 

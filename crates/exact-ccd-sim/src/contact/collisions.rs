@@ -1,13 +1,12 @@
 //! The constraint set: all collisions of one configuration.
 
-use exact_ccd_mesh::Point;
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_mesh::{Candidates, PairKind, Point, TriangleMesh};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::barrier::Barrier;
 use super::collision::Collision;
-use super::pairs::Pairs;
-use super::surface::Surface;
 use crate::distance::{Mollifier, edge_edge, point_triangle};
 use crate::gather::{gather, gather_some};
 
@@ -26,11 +25,17 @@ impl Collisions {
     /// # Panics
     /// If a vertex of a pair has no position.
     #[must_use]
-    pub fn new(surface: &Surface, pairs: &Pairs, points: &[Point], rest: &[Point], barrier: Barrier) -> Self {
+    pub fn new(
+        mesh: &TriangleMesh,
+        candidates: &Candidates,
+        points: &[Point],
+        rest: &[Point],
+        barrier: Barrier,
+    ) -> Self {
         let d_hat = barrier.activation_distance_squared();
         let distance = d_hat.sqrt();
-        let faces = pairs.vertex_face.par_iter().filter_map(|&pair| {
-            let vertices = surface.vertex_face(pair);
+        let faces = candidates.vertex_face().par_iter().filter_map(|&pair| {
+            let vertices = VertexFace::vertices(mesh, pair)?;
             let corners = gather(points, &vertices);
             if are_apart(&corners[..1], &corners[1..], distance) {
                 return None;
@@ -39,8 +44,8 @@ impl Collisions {
             let squared = feature.separation(&corners).squared();
             (squared < d_hat).then(|| (squared, Collision::new(vertices, feature)))
         });
-        let edges = pairs.edge_edge.par_iter().filter_map(|&pair| {
-            let vertices = surface.edge_edge(pair);
+        let edges = candidates.edge_edge().par_iter().filter_map(|&pair| {
+            let vertices = EdgeEdge::vertices(mesh, pair)?;
             let corners = gather(points, &vertices);
             if are_apart(&corners[..2], &corners[2..], distance) {
                 return None;

@@ -3,13 +3,9 @@
 mod barrier;
 mod collision;
 mod collisions;
-mod pairs;
 mod stiffness;
-mod surface;
 
 pub use barrier::Barrier;
 pub use collision::Collision;
 pub use collisions::Collisions;
-pub use pairs::Pairs;
 pub use stiffness::StiffnessRange;
-pub use surface::Surface;

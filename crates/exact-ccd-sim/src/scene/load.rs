@@ -7,11 +7,16 @@ use super::document::{Document, Key, SceneError};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use crate::checkpoint::Checkpoint;
+use crate::filter::StepFilter;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
 use crate::system::System;
 
 use Key::{Index, Name};
+
+/// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with the names that
+/// there are.
+pub type FilterByName<'a> = dyn Fn(&str, &System) -> Result<StepFilter, String> + 'a;
 
 /// The system, the settings and the duration of a scene file.
 #[derive(Clone, Debug)]
@@ -20,6 +25,8 @@ pub struct Scene {
     pub system: System,
     /// The settings.
     pub settings: Settings,
+    /// The filter of the CCD method that the scene names.
+    pub filter: StepFilter,
     /// The duration, as a number of time steps.
     pub steps: u64,
 }
@@ -29,20 +36,29 @@ impl Scene {
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
-    pub fn read(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Self, SceneError> {
+    pub fn read(
+        file: impl AsRef<Path>,
+        meshes: Option<&Path>,
+        filter_by_name: &FilterByName<'_>,
+    ) -> Result<Self, SceneError> {
         let file = file.as_ref();
         let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
         })?;
-        Self::parse(&text, file, meshes)
+        Self::parse(&text, file, meshes, filter_by_name)
     }
 
     /// Parses the text of a scene file. `file` is its path, for messages and for the folder of mesh files.
     ///
     /// # Errors
     /// As [`Scene::read`].
-    pub fn parse(text: &str, file: &Path, meshes: Option<&Path>) -> Result<Self, SceneError> {
+    pub fn parse(
+        text: &str,
+        file: &Path,
+        meshes: Option<&Path>,
+        filter_by_name: &FilterByName<'_>,
+    ) -> Result<Self, SceneError> {
         let document = Document { file, text };
         let description = parse(&document)?;
         let Some(duration) = description.duration else {
@@ -87,9 +103,12 @@ impl Scene {
         }
         let system =
             System::new(&bodies, &scripts).map_err(|error| of_system(&document, &description, &error))?;
+        let filter = filter_by_name(&settings.ccd, &system)
+            .map_err(|message| document.error_of(&[Name("settings"), Name("ccd")], &message))?;
         let mut scene = Self {
             system,
             settings,
+            filter,
             steps: 0,
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
@@ -105,7 +124,11 @@ impl Scene {
     /// # Errors
     /// As [`Simulation::new`].
     pub fn simulation(&self) -> Result<Simulation, SimulationError> {
-        Simulation::new(self.system.clone(), self.settings.clone())
+        let settings = Settings {
+            ccd: StepFilter::default().name().to_owned(),
+            ..self.settings.clone()
+        };
+        Ok(Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone()))
     }
 
     /// The simulation from a checkpoint of this scene.
@@ -113,7 +136,7 @@ impl Scene {
     /// # Errors
     /// As [`Checkpoint::resume`].
     pub fn resume(&self, checkpoint: Checkpoint) -> Result<Simulation, SimulationError> {
-        checkpoint.resume(self.system.clone(), self.settings.clone())
+        checkpoint.resume(self.system.clone(), self.settings.clone(), self.filter.clone())
     }
 }
 

@@ -62,7 +62,7 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
     let field = match error {
         SimulationError::Start { primitives, near } => return of_start(document, bodies, *primitives, *near),
         SimulationError::Setting(setting) => setting.what,
-        SimulationError::Filter(_) => "ccd",
+        SimulationError::Method { .. } => "ccd",
         SimulationError::State { .. }
         | SimulationError::NotFinite { .. }
         | SimulationError::Late { .. }

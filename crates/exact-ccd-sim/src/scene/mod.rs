@@ -2,6 +2,7 @@
 //!
 //! ```
 //! use std::path::Path;
+//! use exact_ccd_sim::StepFilter;
 //! use exact_ccd_sim::scene::Scene;
 //!
 //! let text = r#"
@@ -20,7 +21,7 @@
 //!     [[body]] # A body without a material is an obstacle.
 //!     shape = { grid = { cells = [1, 1], size = [1.0, 1.0] } }
 //! "#;
-//! let scene = Scene::parse(text, Path::new("fall.toml"), None)?;
+//! let scene = Scene::parse(text, Path::new("fall.toml"), None, &|_, _| Ok(StepFilter::default()))?;
 //! assert_eq!(scene.steps, 25);
 //! let mut simulation = scene.simulation()?;
 //! simulation.step()?;
@@ -37,4 +38,4 @@ mod parse;
 mod placement;
 
 pub use document::SceneError;
-pub use load::Scene;
+pub use load::{FilterByName, Scene};

@@ -3,7 +3,6 @@
 use exact_ccd_mesh::Point;
 
 use super::start::Primitive;
-use crate::filter::UnknownFilter;
 use crate::settings::SettingError;
 
 /// An error at the start of a simulation or in a time step.
@@ -13,9 +12,14 @@ pub enum SimulationError {
     /// A setting is out of range.
     #[error(transparent)]
     Setting(#[from] SettingError),
-    /// There is no CCD method of this name.
-    #[error(transparent)]
-    Filter(#[from] UnknownFilter),
+    /// The settings name another CCD method than `exact`, which only the caller can pass.
+    #[error(
+        "the settings name the CCD method `{name}`, expected `exact`: pass other methods to `with_filter`"
+    )]
+    Method {
+        /// The name in the settings.
+        name: String,
+    },
     /// The state belongs to another system.
     #[error("the state has {found} {what}, expected {expected}, one for each vertex of the system")]
     State {

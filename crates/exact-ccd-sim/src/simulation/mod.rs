@@ -6,11 +6,11 @@ mod step;
 
 use std::fmt;
 
-use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_mesh::Point;
 
 use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
-use crate::filter::{self, StepFilter};
+use crate::filter::StepFilter;
 use crate::settings::{SettingError, Settings};
 use crate::solver::LinearSolver;
 use crate::state::State;
@@ -34,16 +34,12 @@ pub use start::Primitive;
 pub struct Simulation {
     system: System,
     settings: Settings,
-    filter: Box<dyn StepFilter>,
+    filter: StepFilter,
     barrier: Barrier,
     solver: LinearSolver,
     state: State,
     fingerprint: Fingerprint,
 }
-
-/// The size of the box in which [`filter::Parity`] expects the scene to stay, relative to that of the scene
-/// at the start.
-const ROOM: f64 = 4.0;
 
 impl Simulation {
     /// The simulation of a system from its initial positions and velocities.
@@ -106,7 +102,10 @@ impl Simulation {
             return Err(SimulationError::NotFinite { what: "stiffness" });
         }
         start::check(&system, &state)?;
-        let filter = filter::by_name(&settings.ccd, room(&system))?;
+        let filter = StepFilter::default();
+        if settings.ccd != filter.name() {
+            return Err(SimulationError::Method { name: settings.ccd });
+        }
         let distance = settings.contact_distance.meters(system.size());
         let barrier = Barrier::new(distance);
         if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_valid() {
@@ -128,22 +127,18 @@ impl Simulation {
         })
     }
 
-    /// Replaces the filter. Its name becomes that of the settings and of checkpoints.
-    ///
-    /// [`Checkpoint::resume`] rejects a name that [`filter::by_name`] does not have. To resume such a
-    /// simulation, pass its state to [`Simulation::resume`] and call this function again.
+    /// The same simulation with another filter, whose name becomes that of the settings and of checkpoints.
     #[must_use]
-    pub fn with_filter(mut self, filter: Box<dyn StepFilter>) -> Self {
-        self.settings.ccd = filter.name().to_owned();
+    pub fn with_filter(mut self, filter: StepFilter) -> Self {
+        filter.name().clone_into(&mut self.settings.ccd);
         self.filter = filter;
         self
     }
 
-    /// Wraps the filter in another one, for example to record its queries.
+    /// The filter.
     #[must_use]
-    pub fn map_filter(mut self, wrap: impl FnOnce(Box<dyn StepFilter>) -> Box<dyn StepFilter>) -> Self {
-        self.filter = wrap(self.filter);
-        self
+    pub fn filter(&self) -> &StepFilter {
+        &self.filter
     }
 
     /// The system.
@@ -189,14 +184,5 @@ impl fmt::Debug for Simulation {
             .field("filter", &self.filter.name())
             .field("state", &self.state)
             .finish_non_exhaustive()
-    }
-}
-
-fn room(system: &System) -> Aabb {
-    let bounds: Aabb = system.start.iter().copied().collect();
-    let margin = 0.5 * (ROOM - 1.0) * system.size();
-    Aabb {
-        lower: bounds.lower.map(|x| x - margin),
-        upper: bounds.upper.map(|x| x + margin),
     }
 }

@@ -79,5 +79,5 @@ fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [P
             Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
         },
     };
-    primitives.map(|primitive| primitive.map(|vertex| system.surface.vertices()[vertex as usize]))
+    primitives.map(|primitive| primitive.map(|vertex| system.surface_vertices[vertex as usize]))
 }

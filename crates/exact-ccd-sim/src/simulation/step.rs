@@ -2,11 +2,11 @@
 
 use std::time::Instant;
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{Point, Step};
 use nalgebra::Vector3;
 
 use super::{Simulation, SimulationError};
-use crate::contact::{Collision, Collisions, Pairs, StiffnessRange};
+use crate::contact::{Collision, Collisions, StiffnessRange};
 use crate::dirichlet::Dirichlet;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
@@ -62,13 +62,17 @@ impl Simulation {
         let range = StiffnessRange::new(system.size(), system.mean_mass(), &self.barrier);
 
         let positions = self.state.positions.clone();
-        let pairs = Pairs::near(
+        let rest = Step::new(&system.surface, &positions, &positions);
+        let candidates = rest
+            .map(|step| system.near(step, &self.barrier))
+            .unwrap_or_default();
+        let collisions = Collisions::new(
             &system.surface,
+            &candidates,
             &positions,
-            &positions,
-            self.barrier.activation_distance_squared().sqrt(),
+            &system.start,
+            self.barrier,
         );
-        let collisions = Collisions::new(&system.surface, &pairs, &positions, &system.start, self.barrier);
         let mut lagged = self.kept_stiffness(&scheme);
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
@@ -88,7 +92,7 @@ impl Simulation {
                 smoothing,
                 barrier: self.barrier,
                 range,
-                filter: &*self.filter,
+                filter: &self.filter,
                 tolerance: settings.tolerance.meters(system.size()),
                 max_iterations: settings.max_iterations,
             };

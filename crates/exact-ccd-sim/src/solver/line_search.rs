@@ -1,31 +1,30 @@
-//! How far a Newton iteration goes: as far as it is free of contact, and the potential falls.
+//! The line search of a Newton iteration: its step is free of contact and decreases the potential.
 
 use std::time::Instant;
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{Candidates, Point, Step};
 use nalgebra::Vector3;
 
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
-use crate::contact::{Collisions, Pairs};
-use crate::filter::Increment;
+use crate::contact::Collisions;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 use crate::system::System;
 
-/// The part of the way to a contact that a step goes at most: what touches would have an infinite barrier.
+/// The largest step size relative to the free part of a step. The barrier is infinite at contact.
 const SLACK: f64 = 0.9;
 
-/// How often a step is halved before it is given up.
+/// The number of halvings after which the line search fails.
 const HALVINGS: usize = 60;
 
-/// The farthest that a vertex goes in one iteration, in sizes of the scene. What goes farther is far from the minimum, and
-/// would sweep over too many pairs.
+/// The largest displacement of a vertex in one iteration, relative to the size of the scene. A larger one would sweep over
+/// too many pairs, and is far from the minimum.
 const FARTHEST: f64 = 0.25;
 
 impl Newton<'_> {
-    /// Puts the scripted vertices to their targets: with the rest going along as Newton's method says, or else alone. If
-    /// neither is free of contact, springs shall pull. Whether they are there.
+    /// Moves the scripted vertices to their targets: together with the Newton direction of all others, or alone. If
+    /// neither step is free of contact, springs replace the targets. Returns true if the targets are reached.
     pub(super) fn prescribe(
         &self,
         now: &mut Iterate,
@@ -46,14 +45,16 @@ impl Newton<'_> {
                 continue;
             }
             let clock = Instant::now();
-            let pairs = self.pairs(&now.positions, &end);
-            let increment = Increment::new(&self.system.surface, &pairs, &now.positions, &end);
-            let free = self.filter.is_free(&increment, &end);
+            let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
+                continue;
+            };
+            let candidates = self.candidates(step);
+            let free = self.filter.is_free(&candidates, step);
             statistics.seconds.ccd += clock.elapsed().as_secs_f64();
             if !free {
                 continue;
             }
-            let collisions = self.collisions(&pairs, &end);
+            let collisions = self.collisions(&candidates, &end);
             if potential.value(&end, &collisions).is_finite() {
                 now.positions = end;
                 now.collisions = collisions;
@@ -67,7 +68,7 @@ impl Newton<'_> {
         false
     }
 
-    /// Goes along a direction, as far as it is free and the potential falls. Whether it goes anywhere.
+    /// Takes a step along a direction that is free of contact and decreases the potential. Returns false if there is none.
     pub(super) fn search(
         &self,
         now: &mut Iterate,
@@ -79,27 +80,30 @@ impl Newton<'_> {
         let clock = Instant::now();
         let longest = (FARTHEST * self.system.size() / size).min(1.0);
         let end = displaced(&now.positions, direction, longest);
-        let pairs = self.pairs(&now.positions, &end);
-        let increment = Increment::new(&self.system.surface, &pairs, &now.positions, &end);
-        let free = self.filter.largest(&increment);
-        statistics.seconds.ccd += clock.elapsed().as_secs_f64();
+        let blocked = || SimulationError::Blocked {
+            step: statistics.step,
+            filter: self.filter.name().to_owned(),
+        };
+        let surface = &self.system.surface;
+        // A direction that is not finite is rejected like one into a contact.
+        let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
+        let candidates = self.candidates(step);
+        let free = self.filter.free_part(&candidates, step);
         if free <= 0.0 {
-            return Err(SimulationError::Blocked {
-                step: statistics.step,
-                filter: self.filter.name().to_owned(),
-            });
+            return Err(blocked());
         }
+        statistics.seconds.ccd += clock.elapsed().as_secs_f64();
 
         let before = potential.value(&now.positions, &now.collisions);
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         for _ in 0..HALVINGS {
             let clock = Instant::now();
-            let positions = increment.at(part);
-            // Rounded to where it begins: shorter steps are too.
+            let positions = step.at(part);
+            // If the step is rounded to nothing, so are all shorter ones.
             if size > 0.0 && positions == now.positions {
                 break;
             }
-            let collisions = self.collisions(&pairs, &positions);
+            let collisions = self.collisions(&candidates, &positions);
             let after = potential.value(&positions, &collisions);
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
             let falls = after <= before
@@ -107,8 +111,10 @@ impl Newton<'_> {
                     && self.flattens(now, direction, potential, &positions, &collisions);
             if falls {
                 let clock = Instant::now();
-                // The whole of a free step has been looked at already.
-                let free = part >= 1.0 || self.filter.is_free(&increment, &positions);
+                // A full step is taken only if all of it is free.
+                let free = part >= 1.0
+                    || Step::new(surface, &now.positions, &positions)
+                        .is_ok_and(|step| self.filter.is_free(&candidates, step));
                 statistics.seconds.ccd += clock.elapsed().as_secs_f64();
                 if free {
                     let least = [now.collisions.minimal_distance(), collisions.minimal_distance()];
@@ -125,9 +131,9 @@ impl Newton<'_> {
         Ok(false)
     }
 
-    /// Whether the potential is less steep along a direction than where it begins: what decides where rounding hides
-    /// whether it falls. This is the approximate Wolfe condition of W. Hager and H. Zhang, *A new conjugate gradient method
-    /// with guaranteed descent and an efficient line search*, 2005.
+    /// Returns true if the slope of the potential along a direction is small enough at the new positions: the test of
+    /// descent where rounding hides the difference of two values. This is the approximate Wolfe condition of W. Hager
+    /// and H. Zhang, *A new conjugate gradient method with guaranteed descent and an efficient line search*, 2005.
     fn flattens(
         &self,
         now: &Iterate,
@@ -147,14 +153,13 @@ impl Newton<'_> {
         slope(potential.gradient(positions, collisions)) <= -0.8 * before
     }
 
-    fn pairs(&self, start: &[Point], end: &[Point]) -> Pairs {
-        let distance = self.barrier.activation_distance_squared().sqrt();
-        Pairs::near(&self.system.surface, start, end, distance)
+    fn candidates(&self, step: Step<'_>) -> Candidates {
+        self.system.near(step, &self.barrier)
     }
 
-    fn collisions(&self, pairs: &Pairs, points: &[Point]) -> Collisions {
+    fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
         let System { surface, start, .. } = self.system;
-        Collisions::new(surface, pairs, points, start, self.barrier)
+        Collisions::new(surface, candidates, points, start, self.barrier)
     }
 }
 

@@ -25,7 +25,7 @@ pub(crate) struct Newton<'a> {
     pub(crate) smoothing: Smoothing,
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
-    pub(crate) filter: &'a dyn StepFilter,
+    pub(crate) filter: &'a StepFilter,
     /// The tolerance, in m/s.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,

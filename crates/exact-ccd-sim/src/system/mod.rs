@@ -6,11 +6,14 @@ mod parts;
 
 use std::ops::Range;
 
-use exact_ccd_mesh::{Aabb, Frame, FrameError, Point, TriangleMesh};
+use exact_ccd_mesh::{
+    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, FrameError, Point, Step,
+    TriangleMesh,
+};
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::Surface;
+use crate::contact::Barrier;
 use crate::elasticity::Elastic;
 use crate::script::Script;
 use parts::Parts;
@@ -27,7 +30,11 @@ pub struct System {
     pub(crate) elements: Vec<Elastic>,
     /// The script of each vertex that has one.
     pub(crate) scripts: Vec<Option<Script>>,
-    pub(crate) surface: Surface,
+    pub(crate) surface: TriangleMesh,
+    /// The vertices of faces, increasing: without those in the interior of solids.
+    pub(crate) surface_vertices: Vec<u32>,
+    /// All pairs of surface primitives, except two of obstacles.
+    pub(crate) can_collide: CanCollide,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
     pub(crate) rigidity: f64,
     size: f64,
@@ -67,8 +74,15 @@ impl System {
         } else {
             (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
         };
+        let (_, surface_vertices) = mesh.without_loose_vertices();
+        let mut on_surface = vec![false; vertex_count];
+        for &vertex in &surface_vertices {
+            on_surface[vertex as usize] = true;
+        }
         Ok(Self {
-            surface: Surface::new(mesh, parts.obstacle),
+            can_collide: CanCollide::not_two_obstacles(parts.obstacle).among(on_surface),
+            surface: mesh,
+            surface_vertices,
             start: parts.start,
             velocities: parts.velocities,
             masses: parts.masses,
@@ -91,10 +105,20 @@ impl System {
         bodies.iter().map(range).collect()
     }
 
+    /// The pairs that come within the activation distance of a barrier in a step, and some more.
+    pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> Candidates {
+        let options = CandidateOptions::default()
+            .with_distance(barrier.activation_distance_squared().sqrt())
+            .with_boxes(BoxKind::Moving)
+            .with_can_collide(self.can_collide.clone());
+        // The distance of a barrier is positive.
+        Candidates::with_options(step, &Bvh, &options).unwrap_or_default()
+    }
+
     /// The surface of all bodies.
     #[must_use]
     pub fn surface(&self) -> &TriangleMesh {
-        self.surface.mesh()
+        &self.surface
     }
 
     /// The corners of all tetrahedra, ordered so that the volume at the start is positive.

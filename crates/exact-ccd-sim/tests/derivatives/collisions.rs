@@ -1,7 +1,7 @@
 //! The constraint set, in which equal collisions are merged, against the sum over all pairs of primitives.
 
-use exact_ccd_mesh::{Point, TriangleMesh};
-use exact_ccd_sim::contact::{Barrier, Collisions, Pairs, Surface};
+use exact_ccd_mesh::{Bvh, CanCollide, CandidateOptions, Candidates, Point, Step, TriangleMesh};
+use exact_ccd_sim::contact::{Barrier, Collisions};
 use nalgebra::Vector3;
 
 use crate::differences::{Points, random_rotation, random_vector};
@@ -51,7 +51,10 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
     let sides = |first: u32| [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map(|face| face.map(|v| first + v));
     let faces: Vec<[u32; 3]> = sides(0).into_iter().chain(sides(4)).chain([[8, 9, 10]]).collect();
     let obstacle: Vec<bool> = (0..11).map(|vertex| vertex >= 8).collect();
-    let surface = Surface::new(TriangleMesh::new(11, faces).unwrap(), obstacle.clone());
+    let mesh = TriangleMesh::new(11, faces).unwrap();
+    let options = CandidateOptions::default()
+        .with_distance(DISTANCE)
+        .with_can_collide(CanCollide::not_two_obstacles(obstacle.clone()));
     let barrier = Barrier::new(DISTANCE);
     let mut random = fastrand::Rng::with_seed(3);
     // Counts of collisions by their number of vertices, of near pairs, and of nearly parallel edges.
@@ -60,9 +63,10 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
         let points = random_bodies(&mut random);
         // The mollifier depends on the lengths at rest, so these differ from the current ones.
         let rest: Vec<Point> = points.iter().map(|point| point.map(|x| 1.5 * x)).collect();
-        let pairs = Pairs::near(&surface, &points, &points, DISTANCE);
-        let collisions = Collisions::new(&surface, &pairs, &points, &rest, barrier);
-        let naive = Naive::new(&surface, &obstacle, &points, &rest, barrier);
+        let step = Step::new(&mesh, &points, &points).unwrap();
+        let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
+        let collisions = Collisions::new(&mesh, &candidates, &points, &rest, barrier);
+        let naive = Naive::new(&mesh, &obstacle, &points, &rest, barrier);
 
         let value = collisions.value(&points);
         assert!(

@@ -1,7 +1,8 @@
 //! The sum of the barriers over all pairs of primitives: the reference for the constraint set.
 
-use exact_ccd_mesh::Point;
-use exact_ccd_sim::contact::{Barrier, Surface};
+use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_mesh::{PairKind, Point, TriangleMesh};
+use exact_ccd_sim::contact::Barrier;
 use exact_ccd_sim::distance::Mollifier;
 use nalgebra::Vector3;
 
@@ -78,7 +79,7 @@ pub(crate) struct Naive {
 impl Naive {
     /// The sum over all pairs of a surface. `obstacle` has the vertices of obstacles.
     pub(crate) fn new(
-        surface: &Surface,
+        mesh: &TriangleMesh,
         obstacle: &[bool],
         points: &[Point],
         rest: &[Point],
@@ -95,13 +96,10 @@ impl Naive {
             a.iter().all(|vertex| !b.contains(vertex))
                 && !vertices.into_iter().all(|vertex| obstacle[vertex as usize])
         };
-        let counts = [
-            surface.mesh().faces().len() as u32,
-            surface.mesh().edges().len() as u32,
-        ];
+        let counts = [mesh.faces().len() as u32, mesh.edges().len() as u32];
         for vertex in 0..points.len() as u32 {
             for face in 0..counts[0] {
-                let vertices = surface.vertex_face([vertex, face]);
+                let vertices = VertexFace::vertices(mesh, [vertex, face]).unwrap();
                 if is_of_concern(vertices, 1) {
                     let corners = at(points, vertices);
                     sum.add(vertices, &corners, &to_triangle(&corners), None, barrier);
@@ -110,7 +108,7 @@ impl Naive {
         }
         for a in 0..counts[1] {
             for b in a + 1..counts[1] {
-                let vertices = surface.edge_edge([a, b]);
+                let vertices = EdgeEdge::vertices(mesh, [a, b]).unwrap();
                 if is_of_concern(vertices, 2) {
                     let [p, q, r, s] = at(rest, vertices);
                     let mollifier = Mollifier::new([(q - p).norm_squared(), (s - r).norm_squared()]);

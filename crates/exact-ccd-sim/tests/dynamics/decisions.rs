@@ -1,34 +1,46 @@
 //! The line search takes only steps that the filter has accepted.
 
-use exact_ccd_mesh::{Audit, Frame, Point, Violation};
-use exact_ccd_sim::filter::{Exact, Increment, LAST, StepFilter};
-use exact_ccd_sim::{Script, Settings, Simulation, System, shapes};
+use std::sync::Arc;
 
-/// A filter whose step size is always just below 1. Its decision is exact if `decides`, else always free.
+use exact_ccd::{Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
+use exact_ccd_mesh::{Audit, Frame, Point, Violation};
+use exact_ccd_sim::{Script, Settings, Simulation, StepFilter, System, shapes};
+
+/// A method whose time of impact is always just below 1. Its decision is exact if `decides`, else always free.
 struct Hasty {
     decides: bool,
 }
 
-impl StepFilter for Hasty {
+impl<K: Kind> Decide<K> for Hasty {
+    fn collides(&self, query: &Query<K>) -> bool {
+        self.decides && query.collides()
+    }
+
+    fn time_of_impact(&self, _: &Query<K>) -> Option<f64> {
+        Some(1.0_f64.next_down())
+    }
+}
+
+impl Ccd for Hasty {
     fn name(&self) -> &'static str {
         "hasty"
     }
 
-    fn largest(&self, _: &Increment<'_>) -> f64 {
-        LAST
-    }
-
-    fn is_free(&self, increment: &Increment<'_>, end: &[Point]) -> bool {
-        !self.decides || Exact.is_free(increment, end)
+    fn guarantees(&self) -> Guarantees {
+        Guarantees {
+            false_negatives: !self.decides,
+            false_positives: false,
+            time: TimeGuarantee::Approximate,
+        }
     }
 }
 
 /// The first violation in the increments of two time steps.
-fn violation(system: System, filter: Hasty) -> Option<Violation> {
+fn violation(system: System, method: Hasty) -> Option<Violation> {
     let faces = system.surface().faces().to_vec();
     let frame = |positions: &[Point]| Frame::new(positions.to_vec(), faces.clone()).unwrap();
     let simulation = Simulation::new(system, Settings::default()).unwrap();
-    let mut simulation = simulation.with_filter(Box::new(filter));
+    let mut simulation = simulation.with_filter(StepFilter::new("hasty", Arc::new(method)));
     let mut audit = Audit::default();
     let mut violation = audit.examine(frame(&simulation.state().positions)).unwrap();
     for _ in 0..2 {

@@ -1,17 +1,19 @@
 //! All filters of the line search.
 
-use exact_ccd_mesh::{Aabb, Point, TriangleMesh};
-use exact_ccd_sim::contact::{Pairs, Surface};
-use exact_ccd_sim::filter::{self, Increment};
-use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, System};
+use std::sync::{Arc, Mutex};
+
+use exact_ccd::Exact;
+use exact_ccd::parity::RootParity;
+use exact_ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
+use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, StepFilter, System};
 
 /// A vertex that passes through a triangle at t = ¾.
-fn falling() -> (Surface, [Vec<Point>; 2]) {
+fn falling() -> (TriangleMesh, [Vec<Point>; 2]) {
     falling_to(-1.0)
 }
 
 /// A vertex that falls from the height 3 to the height `end`, with a triangle at the height 0.
-fn falling_to(end: f64) -> (Surface, [Vec<Point>; 2]) {
+fn falling_to(end: f64) -> (TriangleMesh, [Vec<Point>; 2]) {
     let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
     let at = |height: f64| {
         vec![
@@ -23,58 +25,77 @@ fn falling_to(end: f64) -> (Surface, [Vec<Point>; 2]) {
             [1.2, 1.0, height + 9.0],
         ]
     };
-    (Surface::new(mesh, vec![false; 6]), [at(3.0), at(end)])
+    (mesh, [at(3.0), at(end)])
 }
 
-fn room() -> Aabb {
-    [[-9.0; 3], [19.0; 3]].into_iter().collect()
+/// Filters by times of impact and by bisection, of methods without false answers and of parity.
+fn filters() -> [StepFilter; 3] {
+    [
+        StepFilter::default(),
+        StepFilter::by_bisection("bisection", Arc::new(Exact)),
+        StepFilter::new("parity", Arc::new(RootParity::default())),
+    ]
 }
 
 #[test]
-fn every_method_stops_short_of_the_contact() {
-    let (surface, [start, end]) = falling();
-    let pairs = Pairs::near(&surface, &start, &end, 0.0);
-    let increment = Increment::new(&surface, &pairs, &start, &end);
-    let names = filter::names();
-    assert_eq!(names[..3], ["exact", "bisection", "parity"]);
-    assert!(names.len() >= 11);
-    for name in names {
-        let filter = filter::by_name(&name, room()).unwrap();
-        assert_eq!(filter.name(), name);
-        let size = filter.largest(&increment);
+fn every_filter_stops_short_of_the_contact() {
+    let (mesh, [start, end]) = falling();
+    let step = Step::new(&mesh, &start, &end).unwrap();
+    let candidates = Candidates::new(step, &Bvh);
+    for filter in filters() {
+        let name = filter.name();
+        let size = filter.free_part(&candidates, step);
         assert!((0.5..=0.75).contains(&size), "{name}: {size}");
-        assert!(!filter.is_free(&increment, &end), "{name}");
-        assert!(filter.is_free(&increment, &increment.at(0.5)), "{name}");
-        // A step without motion is free.
-        let short = Increment::new(&surface, &pairs, &start, &start);
-        assert_eq!(filter.largest(&short), 1.0, "{name}");
+        assert!(!filter.is_free(&candidates, step), "{name}");
+        let middle = step.at(0.5);
+        let half = Step::new(&mesh, &start, &middle).unwrap();
+        assert!(filter.is_free(&candidates, half), "{name}");
+        assert_eq!(filter.free_part(&candidates, half), 1.0, "{name}");
     }
 }
 
 #[test]
 fn the_exact_filter_stops_at_the_time_of_impact() {
-    let (surface, [start, end]) = falling();
-    let pairs = Pairs::near(&surface, &start, &end, 0.0);
-    let increment = Increment::new(&surface, &pairs, &start, &end);
-    let size = filter::by_name("exact", room()).unwrap().largest(&increment);
-    assert_eq!(size, 0.75);
+    let (mesh, [start, end]) = falling();
+    let step = Step::new(&mesh, &start, &end).unwrap();
+    let candidates = Candidates::new(step, &Bvh);
+    assert_eq!(StepFilter::default().free_part(&candidates, step), 0.75);
 }
 
 /// A motion that ends in contact is not free, and its step size is below 1.
 #[test]
 fn a_contact_at_the_end_counts() {
     for height in [0.0, -f64::MIN_POSITIVE] {
-        let (surface, [start, end]) = falling_to(height);
-        let pairs = Pairs::near(&surface, &start, &end, 0.0);
-        let increment = Increment::new(&surface, &pairs, &start, &end);
-        for name in filter::names() {
-            let filter = filter::by_name(&name, room()).unwrap();
-            let is_free = filter.is_free(&increment, &end);
-            // Some methods miss this contact. Their step size and their decision agree.
-            assert_eq!(filter.largest(&increment) == 1.0, is_free, "{name}");
-            assert!(!is_free || !["exact", "bisection"].contains(&&*name), "{name}");
+        let (mesh, [start, end]) = falling_to(height);
+        let step = Step::new(&mesh, &start, &end).unwrap();
+        let candidates = Candidates::new(step, &Bvh);
+        for filter in filters() {
+            let name = filter.name();
+            let is_free = filter.is_free(&candidates, step);
+            // Parity may miss this contact. The step size and the decision of a filter agree.
+            assert_eq!(filter.free_part(&candidates, step) == 1.0, is_free, "{name}");
+            assert!(!is_free || name == "parity", "{name}");
         }
     }
+}
+
+/// The observer of a filter is called for each step, with the candidates.
+#[test]
+fn a_filter_is_observed() {
+    let (mesh, [start, end]) = falling();
+    let step = Step::new(&mesh, &start, &end).unwrap();
+    let candidates = Candidates::new(step, &Bvh);
+    let seen = Arc::new(Mutex::new(Vec::new()));
+    let log = Arc::clone(&seen);
+    let filter = StepFilter::default().observed(move |candidates, step| {
+        log.lock()
+            .unwrap()
+            .push((candidates.counts().total(), step.positions()[1][3][2]));
+    });
+    let _ = filter.free_part(&candidates, step);
+    let _ = filter.is_free(&candidates, Step::new(&mesh, &start, &start).unwrap());
+    let count = candidates.counts().total();
+    assert_eq!(*seen.lock().unwrap(), [(count, end[3][2]), (count, start[3][2])]);
 }
 
 /// The line search takes no step that ends in contact. Without contact, the falling vertex would end exactly
@@ -125,25 +146,4 @@ fn no_step_ends_in_contact() {
         let height = simulation.state().positions[0][1];
         assert!(height > 0.0 && height < 1.0, "{height}");
     }
-}
-
-#[test]
-fn primitives_of_two_obstacles_are_no_candidates() {
-    let (surface, [start, end]) = falling();
-    let all = Pairs::near(&surface, &start, &end, 0.0);
-    assert!(all.vertex_face.contains(&[3, 0]));
-    let obstacles = Surface::new(surface.mesh().clone(), vec![true; 6]);
-    assert!(Pairs::near(&obstacles, &start, &end, 0.0).is_empty());
-    let half = Surface::new(
-        surface.mesh().clone(),
-        vec![true, true, true, false, false, false],
-    );
-    assert_eq!(Pairs::near(&half, &start, &end, 0.0), all);
-}
-
-#[test]
-fn pairs_within_a_distance_are_near() {
-    let (surface, [start, _]) = falling();
-    assert!(Pairs::near(&surface, &start, &start, 2.9).is_empty());
-    assert!(!Pairs::near(&surface, &start, &start, 3.1).is_empty());
 }

@@ -1,10 +1,10 @@
 //! The candidate pairs of the broad phase, against all pairs of primitives.
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_mesh::{Aabb, Point, TriangleMesh};
-use exact_ccd_sim::contact::{Pairs, Surface};
+use exact_ccd_mesh::{
+    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, PairKind, Point, Step, TriangleMesh,
+};
 use exact_ccd_sim::distance::{edge_edge, point_triangle};
-use exact_ccd_sim::filter::Increment;
 use fastrand::Rng;
 use nalgebra::Vector3;
 
@@ -12,7 +12,8 @@ use nalgebra::Vector3;
 const PIECES: usize = 5;
 
 struct Scene {
-    surface: Surface,
+    mesh: TriangleMesh,
+    can_collide: CanCollide,
     start: Vec<Point>,
     end: Vec<Point>,
     distance: f64,
@@ -49,7 +50,8 @@ fn random_scene(random: &mut Rng) -> Scene {
     let obstacle = (0..4 * PIECES).map(|vertex| [0, PIECES - 1].contains(&(vertex / 4)));
     let mesh = TriangleMesh::new(4 * PIECES, faces).unwrap();
     Scene {
-        surface: Surface::new(mesh, obstacle.collect()),
+        mesh,
+        can_collide: CanCollide::not_two_obstacles(obstacle.collect()),
         start,
         end,
         distance,
@@ -57,29 +59,37 @@ fn random_scene(random: &mut Rng) -> Scene {
 }
 
 impl Scene {
-    fn pairs(&self) -> Pairs {
-        Pairs::near(&self.surface, &self.start, &self.end, self.distance)
+    fn step(&self) -> Step<'_> {
+        Step::new(&self.mesh, &self.start, &self.end).unwrap()
+    }
+
+    fn pairs(&self) -> Candidates {
+        let options = CandidateOptions::default()
+            .with_distance(self.distance)
+            .with_boxes(BoxKind::Moving)
+            .with_can_collide(self.can_collide.clone());
+        Candidates::with_options(self.step(), &Bvh, &options).unwrap()
     }
 
     /// All pairs without a common vertex that do not belong to two obstacles.
-    fn all(&self) -> Pairs {
+    fn all(&self) -> Candidates {
         let is_obstacle = |vertex: u32| [0, PIECES - 1].contains(&(vertex as usize / 4));
         let is_of_concern = |vertices: [u32; 4], first: usize| {
             let (a, b) = vertices.split_at(first);
             a.iter().all(|vertex| !b.contains(vertex)) && !vertices.into_iter().all(is_obstacle)
         };
-        let mesh = self.surface.mesh();
+        let mesh = &self.mesh;
         let counts = [mesh.faces().len() as u32, mesh.edges().len() as u32];
         let faces = (0..4 * PIECES as u32).flat_map(|v| (0..counts[0]).map(move |face| [v, face]));
         let edges = (0..counts[1]).flat_map(|a| (a + 1..counts[1]).map(move |b| [a, b]));
-        Pairs {
-            vertex_face: faces
-                .filter(|&pair| is_of_concern(self.surface.vertex_face(pair), 1))
+        Candidates::from_ids(
+            faces
+                .filter(|&pair| is_of_concern(VertexFace::vertices(&self.mesh, pair).unwrap(), 1))
                 .collect(),
-            edge_edge: edges
-                .filter(|&pair| is_of_concern(self.surface.edge_edge(pair), 2))
+            edges
+                .filter(|&pair| is_of_concern(EdgeEdge::vertices(&self.mesh, pair).unwrap(), 2))
                 .collect(),
-        }
+        )
     }
 
     /// All pairs with a property of their four vertices.
@@ -87,17 +97,22 @@ impl Scene {
         &self,
         vertex_face: impl Fn([u32; 4]) -> bool,
         edge_edge: impl Fn([u32; 4]) -> bool,
-    ) -> Pairs {
-        let mut all = self.all();
-        all.vertex_face
-            .retain(|&pair| vertex_face(self.surface.vertex_face(pair)));
-        all.edge_edge
-            .retain(|&pair| edge_edge(self.surface.edge_edge(pair)));
-        all
+    ) -> Candidates {
+        let all = self.all();
+        let faces = all.vertex_face().iter().copied();
+        let edges = all.edge_edge().iter().copied();
+        Candidates::from_ids(
+            faces
+                .filter(|&pair| vertex_face(VertexFace::vertices(&self.mesh, pair).unwrap()))
+                .collect(),
+            edges
+                .filter(|&pair| edge_edge(EdgeEdge::vertices(&self.mesh, pair).unwrap()))
+                .collect(),
+        )
     }
 
     /// The pairs that are closer than the distance.
-    fn within(&self, points: &[Point]) -> Pairs {
+    fn within(&self, points: &[Point]) -> Candidates {
         let at = |vertices: [u32; 4]| vertices.map(|vertex| Vector3::from(points[vertex as usize]));
         let limit = self.distance * self.distance;
         self.filtered(
@@ -107,7 +122,7 @@ impl Scene {
     }
 
     /// The pairs that collide, exactly.
-    fn colliding(&self, start: &[Point], end: &[Point]) -> Pairs {
+    fn colliding(&self, start: &[Point], end: &[Point]) -> Candidates {
         let at = |points: &[Point], vertices: [u32; 4]| vertices.map(|vertex| points[vertex as usize]);
         self.filtered(
             |v| {
@@ -124,13 +139,13 @@ impl Scene {
     }
 }
 
-fn assert_has_all(pairs: &Pairs, expected: &Pairs, what: &str) {
-    for pair in &expected.vertex_face {
-        let found = pairs.vertex_face.binary_search(pair);
+fn assert_has_all(pairs: &Candidates, expected: &Candidates, what: &str) {
+    for pair in expected.vertex_face() {
+        let found = pairs.vertex_face().binary_search(pair);
         assert!(found.is_ok(), "{what}: vertex and face {pair:?}");
     }
-    for pair in &expected.edge_edge {
-        let found = pairs.edge_edge.binary_search(pair);
+    for pair in expected.edge_edge() {
+        let found = pairs.edge_edge().binary_search(pair);
         assert!(found.is_ok(), "{what}: edges {pair:?}");
     }
 }
@@ -145,20 +160,19 @@ fn candidates_contain_all_near_and_colliding_pairs_at_any_step_size() {
         let scene = random_scene(&mut random);
         let pairs = scene.pairs();
         assert_has_all(&scene.all(), &pairs, "of no concern");
-        let increment = Increment::new(&scene.surface, &pairs, &scene.start, &scene.end);
         let ends = [scene.within(&scene.start), scene.within(&scene.end)];
         for fraction in [0.0, 1.0, random.f64(), 0.5 * random.f64(), 1e-9 * random.f64()] {
             let what = format!("case {case} at {fraction}");
-            let at = increment.at(fraction);
+            let at = scene.step().at(fraction);
             let near = scene.within(&at);
             assert_has_all(&pairs, &near, &what);
             let collisions = scene.colliding(&scene.start, &at);
             assert_has_all(&pairs, &collisions, &what);
 
-            apart += usize::from(pairs.len() < scene.all().len());
-            colliding += collisions.len();
-            let is_new = |pair: &&[u32; 2]| ends.iter().all(|ends| !ends.vertex_face.contains(pair));
-            between += near.vertex_face.iter().filter(is_new).count();
+            apart += usize::from(pairs.counts().total() < scene.all().counts().total());
+            colliding += collisions.counts().total();
+            let is_new = |pair: &&[u32; 2]| ends.iter().all(|ends| !ends.vertex_face().contains(pair));
+            between += near.vertex_face().iter().filter(is_new).count();
         }
     }
     // The scenes must contain pairs of all kinds.
@@ -198,9 +212,9 @@ fn candidates_contain_all_pairs_that_collide_after_a_shift() {
         let pairs = scene.pairs();
         assert_has_all(&pairs, &shifted, &format!("case {case}"));
         let moving = scene.filtered(|v| v.iter().all(|&v| v < 16), |v| v.iter().all(|&v| v < 16));
-        apart += usize::from(pairs.len() < moving.len());
+        apart += usize::from(pairs.counts().total() < moving.counts().total());
         let before = scene.colliding(&scene.start, &scene.end);
-        by_rounding += shifted.len().saturating_sub(before.len());
+        by_rounding += shifted.counts().total().saturating_sub(before.counts().total());
     }
     assert!(by_rounding > 20 && apart > 10, "{by_rounding} {apart}");
 }

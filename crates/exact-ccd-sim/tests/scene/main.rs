@@ -5,8 +5,11 @@
 mod errors;
 
 use std::path::Path;
+use std::sync::Arc;
 
+use exact_ccd::parity::RootParity;
 use exact_ccd_sim::scene::Scene;
+use exact_ccd_sim::{StepFilter, System};
 
 const SCENE: &str = r#"
 duration = 0.1
@@ -50,8 +53,16 @@ shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }
 translate = [0.0, -1.0, 0.0]
 "#;
 
+fn filter(name: &str, _: &System) -> Result<StepFilter, String> {
+    match name {
+        "exact" => Ok(StepFilter::default()),
+        "parity" => Ok(StepFilter::new(name, Arc::new(RootParity::default()))),
+        _ => Err(format!("there is no method `{name}`")),
+    }
+}
+
 fn parse(text: &str) -> Result<Scene, String> {
-    Scene::parse(text, Path::new("scene.toml"), None).map_err(|error| error.to_string())
+    Scene::parse(text, Path::new("scene.toml"), None, &filter).map_err(|error| error.to_string())
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! A small system with all kinds of elements, for the tests of sums over them.
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{Candidates, Point, Step};
 use fastrand::Rng;
 use nalgebra::{DMatrix, Vector3};
 
-use crate::contact::{Barrier, Collisions, Pairs};
+use crate::contact::{Barrier, Collisions};
 use crate::element::Element;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
@@ -89,14 +89,15 @@ impl Fixture {
 
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
         let System { surface, start, .. } = &self.system;
-        let pairs = Pairs::near(surface, points, points, DISTANCE);
-        Collisions::new(surface, &pairs, points, start, self.barrier)
+        let step = Step::new(surface, points, points).unwrap();
+        let candidates = self.system.near(step, &self.barrier);
+        Collisions::new(surface, &candidates, points, start, self.barrier)
     }
 
     /// The empty constraint set.
     pub(super) fn no_collisions(&self) -> Collisions {
         let System { surface, start, .. } = &self.system;
-        Collisions::new(surface, &Pairs::default(), &self.points, start, self.barrier)
+        Collisions::new(surface, &Candidates::default(), &self.points, start, self.barrier)
     }
 
     /// Four of five free vertices are unknowns.

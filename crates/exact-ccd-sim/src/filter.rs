@@ -1,0 +1,143 @@
+//! Continuous collision detection in the line search.
+
+use std::fmt;
+use std::sync::Arc;
+
+use exact_ccd::{Ccd, Exact, TimeGuarantee};
+use exact_ccd_mesh::{Candidates, Step, Tolerance, bisect};
+
+/// The bound on each Newton step, by a method of continuous collision detection.
+///
+/// The guarantees of a simulation are those of its method: a method with false negatives lets primitives pass through
+/// each other.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use exact_ccd::parity::RootParity;
+/// use exact_ccd_sim::StepFilter;
+///
+/// assert_eq!(StepFilter::default().name(), "exact");
+/// assert_eq!(StepFilter::new("parity", Arc::new(RootParity::default())).name(), "parity");
+/// ```
+#[derive(Clone)]
+pub struct StepFilter {
+    name: String,
+    method: Arc<dyn Ccd>,
+    search: Search,
+    observer: Option<Arc<Observer>>,
+}
+
+type Observer = dyn Fn(&Candidates, Step<'_>) + Send + Sync;
+
+/// The algorithm that finds the free part of a step.
+#[derive(Clone, Copy)]
+enum Search {
+    /// By the earliest time of impact of the full step.
+    TimeOfImpact,
+    /// By decisions alone: algorithm 2 of the paper, see [`bisect`].
+    Bisection,
+}
+
+/// The largest size of a step that is not free of contact, even of one that touches at its very end.
+const LARGEST_BLOCKED: f64 = 1.0_f64.next_down();
+
+/// The width of the interval at which a bisection stops.
+const TOLERANCE: Tolerance = Tolerance::Relative(0.125);
+
+impl Default for StepFilter {
+    /// The filter with the exact method.
+    fn default() -> Self {
+        Self::new("exact", Arc::new(Exact))
+    }
+}
+
+impl StepFilter {
+    /// The filter with a method: by its times of impact if it has times, otherwise by bisection.
+    #[must_use]
+    pub fn new(name: &str, method: Arc<dyn Ccd>) -> Self {
+        let search = match method.guarantees().time {
+            TimeGuarantee::Absent => Search::Bisection,
+            TimeGuarantee::Approximate | TimeGuarantee::Conservative | TimeGuarantee::Exact => {
+                Search::TimeOfImpact
+            }
+        };
+        Self {
+            name: name.to_owned(),
+            method,
+            search,
+            observer: None,
+        }
+    }
+
+    /// The filter with a method by bisection, even if the method has times of impact.
+    #[must_use]
+    pub fn by_bisection(name: &str, method: Arc<dyn Ccd>) -> Self {
+        Self {
+            search: Search::Bisection,
+            ..Self::new(name, method)
+        }
+    }
+
+    /// The same filter with a callback for each step that it decides: the full step of a line search, and the steps that
+    /// the line search takes. The callback runs on one thread at a time, in the order of the decisions.
+    #[must_use]
+    pub fn observed(self, observer: impl Fn(&Candidates, Step<'_>) + Send + Sync + 'static) -> Self {
+        Self {
+            observer: Some(Arc::new(observer)),
+            ..self
+        }
+    }
+
+    /// The name of the filter, for settings, checkpoints and messages.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if all of the step is
+    /// free. `candidates` has all pairs that can touch in the step.
+    #[must_use]
+    pub fn free_part(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
+        self.observe(candidates, step);
+        if let Search::Bisection = self.search {
+            return self.bisect(candidates, step);
+        }
+        let is_exact = self.method.guarantees().time == TimeGuarantee::Exact;
+        match candidates.earliest_time_by(step, &*self.method) {
+            None => 1.0,
+            Some(time) if time > 0.0 || is_exact => time.min(LARGEST_BLOCKED),
+            // A conservative time of 0 proves no contact at the start.
+            Some(_) => self.bisect(candidates, step),
+        }
+    }
+
+    /// Returns true if a step is free of contact, according to the method.
+    #[must_use]
+    pub fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+        self.observe(candidates, step);
+        candidates.is_free_by(step, &*self.method)
+    }
+
+    fn bisect(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
+        bisect(TOLERANCE, |part| {
+            let end = step.at(part);
+            Step::new(step.mesh(), step.positions()[0], &end)
+                .is_ok_and(|step| candidates.is_free_by(step, &*self.method))
+        })
+    }
+
+    fn observe(&self, candidates: &Candidates, step: Step<'_>) {
+        if let Some(observer) = &self.observer {
+            observer(candidates, step);
+        }
+    }
+}
+
+impl fmt::Debug for StepFilter {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("StepFilter")
+            .field("name", &self.name)
+            .finish_non_exhaustive()
+    }
+}
