@@ -5,7 +5,8 @@ use fastrand::Rng;
 
 use crate::scene::{PIECES, Scene, contacts};
 
-/// Rules of all kinds for the vertices of a scene of pieces, and the pairs of vertex lists that they allow, by definition.
+/// Rules of all kinds for the vertices of a scene of pieces, and the pairs of vertex lists that
+/// they allow, by definition.
 fn rules(random: &mut Rng) -> Vec<(CanCollide, Box<dyn Fn(&[u32], &[u32]) -> bool>)> {
     let count = 4 * PIECES;
     let flags: Vec<bool> = (0..count).map(|_| random.u8(..3) > 0).collect();

@@ -47,7 +47,8 @@ fn check(
     assert!(is_free(mesh, x0, &found.positions));
 }
 
-/// Sheets that crumple, step after step, each from where the last one ended: nearly everything is close to contact.
+/// Sheets that crumple, step after step, each from where the last one ended: nearly everything is
+/// close to contact.
 #[test]
 fn steps_of_crumpling_sheets_are_free() {
     let mut random = Rng::with_seed(20);
@@ -71,8 +72,8 @@ fn steps_of_crumpling_sheets_are_free() {
     assert!(blocked > 30 && nearly > 3, "{blocked} {nearly}");
 }
 
-/// Sheets so far from the origin that their motion is a few units in the last place: there, positions at the exact time
-/// are often in contact.
+/// Sheets so far from the origin that their motion is a few units in the last place: there,
+/// positions at the exact time are often in contact.
 #[test]
 fn rounding_makes_a_step_smaller_where_it_has_to() {
     let mut random = Rng::with_seed(21);

@@ -14,7 +14,8 @@ pub(crate) struct Scene {
 pub(crate) const PIECES: usize = 5;
 
 impl Scene {
-    /// Pieces of random shape in random motion, at scales between a nanometre and a metre, near the origin or far from it.
+    /// Pieces of random shape in random motion, at scales between a nanometre and a metre, near the
+    /// origin or far from it.
     pub(crate) fn pieces(random: &mut Rng) -> (Self, f64) {
         let mut choose = |choices: &[f64]| choices[random.usize(..choices.len())];
         let scale = choose(&[1.0, 1e-3, 1e-9]);
@@ -43,7 +44,8 @@ impl Scene {
         (Self { mesh, x0, x1 }, scale)
     }
 
-    /// Sheets of 2 n² faces above each other, a little uneven, whose vertices all move at random: they crumple.
+    /// Sheets of 2 n² faces above each other, a little uneven, whose vertices all move at random:
+    /// they crumple.
     pub(crate) fn sheets(random: &mut Rng, n: u32, offset: f64, motion: f64) -> Self {
         let row = n + 1;
         let (mut x0, mut faces) = (Vec::new(), Vec::new());

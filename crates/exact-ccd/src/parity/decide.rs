@@ -7,7 +7,8 @@ use crate::query::Query;
 
 /// Root parity on rounded input: the decision of Algorithm 1 of the paper.
 ///
-/// A query is first shifted by its own displacement, which is zero on the axes on which its corner differences are exact.
+/// A query is first shifted by its own displacement, which is zero on the axes on which its corner
+/// differences are exact.
 ///
 /// # False negatives and false positives
 /// An even number of contacts looks like none. The answer is right for the rounded query: the query itself may be in
