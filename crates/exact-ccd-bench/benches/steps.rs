@@ -1,9 +1,10 @@
-//! What a whole step costs: the published scenes, with each broad phase, on one and two threads.
+//! The time of a whole step of each published scene, with each broad phase, on one and two threads.
 //!
 //! `cargo bench -p exact-ccd-bench --bench steps [-- SCENE...]`
 //!
-//! All contestants take turns for some rounds; a figure is the median over these, in milliseconds. The free step goes
-//! from the start to 0.9 times the earliest contact. Then: how fast this machine copies memory, for comparison.
+//! All contestants take turns for some rounds; a figure is the median over the rounds, in
+//! milliseconds. The free step goes from the start to 0.9 times the earliest contact. For
+//! comparison, the speed of copying memory is printed at the end.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -20,14 +21,14 @@ const ROUNDS: usize = 9;
 const FREE_FRACTION: f64 = 0.9;
 
 fn main() -> Result<(), DataError> {
-    let wanted: Vec<String> = std::env::args()
+    let names: Vec<String> = std::env::args()
         .skip(1)
         .filter(|argument| !argument.starts_with('-'))
         .collect();
     println!("| scene | question | Bvh, 1 thread | Bvh, 2 threads | Sweep, 1 thread | Sweep, 2 threads |");
     println!("|---|---|---:|---:|---:|---:|");
     for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
-        if wanted.is_empty() || wanted.contains(&scene.name()) {
+        if names.is_empty() || names.contains(&scene.name()) {
             print_rows(&scene.name(), &scene.motion()?);
         }
     }
@@ -45,7 +46,7 @@ fn print_rows(name: &str, motion: &Motion) {
     print_row(name, "yes or no, free", &Question::Free, free);
 }
 
-/// Where the mesh is before its earliest contact.
+/// Positions of the mesh before its earliest contact.
 fn free_end(motion: &Motion, step: &Step<'_>) -> Vec<Point> {
     let time = step
         .earliest_contact(&Bvh)
@@ -62,7 +63,7 @@ enum Question {
 }
 
 impl Question {
-    fn ask(&self, step: Step<'_>, broad_phase: &impl BroadPhase) {
+    fn answer(&self, step: Step<'_>, broad_phase: &impl BroadPhase) {
         match self {
             Self::Report => {
                 black_box(StepReport::new(step, broad_phase, &|_| ()));
@@ -87,8 +88,8 @@ fn print_row(scene: &str, name: &str, question: &Question, step: Step<'_>) {
     let mut times = [const { Vec::new() }; 4];
     for _ in 0..ROUNDS {
         for (pool, index) in pools.iter().zip(0..) {
-            times[index].push(milliseconds(pool, || question.ask(step, &Bvh)));
-            times[2 + index].push(milliseconds(pool, || question.ask(step, &Sweep)));
+            times[index].push(milliseconds(pool, || question.answer(step, &Bvh)));
+            times[2 + index].push(milliseconds(pool, || question.answer(step, &Sweep)));
         }
     }
     let medians = times.map(|times| format!("{:.1}", median(times)));
@@ -106,7 +107,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// Bytes read and written in a second by a copy of more than any cache holds.
+/// The bytes read and written in a second by a copy that is larger than any cache.
 fn bandwidth() -> f64 {
     let from = vec![1u64; 1 << 25];
     let mut to = vec![0u64; 1 << 25];

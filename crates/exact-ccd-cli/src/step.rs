@@ -15,25 +15,28 @@ use crate::timed::Timed;
 
 /// Is the step from one mesh to another free of contact?
 ///
-/// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to where it is in END
-/// at t = 1. Contact is a common point of a vertex and a face, or of two edges, that have no vertex in common.
+/// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to
+/// where it is in END at t = 1. Contact is a common point of a vertex and a face, or of two edges,
+/// that have no vertex in common.
 ///
-/// The time of impact is the earliest contact time, rounded down to f64: until then the step is free of contact for
-/// certain. Exit status: 0 free, 1 contact, 2 error.
+/// The time of impact is the earliest contact time, rounded down to f64: until then the step is
+/// free of contact for certain. Exit status: 0 free, 1 contact, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
     /// The mesh at the start of the step: a .ply, .obj, .stl, .off, .msh or .vtu file.
     start: PathBuf,
     /// The mesh at its end, with the same faces.
     end: PathBuf,
-    /// Look for the earliest contact only: contacts that are found cull the rest, and nothing is counted.
+    /// Find the earliest contact only: contacts that are found cull the rest, and nothing is
+    /// counted.
     #[arg(long, conflicts_with = "any")]
     toi: bool,
-    /// Tell only whether there is contact: ends at the first that is found.
+    /// Only decide if there is contact: the search ends at the first contact found.
     #[arg(long)]
     any: bool,
-    /// Ask so many times, for measurements, and report the answer of median duration. With --toi
-    /// or --any, memory and the order of the primitives are kept from one to the next, as in a simulation.
+    /// Repeat the computation N times, for measurements, and report the run of median duration.
+    /// With --toi or --any, memory and the order of the primitives are kept from run to run, as in
+    /// a simulation.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..))]
     repeat: u32,
     /// Print the report as a JSON object.
@@ -51,7 +54,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let broad_phase = Timed::new(Bvh);
     let mut detector = Detector::with_broad_phase(motion.mesh.clone(), &broad_phase);
     let mut answers = (0..arguments.repeat)
-        .map(|_| arguments.ask(&motion, &broad_phase, &mut detector, read))
+        .map(|_| arguments.answer(&motion, &broad_phase, &mut detector, read))
         .collect::<Result<Vec<Answer>, StepError>>()?;
     answers.sort_by(|a, b| a.seconds().total_cmp(&b.seconds()));
     let answer = answers.swap_remove(answers.len() / 2);
@@ -65,7 +68,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 }
 
 impl Arguments {
-    fn ask(
+    fn answer(
         &self,
         motion: &Motion,
         broad_phase: &Timed<Bvh>,
@@ -74,8 +77,8 @@ impl Arguments {
     ) -> Result<Answer, StepError> {
         let Motion { mesh, x0, x1 } = motion;
         let clock = Instant::now();
-        let seconds = || Seconds::new(read, clock.elapsed(), broad_phase.take_spent_by_visitors());
-        let stage = progress::stage("looking for contact");
+        let seconds = || Seconds::new(read, clock.elapsed(), broad_phase.take_time_in_sinks());
+        let stage = progress::stage("searching for contact");
         Ok(if self.any {
             let is_free = during(stage, |_| detector.is_free(x0, x1))?;
             Answer::Free(Free::new(is_free, seconds()))

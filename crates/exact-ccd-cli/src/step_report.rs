@@ -1,4 +1,4 @@
-//! What `exact-ccd step` prints.
+//! The output of `exact-ccd step`.
 
 use std::fmt;
 use std::time::Duration;
@@ -9,17 +9,17 @@ use serde::Serialize;
 use crate::kind::Kind;
 use crate::shortest::shortest;
 
-/// What was asked for.
+/// The answer to one of the questions of the command line.
 #[derive(Serialize)]
 #[serde(untagged)]
 pub(crate) enum Answer {
-    /// Whether there is contact.
+    /// Only if there is contact.
     Free(Free),
     /// The earliest contact.
     Report(Report),
 }
 
-/// A yes or no, in the shape of the JSON object.
+/// The presence of contact, in the shape of the JSON object.
 #[derive(Serialize)]
 pub(crate) struct Free {
     collision_free: bool,
@@ -37,7 +37,7 @@ pub(crate) struct Report {
     seconds: Seconds,
 }
 
-/// What is known if all candidates have been examined.
+/// The counts, if all candidates have been examined.
 #[derive(Serialize)]
 struct Counted {
     touching_at_start: usize,
@@ -50,7 +50,7 @@ pub(crate) struct ReportedPair {
     kind: Kind,
     /// The indices of the vertex and the face, or of the two edges.
     ids: [u32; 2],
-    /// The vertices of the first primitive, then those of the second, for people.
+    /// The vertices of the first primitive, then those of the second, for the text.
     #[serde(skip)]
     vertices: [u32; 4],
 }
@@ -61,7 +61,7 @@ struct Counts {
     ee: usize,
 }
 
-/// How long the phases took.
+/// The durations of the phases.
 #[derive(Serialize)]
 pub(crate) struct Seconds {
     read: f64,
@@ -71,7 +71,8 @@ pub(crate) struct Seconds {
 }
 
 impl Seconds {
-    /// From the times of reading and of all the rest, and the narrow phase's share of that.
+    /// The durations, from that of reading, that of all the rest, and the narrow phase's share of
+    /// the rest.
     pub(crate) fn new(read: Duration, rest: Duration, narrow: Duration) -> Self {
         let [read, rest, narrow] = [read, rest, narrow].map(|time| time.as_secs_f64());
         Self {
@@ -92,7 +93,7 @@ impl Answer {
         }
     }
 
-    /// How long it took, with reading.
+    /// The total duration, including reading.
     pub(crate) fn seconds(&self) -> f64 {
         match self {
             Self::Free(Free { seconds, .. }) | Self::Report(Report { seconds, .. }) => seconds.total,
@@ -114,7 +115,7 @@ impl Free {
 }
 
 impl Report {
-    /// Of all contacts.
+    /// The report of all contacts.
     pub(crate) fn new(mesh: &TriangleMesh, contacts: &StepReport, seconds: Seconds) -> Self {
         Self {
             counts: Some(Counted {
@@ -125,7 +126,7 @@ impl Report {
         }
     }
 
-    /// Of the earliest contact only.
+    /// The report of the earliest contact only.
     pub(crate) fn earliest(mesh: &TriangleMesh, earliest: Option<Contact>, seconds: Seconds) -> Self {
         Self {
             collision_free: earliest.is_none(),
@@ -157,7 +158,7 @@ impl From<PairCounts> for Counts {
     }
 }
 
-/// The answer for people.
+/// The text on a terminal.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.toi, &self.pair) {

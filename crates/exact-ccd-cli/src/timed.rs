@@ -1,4 +1,4 @@
-//! How long the narrow phase takes, when it runs inside the broad phase.
+//! The time of the narrow phase, when it runs inside the broad phase.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use exact_ccd_mesh::{Boxes, BroadPhase, PairSink};
 
-/// A broad phase that adds up the time of those who visit its pairs.
+/// A broad phase that adds up the time spent in its sinks.
 pub(crate) struct Timed<B> {
     broad_phase: B,
     nanoseconds: AtomicU64,
@@ -20,8 +20,8 @@ impl<B> Timed<B> {
         }
     }
 
-    /// The time spent by visitors since the last call, as if they had been shared evenly among all threads.
-    pub(crate) fn take_spent_by_visitors(&self) -> Duration {
+    /// The time spent in sinks since the last call, divided by the number of threads.
+    pub(crate) fn take_time_in_sinks(&self) -> Duration {
         Duration::from_nanos(self.nanoseconds.swap(0, Ordering::Relaxed))
             / rayon::current_num_threads().max(1) as u32
     }

@@ -1,4 +1,4 @@
-//! Puts a broad phase of one's own under a step, and shows progress.
+//! A custom broad phase for a step, and its progress.
 //!
 //! ```sh
 //! cargo run --release --example broad_phase -p exact-ccd-mesh -- examples/drape_start.ply examples/drape_contact.ply
@@ -12,8 +12,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Motion, PairSink, StepReport};
 
-/// Sorts the boxes along x, and hands on each with those that begin before it ends: pairs may be too many, but none is
-/// forgotten.
+/// Sorts the boxes along x, and pairs each with those that begin before it ends. It finds more
+/// pairs than necessary, but all that meet.
 struct SortedAlongX;
 
 impl BroadPhase for SortedAlongX {
@@ -38,7 +38,7 @@ impl BroadPhase for SortedAlongX {
     }
 }
 
-/// Where each box begins and ends along x during the step, and its index, sorted.
+/// The interval of each box along x during the step, and its index, sorted.
 fn intervals<const T: usize>(boxes: &Boxes<T>) -> Vec<[f64; 3]> {
     let interval = |(id, places): (u32, [Aabb; T])| {
         let swept = places.iter().fold(Aabb::EMPTY, |all, place| all.union(place));

@@ -1,7 +1,8 @@
 //! Makes the meshes in `examples`: a sheet that drapes itself over a sphere in one time step.
 //!
-//! `drape_start.ply` is the start, the sheet flat above the sphere. At `drape_free.ply` it hangs just off the sphere,
-//! and the step is free of contact. At `drape_contact.ply` it has sunk into the sphere.
+//! `drape_start.ply` is the start, the sheet flat above the sphere. At `drape_free.ply` it hangs
+//! just off the sphere, and the step is free of contact. At `drape_contact.ply` it has sunk into
+//! the sphere.
 //!
 //! ```sh
 //! cargo run --release --example drape -p exact-ccd-mesh -- [FOLDER]
@@ -26,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The three files: names and contents.
 ///
-/// Made by + − × ÷ and √ alone, whose results are the same on every machine.
+/// They are computed by + − × ÷ and √ alone, whose results are the same on every machine.
 fn frames() -> Result<[(&'static str, Frame); 3], FrameError> {
     let (sphere, sphere_faces) = sphere(4);
     let frame = |place: &dyn Fn(f64, f64) -> Point| {
@@ -48,10 +49,11 @@ fn frames() -> Result<[(&'static str, Frame); 3], FrameError> {
     ])
 }
 
-/// How many squares the sheet has along each side.
+/// The number of squares along each side of the sheet.
 const SQUARES: u32 = 32;
 const SIDE: f64 = 3.0;
-/// Where the centre of the sphere is under the sheet. Off the middle, so that one corner hangs lowest.
+/// The place of the sphere's centre under the sheet: off the middle, so that one corner hangs
+/// lowest.
 const CENTRE: [f64; 2] = [1.4, 1.3];
 
 /// The vertices of the sheet, row by row.
@@ -72,10 +74,10 @@ fn sheet_faces() -> Vec<[u32; 3]> {
         .collect()
 }
 
-/// Where a point of the sheet comes to hang on the unit sphere, if that is moved up by `lift`.
+/// The place of a point of the sheet draped over the unit sphere, moved up by `lift`.
 ///
-/// A stereographic projection, which keeps all angles, as far as to where the sphere is as steep as 4 : 3; from there
-/// straight on.
+/// A stereographic projection, which preserves angles, down to where the slope of the sphere is 4 :
+/// 3; from there the sheet is straight.
 fn draped(x: f64, y: f64, lift: f64) -> Point {
     let distance = (x * x + y * y).sqrt();
     let on_sphere = distance.min(1.0);
@@ -145,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn the_committed_files_are_what_is_made_here() {
+    fn the_committed_files_are_those_of_this_example() {
         for (name, frame) in frames().unwrap() {
             let mut made = Vec::new();
             frame.write_ply(&mut made).unwrap();

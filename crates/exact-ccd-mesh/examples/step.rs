@@ -1,4 +1,4 @@
-//! Tells whether the step from one mesh file to another is free of contact, and if not, until when.
+//! Prints the earliest contact in the step from one mesh file to another, if there is one.
 //!
 //! ```sh
 //! cargo run --release --example step -p exact-ccd-mesh -- examples/drape_start.ply examples/drape_contact.ply

@@ -4,8 +4,9 @@ use exact_ccd::Point;
 
 /// A closed axis-aligned box.
 ///
-/// Boxes of points and their unions are made by comparisons alone: no coordinate is rounded. A point that moves in
-/// a straight line stays in the box of its two ends, and an edge or a face in the union of its vertices' boxes.
+/// Boxes of points and their unions are made by comparisons alone: no coordinate is rounded. A
+/// point that moves in a straight line stays in the box of its two ends, and an edge or a face in
+/// the union of its vertices' boxes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aabb {
     /// The least coordinates.
@@ -49,10 +50,11 @@ impl Aabb {
         meet(&[*self], &[*other])
     }
 
-    /// The box with each side moved outwards by at least `margin`, which is not negative; the same box for 0.
+    /// The box with each side moved outwards by at least `margin`, which is not negative; the same
+    /// box for 0.
     ///
-    /// fl(x − m) may lie half a unit in the last place above x − m; the next f64 below it does not. So the result
-    /// contains every point within `margin`, along each axis, of a point of the box.
+    /// fl(x − m) may lie half a unit in the last place above x − m; the next f64 below it does not.
+    /// So the result contains every point within `margin`, along each axis, of a point of the box.
     #[must_use]
     #[inline]
     pub fn inflated(&self, margin: f64) -> Self {
@@ -68,8 +70,8 @@ impl Aabb {
 
 /// Returns true unless an axis separates two boxes at all of T times, in the same order at each.
 ///
-/// For T = 2 and boxes whose sides move at constant speed, two boxes that are separated at both ends are separated at
-/// all times in between, because the gap is linear in time.
+/// For T = 2 and boxes whose sides move at constant speed, two boxes that are separated at both
+/// ends are separated at all times in between, because the gap is linear in time.
 #[inline]
 pub(crate) fn meet<const T: usize>(a: &[Aabb; T], b: &[Aabb; T]) -> bool {
     // Without short circuit: the comparisons cost less than a branch that is hard to predict.

@@ -7,13 +7,15 @@ use crate::intersections::{Intersection, IntersectionsError, intersections};
 use crate::motion::MotionError;
 use crate::step::StepError;
 
-/// Examines the frames of a mesh one after the other, between which vertices move in straight lines.
+/// Examines the frames of a mesh one after the other, between which vertices move in straight
+/// lines.
 ///
-/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a face, two edges, or a
-/// vertex and a face, have a common point at any time up to the last frame. Only the first frame is examined at rest. A
-/// mesh that does not intersect itself there can come to do so only by a vertex that reaches a face or an edge that
-/// reaches another edge, and that is a contact of the step. Parts that share a vertex are neighbours and may touch.
-/// Edges and vertices without a face are primitives as all others.
+/// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a
+/// face, two edges, or a vertex and a face, have a common point at any time up to the last frame.
+/// Only the first frame is examined at rest. A mesh that does not intersect itself there can come
+/// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
+/// a contact of the step. Parts that share a vertex are neighbours and may touch. Edges and
+/// vertices without a face are primitives as all others.
 ///
 /// ```
 /// use exact_ccd_mesh::{Audit, Frame, Violation};
@@ -97,7 +99,8 @@ impl Audit {
     }
 }
 
-/// The violation in the first frame at rest: an intersection, or a contact of a step without motion.
+/// The violation in the first frame at rest: an intersection, or a contact of a step without
+/// motion.
 fn at_rest(frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
     let positions = &frame.positions;
     let found = intersections(&frame.mesh, positions).map_err(|error| match error {

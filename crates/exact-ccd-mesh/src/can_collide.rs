@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 /// A predicate on pairs of primitives: only pairs that can collide are examined.
 ///
-/// Primitives that share a vertex are never examined, whatever the predicate. Clones share the predicate. A panic of
-/// the caller's own closure is passed on to the caller.
+/// Primitives that share a vertex are never examined, whatever the predicate. Clones share the
+/// predicate. A panic of the caller's own closure is passed on to the caller.
 ///
 /// ```
 /// use exact_ccd_mesh::{CanCollide, Detector, TriangleMesh};
@@ -42,8 +42,8 @@ impl CanCollide {
 
     /// A pair can collide if the predicate returns true for the vertices of its two primitives.
     ///
-    /// The primitives are a vertex and the corners of a face, or the ends of two edges: slices of length 1 and 3, or
-    /// 2 and 2. The predicate is called from many threads at once.
+    /// The primitives are a vertex and the corners of a face, or the ends of two edges: slices of
+    /// length 1 and 3, or 2 and 2. The predicate is called from many threads at once.
     #[must_use]
     pub fn new(predicate: impl Fn(&[u32], &[u32]) -> bool + Send + Sync + 'static) -> Self {
         Self {
@@ -52,8 +52,8 @@ impl CanCollide {
         }
     }
 
-    /// A pair can collide if the predicate holds for any vertex of the first primitive and any vertex of the second:
-    /// the rule of the IPC Toolkit.
+    /// A pair can collide if the predicate holds for any vertex of the first primitive and any
+    /// vertex of the second: the rule of the IPC Toolkit.
     #[must_use]
     pub fn any_vertices(predicate: impl Fn(u32, u32) -> bool + Send + Sync + 'static) -> Self {
         Self::new(move |a, b| a.iter().any(|&v| b.iter().any(|&w| predicate(v, w))))
@@ -61,7 +61,8 @@ impl CanCollide {
 
     /// A pair can collide unless all of its vertices belong to obstacles.
     ///
-    /// `is_obstacle` has a flag for each vertex. Vertices without a flag do not belong to obstacles.
+    /// `is_obstacle` has a flag for each vertex. Vertices without a flag do not belong to
+    /// obstacles.
     #[must_use]
     pub fn not_two_obstacles(is_obstacle: Vec<bool>) -> Self {
         let flag = move |vertex: &u32| is_obstacle.get(*vertex as usize).copied().unwrap_or(false);
@@ -83,8 +84,9 @@ impl CanCollide {
 
     /// The same predicate, and only primitives all of whose vertices take part can collide.
     ///
-    /// `takes_part` has a flag for each vertex. Vertices without a flag take part. The broad phase leaves out all other
-    /// primitives, such as the vertices inside a solid. A second call replaces the flags of the first.
+    /// `takes_part` has a flag for each vertex. Vertices without a flag take part. The broad phase
+    /// leaves out all other primitives, such as the vertices inside a solid. A second call replaces
+    /// the flags of the first.
     #[must_use]
     pub fn among(self, takes_part: Vec<bool>) -> Self {
         Self {

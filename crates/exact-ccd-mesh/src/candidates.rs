@@ -18,8 +18,9 @@ use crate::step::Step;
 
 /// Pairs of primitives that come near each other in a step, by their indices.
 ///
-/// Pairs that share a vertex are never among them. The pairs of a step hold for every step of the same mesh from the same
-/// start to positions in between, such as [`Step::at`] returns: so one broad phase serves a whole line search.
+/// Pairs that share a vertex are never among them. The pairs of a step hold for every step of the
+/// same mesh from the same start to positions in between, such as [`Step::at`] returns: so one
+/// broad phase serves a whole line search.
 ///
 /// ```
 /// use exact_ccd::Exact;
@@ -83,9 +84,11 @@ impl Candidates {
         })
     }
 
-    /// Passes the candidates of a step on as they are found, in batches, from any thread, without storing them.
+    /// Passes the candidates of a step on as they are found, in batches, from any thread, without
+    /// storing them.
     ///
-    /// The order of batches and of pairs in them may differ from run to run. Returns `Break` if a sink did.
+    /// The order of batches and of pairs in them may differ from run to run. Returns `Break` if a
+    /// sink did.
     ///
     /// # Errors
     /// [`DistanceError`], if the distance is negative or not a number.
@@ -142,7 +145,8 @@ impl Candidates {
         self.counts().total() == 0
     }
 
-    /// Returns true if none of the pairs touches in the step, exactly. Ends soon after the first contact found.
+    /// Returns true if none of the pairs touches in the step, exactly. Ends soon after the first
+    /// contact found.
     #[must_use]
     pub fn is_free(&self, step: Step<'_>) -> bool {
         let contact = AnyContact::default();
@@ -150,7 +154,8 @@ impl Candidates {
         !contact.is_found()
     }
 
-    /// The earliest contact of the pairs in the step, exactly, or `None` if the step is free of contact.
+    /// The earliest contact of the pairs in the step, exactly, or `None` if the step is free of
+    /// contact.
     #[must_use]
     pub fn earliest_contact(&self, step: Step<'_>) -> Option<Contact> {
         let earliest = Earliest::new();
@@ -183,7 +188,8 @@ impl Candidates {
             && !has_collision::<EdgeEdge, _>(method, mesh, trajectories, &self.edge_edge)
     }
 
-    /// The earliest time of impact of the pairs in the step, according to a method, or `None` if the step is free of contact.
+    /// The earliest time of impact of the pairs in the step, according to a method, or `None` if
+    /// the step is free of contact.
     ///
     /// It is in \[0, 1\]. A time of the method that is not a number counts as 0.
     #[must_use]

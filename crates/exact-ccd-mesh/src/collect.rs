@@ -1,4 +1,4 @@
-//! What is collected about the contacts among candidates.
+//! Collectors of the contacts among candidates.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -14,7 +14,8 @@ use crate::step::Step;
 
 /// A collector of contacts: receives batches of candidates in any order, on any thread.
 pub(crate) trait Collect: Sync {
-    /// True if contacts that are found early leave less to examine, and if it does no harm to examine a pair twice.
+    /// True if contacts that are found early leave less to examine, and if it does no harm to
+    /// examine a pair twice.
     const PROFITS_FROM_SAMPLE: bool;
 
     /// Contacts after this time make no difference.
@@ -63,7 +64,8 @@ impl Collect for AnyContact {
 
 /// The earliest contact that any thread has found.
 pub(crate) struct Earliest {
-    /// The bits of the least f64 that is not below its time. Written under the lock, so that it only falls.
+    /// The bits of the least f64 that is not below its time. Written under the lock, so that it
+    /// only falls.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
 }
@@ -123,7 +125,8 @@ pub(crate) struct ContactsUntil {
 }
 
 impl ContactsUntil {
-    /// The contacts until a time of the step; `None` if there is no contact until then, as for negative times and NaN.
+    /// The contacts until a time of the step; `None` if there is no contact until then, as for
+    /// negative times and NaN.
     pub(crate) fn new(time: f64) -> Option<Self> {
         (time >= 0.0).then(|| Self {
             time: time.min(1.0),

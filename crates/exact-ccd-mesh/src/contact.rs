@@ -9,8 +9,8 @@ use crate::step::Step;
 
 /// A pair of primitives that touch in a step, and the first time at which they do.
 ///
-/// Contacts are in the order of their times. Among contacts whose times lie between the same two adjacent f64, or are
-/// the same f64, the lesser [`Pair`] comes first.
+/// Contacts are in the order of their times. Among contacts whose times lie between the same two
+/// adjacent f64, or are the same f64, the lesser [`Pair`] comes first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
     /// The pair.

@@ -22,11 +22,12 @@ pub(crate) struct CulledSearch<B> {
     moving: StepBoxes<2>,
 }
 
-/// One block of primitives in this many is examined first: enough to find an early contact among many.
+/// One block of primitives in this many is examined first: enough to find an early contact among
+/// many.
 const SAMPLE_STRIDE: usize = 64;
 
-/// Displacements below this fraction of the mean edge length count as short: then a box around the whole path is hardly
-/// larger than a box that moves along it, and cheaper.
+/// Displacements below this fraction of the mean edge length count as short: then a box around the
+/// whole path is hardly larger than a box that moves along it, and cheaper.
 const SHORT_DISPLACEMENT: f64 = 0.25;
 
 /// Boxes are placed anew if the time until which contacts matter has shrunk to this fraction.
@@ -62,7 +63,8 @@ impl<B: BroadPhase> CulledSearch<B> {
         !contact.is_found()
     }
 
-    /// Passes all candidates until the collector's time on to it, and perhaps others, or not all if it breaks.
+    /// Passes all candidates until the collector's time on to it, and perhaps others, or not all if
+    /// it breaks.
     pub(crate) fn run(&mut self, step: &Step<'_>, collector: &impl Collect) {
         let Self {
             broad_phase,
@@ -101,8 +103,8 @@ impl<B: BroadPhase> CulledSearch<B> {
 }
 
 impl Step<'_> {
-    /// The earliest contact, or `None` if the step is free of contact. For many steps of one mesh, a
-    /// [`Detector`](crate::Detector) is faster.
+    /// The earliest contact, or `None` if the step is free of contact. For many steps of one mesh,
+    /// a [`Detector`](crate::Detector) is faster.
     #[must_use]
     pub fn earliest_contact(&self, broad_phase: &impl BroadPhase) -> Option<Contact> {
         CulledSearch::new(broad_phase, CanCollide::all()).earliest_contact(self)

@@ -14,9 +14,9 @@ use crate::step::{Step, StepError};
 
 /// Finds contact in step after step of one mesh.
 ///
-/// The detector shares the mesh and borrows nothing, so that a simulator can own both. No answer depends on earlier
-/// steps. What is kept from step to step is the memory of boxes and trajectories, and the order of the primitives in
-/// space, as long as it is good.
+/// The detector shares the mesh and borrows nothing, so that a simulator can own both. No answer
+/// depends on earlier steps. What is kept from step to step is the memory of boxes and
+/// trajectories, and the order of the primitives in space, as long as it is good.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -81,11 +81,12 @@ impl<B: BroadPhase> Detector<B> {
         &self.mesh
     }
 
-    /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if it is free of contact.
+    /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if it is
+    /// free of contact.
     ///
-    /// A sample of the primitives is examined first. Each contact that is found bounds the time until which the others
-    /// matter; so most candidates are never examined, nor counted as [`StepReport`](crate::StepReport) does. The answer
-    /// is the same on any number of threads.
+    /// A sample of the primitives is examined first. Each contact that is found bounds the time
+    /// until which the others matter; so most candidates are never examined, nor counted as
+    /// [`StepReport`](crate::StepReport) does. The answer is the same on any number of threads.
     ///
     /// # Errors
     /// [`StepError`] names the positions that are too many, too few or not finite.
@@ -94,8 +95,8 @@ impl<B: BroadPhase> Detector<B> {
         Ok(self.search.earliest_contact(&step))
     }
 
-    /// Returns true if no two primitives touch in the step from positions `x0` to positions `x1`. Ends soon after the
-    /// first contact found.
+    /// Returns true if no two primitives touch in the step from positions `x0` to positions `x1`.
+    /// Ends soon after the first contact found.
     ///
     /// # Errors
     /// [`StepError`] names the positions that are too many, too few or not finite.
@@ -104,8 +105,8 @@ impl<B: BroadPhase> Detector<B> {
         Ok(self.search.is_free(&step))
     }
 
-    /// The contacts in the step from positions `x0` to positions `x1` whose first time is not after `until`, the earliest
-    /// first. All contacts for `until` = 1.
+    /// The contacts in the step from positions `x0` to positions `x1` whose first time is not after
+    /// `until`, the earliest first. All contacts for `until` = 1.
     ///
     /// # Errors
     /// [`StepError`] names the positions that are too many, too few or not finite.

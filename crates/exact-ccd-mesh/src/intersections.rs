@@ -10,7 +10,8 @@ use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
 use crate::primitive_count::TooManyPrimitives;
 
-/// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by the face.
+/// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by
+/// the face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Intersection {
     /// The index of the edge in [`TriangleMesh::edges`].
@@ -33,9 +34,10 @@ pub enum IntersectionsError {
 
 /// All pairs of an edge and a face that have a common point and share no vertex, sorted.
 ///
-/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. Two faces without a common
-/// vertex meet if and only if an edge of one meets the other. Of two faces that share a vertex, the sides opposite to it
-/// are examined; faces that share two, as when a fold closes, are not.
+/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. Two faces
+/// without a common vertex meet if and only if an edge of one meets the other. Of two faces that
+/// share a vertex, the sides opposite to it are examined; faces that share two, as when a fold
+/// closes, are not.
 ///
 /// ```
 /// use exact_ccd_mesh::{Intersection, TriangleMesh, intersections};

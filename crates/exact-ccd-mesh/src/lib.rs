@@ -1,4 +1,5 @@
-//! Triangle meshes in motion: mesh files, the broad phase, and the collision-free step of a whole mesh.
+//! Triangle meshes in motion: mesh files, the broad phase, and the collision-free step of a whole
+//! mesh.
 //!
 //! ```no_run
 //! use exact_ccd_mesh::{Motion, step};
@@ -14,18 +15,23 @@
 //!
 //! From files to the answer:
 //!
-//! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh are a [`Motion`].
+//! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh
+//!   are a [`Motion`].
 //! - [`TetMesh`] is a body of tetrahedra at one time, whose surface is a frame.
-//! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a simulator keeps its own.
-//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other. They decide
-//!   contact in the step, or in shorter ones, exactly or by any [`Ccd`](exact_ccd::Ccd).
+//! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a
+//!   simulator keeps its own.
+//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each
+//!   other. They decide contact in the step, or in shorter ones, exactly or by any
+//!   [`Ccd`](exact_ccd::Ccd).
 //! - [`StepReport`] counts the contacts of a step and has the earliest one.
 //! - [`Detector`] finds contact in step after step, without a test of every candidate, and
 //!   [certifies the step](Detector::free_step) that a solver can take.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
-//! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a sequence of frames.
+//! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a
+//!   sequence of frames.
 //! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can decide it.
-//! - [`step_size`] is the line search of an optimiser: the part of a direction that is free of contact.
+//! - [`step_size`] is the line search of an optimiser: the part of a direction that is free of
+//!   contact.
 //!
 //! No result depends on the number of threads, and no input makes anything here panic.
 

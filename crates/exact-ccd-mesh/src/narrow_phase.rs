@@ -54,8 +54,8 @@ impl NarrowPhase {
 
     /// Calls `found` with each pair that is in contact, and its query.
     ///
-    /// Pairs with a common vertex are left out, as are those that cannot collide and those that `mesh`, the mesh of the
-    /// step, does not have.
+    /// Pairs with a common vertex are left out, as are those that cannot collide and those that
+    /// `mesh`, the mesh of the step, does not have.
     pub(crate) fn collisions<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
@@ -68,7 +68,8 @@ impl NarrowPhase {
             let mut count = 0;
             for &ids in pairs {
                 if let Some(four) = K::vertices(mesh, ids) {
-                    // Without a branch: about half of all pairs from a broad phase are neighbours in the mesh.
+                    // Without a branch: about half of all pairs from a broad phase are neighbours
+                    // in the mesh.
                     (kept[count % CHUNK], vertices[count % CHUNK]) = (ids, four);
                     let can_collide = all_can_collide || {
                         let (a, b) = four.split_at(K::FIRST);

@@ -38,7 +38,8 @@ pub(crate) fn stream(
     })
 }
 
-/// The boxes of all primitives, in single precision for the broad phase, and in double precision to define the result.
+/// The boxes of all primitives, in single precision for the broad phase, and in double precision to
+/// define the result.
 struct Overlaps<'a, const T: usize> {
     step: Step<'a>,
     can_collide: &'a CanCollide,

@@ -6,7 +6,8 @@ use crate::mesh::TriangleMesh;
 
 /// Two primitives of a mesh.
 ///
-/// Pairs are ordered: vertices against faces before edges against edges, then by the first index, then by the second.
+/// Pairs are ordered: vertices against faces before edges against edges, then by the first index,
+/// then by the second.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Pair {
     /// A vertex against a face.
@@ -26,7 +27,8 @@ pub enum Pair {
 }
 
 impl Pair {
-    /// The four vertices of the pair, in the order of the query; `None` if the mesh has no such primitives.
+    /// The four vertices of the pair, in the order of the query; `None` if the mesh has no such
+    /// primitives.
     ///
     /// ```
     /// use exact_ccd_mesh::{Pair, TriangleMesh};
@@ -67,7 +69,8 @@ pub trait PairKind: Kind + Send + Sync {
     /// The number of vertices of the first primitive: they come first among the four.
     const FIRST: usize;
 
-    /// The four vertices of a pair, in the order of the query; `None` if the mesh has no such primitives.
+    /// The four vertices of a pair, in the order of the query; `None` if the mesh has no such
+    /// primitives.
     ///
     /// `ids` are the indices of the vertex and the face, or of the two edges.
     fn vertices(mesh: &TriangleMesh, ids: [u32; 2]) -> Option<[u32; 4]>;
@@ -80,7 +83,8 @@ pub trait PairKind: Kind + Send + Sync {
     #[inline]
     fn are_apart(vertices: &[u32; 4]) -> bool {
         let (a, b) = vertices.split_at(Self::FIRST);
-        // Without short circuit: neighbours in the mesh are too frequent among the pairs for a branch.
+        // Without short circuit: neighbours in the mesh are too frequent among the pairs for a
+        // branch.
         a.iter()
             .fold(true, |all, v| b.iter().fold(all, |all, w| all & (v != w)))
     }

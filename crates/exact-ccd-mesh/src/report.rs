@@ -17,7 +17,8 @@ use crate::step::{Step, StepError};
 /// The contacts of a step of a mesh, counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
-    /// The number of pairs of primitives that come near each other; see [`Candidates`](crate::Candidates).
+    /// The number of pairs of primitives that come near each other; see
+    /// [`Candidates`](crate::Candidates).
     pub candidates: PairCounts,
     /// The number of candidates that are in contact at some time of the step.
     pub colliding: PairCounts,
@@ -29,9 +30,10 @@ pub struct StepReport {
 
 /// Finds and counts the contacts of a mesh with itself in one time step.
 ///
-/// `x0` and `x1` are the positions of the vertices at t = 0 and t = 1. Pairs of primitives that share a vertex always
-/// touch and are left out. For progress, or for another broad phase, call [`StepReport::new`], as this function does.
-/// If only the earliest contact matters, or only if there is one, [`Detector`](crate::Detector) is faster.
+/// `x0` and `x1` are the positions of the vertices at t = 0 and t = 1. Pairs of primitives that
+/// share a vertex always touch and are left out. For progress, or for another broad phase, call
+/// [`StepReport::new`], as this function does. If only the earliest contact matters, or only if
+/// there is one, [`Detector`](crate::Detector) is faster.
 ///
 /// ```
 /// use exact_ccd_mesh::{Pair, TriangleMesh, step};
@@ -58,7 +60,8 @@ pub fn step(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> Result<StepRepor
 impl StepReport {
     /// Examines all candidates of a step, as the broad phase finds them, without storing them.
     ///
-    /// Calls `progress`, from any thread, with the number of candidates examined since its last call from there.
+    /// Calls `progress`, from any thread, with the number of candidates examined since its last
+    /// call from there.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
         // The default distance is 0.

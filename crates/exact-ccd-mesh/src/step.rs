@@ -56,11 +56,12 @@ impl<'a> Step<'a> {
         self.positions
     }
 
-    /// The positions at a time of the step, rounded: `x0` exactly for t ≤ 0 (and NaN), `x1` exactly for t ≥ 1.
+    /// The positions at a time of the step, rounded: `x0` exactly for t ≤ 0 (and NaN), `x1` exactly
+    /// for t ≥ 1.
     ///
-    /// Each coordinate lies between those at the two ends, and is at most 3 ε M away from the exact one, M being the
-    /// larger absolute value of the two. So [`Candidates`](crate::Candidates) of this step also hold for the step from
-    /// `x0` to these positions.
+    /// Each coordinate lies between those at the two ends, and is at most 3 ε M away from the exact
+    /// one, M being the larger absolute value of the two. So [`Candidates`](crate::Candidates) of
+    /// this step also hold for the step from `x0` to these positions.
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<Point> {
         let [x0, x1] = self.positions;
@@ -74,20 +75,22 @@ impl<'a> Step<'a> {
         x0.iter().zip(x1).map(between).collect()
     }
 
-    /// The query of a vertex against a face, its corners in the order of the face, or `None` if the mesh has no such
-    /// vertex or no such face.
+    /// The query of a vertex against a face, its corners in the order of the face, or `None` if the
+    /// mesh has no such vertex or no such face.
     #[must_use]
     pub fn vertex_face(&self, vertex: u32, face: u32) -> Option<Query<VertexFace>> {
         self.query([vertex, face])
     }
 
-    /// The query of two edges, the vertices of each in increasing order, or `None` if the mesh does not have both.
+    /// The query of two edges, the vertices of each in increasing order, or `None` if the mesh does
+    /// not have both.
     #[must_use]
     pub fn edge_edge(&self, a: u32, b: u32) -> Option<Query<EdgeEdge>> {
         self.query([a, b])
     }
 
-    /// The query of a pair by the indices of its primitives, or `None` if the mesh does not have both.
+    /// The query of a pair by the indices of its primitives, or `None` if the mesh does not have
+    /// both.
     #[must_use]
     pub fn query<K: PairKind>(&self, ids: [u32; 2]) -> Option<Query<K>> {
         let [a, b, c, d] = K::vertices(self.mesh, ids)?;
@@ -103,10 +106,10 @@ impl<'a> Step<'a> {
 
 /// a + t (b − a), rounded, between a and b, for 0 < t < 1.
 ///
-/// The difference, the product and the sum are each rounded, by at most u = ε/2 of their value. |b − a| is at most 2 M,
-/// so the errors are at most 2 u · 2 M + u M = 2.5 ε M to first order, plus a subnormal product's. The clamp only
-/// lessens the error, because the exact value lies between a and b. If the difference overflows, the weighted sum does
-/// not, and its error is at most 3 u M.
+/// The difference, the product and the sum are each rounded, by at most u = ε/2 of their value. |b
+/// − a| is at most 2 M, so the errors are at most 2 u · 2 M + u M = 2.5 ε M to first order, plus a
+/// subnormal product's. The clamp only lessens the error, because the exact value lies between a
+/// and b. If the difference overflows, the weighted sum does not, and its error is at most 3 u M.
 fn between(a: f64, b: f64, time: f64) -> f64 {
     let difference = b - a;
     let x = if difference.is_finite() {

@@ -9,11 +9,12 @@ use crate::can_collide::CanCollide;
 use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges, in step after step of one mesh: boxes that move (T = 2), or boxes at rest,
-/// each around the whole path of a primitive (T = 1).
+/// The boxes of the vertices, faces and edges, in step after step of one mesh: boxes that move (T =
+/// 2), or boxes at rest, each around the whole path of a primitive (T = 1).
 ///
-/// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come where the first of
-/// their vertices does. The order is kept from step to step until it has become too long.
+/// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
+/// where the first of their vertices does. The order is kept from step to step until it has become
+/// too long.
 #[derive(Clone, Debug)]
 pub(crate) struct StepBoxes<const T: usize> {
     pub(crate) vertices: Boxes<T>,
@@ -23,7 +24,8 @@ pub(crate) struct StepBoxes<const T: usize> {
     moving: Vec<MovingBox<T>>,
     /// The amount by which all boxes are larger on each side.
     margin: f64,
-    /// The start of a vertex amid many others: coordinates are relative to it, so that single precision is fine.
+    /// The start of a vertex amid many others: coordinates are relative to it, so that single
+    /// precision is fine.
     origin: Point,
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
@@ -53,7 +55,8 @@ impl<const T: usize> StepBoxes<T> {
         }
     }
 
-    /// Begins another step of the same mesh with the same predicate: orders the primitives, but places no boxes.
+    /// Begins another step of the same mesh with the same predicate: orders the primitives, but
+    /// places no boxes.
     pub(crate) fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
         let [x0, _] = step.positions();
         self.time = f64::NAN;
@@ -63,7 +66,8 @@ impl<const T: usize> StepBoxes<T> {
         } else {
             self.extent = self.extent.min(now);
         }
-        // A vertex in the middle of the order is amid many others, even if some vertices are far away.
+        // A vertex in the middle of the order is amid many others, even if some vertices are far
+        // away.
         let ids = self.vertices.ids();
         let middle = ids.get(ids.len() / 2);
         self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
@@ -116,10 +120,11 @@ impl<const T: usize> StepBoxes<T> {
     }
 }
 
-/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T = 1).
+/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T =
+/// 1).
 ///
-/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products that may underflow;
-/// no value between x₀ and x₁ overflows.
+/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products
+/// that may underflow; no value between x₀ and x₁ overflows.
 fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
     let mut end = Aabb::EMPTY;
     for axis in 0..3 {

@@ -12,7 +12,7 @@ use proptest::prelude::*;
 /// A box at both ends of a step.
 type Moving = [Aabb; 2];
 
-/// Whether no axis separates two boxes the same way round at all times, by definition.
+/// True if no axis separates two boxes in the same order at all times, by definition.
 fn meet<const T: usize>(p: &[Aabb; T], q: &[Aabb; T]) -> bool {
     let before = |a: &[Aabb; T], b: &[Aabb; T], k: usize| (0..T).all(|t| a[t].upper[k] < b[t].lower[k]);
     !(0..3).any(|k| before(p, q, k) || before(q, p, k))
@@ -62,7 +62,7 @@ fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Aabb; T
     let [rounded_a, rounded_b] = [&coarse_a, &coarse_b].map(by_index);
     let found = between(broad_phase, &coarse_a, &coarse_b);
     assert_eq!(found, pairs(&rounded_a, &rounded_b));
-    // Rounding does not lose any.
+    // Rounding loses no pair.
     assert!(pairs(a, b).iter().all(|pair| found.binary_search(pair).is_ok()));
     let once = pairs(&rounded_a, &rounded_a).into_iter().filter(|[i, j]| i < j);
     assert_eq!(within(broad_phase, &coarse_a), once.collect::<Vec<_>>());
@@ -70,7 +70,7 @@ fn assert_finds_all<const T: usize>(broad_phase: &impl BroadPhase, a: &[[Aabb; T
 
 fn assert_all_find_all(a: &[Moving], b: &[Moving]) {
     assert_each_finds_all(a, b);
-    // At rest, where they are at the start.
+    // The boxes of the start, at rest.
     let [a, b] = [a, b].map(|boxes| boxes.iter().map(|&[start, _]| [start]).collect::<Vec<_>>());
     assert_each_finds_all(&a, &b);
 }
@@ -91,7 +91,7 @@ fn around(p: Point, q: Point) -> Aabb {
     Aabb::of(p).union(&Aabb::of(q))
 }
 
-/// Whole numbers, so that boxes touch and coincide, and numbers out of all proportion.
+/// Whole numbers, so that boxes touch and coincide, and extreme numbers.
 fn coordinate() -> impl Strategy<Value = f64> {
     let extreme = [f64::MAX, f64::MIN, 1e-300, -1e-300, 5e-324, -5e-324, -0.0, 0.5];
     prop_oneof![
@@ -228,7 +228,7 @@ fn a_break_ends_the_search() {
         assert!(flow.is_break());
         calls.into_inner()
     }
-    // Each thread may have one call under way.
+    // Each thread may be in one call.
     let threads = rayon::current_num_threads();
     assert!(calls(|visit| Bvh.within(&boxes, visit)) <= threads);
     assert!(calls(|visit| Bvh.between(&boxes, &boxes, visit)) <= threads);

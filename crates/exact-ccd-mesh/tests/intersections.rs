@@ -1,4 +1,4 @@
-//! Where a mesh at rest meets itself, against rational numbers, and sequences of frames against brute force.
+//! Self-intersections at rest against rational numbers, and sequences of frames against all pairs.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -28,7 +28,8 @@ fn expected(mesh: &TriangleMesh, positions: &[Point]) -> Vec<Intersection> {
     found
 }
 
-/// Whether anything without a common vertex touches at rest: the three kinds of pairs, one by one.
+/// True if any two primitives without a common vertex touch at rest: the three kinds of pairs, one
+/// by one.
 fn touches(mesh: &TriangleMesh, positions: &[Point]) -> bool {
     let point = |vertex: u32| positions[vertex as usize];
     let vertex_face = (0..mesh.vertex_count() as u32).any(|vertex| {
@@ -87,7 +88,7 @@ proptest! {
         prop_assert_eq!(on(3), one);
     }
 
-    /// Frames near each other, so that many sequences are free.
+    /// Frames are near each other, so that many sequences are free.
     #[test]
     fn an_audit_finds_the_first_violation(
         mesh in mesh(8, 1..4),
@@ -115,7 +116,7 @@ proptest! {
             if violation.is_some() {
                 return Ok(());
             }
-            // What has been certified without looking at this frame at rest.
+            // This frame has been certified without an examination at rest.
             prop_assert!(!touches(&mesh, x));
         }
     }
@@ -130,7 +131,8 @@ fn an_audit_reports_an_intersection_before_a_contact() {
     };
     let at_rest = |z: f64| Audit::default().examine(triangles(z)).unwrap();
     assert_eq!(at_rest(1.0), None);
-    // The least pair: a side of the first face passes through the second one only if that is deep enough.
+    // The least pair: a side of the first face passes through the second one only if that is deep
+    // enough.
     let intersection = Intersection { edge: 3, face: 0 };
     assert_eq!(
         at_rest(-0.5),

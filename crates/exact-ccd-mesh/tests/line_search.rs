@@ -1,4 +1,4 @@
-//! The line search on the generated examples, and on a step whose size is known.
+//! The line search on the generated examples, and on steps of known size.
 
 use std::path::Path;
 
@@ -23,7 +23,8 @@ fn direction(motion: &Motion) -> Vec<Point> {
     motion.x0.iter().zip(&motion.x1).map(minus).collect()
 }
 
-/// The largest step that the search allows on a motion, and whether the motion up to there is free, exactly.
+/// The largest step that the search allows on a motion, and true if the motion up to there is free,
+/// exactly.
 fn search(motion: &Motion, search: LineSearch<'_>) -> (f64, bool) {
     let direction = direction(motion);
     let size = step_size(&motion.mesh, &motion.x0, &direction, search).expect("the motion is sound");
@@ -71,7 +72,8 @@ fn a_free_step_is_taken_in_full() {
     assert_eq!(search(&motion, bisection(1e-3, &Exact)), (1.0, true));
 }
 
-/// An edge that passes through another one at t = 1/3 and back at t = 1/2: parity sees nothing.
+/// An edge that passes through another edge at t = 1/3 and back at t = 1/2: parity finds no
+/// contact.
 #[test]
 fn parity_goes_through_two_contacts() {
     let flat = vec![[0, 1, 1], [2, 3, 3]];
@@ -117,7 +119,7 @@ fn a_mesh_in_contact_cannot_move() {
 }
 
 #[test]
-fn what_is_wrong_is_named() {
+fn errors_name_the_wrong_input() {
     let mesh = TriangleMesh::new(3, vec![[0, 1, 2]]).expect("indices are in range");
     let x = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let message = |direction: &[Point], search| {

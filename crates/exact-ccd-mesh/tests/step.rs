@@ -1,4 +1,4 @@
-//! The report of a step is what asking every pair of primitives gives.
+//! The report of a step against integer arithmetic for every pair of primitives.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -21,7 +21,7 @@ fn report(motion: &Motion, broad_phase: &impl BroadPhase) -> StepReport {
     StepReport::new(motion.step().unwrap(), broad_phase, &|_| ())
 }
 
-/// What is said of a step by the integers, asked about every pair that has no common vertex.
+/// The contacts of a step in integer arithmetic, for every pair without a common vertex.
 #[derive(Default)]
 struct Truth {
     vertex_face: Vec<[u32; 2]>,
@@ -45,7 +45,7 @@ impl Truth {
                     truth.vertex_face.push([vertex, face]);
                 }
                 let pair = Pair::VertexFace { vertex, face };
-                let (colliding, touching) = truth.ask(pair, Query::<VertexFace>::new(t0, t1).unwrap());
+                let (colliding, touching) = truth.count(pair, Query::<VertexFace>::new(t0, t1).unwrap());
                 truth.colliding.vertex_face += colliding;
                 truth.touching.vertex_face += touching;
             }
@@ -61,7 +61,7 @@ impl Truth {
                     truth.edge_edge.push([a, b]);
                 }
                 let (colliding, touching) =
-                    truth.ask(Pair::EdgeEdge { a, b }, Query::<EdgeEdge>::new(t0, t1).unwrap());
+                    truth.count(Pair::EdgeEdge { a, b }, Query::<EdgeEdge>::new(t0, t1).unwrap());
                 truth.colliding.edge_edge += colliding;
                 truth.touching.edge_edge += touching;
             }
@@ -70,8 +70,8 @@ impl Truth {
         truth
     }
 
-    /// Whether a pair collides, and whether it touches at t = 0, as numbers. Keeps the earliest.
-    fn ask<K: Kind>(&mut self, pair: Pair, query: Query<K>) -> (usize, usize) {
+    /// Counts a pair: 1 if it collides, and 1 if it touches at t = 0. Keeps the earliest contact.
+    fn count<K: Kind>(&mut self, pair: Pair, query: Query<K>) -> (usize, usize) {
         let Some(time) = exact::contact_times(&query).first() else {
             return (0, 0);
         };
@@ -93,7 +93,7 @@ fn gather(x: &[Point], vertices: [u32; 4]) -> [Point; 4] {
     vertices.map(|vertex| x[vertex as usize])
 }
 
-/// Whether the boxes around two primitives over the step have a common point.
+/// True if the boxes around two primitives over the step have a common point.
 fn boxes_meet(a: [&[Point]; 2], b: [&[Point]; 2]) -> bool {
     (0..3).all(|axis| {
         let interval = |points: [&[Point]; 2]| {
@@ -108,7 +108,8 @@ fn boxes_meet(a: [&[Point]; 2], b: [&[Point]; 2]) -> bool {
     })
 }
 
-/// Motions of a few faces, with or without area, between whole numbers, so that contacts are at the same time.
+/// Motions of a few faces, with or without area, between whole numbers, so that many contacts
+/// coincide in time.
 fn small_motion() -> impl Strategy<Value = Motion> {
     let coordinate = || (-2..=2).prop_map(f64::from);
     let positions = move |count| prop::collection::vec(prop::array::uniform3(coordinate()), count);
@@ -139,7 +140,7 @@ fn soup(speeds: RangeInclusive<i32>) -> impl Strategy<Value = Motion> {
     })
 }
 
-/// Steps of one mesh that do not follow each other, some of them slow, some of them far away.
+/// Unrelated steps of one mesh, some of them slow, some of them far from the origin.
 fn steps() -> impl Strategy<Value = (TriangleMesh, Vec<[Vec<Point>; 2]>)> {
     let coordinate = || prop_oneof![(-2..=2).prop_map(f64::from), -2.0..2.0];
     let points = move |count| prop::collection::vec(prop::array::uniform3(coordinate()), count);
@@ -174,7 +175,7 @@ fn assert_searches_agree(motion: &Motion, report: &StepReport) {
 
 proptest! {
     #[test]
-    fn a_report_is_what_every_pair_says(motion in small_motion()) {
+    fn a_report_counts_the_contacts_of_every_pair(motion in small_motion()) {
         let truth = Truth::of(&motion);
         let candidates = Candidates::new(motion.step().unwrap(), &Bvh);
         prop_assert_eq!(candidates.vertex_face(), truth.vertex_face);
@@ -265,7 +266,7 @@ fn the_report_is_the_same_on_any_number_of_threads() {
             report
         })
     });
-    // Enough for every thread to have its share.
+    // Enough for several batches on every thread.
     assert!(reports[0].candidates.vertex_face > 10_000 && reports[0].candidates.edge_edge > 10_000);
     assert_eq!(reports[0], reports[1]);
     assert_eq!(reports[0], reports[2]);
@@ -276,7 +277,8 @@ fn among_contacts_at_the_same_time_the_least_pair_is_named() {
     let report = report(&falling_sheet(), &Bvh);
     assert!(report.colliding.vertex_face > 1000);
     let earliest = report.earliest.unwrap();
-    // Vertex 0 falls from or onto the corner of the first face of the other sheet, the first of its 24 × 24 × 2.
+    // Vertex 0 falls from or onto the corner of the first face of the other sheet, the first of its
+    // 24 × 24 × 2.
     let face = 24 * 24 * 2;
     assert_eq!(earliest.pair, Pair::VertexFace { vertex: 0, face });
     assert_eq!(earliest.impact.time.lower(), 1.0_f64 / 3.0);
@@ -285,7 +287,7 @@ fn among_contacts_at_the_same_time_the_least_pair_is_named() {
 
 #[test]
 fn neighbours_are_left_out() {
-    // A tetrahedron with all its corners in the same place.
+    // A tetrahedron whose corners coincide.
     let corners = vec![[0.0; 3]; 4];
     let faces = vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
     let motion = motion(corners.clone(), corners, faces);
@@ -387,7 +389,7 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
     assert_eq!(*query.points(), [x0, x1].map(|x| [x[1], x[2], x[0], x[3]]));
 }
 
-/// Counts pairs.
+/// A broad phase that counts its pairs.
 #[derive(Default)]
 struct Counted(AtomicUsize);
 
@@ -407,7 +409,7 @@ impl BroadPhase for Counted {
     }
 }
 
-/// Single precision is not spent on the way to it.
+/// Coordinates are relative to the other vertices, so that single precision suffices for these.
 #[test]
 fn a_vertex_far_away_makes_no_more_pairs() {
     let pairs = |stray: Point| {
@@ -426,7 +428,7 @@ fn a_vertex_far_away_makes_no_more_pairs() {
     }
 }
 
-/// Names primitives that there are not.
+/// A broad phase that names primitives that do not exist.
 struct Nonsense;
 
 impl BroadPhase for Nonsense {

@@ -1,22 +1,23 @@
-//! Cloth that falls onto cloth.
+//! Sheets of cloth that fall onto each other.
 
 use exact_ccd::Point;
 use exact_ccd_mesh::{Step, TriangleMesh};
 
-/// How many sheets lie above each other.
+/// The number of sheets above each other.
 const SHEETS: usize = 4;
-/// How far apart they are at the start, in lengths of an edge; as are all lengths here.
+/// The distance of neighbouring sheets at the start. All lengths are in units of an edge.
 const GAP: f64 = 0.7;
-/// How far each slides, every other one the other way.
+/// The distance by which each sheet slides; every other sheet slides in the opposite direction.
 const SLIDE: f64 = 0.4;
-/// From wave to wave.
+/// The distance from wave to wave.
 const PERIOD: f64 = 16.0;
-/// How far a vertex is from its place in the grid, at most: nothing here is in special position.
+/// The largest distance of a vertex from its place in the grid, so that nothing is in special
+/// position.
 const UNEVEN: f64 = 0.1;
 
 /// Square sheets of wavy cloth in motion.
 ///
-/// All of it is made by + − × ÷ alone, so that it is the same on every machine.
+/// It is computed by + − × ÷ alone, so that it is the same on every machine.
 pub(crate) struct Cloth {
     mesh: TriangleMesh,
     x0: Vec<Point>,
@@ -24,7 +25,8 @@ pub(crate) struct Cloth {
 }
 
 impl Cloth {
-    /// Sheets of `side` × `side` vertices that come as near each other as `nearest`, but for their unevenness.
+    /// Sheets of `side` × `side` vertices whose distance falls to `nearest`, apart from their
+    /// unevenness.
     pub(crate) fn new(side: usize, nearest: f64) -> Self {
         let mut random = fastrand::Rng::with_seed(1);
         let vertex_count = SHEETS * side * side;

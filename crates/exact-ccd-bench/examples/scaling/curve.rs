@@ -1,10 +1,10 @@
-//! What one question costs on growing meshes.
+//! The cost of one question on growing meshes.
 
 use crate::measurement::Measurement;
 use crate::memory::mebibytes;
 use crate::question::Question;
 
-/// How many sizes there are to a decade.
+/// The number of sizes per decade.
 pub(crate) const PER_DECADE: usize = 2;
 
 /// The measurements of one question, from the smallest mesh to the largest.
@@ -13,7 +13,7 @@ pub(crate) struct Curve {
     pub(crate) points: Vec<Measurement>,
 }
 
-/// What grows with the candidates.
+/// A cost that grows with the candidates.
 #[derive(Clone, Copy)]
 pub(crate) enum Cost {
     Seconds,
@@ -30,7 +30,8 @@ impl Cost {
 }
 
 impl Curve {
-    /// The candidates and the cost of each measurement, as far as it is known and can be drawn on a logarithmic scale.
+    /// The candidates and the cost of each measurement whose cost is known and can be drawn on a
+    /// logarithmic scale.
     pub(crate) fn places(&self, cost: Cost) -> impl Iterator<Item = (f64, f64)> {
         let place = move |point: &Measurement| Some((point.candidates as f64, cost.of(point)?));
         self.points
@@ -39,8 +40,8 @@ impl Curve {
             .filter(|&(_, cost)| cost > 0.0)
     }
 
-    /// The power of the number of candidates with which a cost grows, in the decade before the last and in the last;
-    /// fewer, if less is known.
+    /// The exponent with which a cost grows with the number of candidates, in the decade before the
+    /// last and in the last, as far as they have been measured.
     pub(crate) fn slopes(&self, cost: Cost) -> Vec<f64> {
         let places: Vec<_> = self.places(cost).collect();
         let decades = places.windows(PER_DECADE + 1).rev().step_by(PER_DECADE).take(2);

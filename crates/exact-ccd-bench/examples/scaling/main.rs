@@ -1,15 +1,17 @@
-//! What a whole step costs, in time and in memory, as its mesh grows: from 10⁴ candidates to 10⁷.
+//! The time and the memory of a whole step as its mesh grows: from 10⁴ candidates to 10⁷.
 //!
 //! ```sh
 //! cargo run --release -p exact-ccd-bench --example scaling -- [OUT.svg]
 //! cargo run --release -p exact-ccd-bench --example scaling -- --candidates 30000000
 //! ```
 //!
-//! The first prints a table for each question and draws them, into docs/performance/scaling.svg if nothing else is said.
-//! The second counts the contacts among so many candidates, once, and prints the peak of the memory.
+//! The first command prints a table for each question and draws them, into
+//! docs/performance/scaling.svg by default. The second counts the contacts among that number of
+//! candidates, once, and prints the peak of the memory.
 //!
-//! The meshes are sheets of cloth that fall onto each other. Only their size differs, so that the candidates are in
-//! proportion to the vertices. Each question is asked about each mesh in a process of its own.
+//! The meshes are sheets of cloth that fall onto each other. Only their size differs, so that the
+//! candidates are in proportion to the vertices. Each question is answered for each mesh in a
+//! process of its own.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -70,14 +72,14 @@ fn scale(drawing: &str) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// How many candidates there are to be, about.
+/// The approximate numbers of candidates.
 fn sizes() -> impl Iterator<Item = f64> {
     let [first, last] = DECADES;
     let steps = (last - first) * PER_DECADE as i32;
     (0..=steps).map(move |step| 10f64.powf(f64::from(first) + f64::from(step) / PER_DECADE as f64))
 }
 
-/// How large a sheet must be for so many candidates, about: they are in proportion to its area.
+/// The side of a sheet for an approximate number of candidates, which is proportional to its area.
 fn side(candidates: f64, question: Question) -> usize {
     (candidates / question.candidates_of_cell()).sqrt().round() as usize + 1
 }

@@ -1,4 +1,4 @@
-//! What one question costs on one mesh.
+//! The cost of one question on one mesh.
 
 use std::env;
 use std::error::Error;
@@ -12,7 +12,7 @@ use crate::cloth::Cloth;
 use crate::memory::Memory;
 use crate::question::Question;
 
-/// How often a question is asked. The median time counts, and the peak of the first time.
+/// The number of repetitions. The median time counts, and the peak memory of the first run.
 const ROUNDS: usize = 3;
 
 /// The argument that makes this program measure, in a process of its own.
@@ -24,7 +24,7 @@ pub(crate) struct Measurement {
     pub(crate) candidates: usize,
     pub(crate) colliding: usize,
     pub(crate) seconds: f64,
-    /// The peak of the memory above what it was before the step, in bytes.
+    /// The peak memory minus the memory before the step, in bytes.
     pub(crate) memory: Option<u64>,
 }
 
@@ -38,7 +38,7 @@ impl Measurement {
         let mut rise = None;
         for time in &mut seconds {
             let clock = Instant::now();
-            question.ask(step);
+            question.answer(step);
             *time = clock.elapsed().as_secs_f64();
             rise = rise.or_else(|| memory.rise());
         }

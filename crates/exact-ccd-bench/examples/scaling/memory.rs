@@ -1,8 +1,8 @@
-//! How much memory this process has held.
+//! The peak memory of this process.
 
 use std::fs;
 
-/// From when on the peak is looked at.
+/// The start of a measurement of the peak.
 pub(crate) struct Memory {
     /// The peak until then, in bytes.
     before: Option<u64>,
@@ -10,19 +10,19 @@ pub(crate) struct Memory {
 
 impl Memory {
     pub(crate) fn now() -> Self {
-        // Makes Linux forget the peak so far: from here on it is what is resident now. Where that is not allowed, what
-        // came before hides as much of what comes after.
+        // Linux resets the peak to the resident memory. Where that is not allowed, the earlier peak
+        // hides as much of what comes after.
         let _ = fs::write("/proc/self/clear_refs", "5");
         Self { before: peak() }
     }
 
-    /// By how many bytes the peak has risen since; `None` where the system does not tell.
+    /// The number of bytes by which the peak has risen; `None` where the system has no such figure.
     pub(crate) fn rise(&self) -> Option<u64> {
         Some(peak()?.saturating_sub(self.before?))
     }
 }
 
-/// The most bytes that were resident at a time, of the whole process. Only Linux tells.
+/// The largest number of resident bytes of the process so far. Known on Linux only.
 pub(crate) fn peak() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -1,4 +1,4 @@
-//! What is asked about a step.
+//! The questions about a step.
 
 use std::hint::black_box;
 
@@ -36,8 +36,8 @@ impl Question {
         }
     }
 
-    /// How near each other the sheets come: into contact, but for the last question. Were there contact, it would not
-    /// need to look at all candidates.
+    /// The least distance of the sheets. They come into contact except for the last question, which
+    /// would not examine all candidates if there were contact.
     pub(crate) fn nearest(self) -> f64 {
         match self {
             Self::Report | Self::Earliest => 0.1,
@@ -45,7 +45,7 @@ impl Question {
         }
     }
 
-    /// How many candidates there are to a cell of the grid, over all sheets, about.
+    /// The approximate number of candidates per cell of the grid, over all sheets.
     pub(crate) fn candidates_of_cell(self) -> f64 {
         match self {
             Self::Report | Self::Earliest => 216.0,
@@ -53,7 +53,7 @@ impl Question {
         }
     }
 
-    pub(crate) fn ask(self, step: Step<'_>) {
+    pub(crate) fn answer(self, step: Step<'_>) {
         match self {
             Self::Report => drop(black_box(StepReport::new(step, &Bvh, &|_| ()))),
             Self::Earliest => drop(black_box(step.earliest_contact(&Bvh))),

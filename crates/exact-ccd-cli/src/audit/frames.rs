@@ -1,4 +1,4 @@
-//! The frames of a sequence: which files, in which order, and how they are read.
+//! The frames of a sequence: their files in order, and the reading of them.
 
 use std::cmp::Ordering;
 use std::fs;
@@ -13,12 +13,13 @@ use crate::failure::Failure;
 /// Mesh files in the order of time.
 pub(super) struct Frames {
     files: Vec<PathBuf>,
-    /// STL files know no shared vertices: those that coincide in all frames become one.
+    /// STL files have no shared vertices: vertices that coincide in all frames become one.
     welding: Option<(Welding, TriangleMesh)>,
 }
 
 impl Frames {
-    /// The files, and those in the folders and collections. STL files are read once here, to see what to weld.
+    /// The files, and those in the folders and collections. STL files are read once here, to find
+    /// the vertices to weld.
     pub(super) fn find(paths: &[PathBuf]) -> Result<Self, Failure> {
         let mut files = Vec::new();
         for path in paths {
@@ -79,7 +80,7 @@ impl Frames {
         })
     }
 
-    /// The error that a frame does not belong to those before it.
+    /// The error for a frame that does not belong to the frames before it.
     pub(super) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
         Failure::Motion(ReadMotionError::Motion {
             start: self.file(index.saturating_sub(1)).to_owned(),
@@ -94,7 +95,7 @@ fn is_collection(path: &Path) -> bool {
         .is_some_and(|extension| extension.eq_ignore_ascii_case("pvd"))
 }
 
-/// The meshes in a folder, in the order of the numbers in their names. Other files are passed over.
+/// The meshes in a folder, in the order of the numbers in their names. Other files are skipped.
 fn meshes_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     let failed = |source| {
         let path = folder.to_owned();
@@ -124,7 +125,7 @@ fn name(path: &Path) -> String {
         .into_owned()
 }
 
-/// A piece of a name. Numbers are compared by how many digits they have, then by these.
+/// A piece of a name. Numbers are compared by the number of their digits, then by the digits.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Piece<'a> {
     Number(usize, &'a [u8]),
@@ -154,7 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_in_names_count() {
+    fn names_are_ordered_by_the_numbers_in_them() {
         let order = [
             "2.ply",
             "10.ply",

@@ -1,4 +1,4 @@
-//! `exact-ccd audit`: does a sequence of frames ever touch itself?
+//! `exact-ccd audit`: does a mesh touch itself in a sequence of frames?
 
 mod frames;
 mod report;
@@ -15,21 +15,24 @@ use crate::progress::{self, during};
 use frames::Frames;
 use report::{Report, ReportedViolation, Seconds};
 
-/// Does a sequence of frames ever touch itself?
+/// Does a mesh touch itself in a sequence of frames?
 ///
-/// The first frame is examined at rest: no edge may meet a face, no vertex a face, and no edge another edge. From each
-/// frame to the next, every vertex moves in a straight line, and no contact may occur, as in `exact-ccd step`. If there is
-/// none, then no frame passes through itself, nor does the mesh at any time between; otherwise, the first violation is
-/// named. Parts of the mesh that have a vertex in common are neighbours and may touch.
+/// The first frame is examined at rest: no edge may meet a face, no vertex a face, and no edge
+/// another edge. From each frame to the next, every vertex moves in a straight line, and no contact
+/// may occur, as in `exact-ccd step`. If there is none, then no frame passes through itself, nor
+/// does the mesh at any time between; otherwise, the first violation is named. Parts of the mesh
+/// that have a vertex in common are neighbours and may touch.
 ///
-/// Of a run of `exact-ccd simulate --out DIR --path`, DIR/path is the way that is free of contact. Straight from one time
-/// step to the next, as in DIR/frames, parts that turn around each other may touch.
+/// Of a run of `exact-ccd simulate --out DIR --path`, DIR/path is the motion that is free of
+/// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
+/// around each other may touch.
 ///
 /// Exit status: 0 free, 1 violation, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// Meshes with the same faces, in the order of time: .ply, .obj, .stl, .off, .msh or .vtu files, or a folder of files
-    /// of one of these formats, which are taken in the order of the numbers in their names, or a .pvd collection.
+    /// Meshes with the same faces, in the order of time: .ply, .obj, .stl, .off, .msh or .vtu
+    /// files, or a folder of files of one of these formats, which are taken in the order of the
+    /// numbers in their names, or a .pvd collection.
     #[arg(required = true)]
     frames: Vec<PathBuf>,
     /// Print the report as a JSON object.

@@ -1,4 +1,4 @@
-//! What `exact-ccd audit` prints.
+//! The output of `exact-ccd audit`.
 
 use std::fmt;
 
@@ -13,9 +13,9 @@ use crate::step_report::ReportedPair;
 #[derive(Serialize)]
 pub(super) struct Report {
     pub(super) collision_free: bool,
-    /// How many frames there are.
+    /// The number of frames.
     pub(super) frames: usize,
-    /// How many of them were examined until the first violation.
+    /// The number of frames examined until the first violation.
     pub(super) examined: usize,
     pub(super) violation: Option<ReportedViolation>,
     pub(super) seconds: Seconds,
@@ -30,21 +30,21 @@ pub(super) enum ReportedViolation {
         file: String,
         edge: u32,
         face: u32,
-        /// The vertices of the edge, then those of the face, for people.
+        /// The vertices of the edge, then those of the face, for the text.
         #[serde(skip)]
         vertices: [u32; 5],
     },
     Contact {
         frame: usize,
         file: String,
-        /// The file of the next frame, unless this is at rest.
+        /// The file of the next frame, unless the contact is at rest.
         next: Option<String>,
         toi: f64,
         pair: ReportedPair,
     },
 }
 
-/// How long it took.
+/// The durations.
 #[derive(Serialize)]
 pub(super) struct Seconds {
     pub(super) read: f64,
@@ -59,7 +59,7 @@ impl Report {
 }
 
 impl ReportedViolation {
-    /// The violation that was found when frame `index` was examined.
+    /// The violation found in the examination of frame `index`.
     pub(super) fn new(frames: &Frames, index: usize, mesh: &TriangleMesh, violation: Violation) -> Self {
         let file = |frame: usize| frames.file(frame).display().to_string();
         match violation {
@@ -85,7 +85,7 @@ impl ReportedViolation {
     }
 }
 
-/// The answer for people.
+/// The text on a terminal.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.violation {

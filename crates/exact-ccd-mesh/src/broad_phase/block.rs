@@ -8,8 +8,9 @@ use super::moving_box::MovingBox;
 /// The number of boxes in a block.
 pub(super) const LANES: usize = 8;
 
-/// The vector instructions for tests of blocks: at most AVX2. Its vectors have eight places, as blocks do, and it combines
-/// comparisons in half of the time that the mask registers of AVX-512 take.
+/// The vector instructions for tests of blocks: at most AVX2. Its vectors have eight places, as
+/// blocks do, and it combines comparisons in half of the time that the mask registers of AVX-512
+/// take.
 pub(super) fn level() -> Level {
     let level = Level::new();
     #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
@@ -67,8 +68,9 @@ impl<const T: usize> Block<T> {
         Lane { block: self, lane }
     }
 
-    /// A bit for each box of the block: set if it may meet another box. It is not set if an axis separates the two at t = 0
-    /// and, in the same order, at t = 1, hence at all times in between. Boxes at rest are separated if they do not overlap.
+    /// A bit for each box of the block: set if it may meet another box. It is not set if an axis
+    /// separates the two at t = 0 and, in the same order, at t = 1, hence at all times in between.
+    /// Boxes at rest are separated if they do not overlap.
     #[inline(always)]
     pub(super) fn meeting<S: Simd>(&self, simd: S, other: &impl Moving) -> u32 {
         let separated =

@@ -14,8 +14,9 @@ const GRAIN: usize = 64;
 
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
 ///
-/// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are relative to a common origin
-/// and rounded to single precision. Rounding is monotone, so that boxes that meet still meet.
+/// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are
+/// relative to a common origin and rounded to single precision. Rounding is monotone, so that boxes
+/// that meet still meet.
 #[derive(Clone, Debug)]
 pub struct Boxes<const T: usize> {
     /// The indices of the boxes, block by block.
@@ -79,8 +80,8 @@ impl<const T: usize> Boxes<T> {
         self.ids.is_empty()
     }
 
-    /// The index of each box, and the box at the start and at the end (T = 2) or at rest (T = 1): relative to a common origin,
-    /// and rounded.
+    /// The index of each box, and the box at the start and at the end (T = 2) or at rest (T = 1):
+    /// relative to a common origin, and rounded.
     pub fn iter(&self) -> impl Iterator<Item = (u32, [Aabb; T])> {
         let boxes = self
             .blocks
@@ -119,7 +120,8 @@ fn centre<const T: usize>(places: &[Aabb; T]) -> Point {
     let Some(start) = places.first() else {
         return [0.0; 3];
     };
-    // Halved before they are added: the sum of two finite numbers may overflow. The empty box has no centre.
+    // Halved before they are added: the sum of two finite numbers may overflow. The empty box has
+    // no centre.
     let middle = |axis: usize| 0.5 * start.lower[axis] + 0.5 * start.upper[axis];
     [0, 1, 2].map(|axis| {
         if middle(axis).is_finite() {

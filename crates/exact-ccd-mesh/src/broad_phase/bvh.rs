@@ -43,16 +43,17 @@ fn grains<const T: usize>(boxes: &Boxes<T>) -> impl ParallelIterator<Item = Rang
         .map(move |grain| GRAIN * grain..(GRAIN * (grain + 1)).min(count))
 }
 
-/// The capacity of the stack of a descent: there are at most 11 levels, and each has at most eight open siblings.
+/// The capacity of the stack of a descent: there are at most 11 levels, and each has at most eight
+/// open siblings.
 const STACK: usize = 11 * LANES;
 
-/// The boxes around eight blocks each, the boxes around eight of these each, and so on. The shape of the tree follows from
-/// the number of blocks; its quality depends on the order of the boxes.
+/// The boxes around eight blocks each, the boxes around eight of these each, and so on. The shape
+/// of the tree follows from the number of blocks; its quality depends on the order of the boxes.
 struct Tree<const T: usize> {
     /// The number of blocks of boxes.
     leaves: usize,
-    /// The inner nodes by level, each level made from the one before. The last has one block, or none if there are no
-    /// boxes.
+    /// The inner nodes by level, each level made from the one before. The last has one block, or
+    /// none if there are no boxes.
     levels: Vec<Vec<Block<T>>>,
 }
 
@@ -69,8 +70,8 @@ impl<const T: usize> Tree<T> {
         }
     }
 
-    /// Adds all pairs of a box in some blocks of `a` and a box in the tree. If `later` is set, only pairs of a block with
-    /// itself or with a later block.
+    /// Adds all pairs of a box in some blocks of `a` and a box in the tree. If `later` is set, only
+    /// pairs of a block with itself or with a later block.
     #[inline(always)]
     fn search<S: Simd>(
         &self,

@@ -26,11 +26,13 @@ pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;
 
 /// An algorithm that finds the pairs of moving boxes that meet.
 ///
-/// Two boxes do not meet if some axis separates them at t = 0 and, in the same order, at t = 1, hence at all times in
-/// between. Boxes at rest meet if they overlap, even if only in a point. A broad phase may find other pairs too.
+/// Two boxes do not meet if some axis separates them at t = 0 and, in the same order, at t = 1,
+/// hence at all times in between. Boxes at rest meet if they overlap, even if only in a point. A
+/// broad phase may find other pairs too.
 ///
-/// Pairs are passed to the sink as they are found, in batches, from any thread and in any order; each pair is passed on
-/// once. When the sink breaks, each thread calls it at most once more, and the broad phase breaks too.
+/// Pairs are passed to the sink as they are found, in batches, from any thread and in any order;
+/// each pair is passed on once. When the sink breaks, each thread calls it at most once more, and
+/// the broad phase breaks too.
 ///
 /// ```
 /// use core::ops::ControlFlow;

@@ -4,10 +4,12 @@ use exact_ccd::Point;
 
 use crate::aabb::Aabb;
 
-/// A box at both ends of a step, whose sides move at constant speed in between (T = 2), or a box at rest (T = 1).
+/// A box at both ends of a step, whose sides move at constant speed in between (T = 2), or a box at
+/// rest (T = 1).
 ///
-/// Coordinates are rounded to single precision, which halves the memory traffic. Rounding is monotone: a number that is not
-/// greater than another before rounding is not greater after it. So boxes that meet still meet, in any rounding mode.
+/// Coordinates are rounded to single precision, which halves the memory traffic. Rounding is
+/// monotone: a number that is not greater than another before rounding is not greater after it. So
+/// boxes that meet still meet, in any rounding mode.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct MovingBox<const T: usize> {

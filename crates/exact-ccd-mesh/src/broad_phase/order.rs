@@ -11,11 +11,12 @@ const BITS: u32 = 12;
 /// Up to this number, points with the same key are not ordered further.
 const SMALL: usize = 8;
 
-/// The indices of some points along a curve that fills their box: D. Hilbert, *Über die stetige Abbildung einer Linie auf
-/// ein Flächenstück*, 1891.
+/// The indices of some points along a curve that fills their box: D. Hilbert, *Über die stetige
+/// Abbildung einer Linie auf ein Flächenstück*, 1891.
 ///
-/// If many points fall into one cell of the curve, they are ordered along a curve of their own. So points that are far
-/// away from all others cost a few more rounds, each with cells 2¹² times as small.
+/// If many points fall into one cell of the curve, they are ordered along a curve of their own. So
+/// points that are far away from all others cost a few more rounds, each with cells 2¹² times as
+/// small.
 pub(crate) fn order(points: &[Point], ids: Vec<u32>) -> Vec<u32> {
     let mut keyed: Vec<(u64, u32)> = ids.into_iter().map(|id| (0, id)).collect();
     sort(points, &mut keyed);
@@ -55,13 +56,14 @@ fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
     }
 }
 
-/// The bits of a cell's place along Hilbert's curve, distributed over the axes: J. Skilling, *Programming the Hilbert
-/// curve*, 2004.
+/// The bits of a cell's place along Hilbert's curve, distributed over the axes: J. Skilling,
+/// *Programming the Hilbert curve*, 2004.
 fn along_hilbert(mut cell: [u32; 3]) -> [u32; 3] {
     for level in (1..BITS).rev() {
         let below = (1 << level) - 1;
         for axis in 0..3 {
-            // If the bit is set, the lower bits of the first axis are flipped; if not, they are swapped with those of this axis.
+            // If the bit is set, the lower bits of the first axis are flipped; if not, they are
+            // swapped with those of this axis.
             let is_set = (cell[axis] >> level & 1).wrapping_neg();
             cell[0] ^= below & is_set;
             let swap = (cell[0] ^ cell[axis]) & below & !is_set;

@@ -8,7 +8,8 @@ use super::PairSink;
 use super::block::LANES;
 use super::boxes::Boxes;
 
-/// The largest number of pairs in a batch: as many as fit into the nearest cache, with the data of their primitives.
+/// The largest number of pairs in a batch: as many as fit into the nearest cache, with the data of
+/// their primitives.
 const CAPACITY: usize = 1024;
 
 /// Pairs of boxes that one thread has found, passed on in batches.
@@ -33,8 +34,8 @@ impl<'a, const T: usize> Pairs<'a, T> {
         }
     }
 
-    /// Pairs of two boxes in `boxes`, the smaller index first. Of two blocks, the later one must be the second argument of
-    /// [`add`](Self::add).
+    /// Pairs of two boxes in `boxes`, the smaller index first. Of two blocks, the later one must be
+    /// the second argument of [`add`](Self::add).
     pub(super) fn within(boxes: &'a Boxes<T>, sink: &'a PairSink<'a>) -> Self {
         Self {
             is_within: true,

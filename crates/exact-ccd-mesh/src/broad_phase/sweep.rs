@@ -11,8 +11,9 @@ use super::moving_box::MovingBox;
 use super::pairs::Pairs;
 use super::{BroadPhase, PairSink};
 
-/// Sweep and prune along one axis, over blocks of eight boxes that are near each other: J. Cohen, M. Lin, D. Manocha and
-/// M. Ponamgi, *I-COLLIDE: An interactive and exact collision detection system for large-scale environments*, 1995.
+/// Sweep and prune along one axis, over blocks of eight boxes that are near each other: J. Cohen,
+/// M. Lin, D. Manocha and M. Ponamgi, *I-COLLIDE: An interactive and exact collision detection
+/// system for large-scale environments*, 1995.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Sweep;
 
@@ -88,7 +89,8 @@ fn longest_axis<const T: usize>(boxes: &Boxes<T>) -> usize {
 
 /// Adds the pairs of each block with the blocks whose intervals begin inside its own.
 ///
-/// `later` returns the blocks from which on intervals begin later, and true if these blocks are the first in a pair.
+/// `later` returns the blocks from which on intervals begin later, and true if these blocks are the
+/// first in a pair.
 #[inline(always)]
 fn sweep<'i, const T: usize, S: Simd>(
     simd: S,

@@ -5,8 +5,8 @@
 pub enum Tolerance {
     /// In units of the full step.
     Absolute(f64),
-    /// In units of the free part of the step. If nothing is free after 100 halvings, the step counts as blocked from
-    /// the start.
+    /// In units of the free part of the step. If nothing is free after 100 halvings, the step
+    /// counts as blocked from the start.
     Relative(f64),
 }
 
@@ -29,12 +29,14 @@ impl Tolerance {
     }
 }
 
-/// A part of a step that is free of contact, from 0 to 1, found by bisection: algorithm 2 of B. Wang, Z. Ferguson, X. Jiang,
-/// M. Attene, D. Panozzo and T. Schneider, *Fast and Exact Root Parity for Continuous Collision Detection*, 2022.
+/// A part of a step that is free of contact, from 0 to 1, found by bisection: algorithm 2 of B.
+/// Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider, *Fast and Exact Root Parity
+/// for Continuous Collision Detection*, 2022.
 ///
-/// `is_free` decides if the step is free of contact up to a part of it. If the full step is free, the result is 1.
-/// Otherwise an interval whose lower end is free and whose upper end is not is halved until it is as narrow as the
-/// tolerance, or until no f64 lies between its ends. The lower end is the result. 0 counts as free and is not decided.
+/// `is_free` decides if the step is free of contact up to a part of it. If the full step is free,
+/// the result is 1. Otherwise an interval whose lower end is free and whose upper end is not is
+/// halved until it is as narrow as the tolerance, or until no f64 lies between its ends. The lower
+/// end is the result. 0 counts as free and is not decided.
 ///
 /// ```
 /// use exact_ccd_mesh::{Tolerance, bisect};

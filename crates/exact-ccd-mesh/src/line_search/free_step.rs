@@ -20,8 +20,8 @@ use crate::step::Step;
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub struct FreeStepOptions<'a> {
-    /// The part of the way to the earliest contact that is kept: above 0 and at most 1. The default is 0.9. With 1, the
-    /// step ends as near to the contact as rounding permits.
+    /// The part of the way to the earliest contact that is kept: above 0 and at most 1. The default
+    /// is 0.9. With 1, the step ends as near to the contact as rounding permits.
     pub keep: f64,
     /// Called with the number of pairs examined since the last call, from any thread.
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
@@ -73,27 +73,30 @@ impl fmt::Debug for FreeStepOptions<'_> {
 
 /// A step that is free of contact.
 ///
-/// Unless `size` is 0, the straight motion from the start to `positions` has been checked to be free of contact, exactly,
-/// for the positions as they are, rounded.
+/// Unless `size` is 0, the straight motion from the start to `positions` has been checked to be
+/// free of contact, exactly, for the positions as they are, rounded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeStep {
-    /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full step. It is 1 if the
-    /// full step is free of contact. It is 0 if the mesh touches itself at the start, or if the contact comes before any
-    /// rounded position: then no motion is certified.
+    /// The part of the full step that is taken, from 0 to 1; at most the time of impact of the full
+    /// step. It is 1 if the full step is free of contact. It is 0 if the mesh touches itself at the
+    /// start: then no motion is certified. If it is tiny, the rounded positions may be those at the
+    /// start.
     pub size: f64,
-    /// The positions at its end: those at the start if the size is 0, and those at the end of the full step if it is 1.
+    /// The positions at its end: those at the start if the size is 0, and those at the end of the
+    /// full step if it is 1.
     pub positions: Vec<Point>,
     /// The earliest contact of the full step, or `None` if the full step is free of contact.
     pub contact: Option<Contact>,
 }
 
 impl<B: BroadPhase> Detector<B> {
-    /// The largest step from positions `x0` towards positions `x1` that is certified to be free of contact, with a part of
-    /// the way to the earliest contact left over.
+    /// The largest step from positions `x0` towards positions `x1` that is certified to be free of
+    /// contact, with a part of the way to the earliest contact left over.
     ///
-    /// The size is `keep` times the time of impact, rounded down, of the full step. The positions there, by [`Step::at`],
-    /// are rounded, and the step from `x0` to them is checked exactly. If it is not free, the size is reduced by one, two,
-    /// four, … units in its last place until it is.
+    /// The size is `keep` times the time of impact, rounded down, of the full step. The positions
+    /// there, by [`Step::at`], are rounded, and the step from `x0` to them is checked exactly. If
+    /// it is not free, the size is reduced by one, two, four, … units in its last place until it
+    /// is.
     ///
     /// ```
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};
@@ -124,8 +127,8 @@ impl<B: BroadPhase> Detector<B> {
         free_step(search, step, |size| step.at(size), options)
     }
 
-    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The positions at a size α are those
-    /// of [`advance`]: x₀ + fl(α d), rounded.
+    /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The positions
+    /// at a size α are those of [`advance`]: x₀ + fl(α d), rounded.
     ///
     /// # Errors
     /// As [`free_step`](Self::free_step); [`LineSearchError::Direction`] names the part of the direction that is wrong.

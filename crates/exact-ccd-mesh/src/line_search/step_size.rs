@@ -27,18 +27,19 @@ pub enum LineSearch<'a> {
     },
 }
 
-/// The largest step along a direction: the positions `start` + α `direction`, rounded, can be reached from `start`
-/// without contact.
+/// The largest step along a direction: the positions `start` + α `direction`, rounded, can be
+/// reached from `start` without contact.
 ///
-/// The result is in [0, 1]; 1 if the full step is free, 0 if the mesh touches itself at the start. Unless it is 0, with
-/// [`LineSearch::Exact`], and with the method [`Exact`](exact_ccd::Exact), the step from `start` to
-/// [`advance`]`(start, direction, α)` has been checked to be free of contact, exactly, for the rounded positions.
+/// The result is in [0, 1]; 1 if the full step is free, 0 if the mesh touches itself at the start.
+/// Unless it is 0, with [`LineSearch::Exact`], and with the method [`Exact`](exact_ccd::Exact), the
+/// step from `start` to [`advance`]`(start, direction, α)` has been checked to be free of contact,
+/// exactly, for the rounded positions.
 ///
-/// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two, four, … units in its last
-/// place: the first of these for which the step is free. It is the size of
-/// [`Detector::free_step_along`](crate::Detector::free_step_along) that keeps all of the way. A bisection returns a step
-/// that is smaller by up to its tolerance. Both hold up to the rounding of the positions: where that decides, a larger
-/// step can be free again.
+/// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two,
+/// four, … units in its last place: the first of these for which the step is free. It is the size
+/// of [`Detector::free_step_along`](crate::Detector::free_step_along) that keeps all of the way. A
+/// bisection returns a step that is smaller by up to its tolerance. Both hold up to the rounding of
+/// the positions: where that decides, a larger step can be free again.
 ///
 /// # Errors
 /// [`LineSearchError`] names the positions or parts of the direction that are too many, too few or not finite.
@@ -73,7 +74,8 @@ pub fn step_size(
             if value.is_nan() || value <= 0.0 {
                 return Err(LineSearchError::Tolerance(value));
             }
-            // Rounding is monotone: in a smaller step, no coordinate leaves the box of the full one.
+            // Rounding is monotone: in a smaller step, no coordinate leaves the box of the full
+            // one.
             let candidates = Candidates::new(full, &Bvh);
             Ok(bisect(tolerance, |size| {
                 let end = advance(start, direction, size);

@@ -1,0 +1,161 @@
+//! Questions to candidates against loops over all pairs.
+
+use std::ops::ControlFlow;
+
+use exact_ccd::parity::RootParity;
+use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, VertexFace};
+use exact_ccd_mesh::{
+    AllPairs, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, DistanceError, PairCollector, Step,
+    StepError, Sweep, TriangleMesh,
+};
+use fastrand::Rng;
+
+use crate::scene::{Scene, contacts, on_threads};
+
+#[test]
+fn contacts_of_candidates_are_those_of_all_pairs() {
+    let mut random = Rng::with_seed(5);
+    let mut between = 0;
+    for _ in 0..150 {
+        let (scene, _) = Scene::pieces(&mut random);
+        let step = scene.step();
+        let expected = contacts(step, &scene.pairs(&CanCollide::all()));
+        let candidates = Candidates::new(step, &Bvh);
+        assert_eq!(candidates.contacts(step), expected);
+        assert_eq!(candidates.earliest_contact(step), expected.first().copied());
+        assert_eq!(candidates.is_free(step), expected.is_empty());
+        for until in [-1.0, 0.0, 0.3, 1.0, 2.0, f64::NAN]
+            .into_iter()
+            .chain(expected.iter().map(|contact| contact.impact.time.lower()))
+        {
+            let until_then: Vec<_> = expected
+                .iter()
+                .filter(|contact| {
+                    let time = contact.impact.time;
+                    time.lower() < until || time.is_exact() && time.lower() == until
+                })
+                .copied()
+                .collect();
+            between += usize::from(!until_then.is_empty() && until_then.len() < expected.len());
+            assert_eq!(candidates.contacts_until(step, until), until_then, "{until}");
+        }
+    }
+    assert!(between > 100, "{between}");
+}
+
+#[test]
+fn methods_decide_candidates_one_by_one() {
+    let mut random = Rng::with_seed(6);
+    let mut free = 0;
+    for _ in 0..150 {
+        let (scene, _) = Scene::pieces(&mut random);
+        let step = scene.step();
+        let candidates = Candidates::new(step, &Bvh);
+        let methods: [&dyn Ccd; 2] = [&Exact, &RootParity];
+        for method in methods {
+            let faces = candidates.vertex_face().iter().filter_map(|&[vertex, face]| {
+                let query = step.vertex_face(vertex, face).unwrap();
+                Decide::<VertexFace>::time_of_impact(method, &query)
+            });
+            let edges = candidates.edge_edge().iter().filter_map(|&[a, b]| {
+                let query = step.edge_edge(a, b).unwrap();
+                Decide::<EdgeEdge>::time_of_impact(method, &query)
+            });
+            let expected = faces.chain(edges).reduce(f64::min);
+            assert_eq!(candidates.earliest_time_by(step, method), expected);
+            assert_eq!(candidates.is_free_by(step, method), expected.is_none());
+            free += usize::from(expected.is_none());
+        }
+        assert_eq!(candidates.is_free_by(step, &Exact), candidates.is_free(step));
+    }
+    assert!(free > 10 && free < 290, "{free}");
+}
+
+#[test]
+fn stored_and_streamed_candidates_are_the_same_with_every_broad_phase() {
+    let mut random = Rng::with_seed(7);
+    for _ in 0..60 {
+        let (scene, scale) = Scene::pieces(&mut random);
+        let step = scene.step();
+        for boxes in [BoxKind::Swept, BoxKind::Moving] {
+            for distance in [0.0, 0.2 * scale] {
+                let options = CandidateOptions::default()
+                    .with_distance(distance)
+                    .with_boxes(boxes);
+                let stored = Candidates::with_options(step, &Bvh, &options).unwrap();
+                assert_eq!(Candidates::with_options(step, &Sweep, &options).unwrap(), stored);
+                let [faces, edges] = [PairCollector::default(), PairCollector::default()];
+                let flow = Candidates::stream(
+                    step,
+                    &AllPairs,
+                    &options,
+                    &|pairs| faces.add(pairs.iter().copied()),
+                    &|pairs| edges.add(pairs.iter().copied()),
+                );
+                assert_eq!(flow.unwrap(), ControlFlow::Continue(()));
+                let streamed = Candidates::from_ids(faces.into_sorted(), edges.into_sorted());
+                assert_eq!(streamed, stored);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_number_of_threads_does_not_matter() {
+    let mut random = Rng::with_seed(8);
+    for _ in 0..5 {
+        let scene = Scene::sheets(&mut random, 12, 0.0, 3.0);
+        let step = scene.step();
+        let options = CandidateOptions::default()
+            .with_boxes(BoxKind::Moving)
+            .with_distance(0.1);
+        let [on_one, on_two, on_five] = [1, 2, 5].map(|threads| {
+            on_threads(threads, || {
+                let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
+                let contacts = candidates.contacts(step);
+                assert_eq!(candidates.earliest_contact(step), contacts.first().copied());
+                (candidates, contacts)
+            })
+        });
+        assert!(on_one.1.len() > 100);
+        assert_eq!(on_one, on_two);
+        assert_eq!(on_one, on_five);
+    }
+}
+
+#[test]
+fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
+    let (scene, _) = Scene::pieces(&mut Rng::with_seed(9));
+    let nonsense = Candidates::from_ids(vec![[u32::MAX, 0], [0, u32::MAX]], vec![[1000, 0], [u32::MAX; 2]]);
+    assert_eq!(nonsense.counts().total(), 4);
+    assert!(nonsense.is_free(scene.step()));
+    assert!(nonsense.is_free_by(scene.step(), &RootParity));
+    assert_eq!(nonsense.contacts(scene.step()), []);
+    assert_eq!(nonsense.earliest_time_by(scene.step(), &Exact), None);
+    assert!(Candidates::default().is_empty());
+}
+
+#[test]
+fn distances_that_are_no_distances_are_errors() {
+    let (scene, _) = Scene::pieces(&mut Rng::with_seed(10));
+    for distance in [-1.0, f64::NEG_INFINITY, f64::NAN] {
+        let options = CandidateOptions::default().with_distance(distance);
+        let DistanceError(found) = Candidates::with_options(scene.step(), &Bvh, &options).unwrap_err();
+        assert_eq!(found.to_bits(), distance.to_bits());
+    }
+    // Everything is within an infinite distance.
+    let options = CandidateOptions::default().with_distance(f64::INFINITY);
+    for boxes in [BoxKind::Swept, BoxKind::Moving] {
+        let options = options.clone().with_boxes(boxes);
+        let candidates = Candidates::with_options(scene.step(), &Bvh, &options).unwrap();
+        assert_eq!(candidates, scene.pairs(&CanCollide::all()));
+    }
+}
+
+#[test]
+#[cfg(target_pointer_width = "64")]
+fn meshes_with_more_primitives_than_indices_are_errors() {
+    let mesh = TriangleMesh::new(1 << 32, vec![]).unwrap();
+    let error = Step::new(&mesh, &[], &[]).unwrap_err();
+    assert!(matches!(error, StepError::TooManyPrimitives(error) if error.count == 1 << 32));
+}
