@@ -224,7 +224,8 @@ fn a_silent_program_is_an_error() {
     assert!(error.ends_with("no answer within 1.5 s"), "{error}");
 }
 
-/// The exact method answers all queries of this data set and of the next one, and the table has the peer's rows.
+/// The exact method answers all queries of this data set and of the next one, and the table has the
+/// peer's rows.
 fn a_comparison_goes_on_without_a_peer_that_has_failed() {
     let mut subjects = Subjects::new(1000);
     (0..300).for_each(|i| subjects.add(Subject::new(falling(f64::from(i)), None)));

@@ -62,7 +62,8 @@ impl From<f64> for Interval {
     }
 }
 
-/// fl(a + b) and whether it is the sum: what Knuth's error term leaves out is zero. The sum of two f64 never underflows.
+/// fl(a + b) and whether it is the sum: what Knuth's error term leaves out is zero. The sum of two
+/// f64 never underflows.
 fn sum(a: f64, b: f64) -> (f64, bool) {
     let sum = a + b;
     let of_b = sum - a;
@@ -101,7 +102,8 @@ impl Sub for Interval {
     }
 }
 
-/// fl(a · b), moved by one ulp unless a factor is zero; the ends of an interval may be infinite, and stand for large numbers.
+/// fl(a · b), moved by one ulp unless a factor is zero; the ends of an interval may be infinite,
+/// and stand for large numbers.
 fn product(a: f64, b: f64, outward: impl Fn(f64) -> f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { outward(a * b) }
 }

@@ -132,12 +132,12 @@ fn in_general_position() -> impl Iterator<Item = [[Point; 4]; 2]> {
     (0..5000).map(move |_| points.new_tree(&mut runner).unwrap().current())
 }
 
-/// How many contacts there are, how many of them are missed, and how many are invented.
+/// The numbers of contacts, of false negatives and of false positives.
 #[derive(Default)]
 struct Tally {
     contacts: usize,
-    missed: usize,
-    invented: usize,
+    false_negatives: usize,
+    false_positives: usize,
 }
 
 impl FromIterator<(bool, bool)> for Tally {
@@ -146,8 +146,8 @@ impl FromIterator<(bool, bool)> for Tally {
             .into_iter()
             .fold(Self::default(), |tally, (truth, answer)| Self {
                 contacts: tally.contacts + usize::from(truth),
-                missed: tally.missed + usize::from(truth && !answer),
-                invented: tally.invented + usize::from(!truth && answer),
+                false_negatives: tally.false_negatives + usize::from(truth && !answer),
+                false_positives: tally.false_positives + usize::from(!truth && answer),
             })
     }
 }
@@ -175,11 +175,15 @@ fn tally_of_faces(method: &dyn Ccd) -> Tally {
 fn almost_all_contacts_in_general_position_are_found_with_a_distance() {
     for tally in [tally_of_edges(&SOME_DISTANCE), tally_of_faces(&SOME_DISTANCE)] {
         assert!(
-            tally.contacts > 100 && tally.missed * 100 < tally.contacts,
+            tally.contacts > 100 && tally.false_negatives * 100 < tally.contacts,
             "{}",
-            tally.missed
+            tally.false_negatives
         );
-        assert!(tally.invented * 100 < tally.contacts, "{}", tally.invented);
+        assert!(
+            tally.false_positives * 100 < tally.contacts,
+            "{}",
+            tally.false_positives
+        );
     }
 }
 
@@ -190,20 +194,28 @@ fn most_contacts_in_general_position_are_found_by_the_minimum_separation() {
         tally_of_faces(&minimum_separation()),
     ] {
         assert!(
-            tally.contacts > 100 && tally.missed * 10 < tally.contacts,
+            tally.contacts > 100 && tally.false_negatives * 10 < tally.contacts,
             "{}",
-            tally.missed
+            tally.false_negatives
         );
-        assert!(tally.invented * 100 < tally.contacts, "{}", tally.invented);
+        assert!(
+            tally.false_positives * 100 < tally.contacts,
+            "{}",
+            tally.false_positives
+        );
     }
 }
 
 #[test]
 fn a_third_of_the_contacts_in_general_position_is_missed_without_a_distance() {
     let tally = tally_of_edges(&NO_DISTANCE);
-    let share = tally.missed as f64 / tally.contacts as f64;
+    let share = tally.false_negatives as f64 / tally.contacts as f64;
     assert!((0.2..0.6).contains(&share), "{share}");
-    assert!(tally.invented * 100 < tally.contacts, "{}", tally.invented);
+    assert!(
+        tally.false_positives * 100 < tally.contacts,
+        "{}",
+        tally.false_positives
+    );
 }
 
 proptest! {

@@ -1,9 +1,10 @@
-//! What each stage costs, from one query to a whole step, on generated input.
+//! The cost of each stage, from one query to a whole step, on generated input.
 //!
 //! `cargo bench -p exact-ccd-bench --bench stages [-- NAME...]`
 //!
-//! A scalar benchmark asks about a thousand queries that all are settled at one stage: a µs of it is a ns a query.
-//! Those of a batch, of boxes and of steps say how many queries, boxes or candidates there are to a second.
+//! A scalar benchmark asks about a thousand queries that all are settled at one stage: a µs of it
+//! is a ns a query. Those of a batch, of boxes and of steps say how many queries, boxes or
+//! candidates there are to a second.
 
 #[path = "../../examples/scaling/cloth.rs"]
 mod cloth;
@@ -28,7 +29,7 @@ fn main() {
     divan::main();
 }
 
-/// How many queries are asked about in turn.
+/// The number of queries that are answered in turn.
 const QUERIES: usize = 1000;
 
 /// The queries over and over, as many as are wanted.

@@ -3,9 +3,9 @@
 use exact_ccd::{Kind, Point, Query, Stage};
 use fastrand::Rng;
 
-/// How many different ones there are, at most.
+/// The largest number of different queries.
 const DIFFERENT: usize = 64;
-/// How many are looked through.
+/// The number of queries that are tried.
 const TRIES: usize = 20_000;
 
 /// Queries that `stage` settles when asked whether they collide.

@@ -29,8 +29,8 @@ impl View {
         points.map(|point| self.see(point))
     }
 
-    /// Draws patches of the stated classes, cut into n × n, what is behind first, and the fainter the more their side is
-    /// turned away from the light.
+    /// Draws patches of the stated classes, cut into n × n, what is behind first, and the fainter
+    /// the more their side is turned away from the light.
     pub(crate) fn draw_patches(&self, drawing: &mut Drawing, n: u32, patches: &[(&str, Patch)]) {
         let mut cells: Vec<_> = patches
             .iter()
@@ -43,8 +43,8 @@ impl View {
         }
     }
 
-    /// Draws the origin and the ray from it along x, to a length, with its crossings; in the class `odd` where an odd
-    /// number of them is ahead.
+    /// Draws the origin and the ray from it along x, to a length, with its crossings; in the class
+    /// `odd` where an odd number of them is ahead.
     pub(crate) fn draw_ray(&self, drawing: &mut Drawing, odd: &str, length: f64, mut crossings: Vec<f64>) {
         crossings.sort_by(f64::total_cmp);
         let at = |x: f64| self.see([x, 0.0, 0.0]);
@@ -83,7 +83,7 @@ pub(crate) fn cross(a: Point, b: Point) -> Point {
     ]
 }
 
-/// How much light a cell has, from 0 to 1.
+/// The brightness of a cell, from 0 to 1.
 fn brightness([a, b, c, d]: [Point; 4]) -> f64 {
     const LIGHT: Point = [-0.6, -0.48, 0.64];
     let normal = cross(minus(c, a), minus(d, b));

@@ -1,4 +1,5 @@
-//! A bilinear patch in its tetrahedron, four places of the origin, and the two triangles that stand for the patch.
+//! A bilinear patch in its tetrahedron, four places of the origin, and the two triangles that stand
+//! for the patch.
 
 use exact_ccd::Point;
 

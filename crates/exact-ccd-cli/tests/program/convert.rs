@@ -1,4 +1,4 @@
-//! What `exact-ccd convert` makes of query files and scenes.
+//! The output of `exact-ccd convert` for query files and scenes.
 
 use std::fs;
 

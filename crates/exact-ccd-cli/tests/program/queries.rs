@@ -1,4 +1,4 @@
-//! What `exact-ccd queries` answers.
+//! The answers of `exact-ccd queries`.
 
 use exact_ccd::{ContactTime, EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
@@ -27,7 +27,8 @@ pub(crate) fn slide() -> Query<VertexFace> {
     against_resting_face([-0.25, 0.25, 0.0], [0.25, 0.25, 0.0])
 }
 
-/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at z = 1/8: t (1 − t) = 1/8, twice.
+/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at z = 1/8: t (1 −
+/// t) = 1/8, twice.
 fn pass_twice() -> Query<VertexFace> {
     Query::<VertexFace>::new(
         [[1.0, 0.0, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],

@@ -1,4 +1,4 @@
-//! What `exact-ccd round` makes of meshes.
+//! The output of `exact-ccd round` for meshes.
 
 use exact_ccd_mesh::{Frame, Motion};
 

@@ -1,4 +1,4 @@
-//! Parquet files: there and back without loss, and what is wrong with those that are damaged or foreign.
+//! Parquet files: lossless round trips, files of other software, and the errors of damaged ones.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -45,7 +45,7 @@ impl Reader {
         ColumnReader::open(&self.file())?.records().collect()
     }
 
-    /// What is wrong with the file, in one line that begins with its name.
+    /// The error, without the name of the file at its beginning.
     #[track_caller]
     fn error<K: DataKind>(&self, bytes: &[u8]) -> String {
         let error = self.read::<K>(bytes).err().unwrap().to_string();
@@ -56,7 +56,7 @@ impl Reader {
     }
 }
 
-/// All that there is in a record, each f64 as its bits.
+/// The fields of a record, each f64 as its bits.
 fn bits<K: DataKind>(record: &Record<K>) -> impl PartialEq + std::fmt::Debug + use<K> {
     let Record {
         sample,
@@ -155,7 +155,7 @@ proptest! {
     }
 }
 
-/// A record with everything in it; the number makes it different from others.
+/// A record with all fields, which depend on the number.
 fn full(number: u32) -> Record<VertexFace> {
     let mut points = [[[0.0; 3]; 4]; 2];
     for (index, x) in points
@@ -212,7 +212,7 @@ fn files_cut_short_are_an_error() {
     }
 }
 
-/// Whatever byte is wrong, nothing worse than an error happens, and no answer is another. The queries are under checksums.
+/// A wrong byte is an error or changes no query: the queries have checksums.
 #[test]
 fn damage_is_an_error_or_does_not_matter() {
     let records = [full(0), full(1), full(2)];
@@ -238,7 +238,8 @@ fn damage_is_an_error_or_does_not_matter() {
 #[test]
 fn pages_that_are_too_large_are_refused() {
     let mut bytes = written(&[full(0)]);
-    // The first page: its type is dictionary, and its size is a number of one byte, which five bytes now stand for.
+    // The first page: its type is dictionary, and its size is a number of one byte, which five
+    // bytes now stand for.
     assert_eq!(bytes[4..8], [0x15, 0x04, 0x15, bytes[7] & 0x7f]);
     bytes.splice(7..8, [0x80, 0x80, 0x80, 0x80, 0x08]);
     let error = Reader::new().error::<VertexFace>(&bytes);
@@ -248,7 +249,8 @@ fn pages_that_are_too_large_are_refused() {
     );
 }
 
-/// The columns of a query as other software writes them: all of them nullable, in another order, with one more.
+/// The columns of a query as other software writes them: all of them nullable, in another order,
+/// with one more.
 const FOREIGN: &str = "message schema {
     optional int64 more;
     optional int64 id_b;

@@ -7,16 +7,17 @@ use super::number::Number;
 
 /// A number that differs from `value` by at most `error`.
 ///
-/// The bound runs along with the computation: it is as tight as the numbers that occur allow, where an a-priori bound has
-/// to be right for the largest. An infinite or undefined bound says that nothing is known.
+/// The bound runs along with the computation: it is as tight as the numbers that occur allow, where
+/// an a-priori bound has to be right for the largest. An infinite or undefined bound says that
+/// nothing is known.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounded {
     value: f64,
     error: f64,
 }
 
-/// The rounding error of an operation relative to its result is at most ε/2; the other half pays for the rounding of the
-/// bound itself, up to [`SLACK`].
+/// The rounding error of an operation relative to its result is at most ε/2; the other half pays
+/// for the rounding of the bound itself, up to [`SLACK`].
 const UNIT: f64 = f64::EPSILON;
 
 /// More than a product or its error bound loses to underflow.

@@ -1,12 +1,14 @@
 //! The zeros of a real polynomial, by the three-stage algorithm of Jenkins and Traub.
 //!
-//! M. A. Jenkins and J. F. Traub, *A Three-Stage Algorithm for Real Polynomials Using Quadratic Iteration*, SIAM Journal
-//! on Numerical Analysis 7(4), 1970. What the paper leaves open (limits of iterations, when to stop) is as in M. A.
-//! Jenkins, *Algorithm 493: Zeros of a Real Polynomial*, ACM Transactions on Mathematical Software 1(2), 1975.
+//! M. A. Jenkins and J. F. Traub, *A Three-Stage Algorithm for Real Polynomials Using Quadratic
+//! Iteration*, SIAM Journal on Numerical Analysis 7(4), 1970. What the paper leaves open (limits of
+//! iterations, when to stop) is as in M. A. Jenkins, *Algorithm 493: Zeros of a Real Polynomial*,
+//! ACM Transactions on Mathematical Software 1(2), 1975.
 //!
-//! A sequence of polynomials K, of one degree less than P, comes to be P without its smallest zeros. Each step takes
-//! from K the multiple of P that makes it divisible by z (first stage), by a fixed quadratic σ (second stage), or by the
-//! latest estimate of a factor of P (third stage), and divides.
+//! A sequence of polynomials K, of one degree less than P, comes to be P without its smallest
+//! zeros. Each step takes from K the multiple of P that makes it divisible by z (first stage), by a
+//! fixed quadratic σ (second stage), or by the latest estimate of a factor of P (third stage), and
+//! divides.
 
 use arrayvec::ArrayVec;
 
@@ -25,8 +27,8 @@ impl Zero {
     }
 }
 
-/// The zeros of a polynomial, the smaller ones roughly first. All of them, unless an iteration does not converge or a
-/// coefficient is not finite: then those found before.
+/// The zeros of a polynomial, the smaller ones roughly first. All of them, unless an iteration does
+/// not converge or a coefficient is not finite: then those found before.
 pub(super) fn zeros(polynomial: &Polynomial) -> ArrayVec<Zero, MAX_DEGREE> {
     let mut p = normalized(polynomial.trimmed());
     let mut zeros = ArrayVec::new();
@@ -133,16 +135,18 @@ fn divide(p: &Polynomial, sigma: Quadratic) -> (Polynomial, Remainder) {
     )
 }
 
-/// What is so small in sums of terms of this size that it counts as zero.
+/// The bound below which sums of terms of this size count as zero.
 fn negligible(size: f64) -> f64 {
     10.0 * f64::EPSILON * size.abs()
 }
 
-/// A factor of P with its smallest zero or pair of zeros. P has at least degree three and does not vanish at zero.
+/// A factor of P with its smallest zero or pair of zeros. P has at least degree three and does not
+/// vanish at zero.
 fn factor(p: &Polynomial) -> Option<Factor> {
     let start = (0..5).fold(derivative(p), |k, _| step_without_shift(p, &k));
     let radius = zero_free_radius(p);
-    // Another direction whenever one does not converge, by an angle of which no small multiple is a full turn.
+    // Another direction whenever one does not converge, by an angle of which no small multiple is a
+    // full turn.
     (1..=20_u32).find_map(|attempt| {
         let angle = (94.0 * f64::from(attempt) - 45.0).to_radians();
         let sigma = Quadratic {
@@ -159,7 +163,8 @@ fn derivative(p: &Polynomial) -> Polynomial {
     Polynomial::from_fn(n - 1, |i| (i + 1) as f64 * p.coefficients()[i + 1] / n as f64)
 }
 
-/// A lower bound on the absolute values of the zeros, to two digits: the positive zero of |cₙ| xⁿ + … + |c₁| x − |c₀|.
+/// A lower bound on the absolute values of the zeros, to two digits: the positive zero of |cₙ| xⁿ +
+/// … + |c₁| x − |c₀|.
 fn zero_free_radius(p: &Polynomial) -> f64 {
     let c = p.coefficients();
     let bound = Polynomial::from_fn(p.degree(), |i| if i == 0 { -c[0].abs() } else { c[i].abs() });
@@ -200,8 +205,9 @@ fn step_without_shift(p: &Polynomial, k: &Polynomial) -> Polynomial {
 
 /// The next K for the shifts at the zeros of σ, with the leading coefficient of P if possible.
 ///
-/// It is (k₀ K + (z + k₁) P) / σ. With P = σ Q + b (z + u) + a and K = σ R + d (z + u) + c, that is a polynomial if
-/// k₀ = (a² + u a b + v b²) / (b c − a d) and k₁ = −(a c + u a d + v b d) / (b c − a d).
+/// It is (k₀ K + (z + k₁) P) / σ. With P = σ Q + b (z + u) + a and K = σ R + d (z + u) + c, that is
+/// a polynomial if k₀ = (a² + u a b + v b²) / (b c − a d) and k₁ = −(a c + u a d + v b d) / (b c −
+/// a d).
 fn step(p: &Polynomial, k: &Polynomial, sigma: Quadratic) -> Polynomial {
     let Quadratic { u, v } = sigma;
     let (q, Remainder { a, b }) = divide(p, sigma);
@@ -224,8 +230,8 @@ fn step(p: &Polynomial, k: &Polynomial, sigma: Quadratic) -> Polynomial {
 
 /// The quadratic factor of P that K and σ suggest.
 ///
-/// If K is P without two zeros, it satisfies K + u K′ + v K″ = 0 modulo σ, where each dash is a step without a shift and
-/// z² + u z + v has these zeros.
+/// If K is P without two zeros, it satisfies K + u K′ + v K″ = 0 modulo σ, where each dash is a
+/// step without a shift and z² + u z + v has these zeros.
 fn estimate(p: &Polynomial, k: &Polynomial, sigma: Quadratic) -> Option<Quadratic> {
     let Quadratic { u, v } = sigma;
     // A residue α z + β modulo σ as [α, β], and its product with 1 / z.
@@ -241,7 +247,8 @@ fn estimate(p: &Polynomial, k: &Polynomial, sigma: Quadratic) -> Option<Quadrati
     let ratio = h[0] / c[0];
     let next_ratio = (h[1] - ratio * c[1]) / c[0];
     let of_p = residue(p);
-    // K / z and K / z² modulo σ, and by how much K′ and K″ differ from them: as P is nearly zero there, by little.
+    // K / z and K / z² modulo σ, and by how much K′ and K″ differ from them: as P is nearly zero
+    // there, by little.
     let first = over_z(residue(k));
     let second = over_z(first);
     let first_off = over_z(combine(-ratio, of_p, 0.0, of_p));
@@ -261,7 +268,7 @@ fn estimate(p: &Polynomial, k: &Polynomial, sigma: Quadratic) -> Option<Quadrati
 struct Sequence {
     value: f64,
     change: f64,
-    /// What the product of two successive relative changes must be less than.
+    /// The bound of the product of two successive relative changes.
     threshold: f64,
 }
 
@@ -289,8 +296,8 @@ impl Sequence {
     }
 }
 
-/// The second stage: steps with the same σ until the estimates of a zero or of a quadratic factor converge, and from there
-/// the third.
+/// The second stage: steps with the same σ until the estimates of a zero or of a quadratic factor
+/// converge, and from there the third.
 fn fixed_shift(p: &Polynomial, mut k: Polynomial, sigma: Quadratic, limit: u32) -> Option<Factor> {
     let (mut linear, mut quadratic) = (Sequence::new(), Sequence::new());
     for _ in 0..limit {
@@ -425,8 +432,8 @@ fn linear_iteration(p: &Polynomial, mut k: Polynomial, mut s: f64) -> Option<Fac
     None
 }
 
-/// The running error bound of Horner's rule (N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, algorithm
-/// 5.1), from the quotient and the value.
+/// The running error bound of Horner's rule (N. J. Higham, *Accuracy and Stability of Numerical
+/// Algorithms*, algorithm 5.1), from the quotient and the value.
 fn linear_error(quotient: &Polynomial, value: f64, s: f64) -> f64 {
     let [lower @ .., leading] = quotient.coefficients() else {
         return 0.0;

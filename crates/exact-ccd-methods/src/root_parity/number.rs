@@ -7,7 +7,7 @@ use dashu_ratio::Relaxed;
 
 use crate::interval::Interval;
 
-/// What the predicates are computed in: intervals, expansions, or rational numbers.
+/// The numbers of the predicates: intervals, expansions, or rational numbers.
 pub(super) trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// A finite number.
     fn exactly(x: f64) -> Self;
