@@ -2,7 +2,7 @@
 
 use exact_ccd::Point;
 
-use crate::space::{between, cross, dot};
+use crate::vectors::{between, cross, dot};
 
 /// The patch with four corners, in cyclic order.
 #[derive(Clone, Copy)]

@@ -3,7 +3,7 @@
 use exact_ccd::Point;
 
 use crate::drawing::{Drawing, Pixel};
-use crate::space::cross;
+use crate::vectors::cross;
 
 /// The visible part of the plane x = 1: the ranges of y and of z.
 const FRAME: [[f64; 2]; 2] = [[-1.8, 3.0], [-1.5, 4.6]];

@@ -1,18 +1,19 @@
-//! Points in space, and how they are seen.
+//! The projection of points and patches in space.
 
 use exact_ccd::Point;
 
 use crate::drawing::{Drawing, Pixel};
 use crate::patch::Patch;
+use crate::vectors::{cross, dot, minus};
 
 /// An oblique projection: x to the right, z up, y away.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
-    /// Where the point 0 is seen.
+    /// The pixel of the point 0.
     pub(crate) centre: Pixel,
     /// Pixels per unit.
     pub(crate) scale: f64,
-    /// Where a unit of y is seen, in units to the right and up.
+    /// The displacement of a unit of y, in units to the right and up.
     pub(crate) away: [f64; 2],
 }
 
@@ -60,27 +61,6 @@ impl View {
             drawing.dot("crossing", at(x));
         }
     }
-}
-
-pub(crate) fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-/// The point a part of the way from one to another.
-pub(crate) fn between(a: Point, b: Point, part: f64) -> Point {
-    [0, 1, 2].map(|axis: usize| (1.0 - part) * a[axis] + part * b[axis])
-}
-
-pub(crate) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }
 
 /// The brightness of a cell, from 0 to 1.

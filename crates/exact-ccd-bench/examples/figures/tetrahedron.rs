@@ -5,7 +5,8 @@ use exact_ccd::Point;
 
 use crate::drawing::Drawing;
 use crate::patch::Patch;
-use crate::space::{View, minus};
+use crate::space::View;
+use crate::vectors::minus;
 
 /// The corners of the patch.
 const CORNERS: [Point; 4] = [
