@@ -4,10 +4,10 @@
 //! `cargo bench -p exact-ccd-bench --bench kernel [-- SCENE...]`, on one thread, over the published
 //! data sets.
 //!
-//! The scenes and kinds take turns for some rounds; a figure is the median over these. A single
-//! query is built from the positions of the mesh each time, as a simulator would do; a batch is
-//! asked about the same queries by their vertices. The time of one colliding query is the least of
-//! some attempts, so that the worst of them tells of a query and not of the scheduler.
+//! The scenes and kinds take turns for some rounds; a figure is the median over the rounds. A single
+//! query is built from the positions of the mesh each time, as in a simulator; a batch has the same
+//! queries by their vertices. The time of one colliding query is the least of some attempts, so that
+//! the worst time is due to a query and not to the scheduler.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -51,7 +51,7 @@ fn main() -> Result<(), DataError> {
     Ok(())
 }
 
-/// Candidates of one kind in one scene, and what was measured on them. All times are in nanoseconds.
+/// Candidates of one kind in one scene, and their measurements. All times are in nanoseconds.
 #[derive(Clone)]
 struct Batch<'a> {
     name: String,
@@ -147,7 +147,7 @@ impl<'a> Batch<'a> {
         } = self.functions;
         let (step, pairs) = (&self.step, &self.pairs[..]);
         let (trajectories, vertices) = (&self.trajectories, &self.vertices[..]);
-        // Small batches are asked often enough for the clock and the caches not to matter.
+        // Small batches are repeated until the clock and the caches do not matter.
         let repetitions = LARGE.div_ceil(pairs.len().max(1));
         let mean = |count: &dyn Fn() -> usize| {
             let clock = Instant::now();

@@ -32,7 +32,7 @@ fn near_degenerate(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Poi
     })
 }
 
-/// Two primitives of which one, of so many points, moves without turning, at coordinates that hit
+/// Two primitives, of which the one with the first `moving` points translates, at coordinates that hit
 /// nothing by chance.
 fn translation(moving: usize) -> impl Strategy<Value = Points> {
     let coordinate = -1_000_000..=1_000_000i32;

@@ -180,7 +180,7 @@ fn tight_inclusion_keeps_a_separation() {
         ..Default::default()
     };
     assert_eq!(with(0.49).time_of_impact(&query), None);
-    // The separation is reached at t = 1/2, over an area of (u, v) that has more boxes than it looks at.
+    // The separation is reached at t = 1/2, over an area of (u, v) that has more boxes than its limit.
     let time = with(0.75).time_of_impact(&query).unwrap();
     assert!(time <= 0.5 && time > 0.4, "{time}");
 }

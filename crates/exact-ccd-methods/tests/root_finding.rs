@@ -1,4 +1,4 @@
-//! The floating-point root finders: what they find, what they miss, and what they invent.
+//! The floating-point root finders: contacts, false negatives and false positives.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
 use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
@@ -96,7 +96,7 @@ fn short_edges_are_missed() {
     assert_eq!(minimum_separation().time_of_impact(&query), None);
 }
 
-/// The corner that swings over turns the normal, of which the method only knows the direction at t = 0.
+/// A corner swings over and turns the normal, but the method uses the direction at t = 0.
 #[test]
 fn a_turning_face_is_missed() {
     let p = [0.25, -0.2, 0.225];

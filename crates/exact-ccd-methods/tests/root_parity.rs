@@ -86,7 +86,7 @@ proptest! {
     }
 }
 
-/// Contact, as the methods and the kernel say: published, rational, exact.
+/// The decisions of the published method, the rational one and the kernel.
 fn contacts(query: &Query<VertexFace>) -> [bool; 3] {
     let published = BrochuRootParity::default().collides(query);
     let rational = RationalRootParity.collides(query);

@@ -137,7 +137,7 @@ fn draw_accuracy<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
     draw_symbols_legend(area, table)
 }
 
-/// In per cent: of the queries that do not collide, those said to; of those that collide, those said not to.
+/// The rates of false positives and of false negatives, in per cent.
 fn error_rates(row: &Row) -> [f64; 2] {
     let rate = |wrong: usize, of: usize| 100.0 * wrong as f64 / of.max(1) as f64;
     [

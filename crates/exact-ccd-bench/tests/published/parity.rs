@@ -1,4 +1,4 @@
-//! Root parity on the published queries: what it is by the definition of contact, and what it misses.
+//! Root parity on the published queries: the parity by the definition of contact, and the false negatives.
 
 use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{EdgeEdge, Query, VertexFace};

@@ -90,7 +90,7 @@ fn blanks_and_line_breaks_do_not_matter() {
 fn answers_are_compared_with_the_ground_truth() {
     let folder = Folder::new();
     let right = rows(&pass(), ",1") + &rows(&miss(), ",0");
-    // Where the truth is wrong, an answer that is right looks false.
+    // If the ground truth is wrong, a right answer counts as false.
     let wrong = rows(&pass(), ",0") + &rows(&slide(), ",0") + &rows(&miss(), ",1");
     folder.write("right.csv", right);
     folder.write("wrong.csv", wrong);

@@ -8,8 +8,8 @@ use super::number::Number;
 /// A number that differs from `value` by at most `error`.
 ///
 /// The bound runs along with the computation: it is as tight as the numbers that occur allow, where
-/// an a-priori bound has to be right for the largest. An infinite or undefined bound says that
-/// nothing is known.
+/// an a-priori bound has to be right for the largest. An infinite or undefined bound means
+/// that the value is unknown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounded {
     value: f64,

@@ -132,7 +132,7 @@ impl<N: Number> Curve<N> {
 
     /// The signs of a linear polynomial at the roots, `Equal` also where they are open.
     ///
-    /// Between which roots of the cubic that of the linear polynomial lies is told by the signs of
+    /// The place of the root of the linear polynomial among those of the cubic follows from the signs of
     /// the cubic and its derivative there. If the sign of one end is open, the root may lie outside
     /// of [0, 1]: then the other end has the sign at all roots, and no other is returned.
     fn signs_at(&self, roots: Roots, linear: &[N; 2]) -> Option<[Ordering; 2]> {

@@ -32,15 +32,15 @@ use crate::interval::Interval;
 ///   contact here, as one on which a method fails does in the comparison. Of the 5,171 queries of a
 ///   twisted rod 190 are of this kind, 6 of which do not touch; of vertices and faces that move at
 ///   random, 40 % of those that do not touch are reported.
-/// - It misses every contact of primitives that are coplanar for the whole step, where no sign ever
+/// - Every contact of primitives that are coplanar for the whole step is a false negative: no sign ever
 ///   changes: 3 of 192 and 8 of 145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a
 ///   cloth that slides through a funnel.
-/// - A quartic that is zero at a root, or cannot be told from the cubic there, does not rule out
+/// - A quartic that is zero at a root, or has no known sign there, does not rule out
 ///   contact: edges of which a vertex reaches the line of the other, however far from it, just when
 ///   they are coplanar are reported (20 of 156 on that cloth, whose edges lie in the rows of a
 ///   grid), and so is some of what is coplanar at t = 0.
 /// - The bound of the culling stage is absolute: the rounding errors of the cubic exceed it from
-///   lengths of about 10 on, so that contacts can be missed there.
+///   lengths of about 10 on, so that false negatives are possible there.
 #[derive(Clone, Copy, Debug)]
 pub struct BernsteinSignClassification {
     /// A query is free of contact if all four coefficients of the cubic, in floating-point

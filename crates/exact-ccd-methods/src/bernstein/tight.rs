@@ -39,9 +39,9 @@ use super::number::signs;
 ///   are shorter than about 1e-4 or longer than 1e4, and with a cut already below about 0.1 and
 ///   above about 10.
 ///
-/// Comments in the authors' program say that it misses contacts. The two places found are decided
-/// so here that none is missed: a cubic that is zero at t = 0, as far as one can tell, and values
-/// of differences that are compared with zero and not with their bounds.
+/// According to comments in the authors' program, it has false negatives. Their two known causes are
+/// removed here: a cubic that is zero at t = 0 up to its error bound, and values of differences that
+/// are compared with zero and not with their bounds.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TightCcd;
 

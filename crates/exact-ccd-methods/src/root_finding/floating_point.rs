@@ -35,10 +35,10 @@ use super::vectors::{cross, difference, dot, slab};
 ///   simulated twisting rod it misses 235 of 765 (vertex-face) and 1,186 of 4,179 (edge-edge). With
 ///   a distance of 1e-6 it misses none of these, but reports 35 of 36 and 190 of 191 queries that
 ///   do not touch.
-/// - Where it misses the earlier of two contacts it tells the time of the later one.
+/// - If it misses the earlier of two contacts, its time is that of the later one.
 /// - Edges that are parallel at the time of contact, or so short that the cross product of the two
 ///   is less than 1e-8 in the units of the input, never touch.
-/// - The sides of a face are told with the normal at t = 0 plus t times the cross product of the
+/// - The sides of a face are computed with the normal at t = 0 plus t times the cross product of the
 ///   rates of the edges: the term linear in t is missing, as in the authors' code. A face that
 ///   turns far during the step is tested in the wrong place.
 /// - Coefficients that overflow (coordinates from about 1e50 on) or underflow (below 1e-54) mean nothing.
@@ -81,7 +81,7 @@ fn nonnegative(polynomial: &Polynomial) -> Vec<Interval> {
     }
     let zeros = jenkins_traub::zeros(&polynomial);
     // Of a complex pair, the real part counts: it may be a double root that came out so. Not for
-    // degree 2, of which a closed form tells the real roots.
+    // degree 2, whose real roots have a closed form.
     let times = zeros
         .iter()
         .filter(|zero| degree > 2 || zero.im == 0.0)

@@ -30,7 +30,7 @@ use super::vectors::{cross, difference, dot, points_at, slab};
 /// - Two roots on either side of a contact are 1e-8 apart by default, which is what rounding errors
 ///   make of a double root: where they come out as a complex pair, or just outside of the step, the
 ///   contact is missed. Of a cloth on a ball it misses 604 of 19,032 and 3,047 of 94,822 contacts.
-/// - For edges it looks at their lines only: it misses edges that slide in a common plane or stay
+/// - For edges it tests only their lines: it misses edges that slide in a common plane or stay
 ///   parallel, and those closer than the separation throughout.
 /// - An edge shorter than 1e-4 in the units of the input counts as its first end alone.
 /// - Coefficients that overflow (coordinates from about 1e50 on) or underflow (below 1e-54) mean nothing.

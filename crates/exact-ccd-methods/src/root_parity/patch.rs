@@ -19,7 +19,7 @@ const AROUND_13: [[usize; 3]; 2] = [[0, 1, 3], [1, 2, 3]];
 /// With Vᵢ the volume of the corners but the i-th, V₀, −V₁, V₂, −V₃ are the barycentric coordinates
 /// of the origin, up to a factor. If some are positive and some negative, the origin is outside of
 /// the tetrahedron, and either two triangles will do. If all are zero, everything is in one plane.
-/// Otherwise the sign of φ tells the region.
+/// Otherwise the sign of φ determines the region.
 pub(super) fn stand_in(image: &impl Image, patch: [usize; 4]) -> Option<[[usize; 3]; 2]> {
     let [a, b, c, d] = patch;
     let pair = |pair: [[usize; 3]; 2]| Some(pair.map(|triangle| triangle.map(|corner| patch[corner])));

@@ -181,7 +181,7 @@ mod tests {
         );
     }
 
-    /// A double zero is as uncertain as the square root of the precision; so much for the squares of volumes.
+    /// The error of a double zero is about the square root of the precision.
     #[test]
     fn double_zeros_come_as_close_pairs() {
         let c = from_zeros(&[0.1, 0.7, -3.0], &[]);
