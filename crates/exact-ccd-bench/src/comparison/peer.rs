@@ -3,10 +3,11 @@
 //! A peer is a command. It writes a line of JSON, its methods:
 //!
 //! ```json
-//! {"methods": [{"name": "TI", "false_negatives": false, "false_positives": true, "time": "conservative", "call_ns": 700.0}]}
+//! {"methods": [{"name": "TI", "false_negatives": false, "false_positives": true,
+//!               "time": "conservative", "call_ns": 700.0}]}
 //! ```
 //!
-//! where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`, `conservative`
+//! in one line, where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`, `conservative`
 //! or `exact`, and `call_ns` is the time of an empty call in nanoseconds. Then, again and again, it
 //! reads a line such as
 //!

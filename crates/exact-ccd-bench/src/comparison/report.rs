@@ -38,7 +38,10 @@ impl Report {
                 .map(|peer| {
                     let microseconds = peer.call_nanoseconds() / 1e3;
                     let name = peer.name();
-                    format!("{name} runs in another process; each of its times includes {microseconds:.2} µs for the call.")
+                    format!(
+                        "{name} runs in another process; each of its times includes {microseconds:.2} µs \
+                         for the call."
+                    )
                 })
                 .collect(),
             tables: Vec::new(),

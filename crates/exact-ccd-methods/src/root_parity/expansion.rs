@@ -118,10 +118,13 @@ mod tests {
         #[test]
         fn predicates_are_exact_within_the_range(differences in uniform9(uniform2(uniform3(coordinate())))) {
             prop_assert!(differences.as_flattened().as_flattened().iter().all(|&x| Expansion::can_hold(x)));
-            let (expansions, rationals) = (vectors::<Expansion>(&differences), vectors::<Relaxed>(&differences));
-            for predicate in [Predicate::Phi([0, 1, 2, 3]), Predicate::Volume([4, 5, 6]), Predicate::Dot([7, 8])] {
+            let expansions = vectors::<Expansion>(&differences);
+            let rationals = vectors::<Relaxed>(&differences);
+            let predicates = [Predicate::Phi([0, 1, 2, 3]), Predicate::Volume([4, 5, 6]), Predicate::Dot([7, 8])];
+            for predicate in predicates {
                 let (expansion, rational) = (predicate.value(&expansions), predicate.value(&rationals));
-                let sum = expansion.0.iter().map(|&x| Relaxed::exactly(x)).fold(Relaxed::ZERO, |sum, x| sum + x);
+                let terms = expansion.0.iter().map(|&x| Relaxed::exactly(x));
+                let sum = terms.fold(Relaxed::ZERO, |sum, x| sum + x);
                 prop_assert_eq!(&sum, &rational);
                 prop_assert_eq!(expansion.certain_sign(), rational.certain_sign());
             }
