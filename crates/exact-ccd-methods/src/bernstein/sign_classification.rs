@@ -28,17 +28,17 @@ use crate::interval::Interval;
 /// # When it fails
 /// - It gives up on a cubic with an inflection point within the step, unless the first or the last
 ///   Bernstein coefficient alone has a sign of its own. The paper cuts the cubic there, but the
-///   authors' program never computes where, and does not terminate: such a query counts as a
-///   contact here, as one on which a method fails does in the comparison. Of the 5,171 queries of a
+///   authors' program never computes the place of the cut, and does not terminate: such a query
+///   counts as a contact here, as every query on which a method fails does in the comparison. Of the 5,171 queries of a
 ///   twisted rod 190 are of this kind, 6 of which do not touch; of vertices and faces that move at
 ///   random, 40 % of those that do not touch are reported.
-/// - Every contact of primitives that are coplanar for the whole step is a false negative: no sign ever
-///   changes: 3 of 192 and 8 of 145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a
+/// - Every contact of primitives that are coplanar for the whole step is a false negative, because
+///   no sign changes: 3 of 192 and 8 of 145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a
 ///   cloth that slides through a funnel.
-/// - A quartic that is zero at a root, or has no known sign there, does not rule out
-///   contact: edges of which a vertex reaches the line of the other, however far from it, just when
-///   they are coplanar are reported (20 of 156 on that cloth, whose edges lie in the rows of a
-///   grid), and so is some of what is coplanar at t = 0.
+/// - A quartic that is zero at a root, or has no known sign there, does not rule out contact: two
+///   edges are reported if a vertex of one reaches the line of the other at the time at which they
+///   are coplanar, at any distance (20 of 156 on that cloth, whose edges lie in the rows of a grid).
+///   So are some primitives that are coplanar at t = 0.
 /// - The bound of the culling stage is absolute: the rounding errors of the cubic exceed it from
 ///   lengths of about 10 on, so that false negatives are possible there.
 #[derive(Clone, Copy, Debug)]

@@ -29,8 +29,8 @@ use super::number::signs;
 ///   primitives only translate, the cubic is linear, its inflection point anywhere, and contact is
 ///   reported unless the first or the last Bernstein coefficient alone has a sign of its own: a
 ///   vertex that falls through the plane of a face far beside it can be one.
-/// - It reports all edges of which a vertex reaches the line of the other just when they are
-///   coplanar, however far it is from the other edge, and what is coplanar for the whole step.
+/// - It reports two edges if a vertex of one reaches the line of the other at the time at which they
+///   are coplanar, at any distance, and all primitives that are coplanar for the whole step.
 /// - Of the handcrafted queries of the comparison that do not touch, 151 of 1,558 (vertex-face) and
 ///   107 of 1,429 (edge-edge) are reported; of a simulated cloth that slides through a funnel 5 of
 ///   65 and 25 of 156.

@@ -22,9 +22,9 @@ use crate::interval::Interval;
 /// Detection*, ACM Transactions on Graphics 31(4), 2012, and their code in El Topo
 /// (`rootparitycollisiontest`, of 2011).
 ///
-/// F maps the domain of (t, u, v) to a solid with bilinear faces, of which two triangles stand for
-/// each. A query is free if the corners are on one side of a plane through the origin, of a few
-/// that are tried. Otherwise, it collides if a ray from the origin crosses the faces an odd number
+/// F maps the domain of (t, u, v) to a solid with bilinear faces, each of which is replaced by two
+/// triangles. A query is free if the corners are on one side of one of a few planes through the
+/// origin. Otherwise, it collides if a ray from the origin crosses the faces an odd number
 /// of times. A ray that meets the boundary of a triangle is replaced; here the next one has a fixed
 /// direction, not a random one.
 ///
@@ -40,10 +40,10 @@ use crate::interval::Interval;
 ///   on the segment is 1, rounded, then the origin counts as on the face: less than 10⁻¹⁵ between a
 ///   vertex and a face may be a contact. So are 2 of the 1558 handcrafted queries of a vertex and a
 ///   face that do not collide.
-/// - If the origin is in one plane with the corners of a face, the hull of these stands for the
-///   face. It is larger if a corner is reflex.
-/// - All rays are horizontal. If edges that are so too surround the origin, all rays meet them, and
-///   that counts as a contact.
+/// - If the origin is in one plane with the corners of a face, their hull replaces the face. The hull
+///   is larger if a corner is reflex.
+/// - All rays are horizontal. If horizontal edges surround the origin, all rays meet them, which
+///   counts as a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrochuRootParity {
     /// The number of rays that are cast before a query counts as a contact.

@@ -26,7 +26,7 @@ impl Number for Interval {
     }
 }
 
-/// All denominators are powers of two, so that nothing is gained by looking for other common factors.
+/// All denominators are powers of two, so that a search for other common factors is useless.
 impl Number for Relaxed {
     fn exactly(x: f64) -> Self {
         Self::try_from(x).unwrap_or(Self::ZERO)
