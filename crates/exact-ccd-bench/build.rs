@@ -1,4 +1,5 @@
-//! Sets `cfg(no_data)` for the tests if the published data sets are missing, and passes the build settings to the reports.
+//! Sets `cfg(no_data)` for the tests if the published data sets are missing, and passes the build
+//! settings to the reports.
 
 use std::env;
 use std::path::{Path, PathBuf};

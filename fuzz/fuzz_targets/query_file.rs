@@ -1,13 +1,13 @@
-//! Query files: no bytes make the reader panic, and what it reads can be written and read again.
+//! Query files: no bytes make the reader panic, and its queries survive a round trip.
 
 #![no_main]
 
 use std::fmt::Debug;
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample};
 use dashu_ratio::RBig;
 use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 
@@ -35,7 +35,7 @@ const WORDS: &[&str] = &[
 ];
 
 fuzz_target!(|bytes: &[u8]| {
-    // Too few bytes are no file.
+    // Too few bytes do not make a file.
     let _ = check(&mut Unstructured::new(bytes));
 });
 

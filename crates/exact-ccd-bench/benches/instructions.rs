@@ -1,4 +1,4 @@
-//! How many instructions a query costs: counts that no other load on the machine changes.
+//! The number of instructions of a query, which does not depend on other load on the machine.
 //!
 //! ```sh
 //! apt install valgrind                               # or as the system installs it
@@ -6,14 +6,14 @@
 //! cargo bench -p exact-ccd-bench --features instructions --bench instructions
 //! ```
 //!
-//! Without the feature this is not compiled, and `cargo bench` needs neither. A second run tells what has changed since
-//! the first.
+//! Without the feature this is not compiled, and `cargo bench` needs neither. A second run has the
+//! differences to the first.
 //!
-//! Each benchmark asks about a thousand queries, candidates of generated cloth: a thousandth of its instructions is what
-//! one costs. A batch is asked with the narrowest vector instructions and with the widest that valgrind has: it has no
-//! AVX-512.
+//! Each benchmark answers a thousand queries, candidates of generated cloth: a thousandth of its
+//! instructions is the cost of one. A batch uses the narrowest vector instructions and the widest
+//! that valgrind supports, which are not AVX-512.
 
-#![expect(missing_docs, unused_qualifications, reason = "what the macros write")]
+#![expect(missing_docs, unused_qualifications, reason = "code of the macros")]
 
 #[path = "../examples/scaling/cloth.rs"]
 mod cloth;
@@ -30,7 +30,7 @@ use gungraun::{library_benchmark, library_benchmark_group, main};
 
 use crate::cloth::Cloth;
 
-/// How many queries each benchmark asks.
+/// The number of queries in each benchmark.
 const QUERIES: usize = 1000;
 
 /// Queries of one kind over the vertices of a mesh.

@@ -1,11 +1,13 @@
-//! What a query costs: on every candidate of the broad phase in order, and on the colliding ones with all contact
-//! times and the impact.
+//! The cost of a query: on every candidate of the broad phase in order, and on the colliding ones
+//! with all contact times and the impact.
 //!
-//! `cargo bench -p exact-ccd-bench --bench kernel [-- SCENE...]`, on one thread, over the published data sets.
+//! `cargo bench -p exact-ccd-bench --bench kernel [-- SCENE...]`, on one thread, over the published
+//! data sets.
 //!
-//! The scenes and kinds take turns for some rounds; a figure is the median over these. A single query is built from the
-//! positions of the mesh each time, as a simulator would do; a batch is asked about the same queries by their vertices. The time of one colliding query is the least of some
-//! attempts, so that the worst of them tells of a query and not of the scheduler.
+//! The scenes and kinds take turns for some rounds; a figure is the median over the rounds. A single
+//! query is built from the positions of the mesh each time, as in a simulator; a batch has the same
+//! queries by their vertices. The time of one colliding query is the least of some attempts, so that
+//! the worst time is due to a query and not to the scheduler.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -22,9 +24,9 @@ use exact_ccd_mesh::{Bvh, Candidates, Motion, Step};
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 7;
 const ATTEMPTS: usize = 5;
-/// How many queries make a batch that is timed as it is.
+/// The number of queries in a batch that is timed as a whole.
 const LARGE: usize = 400_000;
-/// How many colliding queries the exact path is asked about.
+/// The number of colliding queries that the exact path answers.
 const AUDITED: usize = 1000;
 
 fn main() -> Result<(), DataError> {
@@ -49,7 +51,7 @@ fn main() -> Result<(), DataError> {
     Ok(())
 }
 
-/// Candidates of one kind in one scene, and what was measured on them. All times are in nanoseconds.
+/// Candidates of one kind in one scene, and their measurements. All times are in nanoseconds.
 #[derive(Clone)]
 struct Batch<'a> {
     name: String,
@@ -69,10 +71,10 @@ struct Batch<'a> {
     survey: Survey,
 }
 
-/// What is learned from each candidate alone.
+/// The results of each candidate.
 #[derive(Clone, Default)]
 struct Survey {
-    /// How many were settled at each stage.
+    /// The number of candidates that were settled at each stage.
     settled: [usize; Stage::ALL.len()],
     colliding: Colliding,
 }
@@ -145,7 +147,7 @@ impl<'a> Batch<'a> {
         } = self.functions;
         let (step, pairs) = (&self.step, &self.pairs[..]);
         let (trajectories, vertices) = (&self.trajectories, &self.vertices[..]);
-        // Small batches are asked often enough for the clock and the caches not to matter.
+        // Small batches are repeated until the clock and the caches do not matter.
         let repetitions = LARGE.div_ceil(pairs.len().max(1));
         let mean = |count: &dyn Fn() -> usize| {
             let clock = Instant::now();

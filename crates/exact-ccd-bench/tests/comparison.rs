@@ -10,7 +10,7 @@ use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuara
 use exact_ccd_bench::comparison::{Comparison, Contestant, Report, Source, Subject, Subjects, Table};
 use exact_ccd_data::{DataKind, QueryWriter, Record, Sample, Seventh};
 
-/// Points that move at random, with coordinates in 64ths: the exact method needs no time for them.
+/// Points that move at random, with coordinates in 64ths, which are fast for the exact method.
 fn queries<K: DataKind>(count: usize) -> Vec<Query<K>> {
     let mut random = fastrand::Rng::with_seed(7);
     let mut points = || [(); 4].map(|()| [(); 3].map(|()| f64::from(random.i32(-64..=64)) / 64.0));
@@ -19,7 +19,7 @@ fn queries<K: DataKind>(count: usize) -> Vec<Query<K>> {
         .collect()
 }
 
-/// Says the opposite of the truth, at a time that is too late.
+/// A method whose decisions are all wrong, with times that are too late.
 struct Liar;
 
 impl<K: Kind> Decide<K> for Liar {
@@ -97,11 +97,11 @@ fn answers_are_judged_by_the_truth() {
     assert_eq!([exact.false_positives, exact.false_negatives], [0, 0]);
     assert_eq!(exact.time_error.unwrap().worst, 0.0);
     assert_eq!([liar.false_positives, liar.false_negatives], [free, colliding]);
-    // The times of contacts that are none are not late: there is nothing to be late for.
+    // Times of false positives have no error: there is no true time.
     assert_eq!(liar.time_error, None);
 }
 
-/// The sample holds as many of the rare kind as of the other, and means are weighed back.
+/// The sample has as many queries of the rare class as of the other, and means weight both by their shares.
 #[test]
 fn a_sample_has_half_of_its_queries_in_contact() {
     let subjects = subjects::<VertexFace>(2000, 20);
@@ -140,13 +140,13 @@ impl Ccd for Slow {
 }
 
 #[test]
-fn who_has_spent_the_budget_leaves_and_the_others_go_on() {
+fn a_method_without_budget_stops_and_the_others_continue() {
     let mut comparison = comparison(vec![Box::new(Slow), Box::new(Exact)], Duration::from_millis(10));
     let table = comparison.run("random", &subjects::<EdgeEdge>(2000, 200), &|_| ());
     let [slow, exact] = &table.rows[..] else {
         panic!("{table:?}")
     };
-    // Both classes are seen, even by who answers few.
+    // A method that answers only a few queries answers both classes.
     let seen = slow.answered.colliding + slow.answered.free;
     assert!((1..=20).contains(&seen), "{:?}", slow.answered);
     assert!(

@@ -48,7 +48,8 @@ pub(crate) struct Arguments {
     /// Only these methods, separated by commas, in upper or lower case [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     methods: Vec<String>,
-    /// The size of the random sample of each data set and kind. Half of it are queries in contact, if there are enough.
+    /// The size of the random sample of each data set and kind. Half of it are queries in contact,
+    /// if there are enough.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(2..))]
     sample: u32,
     /// The time that a method has for each data set and kind, in seconds.

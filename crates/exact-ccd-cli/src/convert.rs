@@ -12,10 +12,10 @@ use crate::kind::Kind;
 use crate::progress::{self, during};
 use crate::query_files::{self, Records};
 
-/// How many queries are answered at once.
+/// The number of queries that are answered in parallel.
 const BATCH: usize = 4096;
 
-/// Query files from rows to columns and back, losing nothing
+/// Query files from rows to columns and back, without loss
 ///
 /// An input is a CSV file as of `exact-ccd queries`, a file whose name ends in
 /// .parquet, or the folder of a scene of the published data sets. All queries
@@ -24,8 +24,8 @@ const BATCH: usize = 4096;
 /// Parquet has a row for each query, with these columns:
 ///   kind        vf or ee
 ///   points      24 f64: x, y, z of the four points at t = 0, then at t = 1
-///   truth       the ground truth: whether the primitives collide
-///   count       how many distinct contact times there are, -1 for an interval
+///   truth       the ground truth: true for contact
+///   count       the number of distinct contact times, -1 for an interval
 ///   toi         the earliest, rounded down to f64
 ///   scene       the name of the scene
 ///   id_a, id_b  the ids of the two primitives in the scene, which count its
@@ -33,13 +33,13 @@ const BATCH: usize = 4096;
 /// All but kind and points may be null. CSV files fill in truth only. A scene
 /// fills in truth, scene and ids, and, if it has a folder `roots`, count and toi.
 ///
-/// Every f64 keeps its bits on the way to Parquet. On the way back, a CSV file
-/// has the same bytes again if it was as this program and the published data
-/// sets write it: fractions in lowest terms with positive denominators, no
-/// blanks, LF at the end of each row. CSV has no -0, which becomes 0, and none
-/// of the columns from count on.
+/// In Parquet, every f64 keeps its bits. A CSV file that is converted to Parquet
+/// and back has the same bytes if it has the form that this program writes:
+/// fractions in lowest terms with positive denominators, no blanks, LF at the
+/// end of each row. CSV has no -0, which becomes 0, and none of the columns from
+/// count on.
 ///
-/// Exit status: 0 success, 2 error. After an error the output is as it was.
+/// Exit status: 0 success, 2 error. An error leaves the output file unchanged.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -49,8 +49,8 @@ pub(crate) struct Arguments {
     /// Fill in count and toi of all queries, as computed by the exact method.
     #[arg(long)]
     answers: bool,
-    /// The seventh column of CSV files, read or written, is the number of contact times instead of the ground truth:
-    /// 0 or more, or -1 for infinitely many.
+    /// The seventh column of CSV files, read or written, is the number of contact times instead of
+    /// the ground truth: 0 or more, or -1 for infinitely many.
     #[arg(long)]
     roots: bool,
     /// The file to write.

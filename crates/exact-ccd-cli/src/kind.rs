@@ -1,4 +1,4 @@
-//! What the program calls the two kinds of query.
+//! The two kinds of query on the command line.
 
 /// `vf` or `ee`.
 #[derive(Clone, Copy, clap::ValueEnum, serde::Serialize)]

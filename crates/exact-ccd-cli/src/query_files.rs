@@ -11,13 +11,13 @@ use exact_ccd_data::{
 use crate::failure::Failure;
 use crate::output::replace_file;
 
-/// Queries as they come out of a file.
+/// The queries of a file, read one after the other.
 pub(crate) type Samples<K> = Box<dyn Iterator<Item = Result<Sample<K>, Failure>>>;
 
-/// Queries as they come out of a file, with all that it says of them.
+/// The queries of a file with all their data, read one after the other.
 pub(crate) type Records<K> = Box<dyn Iterator<Item = Result<Record<K>, Failure>>>;
 
-/// What `--roots` makes of the seventh column.
+/// The meaning of the seventh column, which depends on `--roots`.
 pub(crate) fn seventh(roots: bool) -> Seventh {
     if roots { Seventh::Count } else { Seventh::Contact }
 }
@@ -30,7 +30,7 @@ pub(crate) fn open<K: DataKind + 'static>(file: &Path, rounding: Rounding) -> Re
     ))
 }
 
-/// The queries in a file, with all that it says of them; - is standard input.
+/// The queries in a file with all their data; - is standard input.
 pub(crate) fn records<K: DataKind + 'static>(
     file: &Path,
     rounding: Rounding,
@@ -51,7 +51,7 @@ fn failing<K: 'static>(records: impl Iterator<Item = Result<Record<K>, DataError
     Box::new(records.map(|record| record.map_err(Failure::from)))
 }
 
-/// Writes queries, in place of what was in the file.
+/// Writes queries to a file, which is replaced.
 pub(crate) fn write<K: DataKind>(
     file: &Path,
     seventh: Seventh,
@@ -70,7 +70,7 @@ pub(crate) fn write<K: DataKind>(
     })
 }
 
-/// What errors call the file.
+/// The name of the file in errors.
 pub(crate) fn name(file: &Path) -> &Path {
     if is_standard_input(file) {
         Path::new("standard input")

@@ -25,17 +25,17 @@ impl DataFolder {
         Self(folder)
     }
 
-    /// The folder that the environment variable `EXACT_CCD_DATA` names, or else `../shared/data` as seen from the root
-    /// of the repository.
+    /// The folder that the environment variable `EXACT_CCD_DATA` names, or else `../shared/data` as
+    /// seen from the root of the repository.
     ///
     /// # Errors
-    /// If there is no such folder.
+    /// If the folder does not exist.
     pub fn find(repository: &Path) -> Result<Self, DataError> {
         let folder = env::var_os(VARIABLE).map_or_else(|| repository.join(DEFAULT), PathBuf::from);
         list(&folder).map(|_| Self(folder))
     }
 
-    /// All files of handcrafted queries of a kind.
+    /// All files of handcrafted queries of a kind, sorted by scene and name.
     ///
     /// # Errors
     /// If a folder cannot be read.
@@ -48,7 +48,7 @@ impl DataFolder {
         Ok(files)
     }
 
-    /// All meshes, of bodies at rest.
+    /// All mesh files of bodies at rest.
     ///
     /// # Errors
     /// If the folder cannot be read.

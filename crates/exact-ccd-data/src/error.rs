@@ -1,4 +1,4 @@
-//! What can be wrong with a data file.
+//! Errors of data files.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -11,16 +11,17 @@ use crate::rational::CoordinateError;
 
 /// A data file that cannot be read.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum DataError {
     /// The file is missing or cannot be read.
     #[error("{}: {source}", file.display())]
     Io {
         /// The file.
         file: PathBuf,
-        /// What the system says.
+        /// The error of the system.
         source: io::Error,
     },
-    /// The two frames of a scene are no step.
+    /// The two frames of a scene are not a step.
     #[error(transparent)]
     Step(#[from] exact_ccd_mesh::StepError),
     /// A line of a CSV file is wrong.
@@ -30,7 +31,7 @@ pub enum DataError {
         file: PathBuf,
         /// The line, from 1.
         line: u64,
-        /// What is wrong.
+        /// The problem.
         problem: Problem,
     },
     /// A Parquet file is wrong.
@@ -38,7 +39,7 @@ pub enum DataError {
     Columns {
         /// The file.
         file: PathBuf,
-        /// What is wrong.
+        /// The problem.
         problem: ColumnProblem,
     },
     /// A row of a Parquet file is wrong.
@@ -48,7 +49,7 @@ pub enum DataError {
         file: PathBuf,
         /// The index of the row, from 0.
         query: usize,
-        /// What is wrong.
+        /// The problem.
         problem: RecordProblem,
     },
     /// A JSON file has another shape than expected; the source names line and column.
@@ -56,12 +57,12 @@ pub enum DataError {
     Json {
         /// The file.
         file: PathBuf,
-        /// What should be there.
+        /// The right contents.
         expected: &'static str,
-        /// What the parser says.
+        /// The error of the parser.
         source: serde_json::Error,
     },
-    /// A pair names something that is no primitive of its kind.
+    /// An id of a pair does not name a primitive of its kind.
     #[error("{}: pair {index}, {ids:?}, is no {kind} pair of this mesh", file.display())]
     Ids {
         /// The file.
@@ -73,43 +74,44 @@ pub enum DataError {
         /// The name of the kind.
         kind: &'static str,
     },
-    /// There is not one verdict for each pair.
+    /// The number of verdicts is not that of the pairs.
     #[error("{}: expected a verdict on each of {expected} pairs, found {found}", file.display())]
     VerdictCount {
         /// The file with the verdicts.
         file: PathBuf,
-        /// How many pairs there are.
+        /// The number of pairs.
         expected: usize,
-        /// How many verdicts there are.
+        /// The number of verdicts.
         found: usize,
     },
-    /// A root file names a query that the scene does not have.
+    /// A root file has the index of a query that the scene does not have.
     #[error("{}: there is no query {query} among {queries}", file.display())]
     NoQuery {
         /// The root file.
         file: PathBuf,
         /// The index of the query, from 0.
         query: usize,
-        /// How many queries the scene has.
+        /// The number of queries in the scene.
         queries: usize,
     },
     /// A mesh file is wrong.
     #[error(transparent)]
     Motion(#[from] ReadMotionError),
-    /// A folder does not hold the file that belongs there.
+    /// A folder lacks a file.
     #[error("{}: expected {expected}, found {found}", folder.display())]
     Folder {
         /// The folder.
         folder: PathBuf,
-        /// What should be there.
+        /// The right contents.
         expected: String,
-        /// How many such files there are.
+        /// The number of such files.
         found: usize,
     },
 }
 
-/// What is wrong with a line of a CSV file.
+/// A problem with a line of a CSV file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Problem {
     /// The line has another number of fields than the file's format or its first line.
     #[error("expected {expected}, found {found}")]
@@ -128,13 +130,13 @@ pub enum Problem {
         point: &'static str,
         /// The end of the time step, 0 or 1.
         time: usize,
-        /// What is wrong with it.
+        /// The problem with it.
         source: CoordinateError,
     },
     /// The ground truth is neither 0 nor 1.
     #[error("expected 0 or 1 as the ground truth, found \"{0}\"")]
     Truth(String),
-    /// The number of contacts is none.
+    /// The number of contacts is not a number, or below −1.
     #[error("expected a number of contacts, or -1 for infinitely many, found \"{0}\"")]
     Count(String),
     /// The ground truth differs between the rows of a query.
@@ -148,22 +150,23 @@ pub enum Problem {
     /// The file ends before the query does.
     #[error("the file ends after {0} of the 8 rows of a query")]
     CutShort(usize),
-    /// A field is not the number that it should be.
+    /// A field is not the expected number.
     #[error("expected {expected} as {column}, found \"{found}\"")]
     Field {
         /// The name of the column.
         column: &'static str,
-        /// What should be there.
+        /// The right contents.
         expected: &'static str,
-        /// What is there.
+        /// The contents.
         found: String,
     },
 }
 
-/// What is wrong with a Parquet file.
+/// A problem with a Parquet file.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ColumnProblem {
-    /// It is damaged, or no Parquet file at all.
+    /// The file is damaged, or not a Parquet file.
     #[error("{0}")]
     Parquet(String),
     /// A column is missing or has another type.
@@ -173,25 +176,26 @@ pub enum ColumnProblem {
         column: &'static str,
         /// The right type.
         expected: &'static str,
-        /// What is there.
+        /// The contents.
         found: String,
     },
-    /// The compression is unknown here.
+    /// The compression is not supported.
     #[error("columns should be plain or compressed with GZIP or SNAPPY, found {0}")]
     Compression(String),
 }
 
-/// What is wrong with a row of a Parquet file.
+/// A problem with a row of a Parquet file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RecordProblem {
-    /// A field is not what it should be.
+    /// A field has another value than expected.
     #[error("expected {expected} as {column}, found {found}")]
     Field {
         /// The name of the column.
         column: &'static str,
-        /// What should be there.
+        /// The right contents.
         expected: &'static str,
-        /// What is there.
+        /// The contents.
         found: String,
     },
     /// A coordinate is infinite or not a number.

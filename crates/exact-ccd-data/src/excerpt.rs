@@ -1,6 +1,6 @@
-//! Pieces of a file in messages.
+//! Excerpts of files in messages.
 
-/// Enough of a field to recognise it, on one line.
+/// The beginning of a field, on one line.
 pub(crate) fn excerpt(field: &[u8]) -> String {
     const LENGTH: usize = 40;
     let text = String::from_utf8_lossy(&field[..field.len().min(LENGTH)]);

@@ -9,10 +9,11 @@ use serde::de::DeserializeOwned;
 use crate::error::DataError;
 use crate::kind::DataKind;
 
-/// The pairs of primitives in a `boxes/*.json` file, as indices of the mesh: a vertex and a face, or two edges.
+/// The pairs of primitives in a `boxes/*.json` file, as indices of the mesh: a vertex and a face,
+/// or two edges.
 ///
 /// # Errors
-/// If the file is no list of pairs of ids, or names something that is no primitive of this kind.
+/// If the file is not a list of pairs of ids, or an id does not name a primitive of this kind.
 pub(crate) fn read_pairs<K: DataKind>(file: &Path, mesh: &TriangleMesh) -> Result<Vec<[u32; 2]>, DataError> {
     let pairs: Vec<[usize; 2]> = read(file, "a list of pairs of ids")?;
     let convert = |(index, ids)| {
@@ -26,10 +27,10 @@ pub(crate) fn read_pairs<K: DataKind>(file: &Path, mesh: &TriangleMesh) -> Resul
     pairs.into_iter().enumerate().map(convert).collect()
 }
 
-/// The verdicts in a `mma_bool/*.json` file: whether each pair collides.
+/// The verdicts in a `mma_bool/*.json` file: true for each pair that collides.
 ///
 /// # Errors
-/// If the file is no list of `true` and `false`.
+/// If the file is not a list of `true` and `false`.
 pub(crate) fn read_verdicts(file: &Path) -> Result<Vec<bool>, DataError> {
     read(file, "a list of true and false")
 }

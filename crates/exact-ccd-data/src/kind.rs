@@ -1,22 +1,22 @@
-//! How the data sets name and number the two kinds of query.
+//! The names and numbers of the two kinds of query in the data sets.
 
 use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
 
-/// A kind of query, as the data sets know it.
+/// A kind of query with its names and numbers in the data sets.
 pub trait DataKind: Kind + Send + Sync {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
-    /// What the name of each of its files in a scene ends with.
+    /// The ending of the names of its files in a scene, which is also its short name.
     const SHORT: &'static str;
     /// The names of the four points.
     const POINTS: [&'static str; 4];
 
-    /// The indices of the two primitives that a pair of global ids names in a mesh, or `None` if it names no pair of
-    /// this kind. Ids count the vertices, then the edges, then the faces.
+    /// The indices of the two primitives of a mesh with these global ids, or `None` if they are not
+    /// a pair of this kind. Ids count the vertices, then the edges, then the faces.
     fn indices(ids: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]>;
 
-    /// The pair of global ids that names two primitives of a mesh, the inverse of [`indices`](Self::indices).
+    /// The global ids of two primitives of a mesh: the inverse of [`indices`](Self::indices).
     fn ids(indices: [u32; 2], mesh: &TriangleMesh) -> [u64; 2];
 
     /// The query of two primitives of a moving mesh.

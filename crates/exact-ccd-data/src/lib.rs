@@ -8,8 +8,8 @@
 //! | root files: the contact times of the queries of a scene | [`read_roots`] |
 //! | the folder of the published data sets | [`DataFolder`] |
 //!
-//! Readers are iterators that need little memory, whatever the size of the file, and end after the first error.
-//! Errors name the file and the line, query or pair.
+//! Readers are iterators that need little memory, whatever the size of the file, and end after the
+//! first error. Errors name the file and the line, query or pair.
 //!
 //! ```
 //! use exact_ccd::VertexFace;

@@ -16,9 +16,10 @@ use crate::rows::{Row, RowReader, Seventh};
 /// Reads queries one after the other, from files of any size. It ends after the first error.
 ///
 /// A query is eight rows: its four points at t = 0 and then at t = 1, in the order of
-/// [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge). A row is the numerators and denominators
-/// of x, y and z. In all rows of the file or in none, the ground truth follows, 1 for contact and 0 for none, which is
-/// the same in the eight rows. Fields may have blanks around them. Blank lines are skipped.
+/// [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge). A row is the
+/// numerators and denominators of x, y and z. In all rows of the file or in none, the ground truth
+/// follows, 1 for contact and 0 for none, which is the same in the eight rows. Fields may have
+/// blanks around them. Blank lines are skipped.
 pub struct QueryReader<K, R> {
     rows: RowReader<R>,
     done: bool,

@@ -5,20 +5,21 @@ use dashu_ratio::RBig;
 
 use crate::excerpt::excerpt;
 
-/// What becomes of a coordinate that is not exactly an f64.
+/// The treatment of a coordinate that is not exactly an f64.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
-    /// It is an error: an exact answer to a rounded question would mislead.
+    /// It is an error: the exact answer to a rounded query would mislead.
     #[default]
     Refuse,
-    /// It becomes the nearest f64, ties to even. Out of range is still an error.
+    /// It is rounded to the nearest f64, ties to even. Rounding to infinity is an error.
     ToNearest,
 }
 
-/// Two fields that do not stand for an f64.
+/// Two fields that are not a fraction with an f64 as its value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CoordinateError {
-    /// A field is no decimal integer.
+    /// A field is not a decimal integer.
     #[error("expected an integer, found \"{0}\"")]
     NotAnInteger(String),
     /// The denominator is zero.
@@ -32,7 +33,7 @@ pub enum CoordinateError {
     OutOfRange(String),
 }
 
-/// The finite f64 that a numerator and a denominator, of either sign, stand for.
+/// The value of a fraction, whose numerator and denominator have either sign, as a finite f64.
 pub(crate) fn parse(
     numerator: &[u8],
     denominator: &[u8],
@@ -54,8 +55,8 @@ pub(crate) fn parse(
     }
 }
 
-/// What nearly all coordinates are: n / 2ᵏ with |n| ≤ 2⁵³ and 2ᵏ an i64. Both convert exactly, and so does the
-/// quotient.
+/// The value of n / 2ᵏ with |n| ≤ 2⁵³ and 2ᵏ an i64, which nearly all coordinates are. Both convert
+/// exactly, and the quotient is exact.
 fn parse_small(numerator: &[u8], denominator: &[u8]) -> Option<f64> {
     let small = |text: &[u8]| str::from_utf8(text).ok()?.parse::<i64>().ok();
     let (n, d) = (small(numerator)?, small(denominator)?);

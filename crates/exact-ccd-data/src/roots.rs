@@ -13,13 +13,13 @@ use crate::excerpt::excerpt;
 pub struct Roots {
     /// The index of the query in its file, from 0.
     pub query: usize,
-    /// How many contact times there are, 1 if contact lasts for an interval.
+    /// The number of contact times, 1 if contact lasts for an interval.
     pub count: usize,
-    /// The earliest.
+    /// The earliest time.
     pub toi: f64,
-    /// Whether the earliest is exactly an f64.
+    /// True if the earliest time is exactly an f64.
     pub toi_is_exact: bool,
-    /// All of them, in increasing order; of an interval only the first.
+    /// All times in increasing order; of an interval only the first.
     pub times: Vec<f64>,
 }
 

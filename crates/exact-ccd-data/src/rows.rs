@@ -51,7 +51,8 @@ impl<R: Read> RowReader<R> {
             .trim(Trim::All)
             // Trimming removes carriage returns.
             .terminator(Terminator::Any(b'\n'))
-            // With this, every record ends in a line break, and its line is the one before the reader's position.
+            // With this, every record ends in a line break, and its line is the one before the
+            // reader's position.
             .from_reader(text.chain(b"\n".as_slice()));
         Self {
             file,

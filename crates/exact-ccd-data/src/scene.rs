@@ -1,4 +1,4 @@
-//! Scenes: one time step of a simulation, the pairs that were queried, and what is known about them.
+//! Scenes: one time step of a simulation, the queried pairs, and the ground truth about them.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -75,7 +75,7 @@ impl Scene {
         })
     }
 
-    /// Whether there are files with the pairs that were queried, and with verdicts on them, for either kind.
+    /// True if there are files with the queried pairs and with verdicts on them, for both kinds.
     #[must_use]
     pub fn has_pairs(&self) -> bool {
         let has = |kind: &str| {
@@ -94,7 +94,7 @@ impl Scene {
         Ok(Motion::read(&start, &end)?)
     }
 
-    /// The pairs of a kind that were queried, as indices of the mesh: a vertex and a face, or two edges.
+    /// The queried pairs of a kind, as indices of the mesh: a vertex and a face, or two edges.
     ///
     /// # Errors
     /// If the file is missing or wrong.
@@ -105,7 +105,7 @@ impl Scene {
     /// The queries of a kind, rebuilt from the motion and the pairs, with the verdicts on them.
     ///
     /// # Errors
-    /// If a file is missing or wrong, or if there are more pairs or fewer than verdicts.
+    /// If a file is missing or wrong, or if the numbers of pairs and of verdicts differ.
     pub fn samples<K: DataKind>(&self, step: &Step<'_>) -> Result<Vec<Sample<K>>, DataError> {
         let pairs = self.pairs::<K>(step.mesh())?;
         let verdict_file = self.file("mma_bool", &format!("{}_mma_bool", K::SHORT), "json")?;
@@ -124,13 +124,14 @@ impl Scene {
         Ok(pairs.into_iter().zip(verdicts).map(sample).collect())
     }
 
-    /// As [`samples`](Self::samples), with all else that the scene says of a query: its name, the ids of the pair, and, if
-    /// they were published, the count and the time of impact.
+    /// The queries of [`samples`](Self::samples) with all data of the scene: its name, the ids of
+    /// the pair, and, if they were published, the count and the time of impact.
     ///
-    /// Of an interval of contact the published count is 1; here it is −1. Which it is, the exact method tells.
+    /// The published count of an interval of contact is 1. Here it is −1; the exact method tells
+    /// the cases apart.
     ///
     /// # Errors
-    /// As there, and if the file with the contact times is wrong.
+    /// Those of [`samples`](Self::samples), and if the file with the contact times is wrong.
     pub fn records<K: DataKind>(&self, step: &Step<'_>) -> Result<Vec<Record<K>>, DataError> {
         let name: Arc<str> = self.name().into();
         let pairs = self.pairs::<K>(step.mesh())?;
@@ -191,7 +192,7 @@ impl Scene {
         }
     }
 
-    /// The only file in a folder whose name ends like this.
+    /// The only file in a folder whose name has this ending and extension.
     fn file(&self, folder: &str, ending: &str, extension: &str) -> Result<PathBuf, DataError> {
         let folder = self.folder.join(folder);
         let number = self.number();

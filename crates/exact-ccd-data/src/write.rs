@@ -12,14 +12,14 @@ use crate::rows::Seventh;
 pub struct QueryWriter<W> {
     writer: W,
     seventh: Seventh,
-    /// How many queries were written.
+    /// The number of queries that were written.
     queries: usize,
-    /// Whether the first query has a seventh column.
+    /// True if the first query has a seventh column.
     has_seventh: bool,
 }
 
 impl<W: Write> QueryWriter<W> {
-    /// Begins a file whose seventh column says this.
+    /// Begins a file whose seventh column has this meaning.
     pub fn new(writer: W, seventh: Seventh) -> Self {
         Self {
             writer,
@@ -29,12 +29,11 @@ impl<W: Write> QueryWriter<W> {
         }
     }
 
-    /// Adds a query: its eight rows as of [`write_query`], with its truth or its count, if known, at the end of each.
-    /// Nothing else of the record is in the file.
+    /// Adds a query: its eight rows, as [`write_query`] writes them, with the ground truth or the
+    /// count at the end of each. The other fields of the record are left out.
     ///
     /// # Errors
-    /// Those of the writer; and if the truth is not known, but that of the first query is, or the other way round, or the
-    /// count is not known.
+    /// Those of the writer. If only some of the queries have a ground truth, or if a count is missing.
     pub fn write<K: Kind>(&mut self, record: &Record<K>) -> io::Result<()> {
         let value = match self.seventh {
             Seventh::Contact => record.sample.truth.map(i64::from),
@@ -77,7 +76,7 @@ pub fn write_query<K: Kind>(writer: &mut impl Write, query: &Query<K>) -> io::Re
     write_rows(writer, query, "")
 }
 
-/// The rows, each with this at its end.
+/// Writes the rows of a query, each with this ending.
 fn write_rows<K: Kind>(writer: &mut impl Write, query: &Query<K>, ending: &str) -> io::Result<()> {
     let mut points = query.points().as_flattened().iter();
     points.try_for_each(|point| write_row(writer, point, ending))

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A closed interval of real numbers that contains what it stands for, whatever was rounded on the way.
+/// A closed interval of real numbers that contains the exact result, in spite of rounding.
 ///
 /// Its ends may be infinite, after an overflow, but are never NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl Interval {
         Self::new(x, x)
     }
 
-    /// NaN, from infinities that cancel, stands for any number.
+    /// The whole line in place of an interval with a NaN, which comes from infinities that cancel.
     fn or_whole(self) -> Self {
         if self.lower <= self.upper { self } else { WHOLE }
     }
@@ -62,7 +62,8 @@ impl From<f64> for Interval {
     }
 }
 
-/// fl(a + b) and whether it is the sum: what Knuth's error term leaves out is zero. The sum of two f64 never underflows.
+/// fl(a + b), and true if it is exact: then Knuth's error term is zero. The sum of two f64 never
+/// underflows.
 fn sum(a: f64, b: f64) -> (f64, bool) {
     let sum = a + b;
     let of_b = sum - a;
@@ -101,7 +102,8 @@ impl Sub for Interval {
     }
 }
 
-/// fl(a · b), moved by one ulp unless a factor is zero; the ends of an interval may be infinite, and stand for large numbers.
+/// fl(a · b), moved by one ulp unless a factor is zero; the ends of an interval may be infinite,
+/// and stand for large numbers.
 fn product(a: f64, b: f64, outward: impl Fn(f64) -> f64) -> f64 {
     if a == 0.0 || b == 0.0 { 0.0 } else { outward(a * b) }
 }
@@ -190,7 +192,7 @@ mod tests {
             ..ProptestConfig::default()
         })]
 
-        /// Exactly, not as rounded: single numbers leave no room for an error.
+        /// Against exact arithmetic. Intervals of single numbers are the sharpest test.
         #[test]
         fn results_contain_the_results_of_members(
             (x, a) in interval(),

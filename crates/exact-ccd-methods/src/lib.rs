@@ -1,8 +1,10 @@
-//! Nine published methods of continuous collision detection behind the trait [`Ccd`](exact_ccd::Ccd), for comparison.
+//! Nine published methods of continuous collision detection behind the trait
+//! [`Ccd`](exact_ccd::Ccd), for comparison.
 //!
-//! Each is implemented from the literature, as published and with its published parameters as the defaults. Its false
-//! negatives and false positives are part of it, and its documentation lists them. [`all`] adds the two methods of the
-//! kernel: [`Exact`](exact_ccd::Exact), which is the one to use, and [`RootParity`](exact_ccd::parity::RootParity).
+//! Each is implemented from the literature, as published and with its published parameters as the
+//! defaults. Its false negatives and false positives are part of it, and its documentation lists
+//! them. [`all`] adds the two methods of the kernel: [`Exact`](exact_ccd::Exact), which is the one
+//! to use, and [`RootParity`](exact_ccd::parity::RootParity).
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};

@@ -8,8 +8,8 @@ use crate::{
     MinimumSeparationRootFinder, RationalRootParity, TightCcd, TightInclusion, UnivariateIntervalRootFinder,
 };
 
-/// All methods with their default parameters: the exact one, root parity, and then those of this crate in the order of the
-/// paper's table 1.
+/// All methods with their default parameters: the exact one, root parity, and then those of this
+/// crate in the order of the paper's table 1.
 #[must_use]
 pub fn all() -> Vec<Box<dyn Ccd>> {
     vec![

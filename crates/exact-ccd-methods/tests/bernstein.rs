@@ -1,4 +1,4 @@
-//! The methods in Bernstein form: what they promise, and where they are known to fail.
+//! The methods in Bernstein form: their guarantees and their known errors.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
 use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
@@ -18,7 +18,8 @@ fn config(cases: u32) -> ProptestConfig {
     }
 }
 
-/// Coordinates from few numbers, so that many of the signs are zero, or 1e-15 and more away from these, scaled.
+/// Coordinates from few numbers, so that many of the signs are zero, or 1e-15 and more away from
+/// these, scaled.
 fn near_degenerate(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Points> {
     let coordinate = (
         -1..=1i8,
@@ -31,7 +32,8 @@ fn near_degenerate(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Poi
     })
 }
 
-/// Two primitives of which one, of so many points, moves without turning, at coordinates that hit nothing by chance.
+/// Two primitives, of which the one with the first `moving` points translates, at coordinates that hit
+/// nothing by chance.
 fn translation(moving: usize) -> impl Strategy<Value = Points> {
     let coordinate = -1_000_000..=1_000_000i32;
     let velocity = uniform3(-2_000_000..=2_000_000i32);
@@ -52,7 +54,7 @@ fn edge_edge([start, end]: Points) -> Query<EdgeEdge> {
     Query::<EdgeEdge>::new(start, end).unwrap()
 }
 
-/// What a method says of a vertex and a face, and of two edges.
+/// The decisions of a method on a vertex and a face, and on two edges.
 fn both(method: &impl Ccd, points: Points) -> [bool; 2] {
     [
         method.collides(&vertex_face(points)),
@@ -98,7 +100,7 @@ proptest! {
 proptest! {
     #![proptest_config(config(100))]
 
-    /// Neither panics nor runs away, and the one that promises not to miss does not.
+    /// The methods terminate without a panic, and TCCD has no false negatives.
     #[test]
     fn any_finite_coordinates_are_fine(
         start in uniform4(uniform3(any::<f64>())),

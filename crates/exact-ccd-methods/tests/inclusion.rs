@@ -1,4 +1,4 @@
-//! The methods that never miss, and what they take for a contact instead.
+//! The methods without false negatives, and their false positives.
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
@@ -6,7 +6,7 @@ use exact_ccd_methods::{IntervalRootFinder, Magnitude, TightInclusion, Univariat
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
-/// The methods, with a limit: what they promise does not depend on when they give up.
+/// The methods, with a limit of iterations, on which their guarantees do not depend.
 fn methods(max_iterations: usize) -> [Box<dyn Ccd>; 4] {
     let tight_inclusion = TightInclusion {
         max_iterations,
@@ -180,7 +180,7 @@ fn tight_inclusion_keeps_a_separation() {
         ..Default::default()
     };
     assert_eq!(with(0.49).time_of_impact(&query), None);
-    // The separation is reached at t = 1/2, over an area of (u, v) that has more boxes than it looks at.
+    // The separation is reached at t = 1/2, over an area of (u, v) that has more boxes than its limit.
     let time = with(0.75).time_of_impact(&query).unwrap();
     assert!(time <= 0.5 && time > 0.4, "{time}");
 }

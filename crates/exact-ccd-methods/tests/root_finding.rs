@@ -1,4 +1,4 @@
-//! The floating-point root finders: what they find, what they miss, and what they invent.
+//! The floating-point root finders: contacts, false negatives and false positives.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
 use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
@@ -96,7 +96,7 @@ fn short_edges_are_missed() {
     assert_eq!(minimum_separation().time_of_impact(&query), None);
 }
 
-/// The corner that swings over turns the normal, of which the method only knows the direction at t = 0.
+/// A corner swings over and turns the normal, but the method uses the direction at t = 0.
 #[test]
 fn a_turning_face_is_missed() {
     let p = [0.25, -0.2, 0.225];
@@ -132,12 +132,12 @@ fn in_general_position() -> impl Iterator<Item = [[Point; 4]; 2]> {
     (0..5000).map(move |_| points.new_tree(&mut runner).unwrap().current())
 }
 
-/// How many contacts there are, how many of them are missed, and how many are invented.
+/// The numbers of contacts, of false negatives and of false positives.
 #[derive(Default)]
 struct Tally {
     contacts: usize,
-    missed: usize,
-    invented: usize,
+    false_negatives: usize,
+    false_positives: usize,
 }
 
 impl FromIterator<(bool, bool)> for Tally {
@@ -146,8 +146,8 @@ impl FromIterator<(bool, bool)> for Tally {
             .into_iter()
             .fold(Self::default(), |tally, (truth, answer)| Self {
                 contacts: tally.contacts + usize::from(truth),
-                missed: tally.missed + usize::from(truth && !answer),
-                invented: tally.invented + usize::from(!truth && answer),
+                false_negatives: tally.false_negatives + usize::from(truth && !answer),
+                false_positives: tally.false_positives + usize::from(!truth && answer),
             })
     }
 }
@@ -175,11 +175,15 @@ fn tally_of_faces(method: &dyn Ccd) -> Tally {
 fn almost_all_contacts_in_general_position_are_found_with_a_distance() {
     for tally in [tally_of_edges(&SOME_DISTANCE), tally_of_faces(&SOME_DISTANCE)] {
         assert!(
-            tally.contacts > 100 && tally.missed * 100 < tally.contacts,
+            tally.contacts > 100 && tally.false_negatives * 100 < tally.contacts,
             "{}",
-            tally.missed
+            tally.false_negatives
         );
-        assert!(tally.invented * 100 < tally.contacts, "{}", tally.invented);
+        assert!(
+            tally.false_positives * 100 < tally.contacts,
+            "{}",
+            tally.false_positives
+        );
     }
 }
 
@@ -190,20 +194,28 @@ fn most_contacts_in_general_position_are_found_by_the_minimum_separation() {
         tally_of_faces(&minimum_separation()),
     ] {
         assert!(
-            tally.contacts > 100 && tally.missed * 10 < tally.contacts,
+            tally.contacts > 100 && tally.false_negatives * 10 < tally.contacts,
             "{}",
-            tally.missed
+            tally.false_negatives
         );
-        assert!(tally.invented * 100 < tally.contacts, "{}", tally.invented);
+        assert!(
+            tally.false_positives * 100 < tally.contacts,
+            "{}",
+            tally.false_positives
+        );
     }
 }
 
 #[test]
 fn a_third_of_the_contacts_in_general_position_is_missed_without_a_distance() {
     let tally = tally_of_edges(&NO_DISTANCE);
-    let share = tally.missed as f64 / tally.contacts as f64;
+    let share = tally.false_negatives as f64 / tally.contacts as f64;
     assert!((0.2..0.6).contains(&share), "{share}");
-    assert!(tally.invented * 100 < tally.contacts, "{}", tally.invented);
+    assert!(
+        tally.false_positives * 100 < tally.contacts,
+        "{}",
+        tally.false_positives
+    );
 }
 
 proptest! {
@@ -216,7 +228,8 @@ proptest! {
 
     #[test]
     fn times_are_in_the_step(start in prop::array::uniform4(point()), end in prop::array::uniform4(point())) {
-        let (face, edges) = (Query::<VertexFace>::new(start, end).unwrap(), Query::<EdgeEdge>::new(start, end).unwrap());
+        let face = Query::<VertexFace>::new(start, end).unwrap();
+        let edges = Query::<EdgeEdge>::new(start, end).unwrap();
         for method in [&NO_DISTANCE as &dyn Ccd, &minimum_separation()] {
             for time in [method.time_of_impact(&face), method.time_of_impact(&edges)] {
                 prop_assert!(time.is_none_or(|t| (0.0..=1.0).contains(&t)));
@@ -230,8 +243,10 @@ proptest! {
         end in prop::array::uniform4(prop::array::uniform3(any::<f64>())),
     ) {
         for method in [&NO_DISTANCE as &dyn Ccd, &SOME_DISTANCE, &minimum_separation()] {
-            if let (Ok(face), Ok(edges)) = (Query::<VertexFace>::new(start, end), Query::<EdgeEdge>::new(start, end)) {
+            if let Ok(face) = Query::<VertexFace>::new(start, end) {
                 method.time_of_impact(&face);
+            }
+            if let Ok(edges) = Query::<EdgeEdge>::new(start, end) {
                 method.time_of_impact(&edges);
             }
         }

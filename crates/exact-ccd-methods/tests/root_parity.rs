@@ -13,8 +13,9 @@ const CASES: u32 = 2000;
 
 type Points = [[Point; 4]; 2];
 
-/// Eight points with coordinates from few numbers, so that points coincide, and faces are flat or in one plane with the
-/// origin, or with coordinates of 53 bits close to these, on axes of different magnitudes.
+/// Eight points with coordinates from few numbers, so that points coincide, and faces are flat or
+/// in one plane with the origin, or with coordinates of 53 bits close to these, on axes of
+/// different magnitudes.
 fn points(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Points> {
     let coordinate = (
         -2..=2i8,
@@ -85,7 +86,7 @@ proptest! {
     }
 }
 
-/// Contact, as the methods and the kernel say: published, rational, exact.
+/// The decisions of the published method, the rational one and the kernel.
 fn contacts(query: &Query<VertexFace>) -> [bool; 3] {
     let published = BrochuRootParity::default().collides(query);
     let rational = RationalRootParity.collides(query);

@@ -1,9 +1,10 @@
-//! What each stage costs, from one query to a whole step, on generated input.
+//! The cost of each stage, from one query to a whole step, on generated input.
 //!
 //! `cargo bench -p exact-ccd-bench --bench stages [-- NAME...]`
 //!
-//! A scalar benchmark asks about a thousand queries that all are settled at one stage: a µs of it is a ns a query.
-//! Those of a batch, of boxes and of steps say how many queries, boxes or candidates there are to a second.
+//! A scalar benchmark answers a thousand queries, all settled at one stage: 1 µs is 1 ns a query.
+//! Benchmarks of batches, boxes and steps have the throughput in queries, boxes or candidates a
+//! second.
 
 #[path = "../../examples/scaling/cloth.rs"]
 mod cloth;
@@ -28,10 +29,10 @@ fn main() {
     divan::main();
 }
 
-/// How many queries are asked about in turn.
+/// The number of queries that are answered in turn.
 const QUERIES: usize = 1000;
 
-/// The queries over and over, as many as are wanted.
+/// The queries, repeated until there are [`QUERIES`] of them.
 fn repeated<K: Kind>(queries: &[Query<K>]) -> Vec<Query<K>> {
     queries.iter().cycle().take(QUERIES).cloned().collect()
 }
@@ -59,7 +60,7 @@ fn contact_times<K: Kind + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
 
 /// Cloth in contact at the end: some hundred thousand candidates.
 static LANDING: LazyLock<Cloth> = LazyLock::new(|| Cloth::new(50, 0.1));
-/// The same that is not, which nobody knows before all candidates are looked at.
+/// Cloth without contact, which is decided only after the last candidate.
 static FREE: LazyLock<Cloth> = LazyLock::new(|| Cloth::new(50, 0.45));
 
 /// Vector instructions under their short name.

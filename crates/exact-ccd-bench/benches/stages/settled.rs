@@ -3,17 +3,17 @@
 use exact_ccd::{Kind, Point, Query, Stage};
 use fastrand::Rng;
 
-/// How many different ones there are, at most.
+/// The largest number of different queries.
 const DIFFERENT: usize = 64;
-/// How many are looked through.
+/// The number of queries that are tried.
 const TRIES: usize = 20_000;
 
-/// Queries that `stage` settles when asked whether they collide.
+/// Queries whose decision is settled at `stage`.
 pub(crate) fn decided<K: Kind>(stage: Stage) -> Vec<Query<K>> {
     found(|query: &Query<K>| query.collides_with_stage().1 == stage)
 }
 
-/// Queries that `stage` settles when asked for contact times: colliding ones, if it settles such.
+/// Queries whose contact times are settled at `stage`: colliding ones, if it settles any.
 pub(crate) fn timed<K: Kind>(stage: Stage) -> Vec<Query<K>> {
     let is_settled = |query: &Query<K>| query.contact_times_with_stage().1 == stage;
     let colliding = found(|query| is_settled(query) && query.collides());

@@ -6,7 +6,8 @@ use exact_ccd::parity::Rounded;
 use exact_ccd::{ContactTimes, EdgeEdge, Point, Query};
 
 use crate::drawing::Drawing;
-use crate::space::{View, between, cross, dot, minus};
+use crate::space::View;
+use crate::vectors::{between, cross, dot, minus};
 
 /// An edge a that tilts like a see-saw, its middle at a height, and an edge b that slides along under it.
 fn query(height: f64) -> Result<Query<EdgeEdge>, Box<dyn Error>> {

@@ -5,7 +5,8 @@ use std::fmt::Write;
 /// A place in a drawing, in pixels from its upper left corner.
 pub(crate) type Pixel = [f64; 2];
 
-/// What the classes look like. The colours are those of Okabe and Ito, which all eyes can tell apart.
+/// The styles of the classes. The colours are those of Okabe and Ito, which colour-blind readers
+/// can distinguish.
 const STYLE: &str = "\
 text{font:13px sans-serif;fill:#222}
 .bold{font-weight:bold}.middle{text-anchor:middle}.small{font-size:11.5px}

@@ -83,7 +83,8 @@ fn draw_shape(drawing: &mut Drawing, [left, top]: Pixel, shape: &Shape) {
     }
 }
 
-/// The outline of the patch, the region that an odd number of the triangles covers, and how many cover each region.
+/// The outline of the patch, the region that an odd number of the triangles covers, and how many
+/// cover each region.
 fn draw_pair(drawing: &mut Drawing, centre: Pixel, shape: &Shape, pair: Pair) {
     let see = |[x, y]: Place| [centre[0] + 18.0 * x, centre[1] - 18.0 * y];
     let triangles = pair.map(|triangle| triangle.map(|corner| shape.corners[corner]));
@@ -126,7 +127,7 @@ fn draw_names(drawing: &mut Drawing, shape: &Shape, see: impl Fn(Place) -> Pixel
     }
 }
 
-/// How many of the triangles cover a place.
+/// The number of triangles that cover a place.
 fn covering(triangles: &[[Place; 3]; 2], place: Place) -> usize {
     let turn =
         |a: Place, b: Place| (a[0] - place[0]) * (b[1] - place[1]) - (a[1] - place[1]) * (b[0] - place[0]);

@@ -7,9 +7,9 @@ use exact_ccd::{EdgeEdge, Point, Query};
 
 use crate::drawing::{Drawing, Pixel};
 use crate::patch::Patch;
-use crate::space::{between, minus};
+use crate::vectors::{between, minus};
 
-/// The corners of a patch, and places to ask about.
+/// The corners of a patch, and test points.
 type Panel = (&'static str, [Point; 4], &'static [Point]);
 
 const PANELS: [Panel; 2] = [

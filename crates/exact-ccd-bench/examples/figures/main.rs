@@ -13,6 +13,7 @@ mod prism;
 mod rays;
 mod space;
 mod tetrahedron;
+mod vectors;
 
 use std::error::Error;
 use std::path::PathBuf;

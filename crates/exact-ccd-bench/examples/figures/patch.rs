@@ -2,7 +2,7 @@
 
 use exact_ccd::Point;
 
-use crate::space::{between, cross, dot};
+use crate::vectors::{between, cross, dot};
 
 /// The patch with four corners, in cyclic order.
 #[derive(Clone, Copy)]
@@ -30,8 +30,8 @@ impl Patch {
         (0..n).flat_map(|i| (0..n).map(move |j| cell(i, j))).collect()
     }
 
-    /// Where the positive x axis crosses the patch: the roots of y = a + b s + c r + d s r and z = …, of which r is
-    /// eliminated.
+    /// Where the positive x axis crosses the patch: the roots of y = a + b s + c r + d s r and z =
+    /// …, of which r is eliminated.
     pub(crate) fn crossings(&self) -> Vec<f64> {
         let [q0, q1, q2, q3] = self.0;
         let coefficients = |axis: usize| {

@@ -7,7 +7,8 @@ use exact_ccd::{Point, Query, VertexFace};
 
 use crate::drawing::Drawing;
 use crate::patch::Patch;
-use crate::space::{View, between, minus};
+use crate::space::View;
+use crate::vectors::{between, minus};
 
 /// The face at t = 0 and at t = 1. It turns as it rises.
 const FACE: [[Point; 3]; 2] = [

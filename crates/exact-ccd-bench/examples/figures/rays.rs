@@ -3,9 +3,9 @@
 use exact_ccd::Point;
 
 use crate::drawing::{Drawing, Pixel};
-use crate::space::cross;
+use crate::vectors::cross;
 
-/// What is seen of the plane x = 1: from where to where, in y and in z.
+/// The visible part of the plane x = 1: the ranges of y and of z.
 const FRAME: [[f64; 2]; 2] = [[-1.8, 3.0], [-1.5, 4.6]];
 
 pub(crate) fn figure() -> String {
@@ -47,7 +47,8 @@ fn draw_key(drawing: &mut Drawing) {
     }
 }
 
-/// The planes through the origin and two corners of one face of the cube [−1, 1]³, by their normals, each plane once.
+/// The planes through the origin and two corners of one face of the cube [−1, 1]³, by their
+/// normals, each plane once.
 fn planes() -> Vec<Point> {
     let corners: Vec<Point> = (0..8)
         .map(|i| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -1.0 } else { 1.0 }))

@@ -1,18 +1,19 @@
-//! Points in space, and how they are seen.
+//! The projection of points and patches in space.
 
 use exact_ccd::Point;
 
 use crate::drawing::{Drawing, Pixel};
 use crate::patch::Patch;
+use crate::vectors::{cross, dot, minus};
 
 /// An oblique projection: x to the right, z up, y away.
 #[derive(Clone, Copy)]
 pub(crate) struct View {
-    /// Where the point 0 is seen.
+    /// The pixel of the point 0.
     pub(crate) centre: Pixel,
     /// Pixels per unit.
     pub(crate) scale: f64,
-    /// Where a unit of y is seen, in units to the right and up.
+    /// The displacement of a unit of y, in units to the right and up.
     pub(crate) away: [f64; 2],
 }
 
@@ -29,8 +30,8 @@ impl View {
         points.map(|point| self.see(point))
     }
 
-    /// Draws patches of the stated classes, cut into n × n, what is behind first, and the fainter the more their side is
-    /// turned away from the light.
+    /// Draws patches of the stated classes, cut into n × n, what is behind first, and the fainter
+    /// the more their side is turned away from the light.
     pub(crate) fn draw_patches(&self, drawing: &mut Drawing, n: u32, patches: &[(&str, Patch)]) {
         let mut cells: Vec<_> = patches
             .iter()
@@ -43,8 +44,8 @@ impl View {
         }
     }
 
-    /// Draws the origin and the ray from it along x, to a length, with its crossings; in the class `odd` where an odd
-    /// number of them is ahead.
+    /// Draws the origin and the ray from it along x, to a length, with its crossings; in the class
+    /// `odd` where an odd number of them is ahead.
     pub(crate) fn draw_ray(&self, drawing: &mut Drawing, odd: &str, length: f64, mut crossings: Vec<f64>) {
         crossings.sort_by(f64::total_cmp);
         let at = |x: f64| self.see([x, 0.0, 0.0]);
@@ -62,28 +63,7 @@ impl View {
     }
 }
 
-pub(crate) fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-/// The point a part of the way from one to another.
-pub(crate) fn between(a: Point, b: Point, part: f64) -> Point {
-    [0, 1, 2].map(|axis: usize| (1.0 - part) * a[axis] + part * b[axis])
-}
-
-pub(crate) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-/// How much light a cell has, from 0 to 1.
+/// The brightness of a cell, from 0 to 1.
 fn brightness([a, b, c, d]: [Point; 4]) -> f64 {
     const LIGHT: Point = [-0.6, -0.48, 0.64];
     let normal = cross(minus(c, a), minus(d, b));

@@ -1,10 +1,12 @@
-//! A bilinear patch in its tetrahedron, four places of the origin, and the two triangles that stand for the patch.
+//! A bilinear patch in its tetrahedron, four places of the origin, and the two triangles that stand
+//! for the patch.
 
 use exact_ccd::Point;
 
 use crate::drawing::Drawing;
 use crate::patch::Patch;
-use crate::space::{View, minus};
+use crate::space::View;
+use crate::vectors::minus;
 
 /// The corners of the patch.
 const CORNERS: [Point; 4] = [

@@ -17,7 +17,8 @@ pub enum Contestant {
     Peer(Peer),
 }
 
-/// The number of times that the same queries are answered. The least time counts: longer ones are due to the scheduler.
+/// The number of times that the same queries are answered. The least time counts: longer ones are
+/// due to the scheduler.
 const ATTEMPTS: usize = 3;
 
 /// Queries that together take longer than this are answered only once.

@@ -3,20 +3,23 @@
 //! A peer is a command. It writes a line of JSON, its methods:
 //!
 //! ```json
-//! {"methods": [{"name": "TI", "false_negatives": false, "false_positives": true, "time": "conservative", "call_ns": 700.0}]}
+//! {"methods": [{"name": "TI", "false_negatives": false, "false_positives": true,
+//!               "time": "conservative", "call_ns": 700.0}]}
 //! ```
 //!
-//! where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`, `conservative` or `exact`, and
-//! `call_ns` is the time of an empty call in nanoseconds. Then, again and again, it reads a line such as
+//! in one line, where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`, `conservative`
+//! or `exact`, and `call_ns` is the time of an empty call in nanoseconds. Then, again and again, it
+//! reads a line such as
 //!
 //! ```json
 //! {"method": "TI", "kind": "vf", "queries": 128, "limit_ns": 1000000}
 //! ```
 //!
-//! and 24 little-endian `f64` for each query: the points at t = 0 and then at t = 1. It answers the queries in order, and
-//! stops after the one during which the limit is passed. It writes a line with the number of queries that it answered
-//! and, for each, three little-endian `f64`: the nanoseconds that it took, 1 for contact or 0, and the time of contact or
-//! NaN. It ends when its input ends.
+//! and 24 little-endian `f64` for each query: the points at t = 0 and then at t = 1. It answers the
+//! queries in order, and stops after the one during which the limit is passed. It writes a line
+//! with the number of queries that it answered and, for each, three little-endian `f64`: the
+//! nanoseconds that it took, 1 for contact or 0, and the time of contact or NaN. It ends when its
+//! input ends.
 
 use std::cell::RefCell;
 use std::io::{self, Write};
@@ -116,8 +119,8 @@ struct Request<'a> {
 impl Peer {
     /// Starts a program, and returns its methods.
     ///
-    /// The program fails if it needs longer than `grace` for the line with its methods, or, beyond the time limit of the
-    /// queries, for an answer.
+    /// The program fails if it needs longer than `grace` for the line with its methods, or, beyond
+    /// the time limit of the queries, for an answer.
     ///
     /// # Errors
     /// If the program cannot be started, or does not write the line with its methods.
@@ -174,7 +177,8 @@ impl Peer {
         self.call_nanoseconds
     }
 
-    /// Answers queries in order, the first at least, until the time is up. After an error the program is ended.
+    /// Answers queries in order, the first at least, until the time is up. After an error the
+    /// program is ended.
     pub(super) fn answer<K: DataKind>(
         &mut self,
         queries: &[Query<K>],

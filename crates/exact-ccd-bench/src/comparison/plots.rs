@@ -1,4 +1,4 @@
-//! A table as drawings.
+//! The plots of a table.
 
 use exact_ccd_plot::plotters::prelude::*;
 use exact_ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
@@ -11,22 +11,23 @@ const SIZE: (u32, u32) = (1000, 640);
 /// Room for the names beside the drawing.
 const LEGEND: i32 = 150;
 
-/// An SVG file: for each method, which share of the queries takes longer than a time. Both axes are logarithmic.
+/// An SVG file: for each method, the share of the queries that take longer than a time. Both axes
+/// are logarithmic.
 pub(super) fn tails(table: &Table) -> String {
     svg(SIZE, |area| draw_tails(table, area))
 }
 
-/// An SVG file: for each method, its mean time and which share of its answers is wrong.
+/// An SVG file: for each method, its mean time and the share of its wrong answers.
 pub(super) fn accuracy(table: &Table) -> String {
     svg(SIZE, |area| draw_accuracy(table, area))
 }
 
-/// Whether the colours are used again: for dashed lines and open symbols.
+/// True if the colour is used for the second time: then lines are dashed and symbols open.
 fn is_second_round(index: usize) -> bool {
     index >= COLOR_COUNT
 }
 
-/// A triangle around a point that the drawing gives; those of plotters are never open.
+/// A triangle around a point. The triangles of plotters are never open.
 fn triangle<B: DrawingBackend>(index: usize) -> DynElement<'static, B, (i32, i32)> {
     let corners = vec![(0, -7), (6, 4), (-6, 4), (0, -7)];
     if is_second_round(index) {
@@ -136,7 +137,7 @@ fn draw_accuracy<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
     draw_symbols_legend(area, table)
 }
 
-/// In per cent: of the queries that do not collide, those said to; of those that collide, those said not to.
+/// The rates of false positives and of false negatives, in per cent.
 fn error_rates(row: &Row) -> [f64; 2] {
     let rate = |wrong: usize, of: usize| 100.0 * wrong as f64 / of.max(1) as f64;
     [

@@ -38,7 +38,7 @@ impl Process {
         Ok(Self {
             child,
             requests: BufWriter::new(requests),
-            answers: Answers::new(answers),
+            answers: Answers::new(answers)?,
         })
     }
 
@@ -81,9 +81,9 @@ impl Drop for Process {
 }
 
 impl Answers {
-    fn new(output: ChildStdout) -> Self {
+    fn new(output: ChildStdout) -> io::Result<Self> {
         let (sender, chunks) = sync_channel(1);
-        thread::spawn(move || {
+        thread::Builder::new().spawn(move || {
             let mut output = BufReader::new(output);
             loop {
                 let chunk = output.fill_buf().map(<[u8]>::to_vec);
@@ -94,13 +94,13 @@ impl Answers {
                     return;
                 }
             }
-        });
-        Self {
+        })?;
+        Ok(Self {
             chunks,
             chunk: Vec::new(),
             consumed: 0,
             patience: Duration::MAX,
-        }
+        })
     }
 }
 

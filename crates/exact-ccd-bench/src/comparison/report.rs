@@ -12,13 +12,13 @@ use super::plots;
 use super::setting::Setting;
 use super::table::{Row, Sizes, Table};
 
-/// All that a comparison found.
+/// The results of a comparison.
 #[derive(Clone, Debug, Serialize)]
 #[non_exhaustive]
 pub struct Report {
-    /// Where and how.
+    /// The machine and the build.
     pub setting: Setting,
-    /// What else is to be known, a sentence each.
+    /// Remarks, a sentence each.
     pub notes: Vec<String>,
     /// A table for each data set and kind of query.
     pub tables: Vec<Table>,
@@ -38,15 +38,19 @@ impl Report {
                 .map(|peer| {
                     let microseconds = peer.call_nanoseconds() / 1e3;
                     let name = peer.name();
-                    format!("{name} runs in another process; each of its times includes {microseconds:.2} µs for the call.")
+                    format!(
+                        "{name} runs in another process; each of its times includes {microseconds:.2} µs \
+                         for the call."
+                    )
                 })
                 .collect(),
             tables: Vec::new(),
         }
     }
 
-    /// Writes `report.md`, `report.csv`, `report.json`, and for each table `tails-…` and `accuracy-….svg`, into a
-    /// folder that it makes if need be. The files of an earlier report are replaced.
+    /// Writes `report.md`, `report.csv`, `report.json`, and for each table `tails-….svg` and
+    /// `accuracy-….svg`, into a folder, which is created if it does not exist. The files of an
+    /// earlier report are replaced.
     ///
     /// # Errors
     /// If a file cannot be written.
@@ -76,7 +80,7 @@ impl Report {
     pub fn markdown(&self) -> String {
         let mut text = format!("{}.\n\n", self.setting);
         text += "Times in µs: T is the mean, TP that of queries that collide, TN that of the others. FP and FN are wrong answers \
-                 among those given. t is how far the times of impact are from the true ones, in time steps.\n\n";
+                 among those given. t is the error of the times of impact, in time steps.\n\n";
         for note in &self.notes {
             text += note;
             text += "\n\n";
@@ -167,7 +171,7 @@ impl Table {
         if colliding + free < table.queries {
             let _ = write!(
                 text,
-                "; a random sample of {} is asked, {colliding} of them in contact",
+                "; the methods answer a random sample of {}, {colliding} of them in contact",
                 colliding + free
             );
         }
@@ -211,7 +215,7 @@ fn markdown_row(row: &Row, sample: Sizes) -> String {
     )
 }
 
-/// Three significant digits, as far as the clock has them.
+/// A time with three significant digits, but no more than two decimals.
 fn microseconds(time: Option<f64>) -> String {
     time.map_or("–".to_owned(), |time| match time {
         ..10.0 => format!("{time:.2}"),
@@ -241,7 +245,7 @@ fn file_name(table: &Table) -> String {
     format!("{}-{}", words.join("-"), table.kind)
 }
 
-/// Writes a file at once: whoever stops the program finds the old one or the new one.
+/// Replaces a file at once: if the program stops, the file is the old one or the new one.
 fn replace(file: &Path, text: &str) -> io::Result<()> {
     let mut part = file.as_os_str().to_owned();
     part.push(".part");

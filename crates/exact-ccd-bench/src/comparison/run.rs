@@ -29,8 +29,8 @@ struct Standing {
 }
 
 impl Comparison {
-    /// Each contestant answers the queries of a data set one after the other until it has spent its budget of time on
-    /// them.
+    /// Each contestant answers the queries of a data set one after the other until it has spent its
+    /// budget of time on them.
     #[must_use]
     pub fn new(contestants: Vec<Contestant>, budget: Duration) -> Self {
         Self {
@@ -53,8 +53,9 @@ impl Comparison {
             .map(|(index, error)| (self.contestants[*index].name(), error))
     }
 
-    /// Lets all contestants answer the sample of a data set. They take turns, so that the load of the machine is the same
-    /// for all of them. `progress` is called from time to time with the part of the work that is done.
+    /// Lets all contestants answer the sample of a data set. They take turns, so that the load of
+    /// the machine is the same for all of them. `progress` is called from time to time with the
+    /// part of the work that is done.
     ///
     /// A peer that [fails](Self::failures) answers no more, in this data set and in later ones.
     pub fn run<K: DataKind>(

@@ -2,19 +2,20 @@
 
 use exact_ccd::{ContactTime, Kind, Query};
 
-/// A query, and what is true of it.
+/// A query and its ground truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subject<K> {
     /// The query.
     pub query: Query<K>,
-    /// Whether its primitives touch.
+    /// True if its primitives touch.
     pub collides: bool,
-    /// When first, rounded down, if it is known.
+    /// The earliest contact time, rounded down, if it is known.
     pub first: Option<f64>,
 }
 
 impl<K: Kind> Subject<K> {
-    /// A query, of which it may be known whether its primitives touch. What is not known is computed by the exact method.
+    /// A query and its ground truth, if there is one: true for contact. The exact method computes
+    /// what is missing.
     #[must_use]
     pub fn new(query: Query<K>, truth: Option<bool>) -> Self {
         let first = match truth {
@@ -29,8 +30,11 @@ impl<K: Kind> Subject<K> {
     }
 }
 
-/// A sample of the queries of a data set: those that collide and those that do not are drawn apart, and each share is
-/// weighed by how many the data set has, so that rare contacts are timed as well as frequent ones.
+/// A sample of the queries of a data set.
+///
+/// Queries that collide and queries that do not are two classes, of which as many are drawn, so
+/// that rare contacts are timed as well as frequent ones. Means weight each class by its share of
+/// the data set.
 #[derive(Clone, Debug)]
 pub struct Subjects<K> {
     free: Reservoir<Subject<K>>,
@@ -38,8 +42,8 @@ pub struct Subjects<K> {
     random: fastrand::Rng,
 }
 
-/// A sample of a stream of unknown length, each of whose items is in it with the same probability (Vitter 1985,
-/// algorithm R).
+/// A sample of a stream of unknown length, each of whose items is in it with the same probability
+/// (Vitter 1985, algorithm R).
 #[derive(Clone, Debug)]
 struct Reservoir<T> {
     kept: Vec<T>,
@@ -73,12 +77,12 @@ impl<K: Copy> Subjects<K> {
         Self {
             free: Reservoir::new(most),
             colliding: Reservoir::new(most),
-            // The same sample every time.
+            // The seed is fixed: the sample is the same every time.
             random: fastrand::Rng::with_seed(0),
         }
     }
 
-    /// One more query of the data set.
+    /// Adds a query of the data set, which the sample may drop.
     pub fn add(&mut self, subject: Subject<K>) {
         let reservoir = if subject.collides {
             &mut self.colliding
@@ -88,14 +92,14 @@ impl<K: Copy> Subjects<K> {
         reservoir.add(subject, &mut self.random);
     }
 
-    /// How many queries the data set has that do not collide, and that do.
+    /// The numbers of queries of the data set that do not collide, and that do.
     #[must_use]
     pub fn population(&self) -> [usize; 2] {
         [self.free.seen, self.colliding.seen]
     }
 
-    /// The sample in random order, both classes taking turns while there are some of either: who answers only the first
-    /// few has seen both.
+    /// The sample in random order. The two classes alternate until one is exhausted, so that a
+    /// method that answers only the first few has answered both.
     #[must_use]
     pub fn sample(&self) -> Vec<Subject<K>> {
         let mut random = self.random.clone();

@@ -1,27 +1,27 @@
-//! Where and how a comparison was run.
+//! The machine and the build of a comparison.
 
 use std::fmt;
 use std::fs;
 
 use serde::Serialize;
 
-/// The machine, and how the program was built.
+/// The machine, and the settings of the build.
 #[derive(Clone, Debug, Serialize, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Setting {
     /// The name of the processor.
     pub processor: String,
-    /// How many threads it runs at a time.
+    /// The number of threads that it runs at a time.
     pub cores: usize,
-    /// How many threads answer queries.
+    /// The number of threads that answer queries.
     pub threads: usize,
-    /// The compiler.
+    /// The version of the compiler.
     pub compiler: String,
-    /// What it compiled for.
+    /// The target of the compiler.
     pub target: String,
     /// The level of optimisation.
     pub optimisation: String,
-    /// Flags given to it.
+    /// The flags of the compiler.
     pub flags: String,
     /// The version of this program.
     pub version: String,
@@ -65,7 +65,7 @@ impl fmt::Display for Setting {
     }
 }
 
-/// As Linux calls it; elsewhere, its architecture.
+/// The name of the processor on Linux; elsewhere, its architecture.
 fn processor() -> String {
     let information = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = information

@@ -1,4 +1,4 @@
-//! Where queries come from: the data sets in a folder.
+//! The data sets in a folder.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -10,7 +10,7 @@ use exact_ccd_mesh::{Bvh, Candidates};
 
 use super::sampling::{Subject, Subjects};
 
-/// A data set in a folder, not read yet.
+/// A data set in a folder, before it is read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Source {
     name: String,
@@ -19,21 +19,24 @@ pub struct Source {
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Queries {
-    /// The query files in some folders, as they are or each query shifted and rounded by itself.
+    /// The query files in some folders, as they are or with each query shifted and rounded by itself.
     Files { folders: Vec<PathBuf>, rounded: bool },
-    /// The pairs of a scene that were queried, with verdicts.
+    /// The queried pairs of a scene, with verdicts.
     Pairs(Scene),
-    /// What the broad phase finds in a scene.
+    /// The candidates of the broad phase in a scene.
     Candidates(Scene),
 }
 
-/// How deep below the folder data sets are looked for.
+/// The depth of the search for data sets below the folder.
 const DEPTH: usize = 3;
 
 impl Source {
-    /// All data sets in a folder, or in folders inside of it: folders that have query files, .csv or .parquet, in
-    /// `edge-edge` or `vertex-face`, those side by side as one set, as they are and rounded; and scenes, which have `frames`, with the
-    /// pairs that were queried and with the candidates of the broad phase.
+    /// All data sets in a folder, or in folders inside of it.
+    ///
+    /// Folders with query files, .csv or .parquet, in `edge-edge` or `vertex-face` are two data
+    /// sets: as they are, and rounded. Such folders side by side are taken together. Scenes, which
+    /// have a folder `frames`, are up to two data sets: the queried pairs, and the candidates of
+    /// the broad phase.
     ///
     /// # Errors
     /// If a folder cannot be read.
@@ -55,14 +58,14 @@ impl Source {
         Ok(sources)
     }
 
-    /// What the tables call it.
+    /// The name in tables, different from those of the other data sets.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Reads the queries of a kind, and keeps a random sample, up to `most` of those that collide and as many of those
-    /// that do not. What the files do not say of them is computed by the exact method.
+    /// Reads the queries of a kind, and keeps a random sample: up to `most` of those that collide
+    /// and as many of those that do not. The exact method replaces ground truth that is missing.
     ///
     /// # Errors
     /// If a file is missing or wrong.
@@ -76,7 +79,7 @@ impl Source {
                             if !rounded {
                                 subjects.add(Subject::new(query, truth));
                             } else if let Ok(rounded) = Rounded::shift(&query) {
-                                // What cannot be rounded is in no rounded data set.
+                                // A query that cannot be rounded is left out.
                                 subjects.add(Subject::new(*rounded.query(), None));
                             }
                         })?;

@@ -18,8 +18,8 @@ pub(super) fn mean(values: &[f64]) -> Option<f64> {
     (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
 }
 
-/// The mean over a data set from the means over its two classes and their sizes. `None` if the data set is empty, or if a
-/// class that is not empty has no mean.
+/// The mean over a data set from the means over its two classes and their sizes. `None` if the data
+/// set is empty, or if a class that is not empty has no mean.
 pub(super) fn weighted_mean(population: [usize; 2], means: [Option<f64>; 2]) -> Option<f64> {
     let total: usize = population.iter().sum();
     let mut weighted = 0.0;
@@ -31,8 +31,8 @@ pub(super) fn weighted_mean(population: [usize; 2], means: [Option<f64>; 2]) -> 
     (total > 0).then_some(weighted)
 }
 
-/// The times of both classes in increasing order, each with its share of the data set. Empty if a class of the data set has
-/// no time.
+/// The times of both classes in increasing order, each with its share of the data set. Empty if a
+/// class of the data set has no time.
 pub(super) fn distribution(population: [usize; 2], times: &[Vec<f64>; 2]) -> Vec<(f64, f64)> {
     if population
         .iter()
@@ -70,7 +70,8 @@ pub(super) fn quantile(distribution: &[(f64, f64)], share: f64) -> Option<f64> {
 }
 
 impl TimeError {
-    /// The errors of pairs of a true time and an answer, of which either can be missing. `None` if no pair is complete.
+    /// The errors of pairs of a true time and an answer, of which either can be missing. `None` if
+    /// no pair is complete.
     pub(super) fn new(times: impl Iterator<Item = (Option<f64>, Option<f64>)>) -> Option<Self> {
         let pairs: Vec<(f64, f64)> = times.filter_map(|(first, time)| first.zip(time)).collect();
         let mut errors: Vec<f64> = pairs.iter().map(|(first, time)| (time - first).abs()).collect();

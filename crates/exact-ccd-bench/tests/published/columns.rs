@@ -10,7 +10,7 @@ use exact_ccd_data::{
 
 use crate::{data, scenes};
 
-/// What becomes of a query file on the way to Parquet and back.
+/// A query file after a round trip through Parquet.
 fn there_and_back<K: DataKind>(file: &Path) -> Vec<u8> {
     let parquet = tempfile::Builder::new().suffix(".parquet").tempfile().unwrap();
     let mut columns = ColumnWriter::<K, _>::new(parquet.as_file()).unwrap();

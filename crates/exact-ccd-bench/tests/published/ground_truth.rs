@@ -126,7 +126,7 @@ fn contact_times_equal_the_symbolic_roots_bit_for_bit() {
 
 fn assert_same_times(times: &ContactTimes, root: &Roots, place: &str) {
     let bits = |times: &[f64]| times.iter().map(|time| time.to_bits()).collect::<Vec<_>>();
-    // Of an interval, the files know the first time only.
+    // The files have only the first time of an interval.
     let lower: Vec<f64> = match times {
         ContactTimes::Finite(times) => times.iter().map(|time| time.lower()).collect(),
         ContactTimes::Interval { first } => vec![first.lower()],

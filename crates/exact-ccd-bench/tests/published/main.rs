@@ -1,6 +1,6 @@
-//! The published data sets, with symbolic ground truth that no one on this project made.
+//! The published data sets, with symbolic ground truth from outside of this project.
 //!
-//! Without the data folder these tests are ignored, and say why.
+//! Without the data folder these tests are ignored.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -21,7 +21,8 @@ fn turned(mut triangle: [u32; 3]) -> [u32; 3] {
     triangle
 }
 
-/// The section `$Surface` that some of the files have: a count, and the triangles by the tags of their nodes, from 1.
+/// The section `$Surface` that some of the files have: a count, and the triangles by the tags of
+/// their nodes, from 1.
 fn listed_surface(file: &Path) -> Option<Vec<[u32; 3]>> {
     let text = fs::read_to_string(file).unwrap();
     let (_, section) = text.split_once("$Surface\n")?;

@@ -1,4 +1,4 @@
-//! Root parity on the published queries: what it is by the definition of contact, and what it misses.
+//! Root parity on the published queries: the parity by the definition of contact, and the false negatives.
 
 use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{EdgeEdge, Query, VertexFace};
@@ -13,7 +13,8 @@ fn rounded<K: DataKind>(query: &Query<K>) -> Rounded<K> {
     Rounded::shift(query).unwrap()
 }
 
-/// Queries whose parity, once they are rounded, is not that in integers, or not what the definition of contact makes it.
+/// Queries whose parity, once they are rounded, is not that in integers, or not what the definition
+/// of contact makes it.
 fn exceptions<K: DataKind + Rim>(samples: &[Sample<K>]) -> Vec<usize> {
     let is_exception = |index: &usize| {
         let rounded = rounded(&samples[*index].query);
@@ -54,7 +55,8 @@ fn of_all_pairs_of_the_scenes_is_as_defined() {
     assert_eq!(counts.sum::<usize>(), 119_385);
 }
 
-/// How many queries collide, and how many of these do not, according to their parity and to the exact decision.
+/// The number of queries that collide, and the numbers of those that do not according to parity and
+/// to the exact decision.
 type Misses = [usize; 3];
 
 /// The shift rounds so little here that it changes no parity.
@@ -98,7 +100,8 @@ fn misses_two_contacts() {
     assert_eq!(found.collect::<Vec<_>>(), expected);
 }
 
-/// Degenerate queries do not survive rounding: so many are collisions only once they are shifted, or no longer.
+/// Degenerate queries do not survive rounding: so many are collisions only once they are shifted,
+/// or no longer.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn depends_on_rounding_where_queries_are_degenerate() {

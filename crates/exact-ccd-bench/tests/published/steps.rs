@@ -152,7 +152,8 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
     }
 }
 
-/// The same bits at any optimisation level, on any machine: `cargo test` and `cargo test --release` both compare with these.
+/// The same bits at any optimisation level, on any machine: `cargo test` and `cargo test --release`
+/// both compare with these.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn contacts_and_their_times_have_the_bits_that_they_always_had() {

@@ -1,4 +1,4 @@
-//! How many rounding errors there are of which magnitude.
+//! The histogram of rounding errors by magnitude.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -9,7 +9,7 @@ const WIDTH: usize = 50;
 /// Rounding errors, counted by decades.
 #[derive(Default)]
 pub(super) struct Histogram {
-    /// The counts of zeros, as `None`, and of errors from 10ᵏ up to below 10ᵏ⁺¹, as `Some(k)`, but no count of 0.
+    /// The counts of zeros, as `None`, and of errors from 10ᵏ up to below 10ᵏ⁺¹, as `Some(k)`. No count is 0.
     counts: BTreeMap<Option<i32>, usize>,
     largest: f64,
 }
@@ -43,7 +43,7 @@ impl Histogram {
 
 /// The k with 10ᵏ ≤ error < 10ᵏ⁺¹, or `None` for 0.
 fn decade(error: f64) -> Option<i32> {
-    // Logarithms differ from machine to machine at powers of ten; decimals do not.
+    // At powers of ten, logarithms differ from machine to machine; decimals do not.
     let text = format!("{error:e}");
     let (_, exponent) = text.split_once('e')?;
     exponent.parse().ok().filter(|_| error > 0.0)

@@ -11,7 +11,7 @@ use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
 use crate::output::write_file;
 
-/// Reads each mesh twice, so that one at a time is in memory: a simulation can have many frames.
+/// Reads each mesh twice, so that only one is in memory at a time: a simulation can have many frames.
 pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
     let inputs = &arguments.inputs;
     let outputs = arguments
@@ -45,7 +45,7 @@ fn read(file: &Path) -> Result<Frame, Failure> {
     Ok(Frame::read(file)?)
 }
 
-/// Where each mesh goes: the only one to `output` itself, several to their names in that folder.
+/// The output file of each mesh: `output` of a single one, files of the same names in that folder of several.
 fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failure> {
     if inputs.len() == 1 {
         return Ok(vec![output.to_owned()]);

@@ -25,33 +25,34 @@ use crate::progress::{self, during};
 /// coordinates, which must be exact f64. Section 4.2 of the paper "Fast and
 /// Exact Root Parity for Continuous Collision Detection" (2022) makes them so:
 /// along each axis, every coordinate x becomes fl(x + e), which is x + e rounded
-/// to f64. The displacement e is 0 along an axis where that is enough.
+/// to f64. The displacement e is 0 along an axis where the differences are exact.
 ///
 /// As in the paper, a data set or a simulation is moved as a whole: there is
-/// one displacement for all the files, that of the box around them.
+/// one displacement for all files, that of the box around them.
 ///
-/// Printed are the displacement and the histogram of the rounding errors
-/// |x + e - fl(x + e)| of all coordinates: how many are zero, and how many are
+/// The output is the displacement and the histogram of the rounding errors
+/// |x + e - fl(x + e)| of all coordinates: the number of zeros, and the number
 /// in each decade, from one power of ten to the next. The errors are exact.
 ///
 /// Exit status: 0 success, 2 error.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The files are query files of this kind, a vertex against a face or an edge against an edge; without it, they
-    /// are meshes.
+    /// The files are query files of this kind, a vertex against a face or an edge against an edge;
+    /// without it, they are meshes.
     #[arg(long)]
     kind: Option<Kind>,
     /// Move each query by a displacement of its own.
     #[arg(long, requires = "kind")]
     per_query: bool,
-    /// Write what was rounded: all queries as one query file, a mesh as a PLY file, several meshes as PLY files of
-    /// the same names in this folder. The ground truth of the queries is left out, for rounding can change it. A query
-    /// file whose name ends in .parquet has the columns of `exact-ccd convert`.
+    /// Write the rounded input: all queries to one query file, a mesh to a PLY file, several meshes
+    /// to PLY files of the same names in this folder. The ground truth of the queries is left out,
+    /// because rounding can change it. A query file whose name ends in .parquet has the columns of
+    /// `exact-ccd convert`.
     #[arg(long, value_name = "PATH")]
     output: Option<PathBuf>,
-    /// Write how many contact times each rounded query has, -1 for an interval, as the seventh column of the query
-    /// file, where the ground truth would be.
+    /// Write the number of contact times of each rounded query, -1 for an interval, as the seventh
+    /// column of the query file, in place of the ground truth.
     #[arg(long, requires = "kind", requires = "output")]
     roots: bool,
     /// Draw the histogram as an SVG file.
@@ -76,7 +77,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The displacement for all points in a box, which all of them can bear: rounding is monotone, and its corners can.
+/// The displacement for all points in a box. None overflows, because rounding is monotone and the
+/// corners do not.
 fn shared_displacement(bounds: &Aabb) -> Result<Displacement, RoundingError> {
     let displacement = bounds.displacement();
     let [lower, upper] = [bounds.lower, bounds.upper].map(|corner| displacement.apply(corner));

@@ -1,18 +1,18 @@
-//! The histogram as a drawing.
+//! The plot of the histogram.
 
 use exact_ccd_plot::plotters::prelude::*;
 use exact_ccd_plot::{Area, Axis, Drawn, Frame, color};
 
 use super::histogram::Histogram;
 
-/// Wide enough for every decade that f64 has to be seen.
+/// Wide enough for all decades of f64.
 const SIZE: (u32, u32) = (1000, 500);
 
-/// How many powers of ten are written on the axis, at most.
+/// The largest number of labels on the axis.
 const LABELS: i32 = 12;
 
-/// An SVG file: a bar for each decade on an axis of log₁₀ ε, as in figure 5 of the paper, and to the left of them one
-/// for the zeros.
+/// An SVG file: a bar for each decade on an axis of log₁₀ ε, as in figure 5 of the paper, and to
+/// the left of them one for the zeros.
 pub(super) fn svg(errors: &Histogram) -> String {
     exact_ccd_plot::svg(SIZE, |area| draw(errors, area))
 }
@@ -22,11 +22,11 @@ fn draw<'a>(errors: &Histogram, area: &Area<'a>) -> Drawn<'a> {
     let (first, last) = decades.fold((i32::MAX, i32::MIN), |(first, last), k| {
         (first.min(k), last.max(k + 1))
     });
-    // Without any, there is still an axis.
+    // Without decades, there is still an axis.
     let (first, last) = if first < last { (first, last) } else { (-16, -16) };
 
-    // The unit of the axis is half a decade, so that the bar of the zeros has its label in the middle, as far from the
-    // first power of ten as these are from each other.
+    // The unit of the axis is half a decade, so that the bar of the zeros has its label in the
+    // middle, as far from the first power of ten as these are from each other.
     let step = (last - first) / LABELS + 1;
     let zero = 2 * (first - step) - 1;
     let powers = (first..=last)

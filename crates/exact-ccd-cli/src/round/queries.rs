@@ -46,7 +46,7 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
     Ok(report)
 }
 
-/// The queries in a file, without the answers in it: they are not those of the rounded queries.
+/// The queries in a file without their answers, which are not those of the rounded queries.
 fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
     let records = query_files::records(file, Rounding::Refuse, Seventh::Contact)?;
     let without_answers = |record: Result<Record<K>, _>| {
@@ -57,7 +57,7 @@ fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
     records.map(without_answers).collect()
 }
 
-/// The query, moved and rounded. That its corner differences are exact is checked, not only proved.
+/// The query, moved and rounded. Its corner differences are exact by construction; this is checked as well.
 fn shift<K: Kind>(query: &Query<K>, displacement: Displacement) -> Result<Rounded<K>, RoundingError> {
     let [t0, t1] = query
         .points()

@@ -1,4 +1,4 @@
-//! What `exact-ccd round` prints.
+//! The output of `exact-ccd round`.
 
 use std::fmt;
 
@@ -8,13 +8,13 @@ use exact_ccd::parity::Displacement;
 use super::histogram::Histogram;
 use crate::shortest::shortest;
 
-/// What was done to the coordinates.
+/// The displacements and the rounding errors of the coordinates.
 pub(super) struct Report {
     displacements: Displacements,
     pub(super) errors: Histogram,
 }
 
-/// How far the coordinates were moved.
+/// The displacements of the coordinates.
 enum Displacements {
     Shared(Point),
     /// The largest along each axis.
@@ -22,7 +22,7 @@ enum Displacements {
 }
 
 impl Report {
-    /// Nothing was moved yet, and all is to be moved by the same displacement.
+    /// A report of no points yet, with one displacement for all.
     pub(super) fn shared(displacement: Displacement) -> Self {
         Self {
             displacements: Displacements::Shared(displacement.along_axes()),
@@ -30,7 +30,7 @@ impl Report {
         }
     }
 
-    /// Nothing was moved yet.
+    /// A report of no points yet, with a displacement for each query.
     pub(super) fn per_query() -> Self {
         Self {
             displacements: Displacements::PerQuery([0.0; 3]),
@@ -38,7 +38,7 @@ impl Report {
         }
     }
 
-    /// These points were moved and rounded.
+    /// Adds points that were moved by this displacement and rounded.
     pub(super) fn add(&mut self, displacement: Displacement, points: &[Point]) {
         if let Displacements::PerQuery(largest) = &mut self.displacements {
             let moved = displacement.along_axes();

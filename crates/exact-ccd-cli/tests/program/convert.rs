@@ -1,4 +1,4 @@
-//! What `exact-ccd convert` makes of query files and scenes.
+//! The output of `exact-ccd convert` for query files and scenes.
 
 use std::fs;
 
@@ -29,7 +29,7 @@ fn records(folder: &Folder, name: &str) -> Vec<Record<VertexFace>> {
     reader.records().map(|record| record.unwrap()).collect()
 }
 
-/// Runs the program, which succeeds and says nothing.
+/// Runs the program, which succeeds without output.
 #[track_caller]
 fn convert(folder: &Folder, arguments: &[&str]) {
     let run = folder.run(&[&["convert", "--kind", "vf"], arguments].concat());

@@ -1,4 +1,4 @@
-//! What the methods of `exact-ccd queries` answer.
+//! The methods of `exact-ccd queries`.
 
 use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
@@ -8,7 +8,8 @@ use crate::folder::Folder;
 use crate::queries::{HEADER, grid_points, miss, pass, slide};
 use crate::query_rows::{file, rows};
 
-/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at y = z = 1/8: t (1 − t) = 1/8, twice.
+/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at y = z = 1/8: t (1
+/// − t) = 1/8, twice.
 fn pass_twice() -> Query<VertexFace> {
     Query::<VertexFace>::new(
         [[1.0, 0.125, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],

@@ -1,4 +1,4 @@
-//! What `exact-ccd queries` answers.
+//! The answers of `exact-ccd queries`.
 
 use exact_ccd::{ContactTime, EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
@@ -27,7 +27,8 @@ pub(crate) fn slide() -> Query<VertexFace> {
     against_resting_face([-0.25, 0.25, 0.0], [0.25, 0.25, 0.0])
 }
 
-/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at z = 1/8: t (1 − t) = 1/8, twice.
+/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at z = 1/8: t (1 −
+/// t) = 1/8, twice.
 fn pass_twice() -> Query<VertexFace> {
     Query::<VertexFace>::new(
         [[1.0, 0.0, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
@@ -89,7 +90,7 @@ fn blanks_and_line_breaks_do_not_matter() {
 fn answers_are_compared_with_the_ground_truth() {
     let folder = Folder::new();
     let right = rows(&pass(), ",1") + &rows(&miss(), ",0");
-    // Where the truth is wrong, an answer that is right looks false.
+    // If the ground truth is wrong, a right answer counts as false.
     let wrong = rows(&pass(), ",0") + &rows(&slide(), ",0") + &rows(&miss(), ",1");
     folder.write("right.csv", right);
     folder.write("wrong.csv", wrong);

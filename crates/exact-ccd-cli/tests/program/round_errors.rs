@@ -1,4 +1,4 @@
-//! What `exact-ccd round` cannot use.
+//! The errors of `exact-ccd round`.
 
 use exact_ccd::{Query, VertexFace};
 use exact_ccd_mesh::Frame;
@@ -51,7 +51,8 @@ fn files_that_cannot_be_read() {
     }
 }
 
-/// A query whose first point is at `x` on this axis at t = 1; all other coordinates of it are shifted by 1 or not at all.
+/// A query whose first point is at `x` on this axis at t = 1; all other coordinates of it are
+/// shifted by 1 or not at all.
 fn far(axis: usize, x: f64) -> Query<VertexFace> {
     let mut points = [[[0.0; 3], [0.0; 3], [1.0; 3], [1.0; 3]]; 2];
     points[1][0][axis] = x;

@@ -1,4 +1,4 @@
-//! What `exact-ccd round` makes of meshes.
+//! The output of `exact-ccd round` for meshes.
 
 use exact_ccd_mesh::{Frame, Motion};
 
@@ -6,7 +6,7 @@ use crate::folder::Folder;
 use crate::meshes::{obj, off, ply, stl, tip_above_square};
 use crate::rounding_report::{Report, assert_drawn};
 
-/// The rounding errors of these frames, after the report was found to tell the right displacement.
+/// The rounding errors of these frames. The displacement in the report is checked first.
 fn errors(frames: &[&Frame], report: &Report) -> Vec<f64> {
     let bounds = frames
         .iter()

@@ -1,4 +1,4 @@
-//! What `exact-ccd round` makes of query files.
+//! The output of `exact-ccd round` for query files.
 
 use exact_ccd::parity::{Displacement, Rounded};
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
@@ -53,7 +53,8 @@ fn the_report_tells_displacement_and_errors() {
 #[test]
 fn errors_of_all_magnitudes_have_their_bars() {
     let mut points = *pass().points();
-    // e is a little more than 2¹⁰²², so that x is lost or rounded by up to half a unit in the last place of that.
+    // e is a little more than 2¹⁰²², so that x is lost or rounded by up to half a unit in the last
+    // place of that.
     let x = [-2f64.powi(1021), 1e-322, 1e-160, 1.5, 7e160, 2f64.powi(968)];
     for (point, x) in points.as_flattened_mut().iter_mut().zip(x) {
         point[0] = x;

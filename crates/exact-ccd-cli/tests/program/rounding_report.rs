@@ -1,11 +1,11 @@
-//! What `exact-ccd round` prints and draws.
+//! The report and the plot of `exact-ccd round`.
 
 use crate::folder::Run;
 
 /// A report, taken apart.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Report {
-    /// What the first line calls the displacement.
+    /// The name of the displacement in the first line.
     pub(crate) name: String,
     pub(crate) displacement: [f64; 3],
     pub(crate) coordinates: usize,
@@ -44,7 +44,7 @@ impl Report {
         }
     }
 
-    /// Whether each of these errors has its place in the histogram, and no other.
+    /// True if the histogram counts these errors and no others.
     #[track_caller]
     pub(crate) fn assert_counts(&self, errors: &[f64]) {
         assert_eq!(self.coordinates, errors.len());
@@ -87,7 +87,8 @@ impl Row {
     }
 }
 
-/// Whether a drawing shows the rows as bars: in their places on the axis, side by side, as high as there are many.
+/// True if a plot has the rows as bars: in their places on the axis, side by side, with heights in
+/// proportion.
 #[track_caller]
 pub(crate) fn assert_drawn(drawing: &str, rows: &[Row]) {
     assert!(

@@ -1,4 +1,4 @@
-//! Standard input, and output that nobody takes.
+//! Standard input, and closed output pipes.
 
 use exact_ccd::{Query, VertexFace};
 
@@ -36,7 +36,7 @@ fn errors_in_standard_input_say_so() {
     );
 }
 
-/// A run whose standard output nobody reads.
+/// A run whose standard output is a closed pipe.
 fn run_unread(folder: &Folder, arguments: &[&str]) -> Run {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);

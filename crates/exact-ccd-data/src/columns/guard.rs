@@ -1,7 +1,7 @@
-//! What stands between a damaged or forged file and the memory of the machine.
+//! Checks of a file before the library allocates memory for its contents.
 //!
-//! A file of a few bytes can announce pages of gigabytes. All that is announced is checked against what can be before the
-//! library makes room for it.
+//! A damaged or forged file of a few bytes can announce pages of gigabytes. Every announced size is
+//! checked against the size of the file or against a limit.
 
 use std::cell::Cell;
 use std::fs::File;
@@ -16,16 +16,17 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::ColumnChunkMetaData;
 use parquet::file::reader::{ChunkReader, Length};
 
-/// How many bytes a page may have, uncompressed. Writers aim at one megabyte; a dictionary can have more.
+/// The largest size of an uncompressed page in bytes. Writers aim at one megabyte; a dictionary can
+/// be larger.
 const PAGE: u64 = 1 << 28;
 
 thread_local! {
-    /// Whether a panic on this thread is told by [`catch`].
+    /// True while [`catch`] turns panics on this thread into errors.
     static CAUGHT: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What the library answers; that it panics is an error, and nothing on standard error.
-pub(super) fn catch<T>(ask: impl FnOnce() -> Result<T>) -> Result<T> {
+/// Calls the library. A panic becomes an error, without output on standard error.
+pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
     static QUIET: Once = Once::new();
     QUIET.call_once(|| {
         let loud = panic::take_hook();
@@ -36,7 +37,7 @@ pub(super) fn catch<T>(ask: impl FnOnce() -> Result<T>) -> Result<T> {
         }));
     });
     CAUGHT.set(true);
-    let answer = panic::catch_unwind(AssertUnwindSafe(ask));
+    let answer = panic::catch_unwind(AssertUnwindSafe(call));
     CAUGHT.set(false);
     answer.unwrap_or_else(|_| {
         Err(ParquetError::General(
@@ -49,7 +50,7 @@ pub(super) fn catch<T>(ask: impl FnOnce() -> Result<T>) -> Result<T> {
 pub(super) struct GuardedFile(pub(super) File);
 
 impl GuardedFile {
-    /// Whether a column chunk lies in the file.
+    /// True if a column chunk lies in the file.
     pub(super) fn holds(&self, chunk: &ColumnChunkMetaData) -> bool {
         let start = chunk.dictionary_page_offset().unwrap_or(chunk.data_page_offset());
         let [start, length] = [start, chunk.compressed_size()].map(u64::try_from);
@@ -68,7 +69,7 @@ impl Length for GuardedFile {
 impl ChunkReader for GuardedFile {
     type T = BufReader<File>;
 
-    /// The library asks for this to read the header of a page.
+    /// The library reads the header of a page with this.
     fn get_read(&self, start: u64) -> Result<Self::T> {
         let mut reader = self.0.get_read(start)?;
         match page_size(reader.fill_buf()?) {
@@ -90,8 +91,9 @@ impl ChunkReader for GuardedFile {
     }
 }
 
-/// The uncompressed size in the header of a page: its second field, after the type, both i32 in Thrift's compact protocol,
-/// where 0x15 begins an i32 with the next number. Another form is left to the library.
+/// The uncompressed size in the header of a page: its second field, after the type, both i32 in
+/// Thrift's compact protocol, where 0x15 begins an i32 with the next number. Another form is left
+/// to the library.
 fn page_size(header: &[u8]) -> Option<u64> {
     let after_type = varint(header.strip_prefix(&[0x15])?)?.1;
     let (zigzag, _) = varint(after_type.strip_prefix(&[0x15])?)?;
@@ -109,10 +111,11 @@ fn varint(bytes: &[u8]) -> Option<(u64, &[u8])> {
     Some((number, rest))
 }
 
-/// The pages of a column chunk, which together have no more values than there can be, and a dictionary before it is used.
+/// The pages of a column chunk. Their values are not more than announced, and a dictionary comes
+/// before its use.
 pub(super) struct GuardedPages<P> {
     pages: P,
-    /// How many values are yet to come, at most.
+    /// The largest number of values that can follow.
     left: usize,
     has_dictionary: bool,
 }

@@ -13,14 +13,14 @@ use super::COORDINATES;
 use super::guard::{GuardedFile, GuardedPages, catch};
 use crate::error::ColumnProblem;
 
-/// Where a column is, and what it should be.
+/// The place and the name of a column.
 #[derive(Clone, Copy)]
 pub(super) struct Leaf {
     pub(super) index: usize,
     name: &'static str,
 }
 
-/// What is asked of a column.
+/// The requirements on a column.
 pub(super) struct Expected {
     pub(super) name: &'static str,
     /// In words.
@@ -29,7 +29,7 @@ pub(super) struct Expected {
 }
 
 impl Leaf {
-    /// The column of this name among all that there are.
+    /// The column of this name among all columns.
     pub(super) fn find<T: DataType>(
         columns: &[Arc<ColumnDescriptor>],
         expected: &Expected,
@@ -65,7 +65,7 @@ impl Leaf {
     }
 }
 
-/// The values of a column in a row group that were not read yet.
+/// The rest of the values of a column in a row group.
 pub(super) struct Column<T: DataType> {
     reader: ColumnReaderImpl<T>,
     name: &'static str,
@@ -73,7 +73,7 @@ pub(super) struct Column<T: DataType> {
 }
 
 impl<T: DataType> Column<T> {
-    /// The column of a row group that has so many rows and up to so many values in each.
+    /// The column of a row group with this number of rows and at most this number of values in each.
     pub(super) fn open(
         file: &Arc<GuardedFile>,
         group: &RowGroupMetaData,
@@ -98,7 +98,7 @@ impl<T: DataType> Column<T> {
         })
     }
 
-    /// The next values, of which there are so many.
+    /// The values in the next rows.
     pub(super) fn values(&mut self, rows: usize) -> Result<Vec<Option<T::T>>, ColumnProblem> {
         let (definition, _, values) = self.levels(rows)?;
         let mut values = values.into_iter();
@@ -139,7 +139,7 @@ impl<T: DataType> Column<T> {
         Ok((definition, repetition, values))
     }
 
-    /// There is nothing left to read.
+    /// Checks that there is nothing left to read.
     pub(super) fn end(&mut self) -> Result<(), ColumnProblem> {
         let (mut definition, mut repetition, mut values) = (Vec::new(), Vec::new(), Vec::new());
         let (records, ..) = catch(|| {
@@ -157,7 +157,7 @@ impl<T: DataType> Column<T> {
 }
 
 impl<T: DataType<T = f64>> Column<T> {
-    /// The next lists of coordinates; `None` is one of another length or with a null in it.
+    /// The lists of coordinates in the next rows. `None` is a list of another length or with a null in it.
     pub(super) fn lists(&mut self, rows: usize) -> Result<Vec<Option<[f64; COORDINATES]>>, ColumnProblem> {
         let (definition, repetition, values) = self.levels(rows)?;
         let starts = (0..repetition.len()).filter(|&index| repetition[index] == 0);

@@ -1,8 +1,8 @@
 //! Queries in columns: a Parquet file, a row for each query.
 //!
-//! The coordinates are one column of lists, not 24 columns, so that one dictionary holds what the points of neighbours
-//! share: half the bytes on most data sets. Compression is gzip: every reader of Parquet knows it, it needs no C
-//! library, and its checksum finds damaged data.
+//! The coordinates are one column of lists, not 24 columns, so that neighbouring queries share the
+//! entries of one dictionary: half the bytes on most data sets. Compression is gzip: every reader
+//! of Parquet supports it, it needs no C library, and its checksum detects damaged data.
 
 mod group;
 mod guard;
@@ -14,7 +14,8 @@ mod write;
 pub use read::ColumnReader;
 pub use write::ColumnWriter;
 
-/// The columns, as [`ColumnWriter`] writes them. [`ColumnReader`] knows them by their names and physical types.
+/// The columns, as [`ColumnWriter`] writes them. [`ColumnReader`] finds them by their names and
+/// physical types.
 const SCHEMA: &str = "message queries {
     required binary kind (STRING);
     required group points (LIST) {
@@ -30,5 +31,5 @@ const SCHEMA: &str = "message queries {
     optional int64 id_b;
 }";
 
-/// How many coordinates a query has: x, y, z of its four points at t = 0, then at t = 1.
+/// The number of coordinates of a query: x, y, z of its four points at t = 0, then at t = 1.
 const COORDINATES: usize = 24;

@@ -19,8 +19,9 @@ const BATCH: usize = 1024;
 
 /// Reads the queries of a Parquet file one after the other. It ends after the first error.
 ///
-/// The columns are those of [`ColumnWriter`](crate::ColumnWriter), found by name, in any order. Other software may have
-/// written them. Further columns are skipped. Columns are plain or compressed with gzip or snappy.
+/// The columns are those of [`ColumnWriter`](crate::ColumnWriter), found by name, in any order.
+/// Other software may have written them. Further columns are skipped. Columns are plain or
+/// compressed with gzip or snappy.
 pub struct ColumnReader<K> {
     path: PathBuf,
     file: Arc<GuardedFile>,

@@ -15,17 +15,18 @@ use super::{COORDINATES, SCHEMA};
 use crate::kind::DataKind;
 use crate::record::Record;
 
-/// How many queries a row group has, except the last. So many are in memory.
+/// The number of queries in a row group, except the last one. The writer keeps as many in memory.
 const GROUP: usize = 1 << 16;
 
 /// Writes queries as a Parquet file, row group by row group, so that a file of any size needs little memory.
 ///
 /// Its columns are
 /// - `kind`: `vf` or `ee`;
-/// - `points`: a list of 24 f64, which are x, y and z of the four points at t = 0, then the same at t = 1, in the order of
-///   [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge);
-/// - and those that can be null, with the meaning of [`Record`]: `truth`, `count`, `toi`, `scene`, and the ids of the
-///   pair, `id_a` and `id_b`.
+/// - `points`: a list of 24 f64, which are x, y and z of the four points at t = 0, then the same at
+///   t = 1, in the order of [`VertexFace`](exact_ccd::VertexFace) or
+///   [`EdgeEdge`](exact_ccd::EdgeEdge);
+/// - the fields of [`Record`], which can be null: `truth`, `count`, `toi`, `scene`, and the ids of
+///   the pair, `id_a` and `id_b`.
 ///
 /// Every f64 keeps its bits.
 pub struct ColumnWriter<K, W: Write + Send> {
@@ -51,7 +52,7 @@ impl<K: DataKind, W: Write + Send> ColumnWriter<K, W> {
     /// Adds a query.
     ///
     /// # Errors
-    /// Those of the writer; and if an id is too large for an i64.
+    /// Those of the writer, and if an id is too large for an i64.
     pub fn write(&mut self, record: Record<K>) -> io::Result<()> {
         let is_large = |id: &u64| i64::try_from(*id).is_err();
         if let Some(id) = record.ids.and_then(|ids| ids.into_iter().find(is_large)) {
@@ -90,7 +91,7 @@ impl<K: DataKind, W: Write + Send> ColumnWriter<K, W> {
 fn properties() -> WriterProperties {
     let mut properties = WriterProperties::builder()
         .set_compression(Compression::GZIP(GzipLevel::default()))
-        // Enough for all coordinates of a row group.
+        // Large enough for all coordinates of a row group.
         .set_dictionary_page_size_limit(GROUP * COORDINATES * size_of::<f64>())
         .set_statistics_enabled(EnabledStatistics::Chunk);
     for id in ["id_a", "id_b"].map(ColumnPath::from) {

@@ -7,19 +7,20 @@ use super::number::Number;
 
 /// A number that differs from `value` by at most `error`.
 ///
-/// The bound runs along with the computation: it is as tight as the numbers that occur allow, where an a-priori bound has
-/// to be right for the largest. An infinite or undefined bound says that nothing is known.
+/// This is a running error bound: it depends on the numbers that occur, where an a-priori bound
+/// depends on the largest possible ones. An infinite or undefined bound means that the value is
+/// unknown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounded {
     value: f64,
     error: f64,
 }
 
-/// The rounding error of an operation relative to its result is at most ε/2; the other half pays for the rounding of the
-/// bound itself, up to [`SLACK`].
+/// The rounding error of an operation relative to its result is at most ε/2; the other half pays
+/// for the rounding of the bound itself, up to [`SLACK`].
 const UNIT: f64 = f64::EPSILON;
 
-/// More than a product or its error bound loses to underflow.
+/// A bound of the underflow error of a product and of its error bound.
 const UNDERFLOW: f64 = f64::MIN_POSITIVE;
 
 /// Some hundred operations, each of which rounds the bound down by a few ε at most.

@@ -8,8 +8,8 @@ pub(super) type Vector<N> = [N; 3];
 
 /// Four moving points a, b, c, d that are coplanar at contact, and the sides on which d then lies.
 ///
-/// For a vertex and a face, a, b, c are the corners of the face and d the vertex; for two edges, a and b are the ends of one,
-/// c and d of the other.
+/// For a vertex and a face, a, b, c are the corners of the face and d the vertex; for two edges, a
+/// and b are the ends of one, c and d of the other.
 pub(super) struct Configuration {
     /// At t = 0 and at t = 1.
     pub(super) points: [[Point; 4]; 2],
@@ -106,8 +106,8 @@ impl<N: Number> Polynomials<N> {
     }
 }
 
-/// (x − o) × (y − o), with the coefficient of degree one doubled: that is the sum of the others less the product of the
-/// displacements.
+/// (x − o) × (y − o), with the coefficient of degree one doubled: that is the sum of the others
+/// less the product of the displacements.
 #[inline]
 fn area<N: Number>([p, q]: &[[Vector<N>; 4]; 2], o: usize, [x, y]: [usize; 2]) -> [Vector<N>; 3] {
     let [px, py, qx, qy] = [

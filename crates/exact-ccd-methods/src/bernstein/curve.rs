@@ -23,7 +23,7 @@ pub(super) enum Roots {
     Two {
         outside: Ordering,
     },
-    /// Perhaps, and anywhere: as far as one can tell, the cubic is zero.
+    /// Unknown: the cubic is zero up to the error bounds.
     Anywhere,
 }
 
@@ -37,7 +37,7 @@ impl<N: Number> Curve<N> {
         &self.coefficients
     }
 
-    /// Whether all coefficients have the same strict sign, so that there is no root.
+    /// True if all coefficients have the same strict sign, so that there is no root.
     pub(super) fn is_one_sided(&self) -> bool {
         let first = self.signs[0];
         first != Equal && self.signs == [first; 4]
@@ -132,9 +132,9 @@ impl<N: Number> Curve<N> {
 
     /// The signs of a linear polynomial at the roots, `Equal` also where they are open.
     ///
-    /// Between which roots of the cubic that of the linear polynomial lies is told by the signs of the cubic and its derivative
-    /// there. If the sign of one end is open, the root may lie outside of [0, 1]: then the other end has the sign at all roots,
-    /// and no other is returned.
+    /// The place of the root of the linear polynomial among those of the cubic follows from the signs of
+    /// the cubic and its derivative there. If the sign of one end is open, the root may lie outside
+    /// of [0, 1]: then the other end has the sign at all roots, and no other is returned.
     fn signs_at(&self, roots: Roots, linear: &[N; 2]) -> Option<[Ordering; 2]> {
         let [t0, t1] = linear;
         let [start, end] = signs([t0, t1])?;
@@ -208,8 +208,8 @@ fn divide<N: Number>([k0, k1, k2, k3]: &[N; 4], [j0, j1, j2]: &[N; 3]) -> Option
     Some([[m0, m1], [t0, t1]])
 }
 
-/// The value of a quadratic polynomial at the root of the linear one with the values t and s at 0 and 1, up to a positive
-/// factor.
+/// The value of a quadratic polynomial at the root of the linear one with the values t and s at 0
+/// and 1, up to a positive factor.
 fn quadratic_at<N: Number>([j0, j1, j2]: &[N; 3], [t, s]: [&N; 2]) -> N {
     let [t, s] = [t.clone(), -s.clone()];
     j0.clone() * (s.clone() * s.clone())

@@ -16,7 +16,8 @@ pub(super) struct Inflection<N> {
 impl<N: Number> Inflection<N> {
     /// The root of a linear polynomial with these values at 0 and 1, unless it is open where that is.
     ///
-    /// If the sign of one value is open, the root may lie outside of [0, 1]. One of the parts then contains all of it.
+    /// If the sign of one value is open, the root may lie outside of [0, 1]. One of the parts then
+    /// contains all of it.
     pub(super) fn new([a, b]: [N; 2]) -> Option<Option<Self>> {
         let bends = match signs([&a, &b])? {
             [Equal, after] => [after.reverse(), after],

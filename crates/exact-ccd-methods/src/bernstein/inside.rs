@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use super::curve::{Curve, Roots};
 use super::number::Number;
 
-/// Whether, at one of the roots of Y, none of the quartics is negative for certain.
+/// True if, at one of the roots of Y, none of the quartics is negative for certain.
 pub(super) fn is_inside<N: Number>(
     curve: &Curve<N>,
     roots: Roots,
@@ -27,8 +27,9 @@ pub(super) fn is_inside<N: Number>(
     Some(true)
 }
 
-/// A quadratic J with the signs of the quartic L at the roots of Y, as long as k₀ is not zero: twice, a multiple of Y is
-/// taken from a multiple of L to make the value at t = 0 vanish, and a factor t removed.
+/// A quadratic J with the signs of the quartic L at the roots of Y, as long as k₀ is not zero:
+/// twice, a multiple of Y is taken from a multiple of L to make the value at t = 0 vanish, and a
+/// factor t removed.
 fn reduce<N: Number>([k0, k1, k2, k3]: &[N; 4], [l0, l1, l2, l3, l4]: [N; 5]) -> [N; 3] {
     // 4 Y as a quartic.
     let elevated = [

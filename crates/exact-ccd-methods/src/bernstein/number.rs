@@ -1,4 +1,4 @@
-//! What the polynomials are computed in.
+//! The numbers of the polynomials.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -11,18 +11,18 @@ use crate::interval::Interval;
 pub(super) trait Number:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
-    /// n times as much.
+    /// The product with n.
     fn times(self, n: u8) -> Self;
 
-    /// The sign; `Equal` for zero, and also where an error bound leaves the sign open and the method is to go on without it.
-    /// None where it is to stop.
+    /// The sign. `Equal` stands for zero, and for a sign that an error bound leaves open if the
+    /// method continues without it. `None` is an open sign at which the method stops.
     fn sign(&self) -> Option<Ordering>;
 
-    /// Whether this is zero for certain.
+    /// True if this is zero for certain.
     fn is_zero(&self) -> bool;
 }
 
-/// As it was rounded.
+/// Rounded arithmetic, whose signs are taken as they are.
 impl Number for f64 {
     fn times(self, n: u8) -> Self {
         self * f64::from(n)

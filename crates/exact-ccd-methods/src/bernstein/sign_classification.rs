@@ -13,33 +13,38 @@ use crate::interval::Interval;
 
 /// Bernstein sign classification ("BSC") of M. Tang, R. Tong, Z. Wang and D. Manocha.
 ///
-/// *Fast and Exact Continuous Collision Detection with Bernstein Sign Classification*, ACM Transactions on Graphics 33(6),
-/// 2014; details that the paper leaves open follow the authors' program bsc.cpp, as used for the comparison of B. Wang,
-/// Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based Algorithm
-/// for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
+/// *Fast and Exact Continuous Collision Detection with Bernstein Sign Classification*, ACM
+/// Transactions on Graphics 33(6), 2014; details that the paper leaves open follow the authors'
+/// program bsc.cpp, as used for the comparison of B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M.
+/// Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous
+/// Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
 ///
-/// The four points are coplanar at the roots of a cubic, and the primitives meet at a root unless one of three quartics is
-/// negative there. The roots are counted from the signs of the Bernstein coefficients and of the extremum; the sign of a
-/// quartic at a root is that of a quadratic polynomial, found by polynomial division. Signs come from intervals, and from
-/// integers where those do not tell. The answer has no time.
+/// The four points are coplanar at the roots of a cubic, and the primitives meet at a root unless
+/// one of three quartics is negative there. The roots are counted from the signs of the Bernstein
+/// coefficients and of the extremum; the sign of a quartic at a root is that of a quadratic
+/// polynomial, found by polynomial division. Signs come from intervals, and from integers where
+/// intervals leave them open. The method has no times.
 ///
 /// # When it fails
-/// - It gives up on a cubic with an inflection point within the step, unless the first or the last Bernstein coefficient alone
-///   has a sign of its own. The paper cuts the cubic there, but the authors' program never computes where, and does not
-///   terminate: such a query counts as a contact here, as one on which a method fails does in the comparison. Of the 5,171
-///   queries of a twisted rod 190 are of this kind, 6 of which do not touch; of vertices and faces that move at random, 40 %
-///   of those that do not touch are reported.
-/// - It misses every contact of primitives that are coplanar for the whole step, where no sign ever changes: 3 of 192 and 8 of
-///   145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a cloth that slides through a funnel.
-/// - A quartic that is zero at a root, or cannot be told from the cubic there, does not rule out contact: edges of which a
-///   vertex reaches the line of the other, however far from it, just when they are coplanar are reported (20 of 156 on that
-///   cloth, whose edges lie in the rows of a grid), and so is some of what is coplanar at t = 0.
-/// - The bound of the culling stage is absolute: the rounding errors of the cubic exceed it from lengths of about 10 on, so
-///   that contacts can be missed there.
+/// - It gives up on a cubic with an inflection point within the step, unless the first or the last
+///   Bernstein coefficient alone has a sign of its own. The paper cuts the cubic there, but the
+///   authors' program never computes the place of the cut, and does not terminate: such a query
+///   counts as a contact here, as every query on which a method fails does in the comparison. Of the 5,171 queries of a
+///   twisted rod 190 are of this kind, 6 of which do not touch; of vertices and faces that move at
+///   random, 40 % of those that do not touch are reported.
+/// - Every contact of primitives that are coplanar for the whole step is a false negative, because
+///   no sign changes: 3 of 192 and 8 of 145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a
+///   cloth that slides through a funnel.
+/// - A quartic that is zero at a root, or has no known sign there, does not rule out contact: two
+///   edges are reported if a vertex of one reaches the line of the other at the time at which they
+///   are coplanar, at any distance (20 of 156 on that cloth, whose edges lie in the rows of a grid).
+///   So are some primitives that are coplanar at t = 0.
+/// - The bound of the culling stage is absolute: the rounding errors of the cubic exceed it from
+///   lengths of about 10 on, so that false negatives are possible there.
 #[derive(Clone, Copy, Debug)]
 pub struct BernsteinSignClassification {
-    /// A query is free of contact if all four coefficients of the cubic, in floating-point arithmetic, lie on one side of zero
-    /// by more than this, in cubes of the units of the input.
+    /// A query is free of contact if all four coefficients of the cubic, in floating-point
+    /// arithmetic, lie on one side of zero by more than this, in cubes of the units of the input.
     pub culling_bound: f64,
 }
 
@@ -51,7 +56,7 @@ impl Default for BernsteinSignClassification {
     }
 }
 
-/// Whether there is contact, unless the arithmetic leaves a sign open.
+/// True for contact; `None` if the arithmetic leaves a sign open.
 fn decide<N: Number>(polynomials: &Polynomials<N>) -> Option<bool> {
     let curve = Curve::new(polynomials.coplanarity())?;
     if curve.is_one_sided() {
@@ -114,7 +119,7 @@ mod tests {
 
     use super::*;
 
-    /// Whether the cubic has an inflection point that its control polygon does not make harmless.
+    /// True if the cubic has an inflection point that matters according to its control polygon.
     fn is_given_up(configuration: &Configuration) -> bool {
         let polynomials = Polynomials::new(to_integers(&configuration.points), configuration);
         let curve = Curve::new(polynomials.coplanarity()).unwrap();
@@ -149,7 +154,7 @@ mod tests {
             );
         }
 
-        /// What the filter decides, the integers decide so too.
+        /// The integers confirm each decision of the filter.
         #[test]
         fn intervals_agree_with_integers(
             start in uniform4(uniform3(-2..=2i8)),

@@ -4,18 +4,18 @@ use std::iter;
 
 use super::cell::Cell;
 
-/// Looks for the earliest root in [0, 1]ᴺ.
+/// A search for the earliest root in [0, 1]ᴺ.
 pub(crate) struct Bisection<const N: usize> {
-    /// A box that is no wider than this is not cut any further.
+    /// A box that is not wider than this is not divided.
     pub(crate) tolerances: [f64; N],
-    /// How many boxes are looked at before it gives up.
+    /// The number of boxes that are tested before the search gives up.
     pub(crate) max_iterations: usize,
 }
 
 impl<const N: usize> Bisection<N> {
-    /// When the earliest box begins that may contain a root, is not cut any further, and is accepted.
+    /// The beginning of the earliest undivided box that may contain a root and is accepted.
     ///
-    /// The axes take turns. Where the search gives up, all boxes that are left may contain roots.
+    /// The axes take turns. If the search gives up, all remaining boxes may contain roots.
     pub(crate) fn earliest(
         &self,
         may_contain_root: impl Fn(&Cell<N>) -> bool,

@@ -4,8 +4,8 @@ use crate::interval::Interval;
 
 /// The box of the intervals `[lower, lower + width]` in [0, 1]ᴺ, whose first axis is time.
 ///
-/// Widths are powers of two, not less than [`MIN_WIDTH`](Self::MIN_WIDTH), and lower ends are multiples of them: both
-/// ends are exact, and a box shares them with its neighbours.
+/// Widths are powers of two, not less than [`MIN_WIDTH`](Self::MIN_WIDTH), and lower ends are
+/// multiples of them: both ends are exact, and a box shares them with its neighbours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cell<const N: usize> {
     pub(crate) lower: [f64; N],
@@ -21,7 +21,7 @@ impl<const N: usize> Cell<N> {
     /// Below one, f64 has all multiples of this.
     pub(crate) const MIN_WIDTH: f64 = f64::EPSILON;
 
-    /// When the box begins.
+    /// The time at which the box begins.
     pub(crate) fn time(&self) -> f64 {
         self.lower[0]
     }
@@ -30,7 +30,8 @@ impl<const N: usize> Cell<N> {
         Interval::new(self.lower[axis], self.lower[axis] + self.width[axis])
     }
 
-    /// The lower half, then the upper one. The box must be wider than [`MIN_WIDTH`](Self::MIN_WIDTH) on this axis.
+    /// The lower half, then the upper one. The box must be wider than
+    /// [`MIN_WIDTH`](Self::MIN_WIDTH) on this axis.
     pub(crate) fn halves(mut self, axis: usize) -> [Self; 2] {
         self.width[axis] *= 0.5;
         let lower = self;

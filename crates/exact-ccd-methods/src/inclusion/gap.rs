@@ -20,7 +20,7 @@ impl Number for Interval {}
 pub(crate) struct Coordinates<T> {
     /// The points at t = 0, by axis.
     start: [[T; 4]; 3],
-    /// How far they move until t = 1.
+    /// Their displacements until t = 1.
     displacement: [[T; 4]; 3],
 }
 
@@ -41,7 +41,7 @@ impl<T: Number> Coordinates<T> {
     }
 }
 
-/// What F is for a kind of query.
+/// F for a kind of query.
 pub(crate) trait Gap: Kind {
     /// The edges along which u and v run, as the points they lead from and to.
     const EDGES: [[usize; 2]; 2];
@@ -49,7 +49,7 @@ pub(crate) trait Gap: Kind {
     /// A coordinate of F, from that coordinate of the four points.
     fn gap<T: Number>(points: [T; 4], u: T, v: T) -> T;
 
-    /// Whether a part of the box lies in the domain.
+    /// True if a part of the box lies in the domain.
     fn meets_domain(cell: &Cell<3>) -> bool;
 }
 

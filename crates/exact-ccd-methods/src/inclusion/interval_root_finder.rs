@@ -7,24 +7,26 @@ use super::cell::Cell;
 use super::gap::{Coordinates, Gap};
 use crate::interval::Interval;
 
-/// IRF, the multivariate interval root finder: bisects (t, u, v) depth-first, and keeps the boxes over which F, in
-/// interval arithmetic, contains zero, until they are small.
+/// IRF, the multivariate interval root finder: bisects (t, u, v) depth-first, and keeps the boxes
+/// over which F, in interval arithmetic, contains zero, until they are small.
 ///
-/// J. M. Snyder, *Interval Analysis for Computer Graphics*, SIGGRAPH 1992; with the tolerances, the order and the natural
-/// interval extension of F in the comparison of B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo,
-/// *A Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on
-/// Graphics 40(5), 2021. Theirs stops at the first small box, which need not be the earliest; this one goes on with those
+/// J. M. Snyder, *Interval Analysis for Computer Graphics*, SIGGRAPH 1992; with the tolerances, the
+/// order and the natural interval extension of F in the comparison of B. Wang, Z. Ferguson, T.
+/// Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based
+/// Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021. Theirs
+/// stops at the first small box, which need not be the earliest; this one continues with the boxes
 /// that begin earlier.
 ///
 /// # When it fails
-/// It never misses. What comes closer than about the tolerance counts as a contact. A corner of a face, or an end of an
-/// edge, occurs several times in F, so that interval arithmetic bounds F loosely, and near misses take many boxes. Where
-/// [`max_iterations`](Self::max_iterations) are not enough, it says contact.
+/// It has no false negatives. Primitives that come closer than about the tolerance count as a
+/// contact. A corner of a face, or an end of an edge, occurs several times in F, so that interval
+/// arithmetic bounds F loosely, and near misses take many boxes. After
+/// [`max_iterations`](Self::max_iterations) it reports contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntervalRootFinder {
-    /// A box is small when no point of a primitive moves further than this, roughly, while t, u or v cross it: 10⁻⁶.
+    /// A box is small if F varies by less than about this along each of t, u and v: 10⁻⁶.
     pub tolerance: f64,
-    /// How many boxes it looks at before it says contact: 10⁶. There is no limit in the comparison.
+    /// The number of boxes that it tests before it reports contact: 10⁶. There is no limit in the comparison.
     pub max_iterations: usize,
 }
 
@@ -43,7 +45,7 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (x * x + y * y + z * z).sqrt()
 }
 
-/// How far the point that moves furthest moves.
+/// The largest displacement of a point.
 pub(super) fn greatest_displacement([start, end]: &[[Point; 4]; 2]) -> f64 {
     (0..4)
         .map(|point| distance(start[point], end[point]))

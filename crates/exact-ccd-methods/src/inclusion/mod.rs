@@ -1,4 +1,5 @@
-//! The methods that never miss: they bisect the domain of F and throw away the parts in which it has no root for certain.
+//! Methods without false negatives: they bisect the domain of F and drop the parts in which it
+//! certainly has no root.
 
 mod bisection;
 mod cell;

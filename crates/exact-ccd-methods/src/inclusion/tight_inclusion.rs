@@ -7,39 +7,42 @@ use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Point, Query, TimeGuarantee, 
 use super::cell::Cell;
 use super::gap::{Coordinates, Gap};
 
-/// TI, Tight Inclusion: bisects (t, u, v) breadth-first, and keeps the boxes over which the bounding box of F contains
-/// the origin. F is linear in each parameter, so that its values at the corners of a box give the smallest bounds.
+/// TI, Tight Inclusion: bisects (t, u, v) breadth-first, and keeps the boxes over which the
+/// bounding box of F contains the origin. F is linear in each parameter, so that its values at the
+/// corners of a box give the smallest bounds.
 ///
-/// B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an
-/// Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021. The limit of
-/// the queue is that of their public implementation.
+/// B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark
+/// and an Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on
+/// Graphics 40(5), 2021. The limit of the queue is that of their public implementation.
 ///
 /// # When it fails
-/// It never misses, and its time is never late. What comes closer than about the tolerance on every axis counts as a
-/// contact. So does what the iterations or the queue do not suffice to exclude: parallel edges that slide along each
-/// other at a small distance d stay near over a surface in (t, u, v), and take d⁻² boxes. The bound on rounding errors
-/// grows with the cube of the coordinates. It is 7·10⁻⁶ for coordinates of 1,000, and with some of 10⁵ on every axis,
-/// all that stays within six units of each other collides at t = 0.
+/// It has no false negatives, and its time is never late. Primitives that come closer than about
+/// the tolerance on every axis count as a contact. So do those that the iterations or the queue are
+/// too few to exclude: parallel edges that slide along each other at a small distance d stay near
+/// over a surface in (t, u, v), and take d⁻² boxes. The bound on rounding errors grows with the
+/// cube of the coordinates. It is 7·10⁻⁶ for coordinates of 1,000, and with some of 10⁵ on every
+/// axis, all that stays within six units of each other collides at t = 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TightInclusion {
-    /// F is not followed into boxes over which it varies less than this on every axis: 10⁻⁶.
+    /// Boxes over which F varies by less than this on every axis are not divided: 10⁻⁶.
     pub tolerance: f64,
-    /// How many boxes it looks at before it says contact: 10⁶.
+    /// The number of boxes that it tests before it reports contact: 10⁶.
     pub max_iterations: usize,
-    /// How many boxes may wait before it says contact: any number, or 1,000 with the limit of the public implementation.
+    /// The length of the queue at which it reports contact: none by default, 1,000 in the public
+    /// implementation.
     pub max_queue: Option<usize>,
     /// Primitives that come as near as this on every axis count as a contact.
     pub minimum_separation: f64,
-    /// What the bounds on rounding errors are taken from.
+    /// The magnitude that bounds the rounding errors.
     pub magnitude: Magnitude,
 }
 
-/// How large coordinates are, which bounds the rounding errors of F.
+/// The magnitude of the coordinates, which bounds the rounding errors of F.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Magnitude {
-    /// As large as those of the query.
+    /// That of the coordinates of the query.
     Query,
-    /// On each axis as large as this at most, in absolute value; a query that is larger counts for itself.
+    /// At most this on each axis, in absolute value. A larger query has its own magnitude.
     Scene(Point),
 }
 
@@ -82,7 +85,7 @@ impl Filtered for EdgeEdge {
     };
 }
 
-/// The corners of a box: bit k of the index of a corner tells at which end of axis k it is.
+/// The number of corners of a box. Bit k of the index of a corner is its end of axis k.
 const CORNERS: usize = 8;
 
 /// F at the corners of a box, on one axis of space.
@@ -107,9 +110,9 @@ fn range(values: [f64; CORNERS]) -> [f64; 2] {
 enum Image {
     /// Never zero.
     Away,
-    /// Perhaps zero somewhere: a smaller box tells more.
+    /// Perhaps zero somewhere: the box must be divided.
     Near,
-    /// Zero as far as can be told: F varies less than the tolerance, or is zero but for rounding and separation.
+    /// Zero up to the tolerance, or up to rounding and separation.
     Zero,
 }
 
@@ -117,7 +120,7 @@ enum Image {
 struct Search<'a> {
     method: &'a TightInclusion,
     coordinates: Coordinates<f64>,
-    /// What |F| may be on each axis where the primitives touch.
+    /// The largest |F| on each axis that counts as zero.
     zero: [f64; 3],
 }
 
@@ -139,7 +142,8 @@ impl<'a> Search<'a> {
                 .as_flattened()
                 .iter()
                 .map(|point| point[axis].abs());
-            // At least 1, as in the paper; the public implementation takes at most 1, which is no bound beyond.
+            // At least 1, as in the paper; the public implementation takes at most 1, which is no
+            // bound beyond.
             let magnitude = coordinates.fold(scene[axis].max(1.0), f64::max);
             filter * magnitude.powi(3) + separation
         });
@@ -150,7 +154,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// How far t, u and v may lead so that F varies less than the tolerance: a third of it for each.
+    /// The widths of t, u and v along which F varies by at most a third of the tolerance.
     fn tolerances<K: Gap>(&self) -> [f64; 3] {
         let corners = [0, 1, 2].map(|axis| corners::<K>(&self.coordinates, axis, &Cell::WHOLE));
         [0, 1, 2].map(|axis| {
@@ -185,9 +189,10 @@ impl<'a> Search<'a> {
 
     /// A time not after the earliest contact, if there may be one.
     ///
-    /// The boxes of a level have the same size and come in the order of time. A box over which F is zero ends its level,
-    /// and all later ones before the first box that begins no earlier. Where the search gives up, no contact is earlier
-    /// than the first box of that level over which F may be zero.
+    /// The boxes of a level have the same size and come in the order of time. A box over which F is
+    /// zero ends its level, and all later ones before the first box that begins no earlier. Where
+    /// the search gives up, no contact is earlier than the first box of that level over which F may
+    /// be zero.
     fn earliest<K: Gap>(&self) -> Option<f64> {
         let tolerances = self.tolerances::<K>();
         let mut iterations = 0;

@@ -8,24 +8,28 @@ use super::gap::Coordinates;
 use super::interval_root_finder::greatest_displacement;
 use crate::interval::Interval;
 
-/// UIRF, the univariate interval root finder: bisects t, and keeps the intervals in which the four points may be
-/// coplanar, until they are short; then it tests in interval arithmetic whether the primitives meet.
+/// UIRF, the univariate interval root finder: bisects t, and keeps the intervals in which the four
+/// points may be coplanar, until they are short; then it tests in interval arithmetic whether the
+/// primitives meet.
 ///
-/// S. Redon, A. Kheddar and S. Coquillart, *Fast Continuous Collision Detection between Rigid Bodies*, Computer Graphics
-/// Forum 21(3), 2002, with the root finder of J. M. Snyder, *Interval Analysis for Computer Graphics*, SIGGRAPH 1992, as
-/// in the comparison of B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark
-/// and an Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
+/// S. Redon, A. Kheddar and S. Coquillart, *Fast Continuous Collision Detection between Rigid
+/// Bodies*, Computer Graphics Forum 21(3), 2002, with the root finder of J. M. Snyder, *Interval
+/// Analysis for Computer Graphics*, SIGGRAPH 1992, as in the comparison of B. Wang, Z. Ferguson, T.
+/// Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based
+/// Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021.
 ///
 /// # When it fails
-/// It never misses. It takes primitives that pass each other within about the tolerance for a contact, and, at any
-/// distance, those whose plane cannot be told: a vertex in line with a face without area, parallel edges that are
-/// coplanar at any time. Points that are coplanar all the time leave no interval to throw away: it looks at all of them,
-/// a million for a motion of length 1, and with [`max_iterations`](Self::max_iterations) of them says contact.
+/// It has no false negatives. It reports primitives that pass each other within about the
+/// tolerance, and, at any distance, those whose plane is undetermined: a vertex in line with a face
+/// without area, parallel edges that are coplanar at some time. Points that are always coplanar
+/// allow no interval to be dropped: it tests all of them, a million for a motion of length 1, and
+/// reports contact after [`max_iterations`](Self::max_iterations).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct UnivariateIntervalRootFinder {
-    /// An interval is short when no point moves further than this meanwhile: 10⁻⁶.
+    /// An interval is short if no point moves further than this during it: 10⁻⁶.
     pub tolerance: f64,
-    /// How many intervals it looks at before it says contact: 10⁷. There is no limit in the comparison.
+    /// The number of intervals that it tests before it reports contact: 10⁷. There is no limit in
+    /// the comparison.
     pub max_iterations: usize,
 }
 
@@ -38,7 +42,8 @@ impl Default for UnivariateIntervalRootFinder {
     }
 }
 
-/// A point q and a triangle x y z, and the signs of the barycentric coordinates of q where the primitives meet.
+/// A point q and a triangle x y z, and the signs of the barycentric coordinates of q where the
+/// primitives meet.
 struct Barycentric {
     point: usize,
     triangle: [usize; 3],
@@ -59,8 +64,8 @@ impl Decided for VertexFace {
     };
 }
 
-/// (1 − u) a₀ + u a₁ = (1 − v) b₀ + v b₁ gives b₁ = ((1 − u) a₀ + u a₁ − (1 − v) b₀) / v. If v = 0, then a₀, a₁ and b₀
-/// are collinear, and all products with the normal of their triangle vanish.
+/// (1 − u) a₀ + u a₁ = (1 − v) b₀ + v b₁ gives b₁ = ((1 − u) a₀ + u a₁ − (1 − v) b₀) / v. If v = 0,
+/// then a₀, a₁ and b₀ are collinear, and all products with the normal of their triangle vanish.
 impl Decided for EdgeEdge {
     const BARYCENTRIC: Barycentric = Barycentric {
         point: 3,
@@ -91,13 +96,13 @@ impl Barycentric {
         (position(self.point), self.triangle.map(position))
     }
 
-    /// Whether q may lie in the plane of the triangle.
+    /// True if q may lie in the plane of the triangle.
     fn may_be_coplanar(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
         let (q, [x, y, z]) = self.at(coordinates, t);
         dot(sub(q, x), cross(sub(y, x), sub(z, x))).contains_zero()
     }
 
-    /// Whether the barycentric coordinates may have their signs. For the normal n, the one of x is
+    /// True if the barycentric coordinates may have their signs. For the normal n, the one of x is
     /// n · ((y − q) × (z − q)) / n², and so on around the triangle.
     fn may_meet(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
         let (q, triangle) = self.at(coordinates, t);

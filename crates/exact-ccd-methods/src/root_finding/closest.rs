@@ -57,7 +57,8 @@ pub(super) fn point_triangle([p, a, b, c]: [Point; 4]) -> f64 {
 /// The squared length up to which a segment counts as a point, in the units of the input.
 const POINT: f64 = 1e-8;
 
-/// The squared distance of two segments, by the closest points of their lines, moved into the segments one after the other.
+/// The squared distance of two segments, by the closest points of their lines, moved into the
+/// segments one after the other.
 pub(super) fn segment_segment([a0, a1, b0, b1]: [Point; 4]) -> f64 {
     let (d1, d2, r) = (minus(a1, a0), minus(b1, b0), minus(a0, b0));
     let (a, e) = (squared(d1), squared(d2));

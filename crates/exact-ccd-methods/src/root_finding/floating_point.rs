@@ -11,31 +11,36 @@ use super::vectors::{cross, difference, dot, slab};
 
 /// The floating-point root finder ("FPRF") of E. Vouga.
 ///
-/// E. Vouga, D. Harmon, R. Tamstorf and E. Grinspun, *Asynchronous Variational Contact Mechanics*, Computer Methods in
-/// Applied Mechanics and Engineering 200, 2011; the details are those of Vouga's public library
-/// (github.com/evouga/collisiondetection). B. Wang, Z. Ferguson, T. Schneider, X. Jiang, M. Attene and D. Panozzo, *A
-/// Large-Scale Benchmark and an Inclusion-Based Algorithm for Continuous Collision Detection*, ACM Transactions on
-/// Graphics 40(5), 2021, compare it with others.
+/// E. Vouga, D. Harmon, R. Tamstorf and E. Grinspun, *Asynchronous Variational Contact Mechanics*,
+/// Computer Methods in Applied Mechanics and Engineering 200, 2011; the details are those of
+/// Vouga's public library (github.com/evouga/collisiondetection). B. Wang, Z. Ferguson, T.
+/// Schneider, X. Jiang, M. Attene and D. Panozzo, *A Large-Scale Benchmark and an Inclusion-Based
+/// Algorithm for Continuous Collision Detection*, ACM Transactions on Graphics 40(5), 2021, compare
+/// it with others.
 ///
-/// Contact is the conjunction of conditions on polynomials in time: the squared distance of the lines of two edges, or of a
-/// vertex from the plane of a face, is small (degree 6), and the closest points lie in the primitives (degree 4 or 3).
-/// The roots of each polynomial divide the step into intervals; where it has the right sign in the middle, the
-/// condition holds. The method intersects these intervals. The roots are those of Jenkins and Traub.
+/// Contact is the conjunction of conditions on polynomials in time: the squared distance of the
+/// lines of two edges, or of a vertex from the plane of a face, is small (degree 6), and the
+/// closest points lie in the primitives (degree 4 or 3). The roots of each polynomial divide the
+/// step into intervals; where it has the right sign in the middle, the condition holds. The method
+/// intersects these intervals. The roots are those of Jenkins and Traub.
 ///
-/// One thing is not as in the library, which has −b / a for the double root of a quadratic: here it is −b / (2 a), twice.
+/// One thing is not as in the library, which has −b / a for the double root of a quadratic: here it
+/// is −b / (2 a), twice.
 ///
 /// # When it fails
-/// - With a distance of zero, which is the default as it was in the comparison, the polynomial of degree 6 is the square
-///   of the coplanarity cubic. It never is negative, and zero only at double roots: rounding errors decide whether the two
-///   computed roots, or the common real part of a complex pair, have a point between them where it is not positive. Of
-///   the contacts in a simulated twisting rod it misses 235 of 765 (vertex-face) and 1,186 of 4,179 (edge-edge). With a
-///   distance of 1e-6 it misses none of these, but reports 35 of 36 and 190 of 191 queries that do not touch.
-/// - Where it misses the earlier of two contacts it tells the time of the later one.
-/// - Edges that are parallel at the time of contact, or so short that the cross product of the two is less than 1e-8 in the
-///   units of the input, never touch.
-/// - The sides of a face are told with the normal at t = 0 plus t times the cross product of the rates of the edges: the
-///   term linear in t is missing, as in the authors' code. A face that turns far during the step is tested in the
-///   wrong place.
+/// - With a distance of zero, which is the default as it was in the comparison, the polynomial of
+///   degree 6 is the square of the coplanarity cubic. It never is negative, and zero only at double
+///   roots: rounding errors decide whether the two computed roots, or the common real part of a
+///   complex pair, have a point between them where it is not positive. Of the contacts in a
+///   simulated twisting rod it misses 235 of 765 (vertex-face) and 1,186 of 4,179 (edge-edge). With
+///   a distance of 1e-6 it misses none of these, but reports 35 of 36 and 190 of 191 queries that
+///   do not touch.
+/// - If it misses the earlier of two contacts, its time is that of the later one.
+/// - Edges that are parallel at the time of contact, or so short that the cross product of the two
+///   is less than 1e-8 in the units of the input, never touch.
+/// - The sides of a face are computed with the normal at t = 0 plus t times the cross product of the
+///   rates of the edges: the term linear in t is missing, as in the authors' code. A face that
+///   turns far during the step is tested in the wrong place.
 /// - Coefficients that overflow (coordinates from about 1e50 on) or underflow (below 1e-54) mean nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FloatingPointRootFinder {
@@ -43,7 +48,8 @@ pub struct FloatingPointRootFinder {
     pub distance: f64,
 }
 
-/// The length of the cross product of two edges, in the units of the input, below which they count as parallel.
+/// The length of the cross product of two edges, in the units of the input, below which they count
+/// as parallel.
 const PARALLEL: f64 = 1e-8;
 
 /// A closed interval of time.
@@ -74,8 +80,8 @@ fn nonnegative(polynomial: &Polynomial) -> Vec<Interval> {
         return Vec::new();
     }
     let zeros = jenkins_traub::zeros(&polynomial);
-    // Of a complex pair, the real part counts: it may be a double root that came out so. Not for degree 2, of which a
-    // closed form tells the real roots.
+    // Of a complex pair, the real part counts: it may be a double root that came out so. Not for
+    // degree 2, whose real roots have a closed form.
     let times = zeros
         .iter()
         .filter(|zero| degree > 2 || zero.im == 0.0)
@@ -93,7 +99,7 @@ fn nonnegative(polynomial: &Polynomial) -> Vec<Interval> {
         .collect()
 }
 
-/// What the polynomial does not exceed within the step.
+/// An upper bound of the polynomial within the step.
 fn upper_bound(polynomial: &Polynomial) -> f64 {
     let [constant, others @ ..] = polynomial.coefficients() else {
         return 0.0;
@@ -101,7 +107,7 @@ fn upper_bound(polynomial: &Polynomial) -> f64 {
     constant + others.iter().map(|c| c.max(0.0)).sum::<f64>()
 }
 
-/// Contact when first all conditions hold at once: to be within the given times, and that no polynomial is negative.
+/// The earliest of the given times at which no polynomial is negative.
 fn earliest(times: Vec<Interval>, conditions: impl IntoIterator<Item = Polynomial>) -> Option<f64> {
     let mut times = times;
     for condition in conditions {
@@ -117,7 +123,8 @@ fn earliest(times: Vec<Interval>, conditions: impl IntoIterator<Item = Polynomia
     times.iter().map(|interval| interval.start).reduce(f64::min)
 }
 
-/// Not negative while the vertex is on the inner side of the edge from xᵢ to xⱼ of a face with the third corner xₖ.
+/// Not negative while the vertex is on the inner side of the edge from xᵢ to xⱼ of a face with the
+/// third corner xₖ.
 fn side(query: &Query<VertexFace>, [i, j, k]: [usize; 3]) -> Polynomial {
     let edge = difference(query, j, i);
     // The normal without its linear term.
@@ -128,8 +135,8 @@ fn side(query: &Query<VertexFace>, [i, j, k]: [usize; 3]) -> Polynomial {
     dot(&difference(query, 0, i), &cross(&normal, &edge))
 }
 
-/// Not negative while, on the line of the edge from xᵢ to xⱼ, the point that is closest to the line through xₖ and xₗ is not
-/// before xᵢ.
+/// Not negative while, on the line of the edge from xᵢ to xⱼ, the point that is closest to the line
+/// through xₖ and xₗ is not before xᵢ.
 fn end(query: &Query<EdgeEdge>, [i, j, k, l]: [usize; 4]) -> Polynomial {
     let (edge, line, w) = (
         difference(query, j, i),
@@ -139,7 +146,7 @@ fn end(query: &Query<EdgeEdge>, [i, j, k, l]: [usize; 4]) -> Polynomial {
     dot(&edge, &line) * dot(&w, &line) - dot(&line, &line) * dot(&w, &edge)
 }
 
-/// Whether the two edges count as parallel at t.
+/// True if the two edges count as parallel at t.
 fn are_parallel(query: &Query<EdgeEdge>, t: f64) -> bool {
     let edge = |i, j| difference(query, i, j).map(|x| Polynomial::new([x.at(t)]));
     let normal = cross(&edge(1, 0), &edge(3, 2));

@@ -7,7 +7,8 @@ pub(super) const MAX_DEGREE: usize = 6;
 
 /// A polynomial of degree at most [`MAX_DEGREE`], rounded at every operation.
 ///
-/// The operations are always inlined: then the degrees are constants where polynomials are made, and the loops unroll.
+/// The operations are always inlined: then the degrees are constants where polynomials are made,
+/// and the loops unroll.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Polynomial {
     /// The coefficients of tⁱ; zero beyond the degree.

@@ -27,8 +27,9 @@ pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
     [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j])
 }
 
-/// c² − d² |n|² for n = e₁ × e₂ and c = w · n: not positive while w is within the distance d of the plane that e₁ and e₂
-/// span. Two roots of it, one on either side of a root of c, fall together for d = 0.
+/// c² − d² |n|² for n = e₁ × e₂ and c = w · n: not positive while w is within the distance d of the
+/// plane that e₁ and e₂ span. Two roots of it, one on either side of a root of c, fall together for
+/// d = 0.
 pub(super) fn slab(w: &Vector, [e1, e2]: [&Vector; 2], distance: f64) -> Polynomial {
     let normal = cross(e1, e2);
     let volume = dot(w, &normal);

@@ -15,36 +15,40 @@ use super::patch::hull_contains_origin;
 use super::ray::cast;
 use crate::interval::Interval;
 
-/// Root parity as it was first published: a ray from the origin, and signs in intervals first, then in expansions.
+/// Root parity as it was first published: a ray from the origin, and signs in intervals first, then
+/// in expansions.
 ///
-/// T. Brochu, E. Edwards and R. Bridson, *Efficient Geometrically Exact Continuous Collision Detection*, ACM Transactions
-/// on Graphics 31(4), 2012, and their code in El Topo (`rootparitycollisiontest`, of 2011).
+/// T. Brochu, E. Edwards and R. Bridson, *Efficient Geometrically Exact Continuous Collision
+/// Detection*, ACM Transactions on Graphics 31(4), 2012, and their code in El Topo
+/// (`rootparitycollisiontest`, of 2011).
 ///
-/// F maps the domain of (t, u, v) to a solid with bilinear faces, of which two triangles stand for each. A query is free if
-/// the corners are on one side of a plane through the origin, of a few that are tried. Otherwise, it collides if a ray from
-/// the origin crosses the faces an odd number of times. A ray that meets the boundary of a triangle is replaced; here the
-/// next one has a fixed direction, not a random one.
+/// F maps the domain of (t, u, v) to a solid with bilinear faces, each of which is replaced by two
+/// triangles. A query is free if the corners are on one side of one of a few planes through the
+/// origin. Otherwise, it collides if a ray from the origin crosses the faces an odd number
+/// of times. A ray that meets the boundary of a triangle is replaced; here the next one has a fixed
+/// direction, not a random one.
 ///
 /// Where expansions would overflow or underflow, signs come from rational numbers.
 ///
 /// # When it fails
-/// It misses an even number of contacts: 2797 of the 4179 colliding pairs of edges in the scene rod-twist, and 5 of 145
-/// among the handcrafted ones.
+/// An even number of contacts is a false negative: 2797 of the 4179 colliding pairs of edges in the
+/// scene rod-twist, and 5 of 145 among the handcrafted ones.
 ///
-/// It invents contacts, if rarely:
-/// - The ray is a segment that is longer than the solid by 10, whatever the unit of length. If it crosses the image of
-///   the face at t = 0 or t = 1, and the barycentric coordinate of the origin on the segment is 1, rounded, then the
-///   origin counts as on the face: less than 10⁻¹⁵ between a vertex and a face may be a contact. So are 2 of the 1558
-///   handcrafted queries of a vertex and a face that do not collide.
-/// - If the origin is in one plane with the corners of a face, the hull of these stands for the face. It is larger if a
-///   corner is reflex.
-/// - All rays are horizontal. If edges that are so too surround the origin, all rays meet them, and that counts as a
-///   contact.
+/// False positives are rare:
+/// - The ray is a segment that is longer than the solid by 10, whatever the unit of length. If it
+///   crosses the image of the face at t = 0 or t = 1, and the barycentric coordinate of the origin
+///   on the segment is 1, rounded, then the origin counts as on the face: less than 10⁻¹⁵ between a
+///   vertex and a face may be a contact. So are 2 of the 1558 handcrafted queries of a vertex and a
+///   face that do not collide.
+/// - If the origin is in one plane with the corners of a face, their hull replaces the face. The hull
+///   is larger if a corner is reflex.
+/// - All rays are horizontal. If horizontal edges surround the origin, all rays meet them, which
+///   counts as a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BrochuRootParity {
-    /// How many rays are cast before a query counts as a contact.
+    /// The number of rays that are cast before a query counts as a contact.
     pub rays: u16,
-    /// By how much a ray, taken along one axis, is longer than the solid.
+    /// The length by which a ray, taken along one axis, exceeds the solid.
     pub margin: f64,
 }
 
@@ -57,15 +61,15 @@ impl Default for BrochuRootParity {
     }
 }
 
-/// The directions to try. Each is the one before, turned by an angle of the right triangle with the sides 3, 4 and 5: no
-/// multiple of that is a full turn.
+/// The directions to try. Each is the one before, turned by an angle of the right triangle with the
+/// sides 3, 4 and 5: no multiple of that is a full turn.
 fn rays() -> impl Iterator<Item = Point> {
     successors(Some([1.0, 1.0, 0.0]), |[x, y, z]| {
         Some([0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y, *z])
     })
 }
 
-/// An image in intervals, and exactly where these do not tell a sign.
+/// An image in intervals, and exactly where these leave a sign open.
 struct Filtered {
     differences: Differences,
     intervals: Vectors<Interval>,
@@ -143,10 +147,11 @@ impl Filtered {
         distance(|corner, axis| corner[axis].upper).max(distance(|corner, axis| -corner[axis].lower))
     }
 
-    /// Whether the ray, as a segment of a certain length, meets a triangle at the origin, as rounded.
+    /// True if the ray, as a segment of this length, meets a triangle at the origin, up to rounding.
     ///
-    /// It meets it at V / (S₀ + S₁ + S₂), in units of the direction: V is the volume of the corners, Sᵢ that of the direction
-    /// and an edge. What remains of the segment is the barycentric coordinate of the origin.
+    /// It meets it at V / (S₀ + S₁ + S₂), in units of the direction: V is the volume of the
+    /// corners, Sᵢ that of the direction and an edge. What remains of the segment is the
+    /// barycentric coordinate of the origin.
     fn starts_on_triangle(&self, [a, b, c]: [usize; 3], length: f64) -> bool {
         let estimate = |predicate: Predicate| {
             let Interval { lower, upper } = predicate.value(&self.intervals);

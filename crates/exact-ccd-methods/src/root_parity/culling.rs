@@ -18,8 +18,8 @@ const NORMALS: [Point; 7] = [
     [1.0, 1.0, 1.0],
 ];
 
-/// Whether a plane is found, among those across fixed directions and those along the two triangles of each face, so that the
-/// origin is not in the hull of the corners.
+/// True if a plane is found, among those across fixed directions and those along the two triangles
+/// of each face, so that the origin is not in the hull of the corners.
 pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -> bool {
     let middles = corners.map(|corner| corner.map(|x| 0.5 * (x.lower + x.upper)));
     let normals = faces
@@ -32,7 +32,7 @@ pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -
         .any(|normal| is_on_one_side(corners, normal))
 }
 
-/// The normal of a triangle, of length 1; `None` if it has none that floating-point numbers can tell.
+/// The unit normal of a triangle; `None` if it is not finite or zero in floating-point arithmetic.
 fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
     let subtract = |a: Point, b: Point| [0, 1, 2].map(|axis: usize| a[axis] - b[axis]);
     let (e, f) = (subtract(b, a), subtract(c, a));

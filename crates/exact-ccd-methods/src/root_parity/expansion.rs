@@ -1,4 +1,4 @@
-//! Sums of f64 that are not added up.
+//! Exact sums of f64, as lists of their components.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -7,21 +7,23 @@ use geometry_predicates::predicates::{fast_expansion_sum_zeroelim, scale_expansi
 
 use super::number::Number;
 
-/// The sum of numbers of increasing magnitude that have no bits in common: exact, as long as nothing overflows or
-/// underflows.
+/// The sum of numbers of increasing magnitude that have no bits in common: exact, as long as
+/// nothing overflows or underflows.
 ///
-/// J. R. Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*, Discrete &
-/// Computational Geometry 18, 1997. There is at least one component, and none is zero but that of zero.
+/// J. R. Shewchuk, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+/// Predicates*, Discrete & Computational Geometry 18, 1997. There is at least one component, and
+/// none is zero but that of zero.
 #[derive(Clone)]
 pub(super) struct Expansion(Vec<f64>);
 
-/// Between these magnitudes, polynomials of degree six in differences of f64 neither overflow nor underflow: the last bit
-/// of a coordinate is worth 2⁻¹²⁰⁻⁵² at least, that of a product of six 2⁻¹⁰³²; and the largest such product is that of two
-/// determinants, less than 2 · (48 · 2¹⁶⁰ · 2¹⁶⁰ · 2¹⁶⁰)² < 2⁹⁷³.
+/// Between these magnitudes, polynomials of degree six in differences of f64 neither overflow nor
+/// underflow: the last bit of a coordinate is worth 2⁻¹²⁰⁻⁵² at least, that of a product of six
+/// 2⁻¹⁰³²; and the largest such product is that of two determinants, less than 2 · (48 · 2¹⁶⁰ ·
+/// 2¹⁶⁰ · 2¹⁶⁰)² < 2⁹⁷³.
 const RANGE: [f64; 2] = [7.6e-37, 1.4e48];
 
 impl Expansion {
-    /// Whether predicates of such coordinates are exact.
+    /// True if predicates of such coordinates are exact.
     pub(super) fn can_hold(x: f64) -> bool {
         x == 0.0 || (RANGE[0]..RANGE[1]).contains(&x.abs())
     }
@@ -116,10 +118,13 @@ mod tests {
         #[test]
         fn predicates_are_exact_within_the_range(differences in uniform9(uniform2(uniform3(coordinate())))) {
             prop_assert!(differences.as_flattened().as_flattened().iter().all(|&x| Expansion::can_hold(x)));
-            let (expansions, rationals) = (vectors::<Expansion>(&differences), vectors::<Relaxed>(&differences));
-            for predicate in [Predicate::Phi([0, 1, 2, 3]), Predicate::Volume([4, 5, 6]), Predicate::Dot([7, 8])] {
+            let expansions = vectors::<Expansion>(&differences);
+            let rationals = vectors::<Relaxed>(&differences);
+            let predicates = [Predicate::Phi([0, 1, 2, 3]), Predicate::Volume([4, 5, 6]), Predicate::Dot([7, 8])];
+            for predicate in predicates {
                 let (expansion, rational) = (predicate.value(&expansions), predicate.value(&rationals));
-                let sum = expansion.0.iter().map(|&x| Relaxed::exactly(x)).fold(Relaxed::ZERO, |sum, x| sum + x);
+                let terms = expansion.0.iter().map(|&x| Relaxed::exactly(x));
+                let sum = terms.fold(Relaxed::ZERO, |sum, x| sum + x);
                 prop_assert_eq!(&sum, &rational);
                 prop_assert_eq!(expansion.certain_sign(), rational.certain_sign());
             }

@@ -12,12 +12,12 @@ type Quadratic = [Relaxed; 3];
 /// A line from s = 0 to s = 1: its constant and its linear part.
 type Line = [Vector<Relaxed>; 2];
 
-/// Whether a patch with four corners, all in one plane with the origin, contains the origin.
+/// True if a patch with four corners, all in one plane with the origin, contains the origin.
 ///
-/// It is swept by a segment, from P(s) on the side ab to Q(s) on the side dc. The origin is on the segment if P × Q = 0 and
-/// P · Q ≤ 0: the sign of one quadratic at the roots in [0, 1] of another, or, if that vanishes for all s, wherever it
-/// is least. The hull of the corners can be larger than the patch, and the patch can fold over and cover more than its
-/// outline winds around.
+/// It is swept by a segment, from P(s) on the side ab to Q(s) on the side dc. The origin is on the
+/// segment if P × Q = 0 and P · Q ≤ 0: the sign of one quadratic at the roots in [0, 1] of another,
+/// or, if that vanishes for all s, wherever it is least. The hull of the corners can be larger than
+/// the patch, and the patch can fold over and cover more than its outline winds around.
 pub(super) fn contains_origin([a, b, c, d]: [&Vector<Relaxed>; 4]) -> bool {
     let (p, q) = (line(a, b), line(d, c));
     let along = product(dot, &p, &q);
@@ -61,8 +61,8 @@ fn discriminant([c, b, a]: &Quadratic) -> Relaxed {
     b * b - Relaxed::exactly(4.0) * a * c
 }
 
-/// Whether a quadratic is zero or less somewhere in [0, 1]: at an end, or at a minimum in between, which there is if it
-/// falls at the start and rises at the end.
+/// True if a quadratic is zero or less somewhere in [0, 1]: at an end, or at a minimum in between,
+/// which there is if it falls at the start and rises at the end.
 fn falls_to_zero(quadratic: &Quadratic) -> bool {
     let [c, b, a] = quadratic;
     let has_minimum = sign(b).is_lt() && sign(&(b + a + a)).is_gt();

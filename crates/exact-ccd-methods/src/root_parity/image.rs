@@ -1,4 +1,4 @@
-//! The image of the domain under F, and the signs that are asked of it.
+//! The image of the domain under F, and its predicates.
 
 use std::cmp::Ordering;
 
@@ -8,8 +8,8 @@ use super::number::{Number, Vector, dot, turn, volume};
 
 /// The domain of (t, u, v): its corners, and the faces as cycles of four of them.
 pub(super) struct Domain {
-    /// F at the corners at t = 0, and at t = 1 in the same order: `(i, j)` stands for xᵢ − xⱼ. A triangle has its last
-    /// corner twice.
+    /// F at the corners at t = 0, and at t = 1 in the same order: `(i, j)` stands for xᵢ − xⱼ. A
+    /// triangle has its last corner twice.
     corners: [(usize, usize); 4],
     pub(super) faces: &'static [[usize; 4]],
 }
@@ -61,7 +61,7 @@ impl Domain {
 /// The vectors from the origin to the eight corners, and the direction of a ray.
 pub(super) type Vectors<N> = [Vector<N>; 9];
 
-/// Which of the vectors is the direction of the ray.
+/// The index of the direction of the ray among the vectors.
 pub(super) const RAY: usize = 8;
 
 /// The vectors as differences of two points, before anything is computed or rounded.
@@ -83,7 +83,7 @@ pub(super) fn vectors<N: Number>(differences: &Differences) -> Vectors<N> {
     })
 }
 
-/// A polynomial whose sign is asked for, in vectors that are given by their indices.
+/// A polynomial in vectors, which are given by their indices. Its sign is the predicate.
 #[derive(Clone, Copy)]
 pub(super) enum Predicate {
     /// a · (b × c).
@@ -92,14 +92,14 @@ pub(super) enum Predicate {
     Turn(usize, [usize; 2]),
     /// a · b.
     Dot([usize; 2]),
-    /// For the origin and a patch with four corners, V₀ V₂ − V₁ V₃, where Vᵢ is the volume of the corners but the i-th. It is
-    /// the function of the paper that vanishes on the patch.
+    /// For the origin and a patch with four corners, V₀ V₂ − V₁ V₃, where Vᵢ is the volume of the
+    /// corners but the i-th. It is the function of the paper that vanishes on the patch.
     Phi([usize; 4]),
 }
 
 impl Predicate {
-    /// Whether this is a determinant of vectors of which two are the same, as for a triangle that has a corner twice. Then
-    /// it is zero, but in intervals it is not.
+    /// True if this is a determinant of vectors of which two are the same, as for a triangle that
+    /// has a corner twice. Then it is zero, but in intervals it is not.
     pub(super) fn vanishes(self) -> bool {
         match self {
             Self::Volume([a, b, c]) => a == b || b == c || c == a,
@@ -124,6 +124,6 @@ pub(super) trait Image {
     /// The sign of a predicate.
     fn sign(&self, predicate: Predicate) -> Ordering;
 
-    /// Whether a patch contains the origin, which is in the plane of its four corners.
+    /// True if a patch contains the origin, which is in the plane of its four corners.
     fn flat_patch_contains_origin(&self, patch: [usize; 4]) -> bool;
 }

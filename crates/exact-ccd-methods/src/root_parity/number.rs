@@ -7,7 +7,7 @@ use dashu_ratio::Relaxed;
 
 use crate::interval::Interval;
 
-/// What the predicates are computed in: intervals, expansions, or rational numbers.
+/// The numbers of the predicates: intervals, expansions, or rational numbers.
 pub(super) trait Number: Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
     /// A finite number.
     fn exactly(x: f64) -> Self;
@@ -26,7 +26,7 @@ impl Number for Interval {
     }
 }
 
-/// All denominators are powers of two, so that nothing is gained by looking for other common factors.
+/// All denominators are powers of two, so that a search for other common factors is useless.
 impl Number for Relaxed {
     fn exactly(x: f64) -> Self {
         Self::try_from(x).unwrap_or(Self::ZERO)

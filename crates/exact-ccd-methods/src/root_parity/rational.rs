@@ -10,18 +10,21 @@ use super::image::{Image, Predicate, Solid, Vectors, differences, vectors};
 use super::number::Number;
 use super::ray::cast;
 
-/// Root parity in rational arithmetic: the method of [`BrochuRootParity`](super::BrochuRootParity), without its filters and
-/// with the degenerate cases settled, on the input as it is.
+/// Root parity in rational arithmetic: the method of [`BrochuRootParity`](super::BrochuRootParity),
+/// without its filters and with the degenerate cases settled, on the input as it is.
 ///
-/// It is the reference that B. Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider compare with in *Fast and
-/// Exact Root Parity for Continuous Collision Detection*, Computer Graphics Forum 41(2), 2022. Their code gives up after
-/// eight random rays, says that nothing collides if all points move alike, and splits a flat face into triangles that may
-/// differ from it. Here, one of 49 fixed rays serves for certain, and a flat face covers what its points cover.
+/// It is the reference that B. Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider
+/// compare with in *Fast and Exact Root Parity for Continuous Collision Detection*, Computer
+/// Graphics Forum 41(2), 2022. Their code gives up after eight random rays, reports no contact if
+/// all points have the same displacement, and splits a flat face into triangles that may differ
+/// from it. Here, at least one of 49 fixed rays is valid, and a flat face covers exactly its
+/// points.
 ///
 /// # When it fails
-/// It misses an even number of contacts in the inside of the domain, counted with their multiplicity, and nothing else: 2797
-/// of the 4179 colliding pairs of edges in the scene rod-twist. A contact on the boundary, at t = 0 or t = 1, with an edge of
-/// the face or an end of an edge, counts alone. It invents no contact.
+/// An even number of contacts in the interior of the domain, counted with multiplicity, is a false
+/// negative: 2797 of the 4179 colliding pairs of edges in the scene rod-twist. A contact on the
+/// boundary, at t = 0 or t = 1, with an edge of the face or an end of an edge, is always reported.
+/// There are no false positives.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RationalRootParity;
 
@@ -35,10 +38,11 @@ impl Image for Vectors<Relaxed> {
     }
 }
 
-/// How many of the directions (1, k, k²) a query can reject.
+/// The largest number of directions (1, k, k²) that a query rejects.
 ///
-/// A direction is rejected if it is in a plane with the origin and two corners of one face: an edge or a diagonal, of which
-/// a hexahedron has 24. A plane through the origin contains two of the directions at most.
+/// A direction is rejected if it is in a plane with the origin and two corners of one face: an edge
+/// or a diagonal, of which a hexahedron has 24. A plane through the origin contains two of the
+/// directions at most.
 const MOST_REJECTED: u32 = 2 * 24;
 
 impl<K: Solid> Decide<K> for RationalRootParity {

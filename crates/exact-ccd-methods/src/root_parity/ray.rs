@@ -5,8 +5,9 @@ use std::cmp::Ordering;
 use super::image::{Image, Predicate, RAY};
 use super::patch::stand_in;
 
-/// Whether the ray of an image says that there is a contact: whether the origin is on a face, or the ray crosses the faces an
-/// odd number of times. `None` if it meets the boundary of a triangle, so that its crossings cannot be counted.
+/// True if the ray of an image proves a contact: if the origin is on a face, or the ray crosses the
+/// faces an odd number of times. `None` if it meets the boundary of a triangle, so that its
+/// crossings cannot be counted.
 pub(super) fn cast(image: &impl Image, faces: &[[usize; 4]]) -> Option<bool> {
     let mut is_odd = Some(false);
     for &face in faces {
@@ -22,7 +23,7 @@ pub(super) fn cast(image: &impl Image, faces: &[[usize; 4]]) -> Option<bool> {
     is_odd
 }
 
-/// Whether the ray crosses a triangle that does not contain the origin; `None` if it meets the boundary.
+/// True if the ray crosses a triangle that does not contain the origin; `None` if it meets the boundary.
 ///
 /// It does if it passes the lines of all edges on the side on which the origin sees the third corner.
 fn crosses(image: &impl Image, [a, b, c]: [usize; 3]) -> Option<bool> {
@@ -48,11 +49,11 @@ fn crosses(image: &impl Image, [a, b, c]: [usize; 3]) -> Option<bool> {
     }
 }
 
-/// Whether the ray meets an edge that is in one plane with it.
+/// True if the ray meets an edge that is in one plane with it.
 ///
-/// Seen along an axis, if the ends of the edge are not both on the line of the ray, they are on different sides of it, or one
-/// is on it, and the turn from one end to the other is that from the end to the ray, or a half turn. If both are on it, one
-/// is in front.
+/// Seen along an axis, if the ends of the edge are not both on the line of the ray, they are on
+/// different sides of it, or one is on it, and the turn from one end to the other is that from the
+/// end to the ray, or a half turn. If both are on it, one is in front.
 fn meets_in_plane(image: &impl Image, [a, b]: [usize; 2]) -> bool {
     for axis in 0..3 {
         let turn = |from: usize, to: usize| image.sign(Predicate::Turn(axis, [from, to]));
