@@ -4,7 +4,7 @@ use std::path::Path;
 
 use exact_ccd::Point;
 
-use crate::mesh::{IndexOutOfRange, TriangleMesh};
+use crate::mesh::{MeshError, TriangleMesh};
 use crate::positions::{self, PositionsError};
 use crate::read::{self, Format, ParseError, ReadError};
 #[cfg(doc)]
@@ -19,13 +19,14 @@ pub struct Frame {
     pub positions: Vec<Point>,
 }
 
-/// What keeps positions and faces from being a [`Frame`].
+/// The reason why positions, faces and edges do not form a [`Frame`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FrameError {
-    /// A face names a vertex that has no position.
+    /// A face or an edge names a vertex that has no position.
     #[error(transparent)]
-    Index(#[from] IndexOutOfRange),
-    /// The positions are not sound.
+    Mesh(#[from] MeshError),
+    /// A coordinate is not finite.
     #[error(transparent)]
     Positions(#[from] PositionsError),
 }
@@ -48,7 +49,19 @@ impl Frame {
     /// # Errors
     /// The first index that is out of range, or else the first coordinate that is not finite.
     pub fn new(positions: Vec<Point>, faces: Vec<[u32; 3]>) -> Result<Self, FrameError> {
-        let mesh = TriangleMesh::new(positions.len(), faces)?;
+        Self::with_edges(positions, faces, &[])
+    }
+
+    /// The mesh of these faces and edges, each three or two indices into `positions`; see [`TriangleMesh::with_edges`].
+    ///
+    /// # Errors
+    /// The first index that is out of range, or else the first coordinate that is not finite.
+    pub fn with_edges(
+        positions: Vec<Point>,
+        faces: Vec<[u32; 3]>,
+        edges: &[[u32; 2]],
+    ) -> Result<Self, FrameError> {
+        let mesh = TriangleMesh::with_edges(positions.len(), faces, edges)?;
         positions::check(&mesh, &positions)?;
         Ok(Self { mesh, positions })
     }

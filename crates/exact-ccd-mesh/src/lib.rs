@@ -66,7 +66,7 @@ pub use intersections::{Intersection, intersections};
 pub use line_search::{
     Decision, ExactDecision, LineSearch, LineSearchError, ParityDecision, advance, step_size,
 };
-pub use mesh::{IndexOutOfRange, TriangleMesh};
+pub use mesh::{MeshError, TriangleMesh};
 pub use motion::{Motion, MotionError, ReadMotionError};
 pub use pair::{Pair, PairCounts};
 pub use positions::PositionsError;

@@ -22,6 +22,7 @@ pub struct Motion {
 
 /// What keeps two frames from being the start and the end of one motion.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MotionError {
     /// The numbers of vertices differ.
     #[error("{start} vertices at the start, {end} at the end, expected the same mesh")]
@@ -48,6 +49,24 @@ pub enum MotionError {
         start: [u32; 3],
         /// Its corners at t = 1.
         end: [u32; 3],
+    },
+    /// The numbers of loose edges differ.
+    #[error("{start} loose edges at the start, {end} at the end, expected the same mesh")]
+    LooseEdgeCount {
+        /// The number of loose edges at t = 0.
+        start: usize,
+        /// The number of loose edges at t = 1.
+        end: usize,
+    },
+    /// A loose edge has other end points at the end than at the start.
+    #[error("loose edge {edge} is {start:?} at the start and {end:?} at the end, expected the same mesh")]
+    LooseEdge {
+        /// The index of the first such edge in [`TriangleMesh::loose_edges`].
+        edge: usize,
+        /// Its end points at t = 0.
+        start: [u32; 2],
+        /// Its end points at t = 1.
+        end: [u32; 2],
     },
     /// The positions are not sound.
     #[error(transparent)]
@@ -146,6 +165,17 @@ impl TriangleMesh {
             return Err(MotionError::FaceCount {
                 start: self.faces().len(),
                 end: end.faces().len(),
+            });
+        }
+        let (edges, end_edges) = (self.loose_edges(), end.loose_edges());
+        let pairs = edges.iter().zip(end_edges);
+        if let Some((edge, (&start, &end))) = pairs.enumerate().find(|(_, (start, end))| start != end) {
+            return Err(MotionError::LooseEdge { edge, start, end });
+        }
+        if edges.len() != end_edges.len() {
+            return Err(MotionError::LooseEdgeCount {
+                start: edges.len(),
+                end: end_edges.len(),
             });
         }
         Ok(())

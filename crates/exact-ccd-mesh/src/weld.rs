@@ -58,9 +58,10 @@ impl Welding {
                 end: mesh.vertex_count(),
             });
         }
-        let weld = |face: &[u32; 3]| face.map(|corner| self.vertex_of[corner as usize]);
-        let faces = mesh.faces().iter().map(weld).collect();
-        Ok(TriangleMesh::new(self.first.len(), faces).expect("every corner has its vertex"))
+        let weld = |vertex: u32| self.vertex_of[vertex as usize];
+        let faces = mesh.faces().iter().map(|face| face.map(weld)).collect();
+        let edges: Vec<_> = mesh.loose_edges().iter().map(|edge| edge.map(weld)).collect();
+        Ok(TriangleMesh::with_edges(self.first.len(), faces, &edges).expect("every vertex has its new one"))
     }
 
     /// The positions of the new vertices: that of the first vertex, for each.
