@@ -1,4 +1,4 @@
-//! Why the program has no answer.
+//! Errors of the program.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -6,11 +6,12 @@ use std::path::{Path, PathBuf};
 use exact_ccd::parity::RoundingError;
 use exact_ccd_bench::DataError;
 use exact_ccd_bench::comparison::PeerError;
-use exact_ccd_mesh::{ReadError, ReadMotionError, StepError};
+use exact_ccd_files::{ReadError, ReadMotionError};
+use exact_ccd_mesh::StepError;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 
-/// Why the program has no answer.
+/// The reason why the program has no answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error(transparent)]
@@ -71,12 +72,12 @@ impl Failure {
         Self::Query { file, query, source }
     }
 
-    /// The message, even if a file has a line break or another control character in its name.
+    /// The message on one line. Control characters, which names of files may have, become spaces.
     pub(crate) fn on_one_line(&self) -> String {
         self.to_string().replace(char::is_control, " ")
     }
 
-    /// A reader who wants to read no more, as in `exact-ccd queries FILE | head`, is no failure.
+    /// A closed pipe, as in `exact-ccd queries FILE | head`, is not a failure.
     pub(crate) fn unless_closed_pipe(self) -> Result<(), Self> {
         match self {
             Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),

@@ -1,20 +1,22 @@
-//! Triangle meshes in motion: mesh files, the broad phase, and the collision-free step of a whole mesh.
+//! Triangle meshes in motion, with rods and points: the broad phase and the collision-free step of a whole mesh.
 //!
-//! ```no_run
-//! use exact_ccd_mesh::{Motion, step};
+//! ```
+//! use exact_ccd_mesh::{TriangleMesh, step};
 //!
-//! let motion = Motion::read("start.ply", "end.ply")?;
-//! let report = step(&motion.mesh, &motion.x0, &motion.x1)?;
-//! match report.time_of_impact() {
-//!     None => println!("free of contact"),
-//!     Some(toi) => println!("free of contact on [0, {toi})"),
-//! }
+//! let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?; // vertex 3 is a point
+//! let x0 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 1.0]];
+//! let x1 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, -1.0]];
+//! let report = step(&mesh, &x0, &x1)?;
+//! // Free of contact on [0, 0.5).
+//! assert_eq!(report.time_of_impact(), Some(0.5));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The way from files to the answer:
+//! From a mesh to the answer:
 //!
-//! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh are a [`Motion`].
+//! - [`TriangleMesh`] is the connectivity: faces, loose edges (rods) and loose vertices (points).
+//! - [`Frame`] is a mesh at one time; two frames of the same mesh are a [`Motion`]. The crate `exact-ccd-files` reads
+//!   and writes mesh files.
 //! - [`TetMesh`] is a body of tetrahedra at one time, whose surface is a frame.
 //! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a simulator keeps its own.
 //! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
@@ -44,16 +46,15 @@ mod motion;
 mod narrow_phase;
 mod pair;
 mod positions;
-mod pvd;
-mod read;
 mod shift;
 mod step;
 mod step_boxes;
+mod tet_error;
 mod tet_mesh;
 mod weld;
-mod write;
 
 pub use audit::{Audit, Violation};
+pub use boundary::TetFaces;
 pub use bounds::Bounds;
 pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, Found, Sweep, Visit};
 pub use candidates::Candidates;
@@ -67,17 +68,15 @@ pub use line_search::{
     Decision, ExactDecision, LineSearch, LineSearchError, ParityDecision, advance, step_size,
 };
 pub use mesh::{MeshError, TriangleMesh};
-pub use motion::{Motion, MotionError, ReadMotionError};
+pub use motion::{Motion, MotionError};
 pub use pair::{Pair, PairCounts};
-pub use positions::PositionsError;
-pub use pvd::read_pvd;
-pub use read::{Fault, Format, ParseError, Place, ReadError};
+pub use positions::{PositionsError, check_positions};
 pub use step::{Step, StepError, step};
-pub use tet_mesh::{TetMesh, TetMeshError};
+pub use tet_error::TetMeshError;
+pub use tet_mesh::TetMesh;
 pub use weld::Welding;
-pub use write::{UnstructuredGrid, write_pvd};
 
-/// The examples in the README of the repository, as tests.
+/// The examples in the README of this crate, as tests.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! Meshes shifted as a whole, so that the differences of their coordinates are exact (section 4.2 of the paper on
+//! Shifts of whole meshes after which all differences of coordinates are exact (section 4.2 of the paper on
 //! [parity](exact_ccd::parity)).
 
 use exact_ccd::Point;
@@ -9,8 +9,7 @@ use crate::frame::Frame;
 use crate::motion::Motion;
 
 impl Bounds {
-    /// The displacement after which all differences of two points of the box are exact, however many points there are.
-    /// The box of nothing needs none.
+    /// The displacement after which the difference of any two points of the box is exact. For the empty box it is zero.
     #[must_use]
     pub fn displacement(&self) -> Displacement {
         if *self == Self::EMPTY {
@@ -30,7 +29,7 @@ impl Frame {
 
     /// The frame, with each vertex shifted and rounded.
     ///
-    /// One displacement serves all frames of a simulation, if it is that of the box around all of them:
+    /// The displacement of the box around all frames of a simulation serves every one of them:
     ///
     /// ```
     /// use exact_ccd_mesh::{Bounds, Frame};
@@ -54,7 +53,7 @@ impl Frame {
 }
 
 impl Motion {
-    /// The displacement for the box around both frames: after it, all corner differences of all queries of the step are
+    /// The displacement of the box around both frames, after which the corner differences of all queries of the step are
     /// exact. See [`Motion::shifted`].
     #[must_use]
     pub fn displacement(&self) -> Displacement {

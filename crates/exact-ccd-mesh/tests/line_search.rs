@@ -1,6 +1,6 @@
 //! The line search on the generated examples, and on a step whose size is known.
 
-use std::path::Path;
+mod drape;
 
 use exact_ccd_mesh::{
     Decision, ExactDecision, LineSearch, LineSearchError, Motion, ParityDecision, Point, TriangleMesh,
@@ -8,8 +8,15 @@ use exact_ccd_mesh::{
 };
 
 fn example(end: &str) -> Motion {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    Motion::read(folder.join("drape_start.ply"), folder.join(end)).expect("the examples are sound")
+    let frames = drape::frames().expect("the examples are sound");
+    let frame = |name: &str| {
+        frames
+            .iter()
+            .find(|frame| frame.0 == name)
+            .map(|frame| frame.1.clone())
+    };
+    let [start, end] = ["drape_start.ply", end].map(|name| frame(name).expect("there is such an example"));
+    Motion::new(start, end).expect("the examples are sound")
 }
 
 fn direction(motion: &Motion) -> Vec<Point> {

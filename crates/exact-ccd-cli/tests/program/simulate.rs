@@ -128,7 +128,7 @@ fn paraview_gets_tetrahedra_and_triangles_over_time() {
     let folder = folder();
     let run = folder.run(&["simulate", "scene.toml", "--out", "result", "--steps", "3"]);
     assert_eq!(run.status, 0);
-    let collection = exact_ccd_mesh::read_pvd(folder.path("result/motion.pvd")).unwrap();
+    let collection = exact_ccd_files::read_pvd(folder.path("result/motion.pvd")).unwrap();
     let file = |step: u32| folder.path(&format!("result/vtu/00000{step}.vtu"));
     let expected: Vec<_> = (0..=3).map(|step| (f64::from(step) * 0.02, file(step))).collect();
     assert_eq!(collection, expected);

@@ -28,7 +28,7 @@ pub(super) struct Description {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct BodyDescription {
-    /// A mesh file: of tetrahedra (.msh) for a solid, else any that [`exact_ccd_mesh::Frame::read`] reads, or the surface of
+    /// A mesh file: of tetrahedra (.msh) for a solid, else any that [`exact_ccd_files::read_frame`] reads, or the surface of
     /// tetrahedra.
     pub(super) mesh: Option<PathBuf>,
     /// A shape instead of a file.
