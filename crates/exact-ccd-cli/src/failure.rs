@@ -31,7 +31,10 @@ pub(crate) enum Failure {
     },
     #[error(transparent)]
     Rounding(#[from] RoundingError),
-    #[error("{}: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file", .0.display())]
+    #[error(
+        "{}: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
+        .0.display()
+    )]
     KindMissing(PathBuf),
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),
@@ -41,7 +44,11 @@ pub(crate) enum Failure {
     SameMethod(String),
     #[error("there is no method {name}; there are {}", .known.join(", "))]
     Method { name: String, known: Vec<String> },
-    #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
+    #[error(
+        "{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, \
+         or `frames` with meshes",
+        .0.display()
+    )]
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]
     NoFrames(PathBuf),

@@ -27,10 +27,11 @@ pub(crate) fn write_file(
     })
 }
 
-/// Writes a file and replaces an existing one atomically: after an error or a crash, the old file is unchanged.
+/// Writes a file and replaces an existing one atomically: after an error or a crash, the old file
+/// is unchanged.
 ///
-/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft in the folder;
-/// [`draft_of`] recognises it by its name.
+/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft
+/// in the folder; [`draft_of`] recognises it by its name.
 pub(crate) fn replace_file(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,

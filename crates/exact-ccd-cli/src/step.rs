@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use clap::value_parser;
 use exact_ccd_files::read_motion;
-use exact_ccd_mesh::{Bvh, Detector, StepError, StepReport};
+use exact_ccd_mesh::{Bvh, Detector, Motion, StepError, StepReport};
 
 use crate::failure::Failure;
 use crate::output::print;

@@ -1,7 +1,8 @@
 //! Runs a step with a custom broad phase and prints its progress.
 //!
 //! ```sh
-//! cargo run --release --example broad_phase -p exact-ccd-files -- examples/drape_start.ply examples/drape_contact.ply
+//! cargo run --release --example broad_phase -p exact-ccd-files -- \
+//!     examples/drape_start.ply examples/drape_contact.ply
 //! ```
 
 #![expect(clippy::print_stdout, reason = "an example prints its result")]
@@ -13,8 +14,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exact_ccd_files::read_motion;
 use exact_ccd_mesh::{Bounds, Boxes, BroadPhase, StepReport, Visit};
 
-/// Sorts the boxes along x and visits each with those that begin before it ends. This finds a superset of the overlapping
-/// pairs.
+/// Sorts the boxes along x and visits each with those that begin before it ends. This finds a
+/// superset of the overlapping pairs.
 struct SortedAlongX;
 
 impl BroadPhase for SortedAlongX {

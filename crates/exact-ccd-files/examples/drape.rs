@@ -1,7 +1,7 @@
 //! Generates the meshes in `examples`: a sheet that drapes over a sphere in one time step.
 //!
-//! In `drape_start.ply` the sheet is flat above the sphere. In `drape_free.ply` it hangs just above the sphere, and the
-//! step is free of contact. In `drape_contact.ply` it has sunk into the sphere.
+//! In `drape_start.ply` the sheet is flat above the sphere. In `drape_free.ply` it hangs just above
+//! the sphere, and the step is free of contact. In `drape_contact.ply` it has sunk into the sphere.
 //!
 //! ```sh
 //! cargo run --release --example drape -p exact-ccd-files -- [FOLDER]

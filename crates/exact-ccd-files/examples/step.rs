@@ -1,7 +1,8 @@
 //! Computes the first contact of the step from one mesh file to another.
 //!
 //! ```sh
-//! cargo run --release --example step -p exact-ccd-files -- examples/drape_start.ply examples/drape_contact.ply
+//! cargo run --release --example step -p exact-ccd-files -- \
+//!     examples/drape_start.ply examples/drape_contact.ply
 //! ```
 
 #![expect(clippy::print_stdout, reason = "an example prints its result")]

@@ -14,10 +14,11 @@ pub enum Format {
     Stl,
     /// The Object File Format of Geomview, as text.
     Off,
-    /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Tetrahedra read as their surface.
+    /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Tetrahedra read as
+    /// their surface.
     Msh,
-    /// VTK's XML format of unstructured grids: data inline, as text or in base64, not compressed. Tetrahedra read as their
-    /// surface, and other triangles beside them as they are.
+    /// VTK's XML format of unstructured grids: data inline, as text or in base64, not compressed.
+    /// Tetrahedra read as their surface, and other triangles beside them as they are.
     Vtu,
 }
 

@@ -15,19 +15,24 @@
 //!
 //! | data | from a file | from bytes | to a writer |
 //! |---|---|---|---|
-//! | a mesh at one time, [`Frame`](exact_ccd_mesh::Frame) | [`read_frame`] | [`parse_frame`] | [`write_ply`], [`write_obj`], [`write_vtu`] |
-//! | a mesh in motion, [`Motion`](exact_ccd_mesh::Motion) | [`read_motion`] | | |
-//! | a body of tetrahedra, [`TetMesh`](exact_ccd_mesh::TetMesh) | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
+//! | a mesh at one time, [`Frame`] | [`read_frame`] | [`parse_frame`] | [`write_ply`], `write_obj`, `write_vtu` |
+//! | a mesh in motion, [`Motion`] | [`read_motion`] | | |
+//! | a body of tetrahedra, [`TetMesh`] | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
 //! | tetrahedra, triangles, lines and points, [`UnstructuredGrid`] | | | [`write_vtu`] |
 //! | a sequence of files, one for each time | [`read_pvd`] | | [`write_pvd`] |
 //!
+//! [`Frame`]: exact_ccd_mesh::Frame
+//! [`Motion`]: exact_ccd_mesh::Motion
+//! [`TetMesh`]: exact_ccd_mesh::TetMesh
+//!
 //! # Rods and points
 //!
-//! Loose edges are read from the statements `l` of OBJ, the element `edge` of PLY (properties `vertex1` and `vertex2`),
-//! lines and polylines of VTK and lines of Gmsh. An edge of a face or of a tetrahedron is not loose, so lines that mark
-//! the boundary of a surface have no effect. Every other line becomes a rod, also where a program wrote it as a
-//! construction line. Every vertex of a surface mesh that is in no face and no edge is a point, whether or not the file
-//! lists it as one. Of tetrahedra, only listed points of VTK are kept; Gmsh lists points for its geometry.
+//! Loose edges are read from the statements `l` of OBJ, the element `edge` of PLY (properties
+//! `vertex1` and `vertex2`), lines and polylines of VTK and lines of Gmsh. An edge of a face or of
+//! a tetrahedron is not loose, so lines that mark the boundary of a surface have no effect. Every
+//! other line becomes a rod, also where a program wrote it as a construction line. Every vertex of
+//! a surface mesh that is in no face and no edge is a point, whether or not the file lists it as
+//! one. Of tetrahedra, only listed points of VTK are kept; Gmsh lists points for its geometry.
 //!
 //! No bytes make a reader panic. Memory stays proportional to the size of the file.
 

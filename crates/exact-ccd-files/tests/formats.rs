@@ -81,7 +81,8 @@ fn single_precision_is_widened_exactly() {
 
 #[test]
 fn text_is_read_to_the_nearest_double_for_every_declared_type() {
-    let ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float32 y\nproperty uchar z\n\
+    let ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float32 y\n\
+               property uchar z\n\
                element face 0\nproperty list uchar int vertex_indices\nend_header\n 0.1 -.5 3. \n";
     assert_eq!(parse(ply, Format::Ply).positions, [[0.1, -0.5, 3.0]]);
 }
@@ -105,9 +106,11 @@ fn ply_skips_other_elements_and_properties() {
 
 #[test]
 fn ply_reads_every_type_of_number() {
-    let header = "ply\r\nformat binary_big_endian 1.0\r\nelement extra 1\r\nproperty list ushort short values\r\n\
+    let header = "ply\r\nformat binary_big_endian 1.0\r\nelement extra 1\r\n\
+                  property list ushort short values\r\n\
                   element vertex 3\r\nproperty char x\r\nproperty ushort y\r\nproperty uint z\r\n\
-                  property double weight\r\nelement face 1\r\nproperty list int ushort vertex_index\r\nend_header\r\n";
+                  property double weight\r\nelement face 1\r\nproperty list int ushort vertex_index\r\n\
+                  end_header\r\n";
     let mut bytes = header.as_bytes().to_vec();
     bytes.extend([0, 2, 9, 9, 9, 9]);
     for _ in 0..3 {
@@ -122,8 +125,10 @@ fn ply_reads_every_type_of_number() {
 
 #[test]
 fn obj_reads_every_kind_of_corner() {
-    let obj = "# a comment \\\nmtllib x.mtl\nv 0 0 0 1.0\nv 1 0 \\\n  0\nvt 0 0\nvn 0 0 1\nv 0 1 0 0.5 0.5 0.5 # red\n\
-               f 1 2 3\nf 1/1 2/1 3/1\nf 1/1/1 2/1/1 3/1/1\nf 1//1 2//1 \\\r\n 3//1\nf -3 -2 -1\nf 4 -1//-1 1\n\
+    let obj = "# a comment \\\nmtllib x.mtl\nv 0 0 0 1.0\nv 1 0 \\\n  0\nvt 0 0\nvn 0 0 1\n\
+               v 0 1 0 0.5 0.5 0.5 # red\n\
+               f 1 2 3\nf 1/1 2/1 3/1\nf 1/1/1 2/1/1 3/1/1\nf 1//1 2//1 \\\r\n 3//1\nf -3 -2 -1\n\
+               f 4 -1//-1 1\n\
                usemtl back\\slash\nv 5 5 5";
     let frame = parse(obj, Format::Obj);
     assert_eq!(
@@ -151,7 +156,8 @@ fn off_reads_comments_colours_and_missing_headers() {
 
 #[test]
 fn stl_reads_words_on_any_lines_in_any_case_and_several_solids() {
-    let stl = "  SOLID\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0.1 0 0\nVERTEX 1\n0 0\n\nvertex 0 1 0 endloop endfacet\n\
+    let stl = "  SOLID\nFACET NORMAL 0 0 1 OUTER LOOP VERTEX 0.1 0 0\nVERTEX 1\n0 0\n\n\
+               vertex 0 1 0 endloop endfacet\n\
                ENDSOLID\nsolid second\nendsolid second\n";
     let frame = parse(stl, Format::Stl);
     assert_same(
@@ -213,7 +219,8 @@ proptest! {
         corners in prop::collection::vec(prop::array::uniform9(prop::num::f32::ANY), 1..9)
     ) {
         let finite = |x: f32| if x.is_finite() { f64::from(x) } else { 0.0 };
-        let points = corners.iter().flat_map(|corner| corner.as_chunks::<3>().0).map(|point| point.map(finite));
+        let points = corners.iter().flat_map(|corner| corner.as_chunks::<3>().0);
+        let points = points.map(|point| point.map(finite));
         let frame = soup(points);
         for (name, format, bytes) in encodings::soup(&frame) {
             assert_same(name, &parse(bytes, format), &frame);

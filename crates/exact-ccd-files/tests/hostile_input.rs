@@ -111,7 +111,8 @@ fn counts_beyond_all_bounds_are_errors() {
 fn lists_beyond_all_bounds_are_errors() {
     let header = |list: &str| {
         format!(
-            "ply\nformat binary_little_endian 1.0\nelement extra 1\nproperty list {list} values\nelement vertex 0\n\
+            "ply\nformat binary_little_endian 1.0\nelement extra 1\nproperty list {list} values\nelement \
+             vertex 0\n\
              property float x\nproperty float y\nproperty float z\nelement face 0\n\
              property list uchar int vertex_indices\nend_header\n"
         )

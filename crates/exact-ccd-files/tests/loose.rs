@@ -103,7 +103,8 @@ fn obj_errors_name_the_line_and_the_element() {
     }
 }
 
-/// A PLY file as text: the six vertices, elements, and their rows, which begin on line 16 for one edge element.
+/// A PLY file as text: the six vertices, elements, and their rows, which begin on line 16 for one
+/// edge element.
 fn ply(elements: &str, rows: &str) -> String {
     let vertex = |[x, y, z]: &Point| format!("{x} {y} {z}\n");
     let vertices: String = POINTS.iter().map(vertex).collect();
@@ -167,7 +168,8 @@ fn vtu(connectivity: &str, offsets: &str, types: &str) -> String {
     let coordinates: String = POINTS.as_flattened().iter().map(|x| format!("{x} ")).collect();
     format!(
         "<VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid><Piece>\n<Points>\n\
-         <DataArray type='Float64' format='ascii'>{coordinates}</DataArray></Points>\n<Cells>\n{}{}{}</Cells>\n\
+         <DataArray type='Float64' format='ascii'>{coordinates}</DataArray></Points>\n<Cells>\n\
+          {}{}{}</Cells>\n\
          </Piece></UnstructuredGrid></VTKFile>",
         array("connectivity", connectivity),
         array("offsets", offsets),
@@ -182,7 +184,8 @@ fn vtk_lines_and_polylines_are_rods() {
         read(vtu("0 1 2 1 0 3 2 3 4 5", "3 5 9 10", "5 3 4 1")),
         frame(&[[0, 1, 2]], &[[3, 2], [3, 4]])
     );
-    // Beside tetrahedra: an edge of one is not loose, and a vertex stays if it is in a line or listed as a point.
+    // Beside tetrahedra: an edge of one is not loose, and a vertex stays if it is in a line or
+    // listed as a point.
     let beside = read(vtu("0 1 2 3 0 3 3 4 5 0 5", "4 6 8 11", "10 3 3 2"));
     let tetrahedron = TetMesh::new(POINTS.to_vec(), vec![[0, 1, 2, 3]]).unwrap();
     assert_eq!(beside, frame(tetrahedron.surface(), &[[3, 4]]));
@@ -200,7 +203,8 @@ fn vtk_errors_name_the_cell() {
             vtu(connectivity, offsets, types),
             Format::Vtu,
             &format!(
-                "line 4: expected points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found {found}"
+                "line 4: expected points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), \
+                 found {found}"
             ),
         );
     }

@@ -15,7 +15,8 @@ fn assert_error(format: Format, bytes: impl AsRef<[u8]>, message: &str) {
 /// A header of a PLY file of 3 vertices and 1 face, with more lines before its end.
 fn ply_header(encoding: &str, more: &str) -> String {
     format!(
-        "ply\nformat {encoding} 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n\
+        "ply\nformat {encoding} 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty \
+         double z\n\
          element face 1\nproperty list uchar int vertex_indices\n{more}end_header\n"
     )
 }

@@ -102,7 +102,8 @@ proptest! {
         seeds in prop::collection::vec(prop::array::uniform3(any::<u32>()), 0..20),
     ) {
         let count = positions.len() as u32;
-        let faces: Vec<_> = seeds.into_iter().filter(|_| count > 0).map(|face| face.map(|k| k % count)).collect();
+        let seeds = seeds.into_iter().filter(|_| count > 0);
+        let faces: Vec<_> = seeds.map(|face| face.map(|k| k % count)).collect();
         let frame = Frame::new(positions.clone(), faces.clone()).unwrap();
         let mut file = Vec::new();
         write_vtu(&mut file, &frame).unwrap();

@@ -92,7 +92,8 @@ fn the_surface_does_not_depend_on_positions() {
 
 #[test]
 fn shells_are_kept_beside_the_surface_of_solids() {
-    // A tetrahedron, one of its faces, a shell that shares its corner 3, and the unused vertices 4 and 8.
+    // A tetrahedron, one of its faces, a shell that shares its corner 3, and the unused vertices 4
+    // and 8.
     let positions: Vec<[f64; 3]> = (0..9)
         .map(|i| [i, i * i % 5, i * i * i % 7].map(f64::from))
         .collect();
@@ -204,7 +205,8 @@ fn cells(connectivity: &str, offsets: &str, types: &str) -> String {
     };
     format!(
         "<VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid><Piece>\n<Points>\n\
-         <DataArray type='Float64' format='ascii'>0 0 0 1 0 0 0 1 0</DataArray></Points>\n<Cells>\n{}{}{}</Cells>\n\
+         <DataArray type='Float64' format='ascii'>0 0 0 1 0 0 0 1 0</DataArray></Points>\n<Cells>\n\
+          {}{}{}</Cells>\n\
          </Piece></UnstructuredGrid></VTKFile>",
         array("connectivity", connectivity),
         array("offsets", offsets),
@@ -248,13 +250,15 @@ fn invalid_cells_are_errors() {
             "0 1 2",
             "3",
             "9",
-            "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found cell 0 of type 9 with 3 corners",
+            "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found cell 0 of type \
+             9 with 3 corners",
         ),
         (
             "0 1",
             "2",
             "5",
-            "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found cell 0 of type 5 with 2 corners",
+            "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found cell 0 of type \
+             5 with 2 corners",
         ),
         ("0 1 2 0", "3", "5", "3 corners, found 4"),
     ] {
@@ -285,7 +289,8 @@ proptest! {
     fn any_change_is_an_error_or_sound(
         at in any::<prop::sample::Index>(),
         removed in 0..30_usize,
-        inserted in prop::sample::select(vec!["", "<", ">", "\"", "&amp;", "AAAA", "=", "1", "-", "<a>", "\0", "\u{e9}"]),
+        inserted in prop::sample::select(
+            vec!["", "<", ">", "\"", "&amp;", "AAAA", "=", "1", "-", "<a>", "\0", "\u{e9}"]),
     ) {
         for sample in [sample(), cells("0 1 2", "3", "5")] {
             let mut bytes = sample.into_bytes();

@@ -59,7 +59,8 @@ impl TetFaces {
         Self(sides)
     }
 
-    /// Checks that no two tetrahedra are on the same side of a face. Of three with a common face, two always are.
+    /// Checks that no two tetrahedra are on the same side of a face. Of three with a common face,
+    /// two always are.
     ///
     /// # Errors
     /// [`TetMeshError::Overlap`] names the first two on the same side.

@@ -47,7 +47,8 @@ impl Frame {
         Self::with_edges(positions, faces, &[])
     }
 
-    /// The mesh of these faces and edges, each three or two indices into `positions`; see [`TriangleMesh::with_edges`].
+    /// The mesh of these faces and edges, each three or two indices into `positions`; see
+    /// [`TriangleMesh::with_edges`].
     ///
     /// # Errors
     /// The first index that is out of range, or else the first coordinate that is not finite.
@@ -70,7 +71,8 @@ impl Frame {
         positions::check(&self.mesh, &self.positions)
     }
 
-    /// The frame without its loose vertices, and the index here of each remaining vertex, in increasing order.
+    /// The frame without its loose vertices, and the index here of each remaining vertex, in
+    /// increasing order.
     ///
     /// See [`TriangleMesh::without_loose_vertices`]: rods stay, points do not.
     #[must_use]

@@ -1,4 +1,5 @@
-//! Triangle meshes in motion, with rods and points: the broad phase and the collision-free step of a whole mesh.
+//! Triangle meshes in motion, with rods and points: the broad phase and the collision-free step of
+//! a whole mesh.
 //!
 //! ```
 //! use exact_ccd_mesh::{TriangleMesh, step};
@@ -15,19 +16,22 @@
 //! From a mesh to the answer:
 //!
 //! - [`TriangleMesh`] is the connectivity: faces, loose edges (rods) and loose vertices (points).
-//! - [`Frame`] is a mesh at one time; two frames of the same mesh are a [`Motion`]. The crate `exact-ccd-files` reads
-//!   and writes mesh files.
+//! - [`Frame`] is a mesh at one time; two frames of the same mesh are a [`Motion`]. The crate
+//!   `exact-ccd-files` reads and writes mesh files.
 //! - [`TetMesh`] is a body of tetrahedra at one time, whose surface is a frame.
-//! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a simulator keeps its own.
-//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each other.
-//! - [`StepReport`] says which of them are in contact, and which first: exactly, for each pair is a query of
+//! - [`Step`] is a motion whose positions have been checked. It borrows them.
+//! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each
+//!   other.
+//! - [`StepReport`] has the pairs in contact and the earliest contact. Each pair is an exact query of
 //!   [`exact_ccd`].
-//! - [`Detector`] finds the first contact in step after step, or tells only whether there is one, without a look at all.
-//! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a sequence of frames.
-//! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can be asked about it.
-//! - [`step_size`] is the line search of an optimiser: how far along a direction is free of contact.
+//! - [`Detector`] finds the first contact of step after step, or only whether there is one, and
+//!   skips most pairs.
+//! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
+//!   certifies a sequence of frames.
+//! - [`Motion::shifted`] rounds a motion as [`exact_ccd::parity`] requires.
+//! - [`step_size`] is the line search of an optimiser: the largest step along a direction without contact.
 //!
-//! No result depends on the number of threads, and no input makes anything here panic.
+//! No result depends on the number of threads, and no input causes a panic.
 
 mod audit;
 mod boundary;

@@ -1,6 +1,7 @@
 //! The connectivity of a triangle mesh.
 
-/// The connectivity of a mesh: faces, edges (of faces and loose ones, as of rods) and vertices (loose ones are points).
+/// The connectivity of a mesh: faces, edges (of faces and loose ones, as of rods) and vertices
+/// (loose ones are points).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriangleMesh {
     vertex_count: usize,
@@ -46,16 +47,17 @@ impl TriangleMesh {
     /// The mesh of these faces, each three indices of vertices from 0.
     ///
     /// # Errors
-    /// [`MeshError`] names the first face with an index that is not below `vertex_count`, or that count if it exceeds 2³².
+    /// [`MeshError`] names the first face with an index that is not below `vertex_count`, or that
+    /// count if it exceeds 2³².
     pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Result<Self, MeshError> {
         Self::with_edges(vertex_count, faces, &[])
     }
 
     /// The mesh of these faces and edges, each three or two indices of vertices from 0.
     ///
-    /// [`TriangleMesh::edges`] has the edges of the faces first, with the same indices as without `edges`, then those of
-    /// `edges` that are not edges of faces. Each edge occurs once. An edge from a vertex to itself is left out: it is the
-    /// same set of points as the vertex.
+    /// [`TriangleMesh::edges`] has the edges of the faces first, with the same indices as without
+    /// `edges`, then those of `edges` that are not edges of faces. Each edge occurs once. An edge
+    /// from a vertex to itself is left out: it is the same set of points as the vertex.
     ///
     /// ```
     /// use exact_ccd_mesh::TriangleMesh;
@@ -69,8 +71,8 @@ impl TriangleMesh {
     /// ```
     ///
     /// # Errors
-    /// [`MeshError`] names the first face or edge with an index that is not below `vertex_count`, or that count if it
-    /// exceeds 2³².
+    /// [`MeshError`] names the first face or edge with an index that is not below `vertex_count`,
+    /// or that count if it exceeds 2³².
     pub fn with_edges(
         vertex_count: usize,
         faces: Vec<[u32; 3]>,
@@ -107,7 +109,8 @@ impl TriangleMesh {
         })
     }
 
-    /// The mesh without its loose vertices, and the index here of each remaining vertex, in increasing order.
+    /// The mesh without its loose vertices, and the index here of each remaining vertex, in
+    /// increasing order.
     ///
     /// Faces and edges keep their order.
     ///
@@ -123,7 +126,8 @@ impl TriangleMesh {
     #[must_use]
     pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
         let vertices = self.used_vertices();
-        // Memory is proportional to the faces and edges: a table of all vertices could exceed any memory.
+        // Memory is proportional to the faces and edges: a table of all vertices could exceed any
+        // memory.
         let index = |vertex: u32| vertices.partition_point(|&used| used < vertex) as u32;
         let mesh = Self {
             vertex_count: vertices.len(),
@@ -149,8 +153,8 @@ impl TriangleMesh {
 
     /// The edges of the faces, then the loose edges.
     ///
-    /// Both parts hold pairs (i, j) with i < j, each once, sorted by j, then by i. That is the order of the published data
-    /// sets.
+    /// Both parts hold pairs (i, j) with i < j, each once, sorted by j, then by i. That is the
+    /// order of the published data sets.
     #[must_use]
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges

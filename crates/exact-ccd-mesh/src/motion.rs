@@ -74,9 +74,10 @@ impl Motion {
     /// The motion from one frame to another of the same mesh.
     ///
     /// # Errors
-    /// [`MotionError`] names the first difference between the two meshes. They must have the same number of vertices and
-    /// the same faces and loose edges in the same order, each with its vertices in the same order. If the meshes agree,
-    /// it names the positions whose number is wrong or that are not finite.
+    /// [`MotionError`] names the first difference between the two meshes. They must have the same
+    /// number of vertices and the same faces and loose edges in the same order, each with its
+    /// vertices in the same order. If the meshes agree, it names the positions whose number is
+    /// wrong or that are not finite.
     pub fn new(start: Frame, end: Frame) -> Result<Self, MotionError> {
         start.mesh.check_same(&end.mesh)?;
         let motion = Self {

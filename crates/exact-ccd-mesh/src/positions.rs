@@ -33,7 +33,8 @@ pub(crate) fn check(mesh: &TriangleMesh, positions: &[Point]) -> Result<(), Posi
     check_positions(mesh.vertex_count(), positions)
 }
 
-/// Checks that there is one position for each of `vertex_count` vertices and that all coordinates are finite.
+/// Checks that there is one position for each of `vertex_count` vertices and that all coordinates
+/// are finite.
 ///
 /// # Errors
 /// [`PositionsError`] names the count, or the first coordinate that is not finite.

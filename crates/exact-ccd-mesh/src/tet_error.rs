@@ -2,7 +2,8 @@
 
 use crate::positions::PositionsError;
 
-/// The reason why positions and tetrahedra do not form a [`TetMesh`](crate::TetMesh). All are counted from 0.
+/// The reason why positions and tetrahedra do not form a [`TetMesh`](crate::TetMesh). All are
+/// counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TetMeshError {

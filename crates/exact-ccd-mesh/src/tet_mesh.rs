@@ -21,8 +21,9 @@ pub struct TetMesh {
 impl TetMesh {
     /// The mesh of these tetrahedra, each four indices into `positions`.
     ///
-    /// The surface consists of the faces that belong to one tetrahedron only, in the order of the tetrahedra, their
-    /// corners counterclockwise as seen from outside. Volumes may have either sign; the order of corners is kept.
+    /// The surface consists of the faces that belong to one tetrahedron only, in the order of the
+    /// tetrahedra, their corners counterclockwise as seen from outside. Volumes may have either
+    /// sign; the order of corners is kept.
     ///
     /// ```
     /// use exact_ccd_mesh::TetMesh;
@@ -35,8 +36,8 @@ impl TetMesh {
     /// ```
     ///
     /// # Errors
-    /// [`TetMeshError`] names the coordinate that is not finite, the index that is out of range, the first tetrahedron
-    /// without volume, or two tetrahedra on the same side of a common face.
+    /// [`TetMeshError`] names the coordinate that is not finite, the index that is out of range,
+    /// the first tetrahedron without volume, or two tetrahedra on the same side of a common face.
     pub fn new(positions: Vec<Point>, tetrahedra: Vec<[u32; 4]>) -> Result<Self, TetMeshError> {
         check_positions(positions.len(), &positions)?;
         if positions.len() as u64 > 1 << 32 {
@@ -57,7 +58,8 @@ impl TetMesh {
         })
     }
 
-    /// The same mesh at other positions. The surface keeps its orientation, even where tetrahedra turn inside out.
+    /// The same mesh at other positions. The surface keeps its orientation, even where tetrahedra
+    /// turn inside out.
     ///
     /// # Errors
     /// [`PositionsError`] names the count, or the first coordinate that is not finite.
@@ -82,7 +84,8 @@ impl TetMesh {
         &self.tetrahedra
     }
 
-    /// The triangles of the surface, counterclockwise as seen from outside, as indices into [`TetMesh::positions`].
+    /// The triangles of the surface, counterclockwise as seen from outside, as indices into
+    /// [`TetMesh::positions`].
     #[must_use]
     pub fn surface(&self) -> &[[u32; 3]] {
         &self.surface
@@ -90,8 +93,8 @@ impl TetMesh {
 
     /// The surface alone, and the index here of each of its vertices, in increasing order.
     ///
-    /// Vertices inside the body or in no tetrahedron are left out. Otherwise they would count as points, and the surface
-    /// would be in contact with the inside of its own body.
+    /// Vertices inside the body or in no tetrahedron are left out. Otherwise they would count as
+    /// points, and the surface would be in contact with the inside of its own body.
     #[must_use]
     pub fn surface_frame(&self) -> (Frame, Vec<u32>) {
         let frame = Frame::new(self.positions.clone(), self.surface.clone());

@@ -10,10 +10,11 @@ use crate::motion::{Motion, MotionError};
 
 /// One vertex in place of all vertices that coincide in every frame of a motion.
 ///
-/// Such vertices coincide at all times in between as well, so the surface stays the same. Separate bodies that share such
-/// a point become neighbours there, and pairs of primitives that share a vertex are not tested. Vertices that coincide in
-/// some frames only are kept apart. The new vertices are numbered in the order of first appearance, and the faces keep
-/// their order. Coordinates are compared as numbers: −0.0 equals 0.0.
+/// Such vertices coincide at all times in between as well, so the surface stays the same. Separate
+/// bodies that share such a point become neighbours there, and pairs of primitives that share a
+/// vertex are not tested. Vertices that coincide in some frames only are kept apart. The new
+/// vertices are numbered in the order of first appearance, and the faces keep their order.
+/// Coordinates are compared as numbers: −0.0 equals 0.0.
 ///
 /// ```
 /// use exact_ccd_mesh::Welding;
@@ -34,8 +35,8 @@ pub struct Welding {
 }
 
 impl Welding {
-    /// Separates the vertices that do not coincide in a frame with these positions. All frames have the same number of
-    /// vertices.
+    /// Separates the vertices that do not coincide in a frame with these positions. All frames have
+    /// the same number of vertices.
     pub fn restrict(&mut self, positions: &[Point]) {
         let mut numbers = HashMap::with_capacity(self.first.len());
         self.vertex_of.resize(positions.len(), 0);
@@ -51,7 +52,8 @@ impl Welding {
     /// The mesh with the new vertices.
     ///
     /// # Errors
-    /// [`MotionError::VertexCount`] if the number of vertices differs from that of the frames of this welding.
+    /// [`MotionError::VertexCount`] if the number of vertices differs from that of the frames of
+    /// this welding.
     pub fn mesh(&self, mesh: &TriangleMesh) -> Result<TriangleMesh, MotionError> {
         if mesh.vertex_count() != self.vertex_of.len() {
             return Err(MotionError::VertexCount {
@@ -76,8 +78,8 @@ impl Welding {
 }
 
 impl Motion {
-    /// The motion from one frame to another, with vertices welded that coincide both at t = 0 and at t = 1: see
-    /// [`Welding`].
+    /// The motion from one frame to another, with vertices welded that coincide both at t = 0 and
+    /// at t = 1: see [`Welding`].
     ///
     /// # Errors
     /// As [`Motion::new`].

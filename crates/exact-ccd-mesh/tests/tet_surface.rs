@@ -5,7 +5,8 @@
 use exact_ccd_mesh::{Point, PositionsError, TetMesh, TetMeshError};
 use proptest::prelude::*;
 
-/// A block of cubes, each cut into six tetrahedra along its diagonal. `turn` reverses the orientation of a tetrahedron.
+/// A block of cubes, each cut into six tetrahedra along its diagonal. `turn` reverses the
+/// orientation of a tetrahedron.
 fn block([l, m, n]: [u32; 3], turn: impl Fn(usize) -> bool) -> TetMesh {
     let index = |[x, y, z]: [u32; 3]| x + (l + 1) * (y + (m + 1) * z);
     let mut positions = Vec::new();

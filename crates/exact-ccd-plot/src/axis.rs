@@ -13,8 +13,9 @@ pub const GREATEST: f64 = 1e300;
 
 /// The ends of a logarithmic axis for those values that are positive, normal and at most [`GREATEST`].
 ///
-/// The ends are the powers of ten around the values. Where values are only slightly beyond a power of ten, the end is the
-/// extreme value itself. The ends are at least one decade apart. Of more than forty decades, the lowest are left out.
+/// The ends are the powers of ten around the values. Where values are only slightly beyond a power
+/// of ten, the end is the extreme value itself. The ends are at least one decade apart. Of more
+/// than forty decades, the lowest are left out.
 #[must_use]
 pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let positive = values.filter(|value| value.is_normal() && (0.0..=GREATEST).contains(value));
@@ -40,8 +41,8 @@ pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (first.max(last / 10f64.powi(MOST_DECADES)), last)
 }
 
-/// A logarithmic axis between two positive numbers, with marks at the powers of ten and, over less than two decades, also
-/// at twice and five times these.
+/// A logarithmic axis between two positive numbers, with marks at the powers of ten and, over less
+/// than two decades, also at twice and five times these.
 #[must_use]
 pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
     let steps: &[f64] = if last / first < 100.0 {

@@ -1,5 +1,5 @@
-//! The style of the charts of exact-ccd: SVG drawings by [`plotters`] in one [`Frame`], with one [palette](color()) and
-//! logarithmic [axes](decades()) with marks at powers of ten.
+//! The style of the charts of exact-ccd: SVG drawings by [`plotters`] in one [`Frame`], with one
+//! [palette](color()) and logarithmic [axes](decades()) with marks at powers of ten.
 //!
 //! Series are drawn with plotters itself, which this crate re-exports.
 

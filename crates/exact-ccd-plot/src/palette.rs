@@ -7,8 +7,9 @@ pub const COLOR_COUNT: usize = 7;
 
 /// The colour of a line or symbol. The first is black, and the colours repeat after [`COLOR_COUNT`].
 ///
-/// The colours are distinct also for colour-blind readers: B. Wong, *Points of view: Color blindness*, Nature Methods 8,
-/// 2011, without its yellow and with a darker orange, for white paper.
+/// The colours are distinct also for colour-blind readers: B. Wong, *Points of view: Color
+/// blindness*, Nature Methods 8, 2011, without its yellow and with a darker orange, for white
+/// paper.
 #[must_use]
 pub fn color(index: usize) -> RGBColor {
     const PALETTE: [(u8, u8, u8); COLOR_COUNT] = [

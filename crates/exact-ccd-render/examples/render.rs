@@ -1,4 +1,5 @@
-//! Renders mesh files as a picture, or as an animation if there are several. The first contact of a step is marked.
+//! Renders mesh files as a picture, or as an animation if there are several. The first contact of a
+//! step is marked.
 //!
 //! ```sh
 //! cargo run --release --example render -p exact-ccd-render -- OUT.png FRAMES...

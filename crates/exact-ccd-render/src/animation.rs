@@ -4,8 +4,8 @@ use std::io;
 
 use crate::picture::Picture;
 
-/// An animated PNG file, written picture by picture. Browsers play it in a loop; programs without support for animations
-/// show the first picture.
+/// An animated PNG file, written picture by picture. Browsers play it in a loop; programs without
+/// support for animations show the first picture.
 pub struct Animation<W: io::Write> {
     writer: png::Writer<W>,
     size: [u16; 2],
@@ -14,10 +14,12 @@ pub struct Animation<W: io::Write> {
 }
 
 impl<W: io::Write> Animation<W> {
-    /// Begins a file of `count` pictures with this width and height in pixels, each shown for `delay` milliseconds.
+    /// Begins a file of `count` pictures with this width and height in pixels, each shown for
+    /// `delay` milliseconds.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures or no pixels.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no
+    /// pictures or no pixels.
     pub fn new(writer: W, size: [u16; 2], count: u32, delay: u16) -> io::Result<Self> {
         if count == 0 {
             return Err(invalid("there are no pictures"));
@@ -37,8 +39,8 @@ impl<W: io::Write> Animation<W> {
     /// Adds the next picture.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has another size, or exceeds
-    /// the number of pictures.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has
+    /// another size, or exceeds the number of pictures.
     pub fn add(&mut self, picture: &Picture) -> io::Result<()> {
         if picture.size() != self.size {
             return Err(invalid("the pictures are not of the same size"));
@@ -65,8 +67,8 @@ impl<W: io::Write> Animation<W> {
 /// `delay` is the duration of each picture in milliseconds.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures or no pixels, or if the
-/// sizes differ.
+/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures
+/// or no pixels, or if the sizes differ.
 pub fn write_apng(writer: impl io::Write, pictures: &[Picture], delay: u16) -> io::Result<()> {
     let size = pictures.first().map_or([1, 1], Picture::size);
     let count = u32::try_from(pictures.len()).map_err(|_| invalid("there are too many pictures"))?;

@@ -8,7 +8,8 @@ pub(crate) type Colour = [u8; 3];
 
 /// Pixels, row by row from the top.
 ///
-/// A point of the picture is x and y, in pixels from the top left corner, and its nearness to the viewer.
+/// A point of the picture is x and y, in pixels from the top left corner, and its nearness to the
+/// viewer.
 pub(crate) struct Canvas {
     size: [usize; 2],
     pub(crate) colours: Vec<Colour>,

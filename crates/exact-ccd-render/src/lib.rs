@@ -1,4 +1,5 @@
-//! Pictures of triangle meshes, without a window or a graphics card: a small rasteriser with a depth buffer.
+//! Pictures of triangle meshes, without a window or a graphics card: a small rasteriser with a
+//! depth buffer.
 //!
 //! ```no_run
 //! use std::fs::File;

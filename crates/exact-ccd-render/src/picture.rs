@@ -48,7 +48,8 @@ impl Picture {
     /// Writes a PNG file.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without pixels.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without
+    /// pixels.
     pub fn write_png(&self, writer: impl io::Write) -> io::Result<()> {
         let mut writer = encoder(writer, self.size)?.write_header()?;
         writer.write_image_data(self.pixels.as_flattened())?;

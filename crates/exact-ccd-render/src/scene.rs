@@ -32,10 +32,11 @@ const SHORTEST: f64 = 5.0;
 
 /// The picture of a frame.
 ///
-/// Connected parts have distinct colours. Light comes from above the viewer's right shoulder and illuminates both sides of
-/// faces. Loose edges are lines and loose vertices are dots. Marks are red and cover everything at the same depth; marked
-/// edges and vertices are wider. A vertex without a position, or whose projection is out of the range of `f64`, is left
-/// out with all its faces and edges.
+/// Connected parts have distinct colours. Light comes from above the viewer's right shoulder and
+/// illuminates both sides of faces. Loose edges are lines and loose vertices are dots. Marks are
+/// red and cover everything at the same depth; marked edges and vertices are wider. A vertex
+/// without a position, or whose projection is out of the range of `f64`, is left out with all its
+/// faces and edges.
 #[must_use]
 pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
     let samples = SAMPLES as f64;

@@ -19,9 +19,11 @@ impl View {
     /// The fraction of the picture that the box fills, along the axis on which it fills more.
     const FILL: f64 = 0.9;
 
-    /// A view in which a box fills a picture with this width and height in pixels, and the z axis points upwards.
+    /// A view in which a box fills a picture with this width and height in pixels, and the z axis
+    /// points upwards.
     ///
-    /// `towards` is the direction from the box to the viewer. If it is zero or not finite, the view is from above.
+    /// `towards` is the direction from the box to the viewer. If it is zero or not finite, the view
+    /// is from above.
     #[must_use]
     pub fn of(bounds: &Bounds, towards: Point, size: [u16; 2]) -> Self {
         Self::upright(bounds, [0.0, 0.0, 1.0], towards, size)
@@ -29,7 +31,8 @@ impl View {
 
     /// As [`of`](Self::of), with another direction upwards.
     ///
-    /// If `up` is zero, not finite or parallel to `towards`, the y axis points upwards, or else the z axis.
+    /// If `up` is zero, not finite or parallel to `towards`, the y axis points upwards, or else the
+    /// z axis.
     #[must_use]
     pub fn upright(bounds: &Bounds, up: Point, towards: Point, size: [u16; 2]) -> Self {
         let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -58,7 +61,8 @@ impl View {
         }
     }
 
-    /// The projection of a point: pixels from the left, pixels from the top, and nearness to the viewer, in pixels.
+    /// The projection of a point: pixels from the left, pixels from the top, and nearness to the
+    /// viewer, in pixels.
     pub(crate) fn project(&self, point: Point) -> Point {
         let coordinates = along(&self.axes, point);
         let [x, y, z] = [0, 1, 2].map(|axis: usize| self.scale * (coordinates[axis] - self.middle[axis]));

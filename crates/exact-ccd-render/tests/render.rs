@@ -39,7 +39,8 @@ fn a_square_covers_its_area() {
     let picture = render(&squares(&[square(2.0, 7.0, 0.0)]), &view, &Marks::default());
     for y in 0..100 {
         for x in 0..100 {
-            // y points upwards in the plane, and rows are counted from the top. Edges may extend by one pixel.
+            // y points upwards in the plane, and rows are counted from the top. Edges may extend by
+            // one pixel.
             let inside =
                 |low: usize, high: usize| (low..high).contains(&x) && (low..high).contains(&(99 - y));
             if inside(21, 69) {
@@ -217,7 +218,10 @@ proptest! {
     #[test]
     fn anything_has_a_picture(
         positions in prop::collection::vec(prop::array::uniform3(prop_oneof![
-            any::<f64>().prop_filter("finite", |x| x.is_finite()), (-2..=2i8).prop_map(f64::from), -1e6..1e6]), 1..9),
+            any::<f64>().prop_filter("finite", |x| x.is_finite()),
+            (-2..=2i8).prop_map(f64::from),
+            -1e6..1e6,
+        ]), 1..9),
         faces in prop::collection::vec(prop::array::uniform3(any::<u32>()), 0..9),
         towards in prop::array::uniform3(any::<f64>()),
         size in prop::array::uniform2(0..40_u16),
@@ -228,7 +232,11 @@ proptest! {
         let faces = faces.into_iter().map(|face| face.map(|k| k % count)).collect();
         let frame = Frame::new(positions, faces).unwrap();
         let bounds = if own_view { frame.bounds() } else { ten_units() };
-        let marks = Marks { vertices: vec![marked, 0], edges: vec![[0, marked], [0, count - 1]], faces: vec![marked] };
+        let marks = Marks {
+            vertices: vec![marked, 0],
+            edges: vec![[0, marked], [0, count - 1]],
+            faces: vec![marked],
+        };
         let picture = render(&frame, &View::of(&bounds, towards, size), &marks);
         prop_assert_eq!(picture.pixels().len(), usize::from(size[0]) * usize::from(size[1]));
     }

@@ -22,13 +22,14 @@ impl Cells {
             .extend(vertices.windows(2).map(|pair| [pair[0], pair[1]]));
     }
 
-    /// All vertices, triangles and lines. Every vertex in none of them is a point. For files without tetrahedra.
+    /// All vertices, triangles and lines. Every vertex in none of them is a point. For files
+    /// without tetrahedra.
     pub(super) fn into_frame(self) -> Result<Frame, ParseError> {
         Frame::with_edges(self.positions, self.triangles, &self.lines).map_err(at_file(Fault::Frame))
     }
 
-    /// The surface of the tetrahedra and the lines that are not edges of tetrahedra; without tetrahedra, as
-    /// [`Cells::into_frame`].
+    /// The surface of the tetrahedra and the lines that are not edges of tetrahedra; without
+    /// tetrahedra, as [`Cells::into_frame`].
     ///
     /// Listed points are left out: Gmsh lists the points of the geometry, as the centres of arcs.
     pub(super) fn into_surface(mut self) -> Result<Frame, ParseError> {
@@ -40,10 +41,11 @@ impl Cells {
         frame(mesh.positions(), mesh.surface().to_vec(), &lines, &[])
     }
 
-    /// The surface of the tetrahedra, and all other triangles, lines and points: shells, rods and points beside solids.
+    /// The surface of the tetrahedra, and all other triangles, lines and points: shells, rods and
+    /// points beside solids.
     ///
-    /// Tetrahedra count as positive in the order of their corners, so that the surface of a body stays the same under any
-    /// deformation, even where tetrahedra turn inside out.
+    /// Tetrahedra count as positive in the order of their corners, so that the surface of a body
+    /// stays the same under any deformation, even where tetrahedra turn inside out.
     pub(super) fn into_scene(self) -> Result<Frame, ParseError> {
         if self.tetrahedra.is_empty() {
             return self.into_frame();

@@ -11,11 +11,12 @@ use crate::format::Format;
 
 /// Reads the frame in a file. The extension determines the format, see [`Format::of_path`].
 ///
-/// Vertices and faces keep their numbers in the file, counted from 0. Each coordinate is the `f64` nearest to the decimal
-/// text, or exactly the binary number. An STL file has no shared vertices: it reads as three vertices for each face. A
-/// .msh file of tetrahedra reads as the surface alone, see [`TetMesh::surface_frame`](exact_ccd_mesh::TetMesh), and its
-/// loose edges. A .vtu file of tetrahedra reads as the surface, and triangles, lines and points beside it; its tetrahedra
-/// count as positive in the order of their corners.
+/// Vertices and faces keep their numbers in the file, counted from 0. Each coordinate is the `f64`
+/// nearest to the decimal text, or exactly the binary number. An STL file has no shared vertices:
+/// it reads as three vertices for each face. A .msh file of tetrahedra reads as the surface alone,
+/// see [`surface_frame`](exact_ccd_mesh::TetMesh::surface_frame), and its loose edges. A .vtu file of
+/// tetrahedra reads as the surface, and triangles, lines and points beside it; its tetrahedra count
+/// as positive in the order of their corners.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.

@@ -87,7 +87,8 @@ impl Statements {
         Ok(())
     }
 
-    /// The indices on the rest of a line, from 1. An index below 0 counts back from the latest vertex, which is −1.
+    /// The indices on the rest of a line, from 1. An index below 0 counts back from the latest
+    /// vertex, which is −1.
     fn indices(&self, kind: &'static str, number: usize, line: &mut Line) -> Result<Vec<i64>, ParseError> {
         let place = line.place();
         let vertices_before = self.positions.len();

@@ -10,7 +10,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
     let vertex_count = line.count("the number of vertices")?;
     let face_count = line.count("the number of faces")?;
 
-    // The rest of the line after coordinates or corners is skipped: a normal, a colour or texture coordinates.
+    // The rest of the line after coordinates or corners is skipped: a normal, a colour or texture
+    // coordinates.
     let mut cells = Cells::default();
     for vertex in 0..vertex_count {
         let mut line = lines.expect(|| format!("vertex {vertex} of {vertex_count}"))?;

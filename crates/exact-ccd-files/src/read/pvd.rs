@@ -6,7 +6,8 @@ use super::file::parse_file;
 use super::vtk;
 use crate::error::ReadError;
 
-/// Reads the times and files of a ParaView collection, `.pvd`, in its order. [`write_pvd`](crate::write_pvd) writes one.
+/// Reads the times and files of a ParaView collection, `.pvd`, in its order.
+/// [`write_pvd`](crate::write_pvd) writes one.
 ///
 /// Paths in the collection are relative to its folder.
 ///

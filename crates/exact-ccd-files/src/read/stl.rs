@@ -9,7 +9,8 @@ use crate::error::{Fault, ParseError, Place};
 
 /// The length of the header of a binary file in bytes. The number of triangles and the triangles follow.
 const HEADER: usize = 80;
-/// The length of a triangle in bytes: a normal and three corners of 32-bit floats, then two bytes without meaning.
+/// The length of a triangle in bytes: a normal and three corners of 32-bit floats, then two bytes
+/// without meaning.
 const TRIANGLE: u64 = 50;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
@@ -27,7 +28,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
     })
 }
 
-/// Returns true for text, which begins with `solid`. Some binary files do as well; their length agrees with their count.
+/// Returns true for text, which begins with `solid`. Some binary files do as well; their length
+/// agrees with their count.
 fn is_text(bytes: &[u8]) -> bool {
     let count = bytes.get(HEADER..).and_then(<[u8]>::first_chunk);
     let binary_length = count.map(|&count| 84 + TRIANGLE * u64::from(u32::from_le_bytes(count)));

@@ -10,8 +10,8 @@ use crate::error::{ParseError, ReadError};
 
 /// Reads the tetrahedra in a Gmsh file, `.msh`, version 2.2 or 4.1, text or binary.
 ///
-/// Vertices and tetrahedra keep their order in the file and are counted from 0, whatever their tags. Triangles are
-/// allowed if they are faces of tetrahedra. Points and lines are skipped.
+/// Vertices and tetrahedra keep their order in the file and are counted from 0, whatever their
+/// tags. Triangles are allowed if they are faces of tetrahedra. Points and lines are skipped.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.

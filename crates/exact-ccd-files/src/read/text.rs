@@ -62,7 +62,8 @@ impl<'a> Lines<'a> {
         Place::Line(self.next_number)
     }
 
-    /// Removes one line and returns it without its comment and line break, and true if the next line continues it.
+    /// Removes one line and returns it without its comment and line break, and true if the next
+    /// line continues it.
     fn cut_line(&mut self) -> (&'a [u8], bool) {
         let length = self.rest.iter().position(|&byte| byte == b'\n');
         let (line, rest) = self.rest.split_at(length.unwrap_or(self.rest.len()));

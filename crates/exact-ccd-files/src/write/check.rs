@@ -4,7 +4,8 @@ use std::io;
 
 use exact_ccd_mesh::Frame;
 
-/// Checks that the positions of a frame fit its mesh, so that the written file reads back as the same frame.
+/// Checks that the positions of a frame fit its mesh, so that the written file reads back as the
+/// same frame.
 pub(super) fn check_frame(frame: &Frame) -> io::Result<()> {
     frame.check().map_err(invalid)
 }

@@ -6,7 +6,8 @@ use exact_ccd_mesh::{Frame, Point, TetMesh, check_positions};
 
 use super::check::invalid;
 
-/// Tetrahedra, triangles, lines and points over the same vertices: solids, shells, rods and points in one VTK file.
+/// Tetrahedra, triangles, lines and points over the same vertices: solids, shells, rods and points
+/// in one VTK file.
 ///
 /// ```
 /// use exact_ccd_files::{UnstructuredGrid, write_vtu};
@@ -61,7 +62,8 @@ impl<'a> From<&'a TetMesh> for UnstructuredGrid<'a> {
 }
 
 impl UnstructuredGrid<'_> {
-    /// Checks that coordinates and velocities are finite, corners are vertices, and each vertex has a velocity.
+    /// Checks that coordinates and velocities are finite, corners are vertices, and each vertex has
+    /// a velocity.
     pub(super) fn check(&self) -> io::Result<()> {
         let count = self.positions.len();
         check_positions(count, self.positions).map_err(invalid)?;

@@ -9,11 +9,13 @@ use super::check::{check_frame, invalid};
 
 /// Writes a frame as an OBJ file, which reads back as the same frame, bit for bit.
 ///
-/// Each coordinate is the shortest decimal that reads back as the same `f64`. Loose edges are statements `l`.
+/// Each coordinate is the shortest decimal that reads back as the same `f64`. Loose edges are
+/// statements `l`.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex, or, with the
-/// [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the mesh.
+/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
+/// or, with the [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the
+/// mesh.
 pub fn write_obj(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
     check_frame(frame)?;
     if frame.positions.is_empty() {

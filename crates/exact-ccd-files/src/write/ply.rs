@@ -8,7 +8,8 @@ use super::check::check_frame;
 
 /// Writes a frame as a binary little-endian PLY file, which reads back as the same frame, bit for bit.
 ///
-/// Coordinates take 8 bytes each, or 4 if all of them are exactly an `f32`. Loose edges are the element `edge`.
+/// Coordinates take 8 bytes each, or 4 if all of them are exactly an `f32`. Loose edges are the
+/// element `edge`.
 ///
 /// # Errors
 /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), with the

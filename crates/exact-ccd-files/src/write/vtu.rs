@@ -1,6 +1,7 @@
 //! VTK's XML format of unstructured grids, which ParaView opens.
 //!
-//! VTK documentation, *XML File Formats*. Data are inline in base64, which keeps every bit and leaves the file plain XML.
+//! VTK documentation, *XML File Formats*. Data are inline in base64, which keeps every bit and
+//! leaves the file plain XML.
 
 use std::io;
 
@@ -16,15 +17,17 @@ const LINE: u8 = 3;
 const TRIANGLE: u8 = 5;
 const TETRAHEDRON: u8 = 10;
 
-/// Writes a VTK file of an unstructured grid, `.vtu`, bit for bit: of a [`Frame`](exact_ccd_mesh::Frame), a
-/// [`TetMesh`](exact_ccd_mesh::TetMesh) or an [`UnstructuredGrid`].
+/// Writes a VTK file of an unstructured grid, `.vtu`, bit for bit: of a
+/// [`Frame`](exact_ccd_mesh::Frame), a [`TetMesh`](exact_ccd_mesh::TetMesh) or an
+/// [`UnstructuredGrid`].
 ///
-/// Tetrahedra count as positive in the order of their corners in VTK: a file with some positive and some negative ones
-/// cannot be read as a frame.
+/// Tetrahedra count as positive in the order of their corners in VTK: a file with some positive and
+/// some negative ones cannot be read as a frame.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is written, if a coordinate or
-/// velocity is not finite, a corner is not a vertex, or the numbers of velocities and vertices differ.
+/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
+/// written, if a coordinate or velocity is not finite, a corner is not a vertex, or the numbers of
+/// velocities and vertices differ.
 pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGrid<'a>>) -> io::Result<()> {
     let grid = grid.into();
     grid.check()?;
@@ -87,7 +90,8 @@ impl Cells {
 fn vectors(name: &str, vectors: &[Point]) -> String {
     let data = encoded(vectors.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
     format!(
-        "<DataArray type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\" format=\"binary\">{data}</DataArray>"
+        "<DataArray type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\" \
+         format=\"binary\">{data}</DataArray>"
     )
 }
 

@@ -37,7 +37,8 @@ pub(crate) fn indexed(frame: &Frame) -> Vec<File> {
     ]
 }
 
-/// The frame in the formats with three vertices for each face, without loss if all coordinates are single precision.
+/// The frame in the formats with three vertices for each face, without loss if all coordinates are
+/// single precision.
 pub(crate) fn soup(frame: &Frame) -> Vec<File> {
     vec![
         ("text stl", Format::Stl, text_stl(frame).into_bytes()),
@@ -59,7 +60,8 @@ fn lines<T: std::fmt::Debug>(prefix: &str, rows: impl IntoIterator<Item = [T; 3]
 fn ply_header(frame: &Frame, encoding: &str) -> String {
     format!(
         "ply\nformat {encoding} 1.0\ncomment from a test\nelement vertex {}\nproperty double x\n\
-         property double y\nproperty double z\nelement face {}\nproperty list uchar int vertex_index\nend_header\n",
+         property double y\nproperty double z\nelement face {}\nproperty list uchar int vertex_index\n\
+              end_header\n",
         frame.positions.len(),
         frame.mesh.faces().len(),
     )
@@ -136,8 +138,10 @@ fn text_vtu(frame: &Frame) -> String {
     let cells = frame.mesh.faces().len();
     let ends: String = (1..=cells).map(|cell| format!("{} ", 3 * cell)).collect();
     format!(
-        "<VTKFile byte_order='BigEndian' type='UnstructuredGrid'><!-- from a test -->\n<UnstructuredGrid>\n<Piece>\n\
-         <PointData/>\n<Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>\n{}</DataArray></Points>\n\
+        "<VTKFile byte_order='BigEndian' type='UnstructuredGrid'><!-- from a test -->\n\
+         <UnstructuredGrid>\n<Piece>\n\
+         <PointData/>\n<Points><DataArray type='Float64' NumberOfComponents='3' format='ascii'>\n\
+          {}</DataArray></Points>\n\
          <Cells>\n<DataArray type='UInt8' Name='types' format='ascii'>{}</DataArray>\n\
          <DataArray type='Int32' Name='offsets' format='ascii'>{ends}</DataArray>\n\
          <DataArray type='Int64' Name='connectivity' format='ascii'>\n{}</DataArray>\n\

@@ -78,7 +78,8 @@ proptest! {
                     prop_assert_eq!(bits(read.positions()), bits(&positions), "{}", &name);
                 }
                 Err(error) => {
-                    prop_assert_eq!(parse_tet_mesh(&bytes).unwrap_err().to_string(), error.to_string(), "{}", &name);
+                    let found = parse_tet_mesh(&bytes).unwrap_err().to_string();
+                    prop_assert_eq!(found, error.to_string(), "{}", &name);
                 }
             }
         }

@@ -31,7 +31,8 @@ pub(crate) fn frames() -> Result<[(&'static str, Frame); 3], FrameError> {
 /// The number of squares along each side of the sheet.
 const SQUARES: u32 = 32;
 const SIDE: f64 = 3.0;
-/// The point of the sheet above the centre of the sphere. It is off the middle, so that one corner hangs lowest.
+/// The point of the sheet above the centre of the sphere. It is off the middle, so that one corner
+/// hangs lowest.
 const CENTRE: [f64; 2] = [1.4, 1.3];
 
 /// The vertices of the sheet, row by row.
@@ -54,8 +55,8 @@ fn sheet_faces() -> Vec<[u32; 3]> {
 
 /// The position of a point of the sheet after it has draped over the unit sphere, moved up by `lift`.
 ///
-/// A stereographic projection, which preserves angles, up to the circle where the slope of the sphere is 4 : 3, and
-/// straight lines beyond.
+/// A stereographic projection, which preserves angles, up to the circle where the slope of the
+/// sphere is 4 : 3, and straight lines beyond.
 fn draped(x: f64, y: f64, lift: f64) -> Point {
     let distance = (x * x + y * y).sqrt();
     let on_sphere = distance.min(1.0);

@@ -234,7 +234,7 @@ fn locate(document: &Document<'_>, description: &Description, error: &SystemErro
         | SystemError::NotFinite { body, .. }
         | SystemError::Solid { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
-        SystemError::Script { .. } | SystemError::Motion { .. } => {
+        SystemError::Script { .. } | SystemError::Motion { .. } | SystemError::Mesh(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
         }
     };

@@ -1,6 +1,6 @@
 //! Bodies that make no system.
 
-use exact_ccd_mesh::{Point, TetMeshError};
+use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
 use crate::script::ScriptError;
@@ -22,6 +22,9 @@ pub enum SystemError {
         /// How many vertices the body has.
         vertex_count: usize,
     },
+    /// The faces of all bodies together do not form a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// There is nothing that could touch anything.
     #[error("body {body}: there are no faces or tetrahedra, expected some")]
     Empty {

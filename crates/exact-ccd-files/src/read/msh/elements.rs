@@ -7,7 +7,8 @@ use crate::error::{Fault, ParseError, Place};
 
 /// The supported types of elements.
 ///
-/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of the geometry.
+/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of
+/// the geometry.
 #[derive(Clone, Copy)]
 enum Shape {
     Point,
@@ -52,7 +53,8 @@ pub(super) fn read<'a>(
 }
 
 impl Elements<'_> {
-    /// Reads elements one by one, each with its type; in binary files, in blocks of consecutive elements of one type.
+    /// Reads elements one by one, each with its type; in binary files, in blocks of consecutive
+    /// elements of one type.
     fn read_v2<'a, V: Values<'a>>(&mut self, values: &mut V) -> Result<(), ParseError> {
         let count = values.count_line("the number of elements")?;
         let mut number = 0;

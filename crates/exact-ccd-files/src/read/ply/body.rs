@@ -119,7 +119,8 @@ fn read_corners<'a>(
     Ok([corner()?, corner()?, corner()?])
 }
 
-/// The types of the properties `vertex1` and `vertex2` of an edge. Without both, as integers, an edge names no vertices.
+/// The types of the properties `vertex1` and `vertex2` of an edge. Without both, as integers, an
+/// edge names no vertices.
 fn end_points(element: &Element) -> Option<[Integer; 2]> {
     let integer = |name: &[u8]| {
         let mut properties = element.properties.iter();

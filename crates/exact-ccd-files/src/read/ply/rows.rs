@@ -39,7 +39,8 @@ impl Row<'_> {
     }
 }
 
-/// Rows as text, one on each line. Numbers are read to the nearest `f64`, whatever their type in the header.
+/// Rows as text, one on each line. Numbers are read to the nearest `f64`, whatever their type in
+/// the header.
 pub(super) struct TextRows<'a> {
     lines: Lines<'a>,
     line: Line<'a>,
