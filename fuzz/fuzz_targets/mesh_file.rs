@@ -1,10 +1,11 @@
-//! Mesh files: no bytes make a reader panic, and what it reads can be written and read again.
+//! Mesh files: no bytes make a reader panic, and every frame that is read can be written and read again.
 
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_mesh::{Format, Frame, TetMesh};
+use exact_ccd_files::{Format, parse_frame, parse_tet_mesh, write_ply};
 use exact_ccd_fuzz::file;
+use exact_ccd_mesh::Frame;
 use libfuzzer_sys::fuzz_target;
 
 const PLY: &[&str] = &[
@@ -19,6 +20,7 @@ const PLY: &[&str] = &[
     "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n",
     "element face 1\nproperty list uchar int vertex_indices\n",
     "element face 2\nproperty list uint ushort vertex_index\n",
+    "element edge 1\nproperty int vertex1\nproperty uchar vertex2\n",
     "element other ",
     "property ",
     "list ",
@@ -49,6 +51,7 @@ const OBJ: &[&str] = &[
     "o name\n",
     "usemtl ",
     "l 1 2\n",
+    "p 3\n",
 ];
 
 const STL: &[&str] = &[
@@ -126,12 +129,14 @@ const VTU: &[&str] = &[
     "5 ",
     "10 ",
     "4 ",
+    "3 ",
+    "1 ",
     "<",
     "&lt;",
 ];
 
 fuzz_target!(|bytes: &[u8]| {
-    // Too few bytes are no file.
+    // The only error is that the bytes run out, which ends the case.
     let _ = check(&mut Unstructured::new(bytes));
 });
 
@@ -145,11 +150,11 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         _ => (Format::Vtu, VTU),
     };
     let file = file(bytes, words)?;
-    match TetMesh::parse(&file) {
+    match parse_tet_mesh(&file) {
         Ok(mesh) => check_frame(&mesh.surface_frame().0),
         Err(error) => drop(error.to_string()),
     }
-    match Frame::parse(&file, format) {
+    match parse_frame(&file, format) {
         Ok(frame) => check_frame(&frame),
         Err(error) => drop(error.to_string()),
     }
@@ -158,8 +163,8 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
 
 fn check_frame(frame: &Frame) {
     let mut written = Vec::new();
-    frame.write_ply(&mut written).expect("memory takes everything");
-    let read = Frame::parse(&written, Format::Ply).expect("our own files are sound");
+    write_ply(&mut written, frame).expect("writing into memory cannot fail");
+    let read = parse_frame(&written, Format::Ply).expect("written files are valid");
     assert_eq!(frame, &read);
     let bits = |frame: &Frame| {
         frame

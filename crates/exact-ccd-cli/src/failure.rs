@@ -1,4 +1,4 @@
-//! Why the program has no answer.
+//! Errors of the program.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -6,12 +6,13 @@ use std::path::{Path, PathBuf};
 use exact_ccd::parity::RoundingError;
 use exact_ccd_bench::comparison::PeerError;
 use exact_ccd_data::DataError;
-use exact_ccd_mesh::{ReadError, ReadMotionError, StepError};
+use exact_ccd_files::{ReadError, ReadMotionError};
+use exact_ccd_mesh::StepError;
 use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 
-/// Why the program has no answer.
+/// The reason why the program has no answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error(transparent)]
@@ -31,7 +32,10 @@ pub(crate) enum Failure {
     },
     #[error(transparent)]
     Rounding(#[from] RoundingError),
-    #[error("{}: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file", .0.display())]
+    #[error(
+        "{}: expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
+        .0.display()
+    )]
     KindMissing(PathBuf),
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),
@@ -41,7 +45,11 @@ pub(crate) enum Failure {
     SameMethod(String),
     #[error(transparent)]
     Method(#[from] UnknownMethod),
-    #[error("{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, or `frames` with meshes", .0.display())]
+    #[error(
+        "{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, \
+         or `frames` with meshes",
+        .0.display()
+    )]
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]
     NoFrames(PathBuf),
@@ -72,12 +80,12 @@ impl Failure {
         Self::Query { file, query, source }
     }
 
-    /// The message, even if a file has a line break or another control character in its name.
+    /// The message on one line. Control characters, which names of files may have, become spaces.
     pub(crate) fn on_one_line(&self) -> String {
         self.to_string().replace(char::is_control, " ")
     }
 
-    /// A reader who wants to read no more, as in `exact-ccd queries FILE | head`, is no failure.
+    /// A closed pipe, as in `exact-ccd queries FILE | head`, is not a failure.
     pub(crate) fn unless_closed_pipe(self) -> Result<(), Self> {
         match self {
             Self::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),

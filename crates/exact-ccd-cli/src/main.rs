@@ -1,6 +1,6 @@
-//! The `exact-ccd` program: it reads files, asks the libraries, and reports.
+//! The `exact-ccd` program: reads files, calls the libraries and reports.
 //!
-//! Status 0 is success, 1 contact, 2 an error, which is told in one line on standard error.
+//! Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error.
 
 mod audit;
 mod bench;
@@ -31,7 +31,7 @@ use failure::Failure;
 #[derive(Parser)]
 #[command(version, max_term_width = 100)]
 struct Program {
-    /// How many threads to use; if not given, as many as there are cores.
+    /// Number of threads [default: number of cores]
     #[arg(long, global = true, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
     #[command(subcommand)]
@@ -52,7 +52,7 @@ enum Command {
 fn main() -> ExitCode {
     let program = Program::parse();
     run(&program).unwrap_or_else(|failure| {
-        // Nobody is left to tell if standard error is closed too.
+        // An error of standard error itself cannot be reported.
         let _ = writeln!(std::io::stderr(), "exact-ccd: error: {}", failure.on_one_line());
         ExitCode::from(2)
     })

@@ -1,4 +1,4 @@
-//! What the program writes: its answer, and files.
+//! Output: the answer on standard output, and files.
 
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -8,7 +8,7 @@ use std::process;
 
 use crate::failure::Failure;
 
-/// Prints the whole answer. That nobody reads it is no failure.
+/// Prints the answer. A closed pipe is not a failure.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
     writeln!(output, "{text}")
@@ -17,7 +17,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .or_else(Failure::unless_closed_pipe)
 }
 
-/// Writes a file, in place of what was there.
+/// Writes a file and replaces an existing one, see [`replace_file`].
 pub(crate) fn write_file(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
@@ -27,15 +27,16 @@ pub(crate) fn write_file(
     })
 }
 
-/// Writes a file, in place of what was there: all of it, or nothing if this fails or the program is ended meanwhile.
+/// Writes a file and replaces an existing one atomically: after an error or a crash, the old file
+/// is unchanged.
 ///
-/// A draft goes to the disk and then takes the name of the file. That of a program that was ended stays:
-/// [`draft_of`] tells it by its name.
+/// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft
+/// in the folder; [`draft_of`] recognises it by its name.
 pub(crate) fn replace_file(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    // What is no plain file, as /dev/stdout, cannot be replaced.
+    // A special file such as /dev/stdout cannot be replaced.
     let is_plain = fs::metadata(file).map_or(true, |metadata| metadata.is_file());
     let target = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
     let (created, draft) = match target.file_name().filter(|_| is_plain) {
@@ -45,7 +46,7 @@ pub(crate) fn replace_file(
             draft.push(name);
             draft.push(format!(".{}", process::id()));
             let draft = target.with_file_name(draft);
-            // Only a program that is no more can have left one with this name.
+            // A file of this name can only come from a process that has ended.
             let _ = fs::remove_file(&draft);
             (File::create_new(&draft), Some(draft))
         }
@@ -60,34 +61,34 @@ pub(crate) fn replace_file(
             synced.and_then(|()| fs::rename(draft, &target)).map_err(failed)
         });
     if let (Err(_), Some(draft)) = (&written, &draft) {
-        // The error that led here matters more.
+        // An error of the removal is ignored: the first error is the one to report.
         let _ = fs::remove_file(draft);
     }
     written
 }
 
-/// The name of the file of which this is the draft, as [`replace_file`] calls it.
+/// The name of the file that a draft of [`replace_file`] belongs to, or none for other names.
 pub(crate) fn draft_of(name: &str) -> Option<&str> {
     let (file, number) = name.strip_prefix('.')?.rsplit_once('.')?;
     is_number(number).then_some(file)
 }
 
-/// Removes the files in a folder whose names are like this. That there is no folder is fine.
-pub(crate) fn remove_files(folder: &Path, is_like: impl Fn(&str) -> bool) -> io::Result<()> {
+/// Removes the files in a folder whose names match. A missing folder is not an error.
+pub(crate) fn remove_files(folder: &Path, matches: impl Fn(&str) -> bool) -> io::Result<()> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
         entries => entries?,
     };
     for entry in entries {
         let entry = entry?;
-        if entry.file_name().to_str().is_some_and(&is_like) && entry.file_type()?.is_file() {
+        if entry.file_name().to_str().is_some_and(&matches) && entry.file_type()?.is_file() {
             fs::remove_file(entry.path())?;
         }
     }
     Ok(())
 }
 
-/// Whether a text is nothing but digits.
+/// Returns true for a non-empty text of digits only.
 pub(crate) fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }

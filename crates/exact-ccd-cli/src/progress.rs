@@ -1,4 +1,4 @@
-//! How far the work is, on a terminal, when it takes long.
+//! Progress bars on a terminal for work that takes long.
 
 use std::convert::Infallible;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -8,38 +8,38 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// How long to wait for the end before showing anything.
+/// The delay before a bar appears.
 const PATIENCE: Duration = Duration::from_millis(500);
 
-/// The time between two pictures.
+/// The interval between two updates.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// A count of pairs, nobody knows up to how many.
+/// A count of pairs without a known total.
 pub(crate) fn pairs() -> ProgressBar {
     ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} pairs"))
 }
 
-/// A bar that is full after `total` frames.
+/// A bar for `total` frames.
 pub(crate) fn frames(total: usize) -> ProgressBar {
     ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} frames, {eta} left"))
 }
 
-/// A bar that is full after `total` time steps.
+/// A bar for `total` time steps.
 pub(crate) fn time_steps(total: usize) -> ProgressBar {
     ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} time steps, {eta} left"))
 }
 
-/// A count of queries, nobody knows up to how many.
+/// A count of queries without a known total.
 pub(crate) fn queries() -> ProgressBar {
     ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} queries"))
 }
 
-/// A bar that is full when this many thousandths of data sets are done.
+/// A bar for `total` thousandths of data sets.
 pub(crate) fn thousandths(total: u64) -> ProgressBar {
     ProgressBar::new(total).with_style(style("{wide_bar} {percent} %, {eta} left"))
 }
 
-/// Work whose steps cannot be counted.
+/// A spinner for work without countable steps.
 pub(crate) fn stage(name: &'static str) -> ProgressBar {
     ProgressBar::new_spinner()
         .with_style(style("{spinner} {msg}"))
@@ -50,9 +50,9 @@ fn style(template: &str) -> ProgressStyle {
     ProgressStyle::with_template(template).expect("the templates are well-formed")
 }
 
-/// Does the work, which tells how many more of its steps are done, from any thread.
+/// Runs `work` and draws the bar on standard error meanwhile, after a delay, if that is a terminal.
 ///
-/// Meanwhile, after a while, the bar is on standard error, if that is a terminal.
+/// `work` calls its argument with the number of steps just completed, from any thread.
 pub(crate) fn during<T>(bar: ProgressBar, work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> T) -> T {
     let done = &AtomicUsize::new(0);
     let progress = |count| {
@@ -63,7 +63,7 @@ pub(crate) fn during<T>(bar: ProgressBar, work: impl FnOnce(&(dyn Fn(usize) + Sy
     }
     let (working, end) = mpsc::channel();
     thread::scope(|scope| {
-        // If there is no thread to be had, there is no bar.
+        // Without a thread for it, there is no bar.
         let _ = thread::Builder::new().spawn_scoped(scope, move || draw(&bar, done, &end));
         let result = work(&progress);
         drop(working);
@@ -71,7 +71,7 @@ pub(crate) fn during<T>(bar: ProgressBar, work: impl FnOnce(&(dyn Fn(usize) + Sy
     })
 }
 
-/// Draws the bar from time to time until the sender is gone.
+/// Redraws the bar at intervals until the sender is dropped.
 fn draw(bar: &ProgressBar, done: &AtomicUsize, end: &Receiver<Infallible>) {
     let mut pause = PATIENCE;
     while end.recv_timeout(pause) == Err(RecvTimeoutError::Timeout) {

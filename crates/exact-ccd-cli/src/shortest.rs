@@ -1,6 +1,7 @@
-//! Numbers in as few characters as possible.
+//! The shortest text of a number.
 
-/// The shortest decimal that reads back to the same f64, with or without an exponent: `0.25`, `1e-3`, `5e-324`.
+/// The shortest decimal that reads back to the same f64, with or without an exponent: `0.25`,
+/// `1e-3`, `5e-324`.
 pub(crate) fn shortest(value: f64) -> String {
     let (plain, scientific) = (format!("{value}"), format!("{value:e}"));
     if scientific.len() < plain.len() {

@@ -5,6 +5,7 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use clap::value_parser;
+use exact_ccd_files::read_motion;
 use exact_ccd_mesh::{Bvh, Detector, Motion, StepError, StepReport};
 
 use crate::failure::Failure;
@@ -47,7 +48,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let clock = Instant::now();
     let motion = during(progress::stage("reading"), |_| {
-        Motion::read(&arguments.start, &arguments.end)
+        read_motion(&arguments.start, &arguments.end)
     })?;
     let read = clock.elapsed();
 

@@ -1,8 +1,8 @@
-//! Answers against the ground truth.
+//! Comparison of answers with the ground truth.
 
 use std::io::Write;
 
-/// Answers counted, and those among them that differ from the ground truth.
+/// The numbers of answers and of wrong ones.
 #[derive(Default)]
 pub(crate) struct Tally {
     queries: usize,
@@ -13,7 +13,7 @@ pub(crate) struct Tally {
 }
 
 impl Tally {
-    /// How many answers there are.
+    /// The number of answers.
     pub(crate) fn queries(&self) -> usize {
         self.queries
     }
@@ -26,7 +26,7 @@ impl Tally {
         self.false_negatives += usize::from(!contact && truth == Some(true));
     }
 
-    /// Tells how the answers compare with the ground truth, if there is any.
+    /// Prints the comparison with the ground truth on standard error, if there is any.
     pub(crate) fn report(&self) {
         let Self {
             queries,
@@ -43,7 +43,7 @@ impl Tally {
         } else {
             format!(" of {judged} of them")
         };
-        // The answers are out: that nobody listens to the summary is no failure.
+        // The answers are complete, so an error of the summary is ignored.
         let _ = writeln!(
             std::io::stderr(),
             "{queries} queries, {contacts} in contact; against the ground truth{of}: \

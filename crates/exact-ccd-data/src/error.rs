@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::NonFinite;
-use exact_ccd_mesh::ReadMotionError;
+use exact_ccd_files::ReadMotionError;
 use parquet::errors::ParquetError;
 
 use crate::rational::CoordinateError;

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd_files::read_motion;
 use exact_ccd_mesh::{Motion, Step, TriangleMesh};
 
 use crate::error::DataError;
@@ -91,7 +92,7 @@ impl Scene {
     /// If a frame is missing or cannot be read.
     pub fn motion(&self) -> Result<Motion, DataError> {
         let [start, end] = self.frames()?;
-        Ok(Motion::read(&start, &end)?)
+        Ok(read_motion(&start, &end)?)
     }
 
     /// The queried pairs of a kind, as indices of the mesh: a vertex and a face, or two edges.

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_data::{DataError, DataFolder, DataKind, Roots, Sample, Scene, read_roots};
+use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Frame, Motion};
 use tempfile::TempDir;
 
@@ -28,7 +29,7 @@ fn folder() -> TempDir {
     };
     for (name, height) in [("9", 1.0), ("10", -0.5)] {
         let mut ply = Vec::new();
-        frame(height).write_ply(&mut ply).unwrap();
+        write_ply(&mut ply, &frame(height)).unwrap();
         write(&format!("scenes/fall/frames/{name}.ply"), &ply);
     }
     write("scenes/fall/boxes/9vf.json", b"[[0, 13], [3, 12]]");

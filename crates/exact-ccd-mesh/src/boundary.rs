@@ -1,19 +1,19 @@
-//! The faces of tetrahedra, and which of them lie on the boundary.
+//! The faces of tetrahedra, and those of them on the boundary.
 
-use crate::tet_mesh::TetMeshError;
+use crate::tet_error::TetMeshError;
 
 /// The faces of a tetrahedron of positive volume, outward: (b − a) · ((c − a) × (d − a)) > 0.
 const FACES: [[usize; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
 
-/// A face as one tetrahedron sees it, with what it takes to sort them.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// A face of one tetrahedron. The order of the fields is the order in which faces are sorted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Side {
     /// The vertices in increasing order.
     face: [u32; 3],
-    /// Whether the face, seen from outside of the tetrahedron, turns as these vertices do.
+    /// True if these vertices are counterclockwise as seen from outside of the tetrahedron.
     even: bool,
     tetrahedron: usize,
-    /// Which face of the tetrahedron.
+    /// The index of the face in [`FACES`].
     number: usize,
 }
 
@@ -25,12 +25,24 @@ impl Side {
     }
 }
 
-/// The faces of some tetrahedra, each as often as it belongs to one.
-pub(crate) struct Sides(Vec<Side>);
+/// The faces of tetrahedra, by connectivity alone: positions do not matter.
+///
+/// A face that two tetrahedra share occurs twice.
+///
+/// ```
+/// use exact_ccd_mesh::TetFaces;
+///
+/// let faces = TetFaces::of([[0, 1, 2, 3], [1, 2, 3, 4]]);
+/// assert!(faces.contain([3, 2, 1]) && !faces.contain([0, 1, 4]));
+/// assert_eq!(faces.boundary()[..3], [[0, 2, 1], [0, 1, 3], [0, 3, 2]]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct TetFaces(Vec<Side>);
 
-impl Sides {
-    /// Those of tetrahedra that are meant to have positive volumes. Where they are does not matter.
-    pub(crate) fn of(tetrahedra: impl IntoIterator<Item = [u32; 4]>) -> Self {
+impl TetFaces {
+    /// The faces of tetrahedra whose volumes count as positive in the order of their corners.
+    #[must_use]
+    pub fn of(tetrahedra: impl IntoIterator<Item = [u32; 4]>) -> Self {
         let mut sides = Vec::new();
         for (tetrahedron, corners) in tetrahedra.into_iter().enumerate() {
             for (number, face) in FACES.into_iter().enumerate() {
@@ -47,11 +59,12 @@ impl Sides {
         Self(sides)
     }
 
-    /// Whether no two tetrahedra are on the same side of a face; of three that have one in common, two are.
+    /// Checks that no two tetrahedra are on the same side of a face. Of three with a common face,
+    /// two always are.
     ///
     /// # Errors
-    /// [`TetMeshError::Overlap`] names the first two that are.
-    pub(crate) fn check(&self) -> Result<(), TetMeshError> {
+    /// [`TetMeshError::Overlap`] names the first two on the same side.
+    pub fn check(&self) -> Result<(), TetMeshError> {
         let mut pairs = self.0.windows(2).map(|pair| [pair[0], pair[1]]);
         match pairs.find(|[s, t]| s.face == t.face && s.even == t.even) {
             None => Ok(()),
@@ -64,7 +77,8 @@ impl Sides {
     }
 
     /// The faces that belong to one tetrahedron only, outward, in the order of the tetrahedra.
-    pub(crate) fn boundary(&self) -> Vec<[u32; 3]> {
+    #[must_use]
+    pub fn boundary(&self) -> Vec<[u32; 3]> {
         let faces = self.0.chunk_by(|s, t| s.face == t.face);
         let mut boundary: Vec<&Side> = faces
             .filter_map(|sides| match sides {
@@ -76,8 +90,9 @@ impl Sides {
         boundary.into_iter().map(Side::outward).collect()
     }
 
-    /// Whether a triangle is a face of a tetrahedron.
-    pub(crate) fn contain(&self, triangle: [u32; 3]) -> bool {
+    /// Returns true if a triangle is a face of a tetrahedron, with its corners in any order.
+    #[must_use]
+    pub fn contains(&self, triangle: [u32; 3]) -> bool {
         let face = sorted(triangle);
         self.0.binary_search_by_key(&face, |side| side.face).is_ok()
     }

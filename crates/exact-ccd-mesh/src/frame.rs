@@ -1,31 +1,27 @@
 //! A triangle mesh at one time.
 
-use std::path::Path;
-
 use exact_ccd::Point;
 
-use crate::mesh::{IndexOutOfRange, TriangleMesh};
+use crate::mesh::{MeshError, TriangleMesh};
 use crate::positions::{self, PositionsError};
-use crate::read::{self, Format, ParseError, ReadError};
-#[cfg(doc)]
-use crate::tet_mesh::TetMesh;
 
-/// A triangle mesh at one time: its connectivity and where its vertices are.
+/// A triangle mesh at one time: its connectivity and the positions of its vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
-    /// The faces, and the edges that they share.
+    /// The connectivity.
     pub mesh: TriangleMesh,
     /// The position of each vertex of `mesh`.
     pub positions: Vec<Point>,
 }
 
-/// What keeps positions and faces from being a [`Frame`].
+/// The reason why positions, faces and edges do not form a [`Frame`].
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FrameError {
-    /// A face names a vertex that has no position.
+    /// A face or an edge names a vertex that has no position.
     #[error(transparent)]
-    Index(#[from] IndexOutOfRange),
-    /// The positions are not sound.
+    Mesh(#[from] MeshError),
+    /// The positions are not valid.
     #[error(transparent)]
     Positions(#[from] PositionsError),
 }
@@ -48,45 +44,37 @@ impl Frame {
     /// # Errors
     /// The first index that is out of range, or else the first coordinate that is not finite.
     pub fn new(positions: Vec<Point>, faces: Vec<[u32; 3]>) -> Result<Self, FrameError> {
-        let mesh = TriangleMesh::new(positions.len(), faces)?;
-        positions::check(&mesh, &positions)?;
-        Ok(Self { mesh, positions })
+        Self::with_edges(positions, faces, &[])
     }
 
-    /// The frame in a file. The extension tells the format, see [`Format::of_path`].
-    ///
-    /// Vertices and faces keep the numbers that they have in the file, counted from 0. Each coordinate is the `f64`
-    /// nearest to the decimal text, or exactly the binary number. An STL file knows no shared vertices: it reads as
-    /// three vertices for each face. Of a .msh file of tetrahedra, it is the surface alone, see [`TetMesh::surface_frame`]; of a
-    /// .vtu file, that and the triangles beside it, with tetrahedra taken to be positive in their order.
+    /// The mesh of these faces and edges, each three or two indices into `positions`; see
+    /// [`TriangleMesh::with_edges`].
     ///
     /// # Errors
-    /// [`ReadError`] names the file, the place in it, and what was expected there.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
-        read::read(path.as_ref())
+    /// The first index that is out of range, or else the first coordinate that is not finite.
+    pub fn with_edges(
+        positions: Vec<Point>,
+        faces: Vec<[u32; 3]>,
+        edges: &[[u32; 2]],
+    ) -> Result<Self, FrameError> {
+        let mesh = TriangleMesh::with_edges(positions.len(), faces, edges)?;
+        let frame = Self { mesh, positions };
+        frame.check()?;
+        Ok(frame)
     }
 
-    /// The frame in the contents of a file, as [`Frame::read`] gives it.
-    ///
-    /// ```
-    /// use exact_ccd_mesh::{Format, Frame};
-    ///
-    /// let frame = Frame::parse(b"v 0 0 0\nv 0.1 0 0\nv 0 1 0\nf 1 2 3\n", Format::Obj)?;
-    /// assert_eq!(frame.positions[1], [0.1, 0.0, 0.0]);
-    /// assert_eq!(frame.mesh.faces(), [[0, 1, 2]]);
-    ///
-    /// let error = Frame::parse(b"v 0 0 zero", Format::Obj).unwrap_err();
-    /// assert_eq!(error.to_string(), "line 1: expected a number, found `zero`");
-    /// # Ok::<(), exact_ccd_mesh::ParseError>(())
-    /// ```
+    /// Checks that there is one position for each vertex and that all coordinates are finite.
     ///
     /// # Errors
-    /// [`ParseError`] names the place and what was expected there.
-    pub fn parse(bytes: &[u8], format: Format) -> Result<Self, ParseError> {
-        read::parse(bytes, format)
+    /// [`PositionsError`] names the count, or the first coordinate that is not finite.
+    pub fn check(&self) -> Result<(), PositionsError> {
+        positions::check(&self.mesh, &self.positions)
     }
 
-    /// The frame without the vertices that no face names, and for each of the others the number that it has here, increasing.
+    /// The frame without its loose vertices, and the index here of each remaining vertex, in
+    /// increasing order.
+    ///
+    /// See [`TriangleMesh::without_loose_vertices`]: rods stay, points do not.
     #[must_use]
     pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
         let (mesh, vertices) = self.mesh.without_loose_vertices();

@@ -1,25 +1,25 @@
-//! Triangle meshes in motion: mesh files, the broad phase, and the collision-free step of a whole
-//! mesh.
+//! Triangle meshes in motion, with rods and points: the broad phase and the collision-free step of
+//! a whole mesh.
 //!
-//! ```no_run
-//! use exact_ccd_mesh::{Motion, step};
+//! ```
+//! use exact_ccd_mesh::{TriangleMesh, step};
 //!
-//! let motion = Motion::read("start.ply", "end.ply")?;
-//! let report = step(&motion.mesh, &motion.x0, &motion.x1)?;
-//! match report.time_of_impact() {
-//!     None => println!("free of contact"),
-//!     Some(toi) => println!("free of contact on [0, {toi})"),
-//! }
+//! let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?; // vertex 3 is a point
+//! let x0 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 1.0]];
+//! let x1 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, -1.0]];
+//! let report = step(&mesh, &x0, &x1)?;
+//! // Free of contact on [0, 0.5).
+//! assert_eq!(report.time_of_impact(), Some(0.5));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! From files to the answer:
+//! From a mesh to the answer:
 //!
-//! - [`Frame`] is a mesh at one time, and reads and writes mesh files; two frames of the same mesh
-//!   are a [`Motion`].
+//! - [`TriangleMesh`] is the connectivity: faces, loose edges (rods) and loose vertices (points).
+//! - [`Frame`] is a mesh at one time; two frames of the same mesh are a [`Motion`]. The crate
+//!   `exact-ccd-files` reads and writes mesh files.
 //! - [`TetMesh`] is a body of tetrahedra at one time, whose surface is a frame.
-//! - [`Step`] is a motion whose positions are known to be sound. It is borrowed, so that a
-//!   simulator keeps its own.
+//! - [`Step`] is a motion whose positions have been checked. It borrows them.
 //! - [`Candidates`] are the pairs of primitives of a step that a [`BroadPhase`] has found near each
 //!   other. They decide contact in the step, or in shorter ones, exactly or by any
 //!   [`Ccd`](exact_ccd::Ccd).
@@ -27,13 +27,13 @@
 //! - [`Detector`] finds contact in step after step, without a test of every candidate, and
 //!   [certifies the step](Detector::free_step) that a solver can take.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
-//! - [`intersections`] are where a mesh at rest passes through itself, and an [`Audit`] certifies a
-//!   sequence of frames.
-//! - [`Motion::shifted`] rounds a motion so that [`exact_ccd::parity`] can decide it.
-//! - [`step_size`] is the line search of an optimiser: the part of a direction that is free of
+//! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
+//!   certifies a sequence of frames.
+//! - [`Motion::shifted`] rounds a motion as [`exact_ccd::parity`] requires.
+//! - [`step_size`] is the line search of an optimiser: the largest step along a direction without
 //!   contact.
 //!
-//! No result depends on the number of threads, and no input makes anything here panic.
+//! No result depends on the number of threads, and no input causes a panic.
 
 mod aabb;
 mod audit;
@@ -56,18 +56,17 @@ mod overlaps;
 mod pair;
 mod positions;
 mod primitive_count;
-mod pvd;
-mod read;
 mod report;
 mod shift;
 mod step;
 mod step_boxes;
+mod tet_error;
 mod tet_mesh;
 mod weld;
-mod write;
 
 pub use aabb::Aabb;
 pub use audit::{Audit, Violation};
+pub use boundary::TetFaces;
 pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep};
 pub use can_collide::CanCollide;
 pub use candidate_options::{BoxKind, CandidateOptions, DistanceError};
@@ -80,20 +79,18 @@ pub use intersections::{Intersection, IntersectionsError, intersections};
 pub use line_search::{
     FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
 };
-pub use mesh::{IndexOutOfRange, TriangleMesh};
-pub use motion::{Motion, MotionError, ReadMotionError};
+pub use mesh::{MeshError, TriangleMesh};
+pub use motion::{Motion, MotionError};
 pub use pair::{Pair, PairCounts, PairKind};
-pub use positions::PositionsError;
+pub use positions::{PositionsError, check_positions};
 pub use primitive_count::TooManyPrimitives;
-pub use pvd::read_pvd;
-pub use read::{Fault, Format, ParseError, Place, ReadError};
 pub use report::{StepReport, step};
 pub use step::{Step, StepError};
-pub use tet_mesh::{TetMesh, TetMeshError};
+pub use tet_error::TetMeshError;
+pub use tet_mesh::TetMesh;
 pub use weld::Welding;
-pub use write::{UnstructuredGrid, write_pvd};
 
-/// The examples in the README of the repository, as tests.
+/// The examples in the README of this crate, as tests.
 #[cfg(doctest)]
-#[doc = include_str!("../../../README.md")]
+#[doc = include_str!("../README.md")]
 struct Readme;

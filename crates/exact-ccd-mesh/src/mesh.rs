@@ -1,107 +1,217 @@
 //! The connectivity of a triangle mesh.
 
-/// The faces of a triangle mesh and the edges that they share.
+/// The connectivity of a mesh: faces, edges (of faces and loose ones, as of rods) and vertices
+/// (loose ones are points).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriangleMesh {
     vertex_count: usize,
     faces: Vec<[u32; 3]>,
+    /// The edges of the faces, then the loose edges. Each edge occurs once.
     edges: Vec<[u32; 2]>,
+    face_edge_count: usize,
 }
 
-/// A face names a vertex that the mesh does not have.
+/// The reason why faces and edges do not form a [`TriangleMesh`]. All are counted from 0.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("face {face} names vertex {vertex}, but there are only {vertex_count} vertices")]
-pub struct IndexOutOfRange {
-    /// The index of the face, from 0.
-    pub face: usize,
-    /// The vertex that it names, from 0.
-    pub vertex: u32,
-    /// How many vertices there are.
-    pub vertex_count: usize,
+#[non_exhaustive]
+pub enum MeshError {
+    /// The index of a corner is out of range.
+    #[error("face {face} names vertex {vertex}, but there are only {vertex_count} vertices")]
+    Face {
+        /// The index of the face.
+        face: usize,
+        /// The index of the corner.
+        vertex: u32,
+        /// The number of vertices.
+        vertex_count: usize,
+    },
+    /// The index of an end point is out of range.
+    #[error("edge {edge} names vertex {vertex}, but there are only {vertex_count} vertices")]
+    Edge {
+        /// The index of the edge among the given ones.
+        edge: usize,
+        /// The index of the end point.
+        vertex: u32,
+        /// The number of vertices.
+        vertex_count: usize,
+    },
+    /// Vertices have 32-bit indices.
+    #[error("{vertex_count} vertices, expected at most 2^32")]
+    TooManyVertices {
+        /// The number of vertices.
+        vertex_count: usize,
+    },
 }
 
 impl TriangleMesh {
     /// The mesh of these faces, each three indices of vertices from 0.
     ///
     /// # Errors
-    /// [`IndexOutOfRange`] names the first face with an index that is not below `vertex_count`.
-    pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Result<Self, IndexOutOfRange> {
-        for (face, corners) in faces.iter().enumerate() {
-            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertex_count) {
-                return Err(IndexOutOfRange {
-                    face,
-                    vertex,
-                    vertex_count,
-                });
-            }
+    /// [`MeshError`] names the first face with an index that is not below `vertex_count`, or that
+    /// count if it exceeds 2³².
+    pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        Self::with_edges(vertex_count, faces, &[])
+    }
+
+    /// The mesh of these faces and edges, each three or two indices of vertices from 0.
+    ///
+    /// [`TriangleMesh::edges`] has the edges of the faces first, with the same indices as without
+    /// `edges`, then those of `edges` that are not edges of faces. Each edge occurs once. An edge
+    /// from a vertex to itself is left out: it is the same set of points as the vertex.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::TriangleMesh;
+    ///
+    /// // A triangle, and a rod that leads away from it. Vertex 5 is a point.
+    /// let mesh = TriangleMesh::with_edges(6, vec![[0, 1, 2]], &[[4, 3], [1, 0], [2, 3], [3, 4]])?;
+    /// assert_eq!(mesh.edges(), [[0, 1], [0, 2], [1, 2], [2, 3], [3, 4]]);
+    /// assert_eq!(mesh.loose_edges(), [[2, 3], [3, 4]]);
+    /// assert_eq!(mesh.loose_vertices().collect::<Vec<_>>(), [5]);
+    /// # Ok::<(), exact_ccd_mesh::MeshError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`MeshError`] names the first face or edge with an index that is not below `vertex_count`,
+    /// or that count if it exceeds 2³².
+    pub fn with_edges(
+        vertex_count: usize,
+        faces: Vec<[u32; 3]>,
+        edges: &[[u32; 2]],
+    ) -> Result<Self, MeshError> {
+        if vertex_count as u64 > 1 << 32 {
+            return Err(MeshError::TooManyVertices { vertex_count });
         }
-        let edges = edges_of(&faces);
+        if let Some((face, vertex)) = out_of_range(&faces, vertex_count) {
+            return Err(MeshError::Face {
+                face,
+                vertex,
+                vertex_count,
+            });
+        }
+        if let Some((edge, vertex)) = out_of_range(edges, vertex_count) {
+            return Err(MeshError::Edge {
+                edge,
+                vertex,
+                vertex_count,
+            });
+        }
+        let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
+        let mut all = unique(faces.iter().flat_map(sides));
+        let face_edge_count = all.len();
+        let mut loose = unique(edges.iter().copied());
+        loose.retain(|&edge| all.binary_search_by_key(&order(edge), |&e| order(e)).is_err());
+        all.append(&mut loose);
         Ok(Self {
             vertex_count,
             faces,
-            edges,
+            edges: all,
+            face_edge_count,
         })
     }
 
-    /// The same faces among those vertices alone that have one, in the same order; and the number that each of these has here.
+    /// The mesh without its loose vertices, and the index here of each remaining vertex, in
+    /// increasing order.
+    ///
+    /// Faces and edges keep their order.
     ///
     /// ```
     /// use exact_ccd_mesh::TriangleMesh;
     ///
     /// let mesh = TriangleMesh::new(9, vec![[7, 4, 2]])?;
-    /// let (alone, vertices) = mesh.without_loose_vertices();
-    /// assert_eq!((alone.vertex_count(), alone.faces()), (3, &[[2, 1, 0]][..]));
+    /// let (compact, vertices) = mesh.without_loose_vertices();
+    /// assert_eq!((compact.vertex_count(), compact.faces()), (3, &[[2, 1, 0]][..]));
     /// assert_eq!(vertices, [2, 4, 7]);
-    /// # Ok::<(), exact_ccd_mesh::IndexOutOfRange>(())
+    /// # Ok::<(), exact_ccd_mesh::MeshError>(())
     /// ```
     #[must_use]
     pub fn without_loose_vertices(&self) -> (Self, Vec<u32>) {
-        let mut vertices = self.faces.as_flattened().to_vec();
-        vertices.sort_unstable();
-        vertices.dedup();
-        let mut numbers = vec![0; self.vertex_count];
-        for (number, &vertex) in (0..).zip(&vertices) {
-            numbers[vertex as usize] = number;
-        }
-        let number = |vertex: u32| numbers[vertex as usize];
+        let vertices = self.used_vertices();
+        // Memory is proportional to the faces and edges: a table of all vertices could exceed any
+        // memory.
+        let index = |vertex: u32| vertices.partition_point(|&used| used < vertex) as u32;
         let mesh = Self {
             vertex_count: vertices.len(),
-            faces: self.faces.iter().map(|face| face.map(number)).collect(),
-            // Numbers increase as vertices do: edges keep their order.
-            edges: self.edges.iter().map(|edge| edge.map(number)).collect(),
+            faces: self.faces.iter().map(|face| face.map(index)).collect(),
+            // The map is increasing, so edges stay in order.
+            edges: self.edges.iter().map(|edge| edge.map(index)).collect(),
+            face_edge_count: self.face_edge_count,
         };
         (mesh, vertices)
     }
 
-    /// How many vertices there are.
+    /// The number of vertices, at most 2³².
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.vertex_count
     }
 
-    /// The faces, in the order in which they were given.
+    /// The faces, in the given order.
     #[must_use]
     pub fn faces(&self) -> &[[u32; 3]] {
         &self.faces
     }
 
-    /// The edges of the faces, each once: the pairs (i, j), i < j, sorted by j, then by i, which is the order that
-    /// the published data sets use.
+    /// The edges of the faces, then the loose edges.
+    ///
+    /// Both parts hold pairs (i, j) with i < j, each once, sorted by j, then by i. That is the
+    /// order of the published data sets.
     #[must_use]
     pub fn edges(&self) -> &[[u32; 2]] {
         &self.edges
     }
+
+    /// The edges that are not edges of a face, as of rods: the last ones of [`TriangleMesh::edges`].
+    #[must_use]
+    pub fn loose_edges(&self) -> &[[u32; 2]] {
+        &self.edges[self.face_edge_count..]
+    }
+
+    /// The vertices of no face and no edge, in increasing order.
+    ///
+    /// The iterator is lazy: a mesh may have more vertices than fit into memory.
+    pub fn loose_vertices(&self) -> impl Iterator<Item = u32> + use<> {
+        let mut used = self.used_vertices().into_iter().peekable();
+        let vertices = 0..self.vertex_count as u64;
+        vertices
+            .map(|vertex| vertex as u32)
+            .filter(move |&vertex| used.next_if_eq(&vertex).is_none())
+    }
+
+    /// The vertices of faces and edges, each once, in increasing order.
+    fn used_vertices(&self) -> Vec<u32> {
+        let corners = self.faces.as_flattened().iter();
+        let mut vertices: Vec<u32> = corners.chain(self.edges.as_flattened()).copied().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
 }
 
-fn edges_of(faces: &[[u32; 3]]) -> Vec<[u32; 2]> {
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
-    let mut edges: Vec<[u32; 2]> = faces
+/// The first element with a vertex that is out of range, and that vertex.
+fn out_of_range<const N: usize>(elements: &[[u32; N]], vertex_count: usize) -> Option<(usize, u32)> {
+    let bad = |corners: &[u32; N]| {
+        corners
+            .iter()
+            .copied()
+            .find(|&vertex| vertex as usize >= vertex_count)
+    };
+    elements
         .iter()
-        .flat_map(sides)
+        .enumerate()
+        .find_map(|(index, corners)| Some((index, bad(corners)?)))
+}
+
+/// Edges as pairs (i, j) with i < j, each once, sorted. Pairs of equal vertices are left out.
+fn unique(pairs: impl Iterator<Item = [u32; 2]>) -> Vec<[u32; 2]> {
+    let mut edges: Vec<[u32; 2]> = pairs
         .filter(|[a, b]| a != b)
         .map(|[a, b]| [a.min(b), a.max(b)])
         .collect();
-    edges.sort_unstable_by_key(|&[i, j]| (j, i));
+    edges.sort_unstable_by_key(|&edge| order(edge));
     edges.dedup();
     edges
+}
+
+fn order([i, j]: [u32; 2]) -> (u32, u32) {
+    (j, i)
 }

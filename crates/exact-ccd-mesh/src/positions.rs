@@ -1,18 +1,19 @@
-//! Positions that fit a mesh.
+//! Checks of the positions of a mesh's vertices.
 
 use exact_ccd::Point;
 
 use crate::mesh::TriangleMesh;
 
-/// What keeps points from being the positions of a mesh's vertices.
+/// The reason why points are not valid positions of the vertices of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum PositionsError {
-    /// There is not one position for each vertex.
+    /// The numbers of positions and vertices differ.
     #[error("{positions} positions, expected one for each of {vertex_count} vertices")]
     Count {
-        /// How many positions there are.
+        /// The number of positions.
         positions: usize,
-        /// How many vertices the mesh has.
+        /// The number of vertices of the mesh.
         vertex_count: usize,
     },
     /// A coordinate is NaN or infinite.
@@ -27,13 +28,17 @@ pub enum PositionsError {
     },
 }
 
-/// Checks that there is one position for each vertex and that all coordinates are finite.
+/// Checks that there is one position for each vertex of the mesh and that all coordinates are finite.
 pub(crate) fn check(mesh: &TriangleMesh, positions: &[Point]) -> Result<(), PositionsError> {
-    check_all(mesh.vertex_count(), positions)
+    check_positions(mesh.vertex_count(), positions)
 }
 
-/// [`check`] for any mesh of that many vertices.
-pub(crate) fn check_all(vertex_count: usize, positions: &[Point]) -> Result<(), PositionsError> {
+/// Checks that there is one position for each of `vertex_count` vertices and that all coordinates
+/// are finite.
+///
+/// # Errors
+/// [`PositionsError`] names the count, or the first coordinate that is not finite.
+pub fn check_positions(vertex_count: usize, positions: &[Point]) -> Result<(), PositionsError> {
     if positions.len() != vertex_count {
         return Err(PositionsError::Count {
             positions: positions.len(),

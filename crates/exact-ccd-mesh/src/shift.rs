@@ -1,5 +1,5 @@
-//! Meshes shifted as a whole, so that the differences of their coordinates are exact (section 4.2 of the paper on
-//! [parity](exact_ccd::parity)).
+//! Shifts of whole meshes after which all differences of coordinates are exact (section 4.2 of the
+//! paper on [parity](exact_ccd::parity)).
 
 use exact_ccd::Point;
 use exact_ccd::parity::{Displacement, RoundingError};
@@ -9,8 +9,8 @@ use crate::frame::Frame;
 use crate::motion::Motion;
 
 impl Aabb {
-    /// The displacement after which all differences of two points of the box are exact, however many points there are.
-    /// The box of nothing needs none.
+    /// The displacement after which the difference of any two points of the box is exact. For the
+    /// empty box it is zero.
     #[must_use]
     pub fn displacement(&self) -> Displacement {
         if *self == Self::EMPTY {
@@ -30,7 +30,7 @@ impl Frame {
 
     /// The frame, with each vertex shifted and rounded.
     ///
-    /// One displacement serves all frames of a simulation, if it is that of the box around all of them:
+    /// The displacement of the box around all frames of a simulation serves every one of them:
     ///
     /// ```
     /// use exact_ccd_mesh::{Aabb, Frame};
@@ -45,7 +45,8 @@ impl Frame {
     /// ```
     ///
     /// # Errors
-    /// [`RoundingError::OutOfRange`] names the axis along which a shifted coordinate would not be finite.
+    /// [`RoundingError::OutOfRange`] names the axis along which a shifted coordinate would not be
+    /// finite.
     pub fn shifted(&self, displacement: Displacement) -> Result<Self, RoundingError> {
         let positions = shifted(&self.positions, displacement)?;
         let mesh = self.mesh.clone();
@@ -54,8 +55,8 @@ impl Frame {
 }
 
 impl Motion {
-    /// The displacement for the box around both frames: after it, all corner differences of all queries of the step are
-    /// exact. See [`Motion::shifted`].
+    /// The displacement of the box around both frames, after which the corner differences of all
+    /// queries of the step are exact. See [`Motion::shifted`].
     #[must_use]
     pub fn displacement(&self) -> Displacement {
         let bounds: Aabb = self.x0.iter().chain(&self.x1).copied().collect();
@@ -68,7 +69,8 @@ impl Motion {
     /// use exact_ccd_mesh::{Frame, Motion};
     /// use exact_ccd::parity::Rounded;
     ///
-    /// let frame = |x: f64| Frame::new(vec![[x, 0.7, 0.3], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[1, 2, 3]]);
+    /// let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let frame = |x: f64| Frame::new([&[[x, 0.7, 0.3]], &corners[..]].concat(), vec![[1, 2, 3]]);
     /// let motion = Motion::new(frame(0.1)?, frame(1e-9)?)?;
     /// assert!(Rounded::check(motion.step()?.vertex_face(0, 0).expect("both are there")).is_err());
     ///
@@ -78,7 +80,8 @@ impl Motion {
     /// ```
     ///
     /// # Errors
-    /// [`RoundingError::OutOfRange`] names the axis along which a shifted coordinate would not be finite.
+    /// [`RoundingError::OutOfRange`] names the axis along which a shifted coordinate would not be
+    /// finite.
     pub fn shifted(&self, displacement: Displacement) -> Result<Self, RoundingError> {
         Ok(Self {
             mesh: self.mesh.clone(),

@@ -1,15 +1,14 @@
 //! A mesh of tetrahedra and its surface.
 
 use std::cmp::Ordering;
-use std::path::Path;
 
 use exact_ccd::Point;
 use exact_ccd::predicates::orient3d;
 
-use crate::boundary::Sides;
+use crate::boundary::TetFaces;
 use crate::frame::Frame;
-use crate::positions::{self, PositionsError};
-use crate::read::{self, ParseError, ReadError};
+use crate::positions::{PositionsError, check_positions};
+use crate::tet_error::TetMeshError;
 
 /// A body of tetrahedra at one time, and its surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,45 +18,12 @@ pub struct TetMesh {
     surface: Vec<[u32; 3]>,
 }
 
-/// What keeps positions and tetrahedra from being a [`TetMesh`]. All are counted from 0.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TetMeshError {
-    /// The positions are not sound.
-    #[error(transparent)]
-    Positions(#[from] PositionsError),
-    /// A tetrahedron names a vertex that has no position.
-    #[error("tetrahedron {tetrahedron} names vertex {vertex}, but there are only {vertex_count} vertices")]
-    Index {
-        /// The tetrahedron.
-        tetrahedron: usize,
-        /// The vertex that it names.
-        vertex: u32,
-        /// How many vertices there are.
-        vertex_count: usize,
-    },
-    /// All four corners of a tetrahedron lie in one plane, exactly.
-    #[error("tetrahedron {tetrahedron} has no volume")]
-    Flat {
-        /// The tetrahedron.
-        tetrahedron: usize,
-    },
-    /// Two tetrahedra are on the same side of a face that they share, or three share one.
-    #[error("tetrahedra {first} and {second} are on the same side of their common face {face:?}")]
-    Overlap {
-        /// The first tetrahedron with that face.
-        first: usize,
-        /// The next one on its side.
-        second: usize,
-        /// The three vertices of the face, in increasing order.
-        face: [u32; 3],
-    },
-}
-
 impl TetMesh {
     /// The mesh of these tetrahedra, each four indices into `positions`.
     ///
-    /// The surface are the faces that belong to one tetrahedron only, in the order of the tetrahedra, their corners
-    /// counterclockwise as seen from outside. Tetrahedra stay as they are; their volumes may have either sign.
+    /// The surface consists of the faces that belong to one tetrahedron only, in the order of the
+    /// tetrahedra, their corners counterclockwise as seen from outside. Volumes may have either
+    /// sign; the order of corners is kept.
     ///
     /// ```
     /// use exact_ccd_mesh::TetMesh;
@@ -70,17 +36,21 @@ impl TetMesh {
     /// ```
     ///
     /// # Errors
-    /// [`TetMeshError`] names the coordinate that is not finite, the index that is out of range, the first tetrahedron
-    /// without volume, or two of which one must be inside out.
+    /// [`TetMeshError`] names the coordinate that is not finite, the index that is out of range,
+    /// the first tetrahedron without volume, or two tetrahedra on the same side of a common face.
     pub fn new(positions: Vec<Point>, tetrahedra: Vec<[u32; 4]>) -> Result<Self, TetMeshError> {
-        positions::check_all(positions.len(), &positions)?;
+        check_positions(positions.len(), &positions)?;
+        if positions.len() as u64 > 1 << 32 {
+            let vertex_count = positions.len();
+            return Err(TetMeshError::TooManyVertices { vertex_count });
+        }
         let oriented = tetrahedra
             .iter()
             .enumerate()
             .map(|(tetrahedron, &corners)| oriented(&positions, tetrahedron, corners));
-        let sides = Sides::of(oriented.collect::<Result<Vec<_>, _>>()?);
-        sides.check()?;
-        let surface = sides.boundary();
+        let faces = TetFaces::of(oriented.collect::<Result<Vec<_>, _>>()?);
+        faces.check()?;
+        let surface = faces.boundary();
         Ok(Self {
             positions,
             tetrahedra,
@@ -88,31 +58,13 @@ impl TetMesh {
         })
     }
 
-    /// The mesh in a Gmsh file, `.msh`, version 2.2 or 4.1, text or binary.
-    ///
-    /// Vertices and tetrahedra keep their order in the file and are counted from 0, whatever tags they have. Triangles may
-    /// be listed or not, if only they are faces of tetrahedra; points and lines are skipped.
+    /// The same mesh at other positions. The surface keeps its orientation, even where tetrahedra
+    /// turn inside out.
     ///
     /// # Errors
-    /// [`ReadError`] names the file, the place in it, and what was expected there.
-    pub fn read(path: impl AsRef<Path>) -> Result<Self, ReadError> {
-        read::read_tet_mesh(path.as_ref())
-    }
-
-    /// The mesh in the contents of a Gmsh file, as [`TetMesh::read`] gives it.
-    ///
-    /// # Errors
-    /// [`ParseError`] names the place and what was expected there.
-    pub fn parse(bytes: &[u8]) -> Result<Self, ParseError> {
-        read::parse_tet_mesh(bytes)
-    }
-
-    /// The same mesh elsewhere. The surface keeps its orientation, even where tetrahedra turn inside out.
-    ///
-    /// # Errors
-    /// [`PositionsError`] says which positions are too many, too few or not finite.
+    /// [`PositionsError`] names the count, or the first coordinate that is not finite.
     pub fn moved(&self, positions: Vec<Point>) -> Result<Self, PositionsError> {
-        positions::check_all(self.positions.len(), &positions)?;
+        check_positions(self.positions.len(), &positions)?;
         Ok(Self {
             positions,
             tetrahedra: self.tetrahedra.clone(),
@@ -126,26 +78,28 @@ impl TetMesh {
         &self.positions
     }
 
-    /// The tetrahedra, in the order and with the corners that were given.
+    /// The tetrahedra and their corners, in the given order.
     #[must_use]
     pub fn tetrahedra(&self) -> &[[u32; 4]] {
         &self.tetrahedra
     }
 
-    /// The triangles of the surface, counterclockwise as seen from outside, with the numbers that vertices have here.
+    /// The triangles of the surface, counterclockwise as seen from outside, as indices into
+    /// [`TetMesh::positions`].
     #[must_use]
     pub fn surface(&self) -> &[[u32; 3]] {
         &self.surface
     }
 
-    /// The surface alone, and for each of its vertices the number that it has here, increasing.
+    /// The surface alone, and the index here of each of its vertices, in increasing order.
     ///
-    /// Vertices that are inside, or in no tetrahedron, are left out: a surface that passes over its own inside is no contact.
+    /// Vertices inside the body or in no tetrahedron are left out. Otherwise they would count as
+    /// points, and the surface would be in contact with the inside of its own body.
     #[must_use]
     pub fn surface_frame(&self) -> (Frame, Vec<u32>) {
         let frame = Frame::new(self.positions.clone(), self.surface.clone());
         frame
-            .expect("its positions and faces are sound")
+            .expect("positions and faces of a `TetMesh` are valid")
             .without_loose_vertices()
     }
 }

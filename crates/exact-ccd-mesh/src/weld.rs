@@ -1,4 +1,4 @@
-//! Shared vertices for meshes that have none.
+//! Welding: one vertex in place of coincident ones.
 
 use std::collections::HashMap;
 
@@ -8,12 +8,13 @@ use crate::frame::Frame;
 use crate::mesh::TriangleMesh;
 use crate::motion::{Motion, MotionError};
 
-/// One vertex in place of all that coincide in every frame of a motion.
+/// One vertex in place of all vertices that coincide in every frame of a motion.
 ///
-/// Such vertices coincide at all times between, so the surface stays the same. But where separate bodies share such a
-/// point, they become neighbours there, and pairs of primitives that share a vertex are not looked at. Vertices that meet
-/// in some frames only stay apart. The new vertices are numbered in the order in which they first appear, and the faces
-/// keep their order. Coordinates are compared as numbers: −0.0 equals 0.0.
+/// Such vertices coincide at all times in between as well, so the surface stays the same. Separate
+/// bodies that share such a point become neighbours there, and pairs of primitives that share a
+/// vertex are not tested. Vertices that coincide in some frames only are kept apart. The new
+/// vertices are numbered in the order of first appearance, and the faces keep their order.
+/// Coordinates are compared as numbers: −0.0 equals 0.0.
 ///
 /// ```
 /// use exact_ccd_mesh::Welding;
@@ -21,20 +22,21 @@ use crate::motion::{Motion, MotionError};
 /// let mut welding = Welding::default();
 /// welding.restrict(&[[0.0; 3], [1.0; 3], [0.0; 3], [1.0; 3]]);
 /// assert_eq!(welding.positions(&[[5.0; 3], [6.0; 3], [5.0; 3], [7.0; 3]]), [[5.0; 3], [6.0; 3]]);
-/// // In this frame, the second and the last vertex are apart.
+/// // In this frame the second and the last vertex are apart.
 /// welding.restrict(&[[5.0; 3], [6.0; 3], [5.0; 3], [7.0; 3]]);
 /// assert_eq!(welding.positions(&[[0.0; 3], [1.0; 3], [0.0; 3], [1.0; 3]]), [[0.0; 3], [1.0; 3], [1.0; 3]]);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Welding {
-    /// The new vertex of each vertex. Those that are not there yet would become the same one.
+    /// The new vertex of each vertex. Before the first frame, all vertices count as the same one.
     vertex_of: Vec<u32>,
     /// The first vertex that became each of the new ones.
     first: Vec<usize>,
 }
 
 impl Welding {
-    /// Takes apart the vertices that do not coincide in a frame with these positions. All frames have the same number.
+    /// Separates the vertices that do not coincide in a frame with these positions. All frames have
+    /// the same number of vertices.
     pub fn restrict(&mut self, positions: &[Point]) {
         let mut numbers = HashMap::with_capacity(self.first.len());
         self.vertex_of.resize(positions.len(), 0);
@@ -50,7 +52,8 @@ impl Welding {
     /// The mesh with the new vertices.
     ///
     /// # Errors
-    /// [`MotionError::VertexCount`] if it does not have as many vertices as the frames of this welding.
+    /// [`MotionError::VertexCount`] if the number of vertices differs from that of the frames of
+    /// this welding.
     pub fn mesh(&self, mesh: &TriangleMesh) -> Result<TriangleMesh, MotionError> {
         if mesh.vertex_count() != self.vertex_of.len() {
             return Err(MotionError::VertexCount {
@@ -58,12 +61,13 @@ impl Welding {
                 end: mesh.vertex_count(),
             });
         }
-        let weld = |face: &[u32; 3]| face.map(|corner| self.vertex_of[corner as usize]);
-        let faces = mesh.faces().iter().map(weld).collect();
-        Ok(TriangleMesh::new(self.first.len(), faces).expect("every corner has its vertex"))
+        let weld = |vertex: u32| self.vertex_of[vertex as usize];
+        let faces = mesh.faces().iter().map(|face| face.map(weld)).collect();
+        let edges: Vec<_> = mesh.loose_edges().iter().map(|edge| edge.map(weld)).collect();
+        Ok(TriangleMesh::with_edges(self.first.len(), faces, &edges).expect("every vertex has its new one"))
     }
 
-    /// The positions of the new vertices: that of the first vertex, for each.
+    /// The position of each new vertex: that of the first of its vertices.
     #[must_use]
     pub fn positions(&self, positions: &[Point]) -> Vec<Point> {
         self.first
@@ -74,8 +78,8 @@ impl Welding {
 }
 
 impl Motion {
-    /// The motion from one frame to another, with one vertex in place of all that coincide both at t = 0 and at t = 1:
-    /// see [`Welding`].
+    /// The motion from one frame to another, with vertices welded that coincide both at t = 0 and
+    /// at t = 1: see [`Welding`].
     ///
     /// # Errors
     /// As [`Motion::new`].
@@ -92,7 +96,7 @@ impl Motion {
     }
 }
 
-/// Equal for positions that are equal as numbers.
+/// A key that is equal for positions that are equal as numbers.
 fn key(position: Point) -> [u64; 3] {
     // Adding 0.0 turns −0.0 into 0.0 and changes no other number.
     position.map(|x| (x + 0.0).to_bits())

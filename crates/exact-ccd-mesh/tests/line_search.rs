@@ -1,6 +1,6 @@
 //! The line search on the generated examples, and on steps of known size.
 
-use std::path::Path;
+mod drape;
 
 use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Exact};
@@ -9,8 +9,15 @@ use exact_ccd_mesh::{
 };
 
 fn example(end: &str) -> Motion {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
-    Motion::read(folder.join("drape_start.ply"), folder.join(end)).expect("the examples are sound")
+    let frames = drape::frames().expect("the examples are sound");
+    let frame = |name: &str| {
+        frames
+            .iter()
+            .find(|frame| frame.0 == name)
+            .map(|frame| frame.1.clone())
+    };
+    let [start, end] = ["drape_start.ply", end].map(|name| frame(name).expect("there is such an example"));
+    Motion::new(start, end).expect("the examples are sound")
 }
 
 fn bisection(tolerance: f64, method: &dyn Ccd) -> LineSearch<'_> {
@@ -52,7 +59,7 @@ fn the_exact_step_is_next_to_the_time_of_impact() {
 fn bisection_ends_within_its_tolerance_below_the_exact_step() {
     let motion = example("drape_contact.ply");
     let (exact, _) = search(&motion, LineSearch::Exact);
-    let methods: [&dyn Ccd; 2] = [&Exact, &RootParity];
+    let methods: [&dyn Ccd; 2] = [&Exact, &RootParity::default()];
     for method in methods {
         for tolerance in [0.1, 1e-3, 1e-6] {
             let (size, is_free) = search(&motion, bisection(tolerance, method));

@@ -1,4 +1,4 @@
-//! A mesh shifted as a whole has exact differences.
+//! In a mesh shifted as a whole, differences of coordinates are exact.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -6,7 +6,7 @@ use exact_ccd::parity::{Displacement, Rounded, RoundingError};
 use exact_ccd_mesh::{Aabb, Frame, Motion, Point, TriangleMesh};
 use proptest::prelude::*;
 
-/// How many vertices, two triangles and one vertex that belongs to none.
+/// The number of vertices: those of two triangles, and a loose one.
 const VERTICES: usize = 7;
 
 fn motion(x0: Vec<Point>, x1: Vec<Point>) -> Motion {
@@ -14,7 +14,7 @@ fn motion(x0: Vec<Point>, x1: Vec<Point>) -> Motion {
     Motion { mesh, x0, x1 }
 }
 
-/// Coordinates of either sign and of very different magnitudes, among them zero.
+/// Coordinates of either sign and of very different magnitudes, including zero.
 fn coordinate() -> impl Strategy<Value = f64> {
     let scaled = |(mantissa, exponent)| mantissa * 2f64.powi(exponent);
     prop_oneof![4 => (-1.0..1.0, -40..40).prop_map(scaled), 1 => Just(0.0)]
@@ -80,14 +80,14 @@ proptest! {
 }
 
 #[test]
-fn an_axis_whose_coordinates_are_near_each_other_stays_as_it_is() {
+fn an_axis_with_close_coordinates_is_not_shifted() {
     let at = |x, y, z| vec![[x, y, z]; VERTICES];
     let motion = motion(at(0.1, -3.0, 0.0), at(0.2, -1.5, 1.0));
     assert_eq!(motion.displacement().along_axes(), [0.0, 0.0, 1.0]);
 }
 
 #[test]
-fn nothing_needs_no_shift() {
+fn an_empty_mesh_needs_no_shift() {
     let mesh = TriangleMesh::new(0, vec![]).unwrap();
     let (x0, x1) = (vec![], vec![]);
     let motion = Motion { mesh, x0, x1 };

@@ -1,19 +1,21 @@
-//! Where axes end, and how their numbers are written.
+//! The ranges of axes and the format of their numbers.
 
 use plotters::coord::combinators::{BindKeyPoints, IntoLogRange, LogCoord, WithKeyPoints};
 
-/// How far beyond a power of ten values may be, in powers of ten, without that another decade is shown for them.
+/// Values beyond a power of ten by at most this, in powers of ten, get no further decade.
 const SLACK: f64 = 0.15;
 
-/// How many decades an axis has at most; one of thousands would have no room for its numbers.
+/// The largest number of decades of an axis, so that its labels fit.
 const MOST_DECADES: i32 = 40;
 
-/// Numbers that are larger, of either sign, have no place on an axis.
+/// The largest magnitude of a number on an axis.
 pub const GREATEST: f64 = 1e300;
 
-/// The ends of a logarithmic axis for all values that are positive, normal and at most [`GREATEST`]: the powers of ten around
-/// them or, where values are only a little beyond one, the last of these themselves; at least one decade apart. Of more than
-/// forty decades, the lowest are left out.
+/// The ends of a logarithmic axis for those values that are positive, normal and at most [`GREATEST`].
+///
+/// The ends are the powers of ten around the values. Where values are only slightly beyond a power
+/// of ten, the end is the extreme value itself. The ends are at least one decade apart. Of more
+/// than forty decades, the lowest are left out.
 #[must_use]
 pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let positive = values.filter(|value| value.is_normal() && (0.0..=GREATEST).contains(value));
@@ -39,8 +41,8 @@ pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (first.max(last / 10f64.powi(MOST_DECADES)), last)
 }
 
-/// A logarithmic axis between two positive numbers, with the powers of ten marked; over less than two decades, twice and
-/// five times these too.
+/// A logarithmic axis between two positive numbers, with marks at the powers of ten and, over less
+/// than two decades, also at twice and five times these.
 #[must_use]
 pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
     let steps: &[f64] = if last / first < 100.0 {
@@ -53,13 +55,13 @@ pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
         let power = 10f64.powi(exponent);
         steps.iter().map(move |step| step * power)
     });
-    // Powers of ten that are computed may be a little off.
+    // Computed powers of ten may be inexact.
     let around = first * (1.0 - 1e-9)..=last * (1.0 + 1e-9);
     let marks: Vec<f64> = marks.filter(|mark| around.contains(mark)).collect();
     (first..last).log_scale().with_key_points(marks)
 }
 
-/// A number, with three digits at most.
+/// A number with at most three digits.
 #[must_use]
 pub fn number(number: &f64) -> String {
     let rounded: f64 = format!("{number:.2e}").parse().unwrap_or(*number);
@@ -70,10 +72,10 @@ pub fn number(number: &f64) -> String {
     }
 }
 
-/// A time in s, in the unit that suits it.
+/// A time, given in s, in ns, µs, ms or s.
 #[must_use]
 pub fn seconds(time: &f64) -> String {
-    // A power of ten, as it is computed, may be a little less than that.
+    // A computed power of ten may be slightly too small.
     match *time * (1.0 + 1e-9) {
         ..1e-6 => format!("{:.0} ns", 1e9 * time),
         1e-6..1e-3 => format!("{:.0} µs", 1e6 * time),
@@ -99,7 +101,7 @@ mod tests {
     }
 
     #[test]
-    fn axes_hold_all_values_in_few_decades() {
+    fn axes_contain_all_values_in_few_decades() {
         for values in [
             [3.0, 3.0],
             [1.0, 1.0],

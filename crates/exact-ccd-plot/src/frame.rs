@@ -1,21 +1,21 @@
-//! The paper, and the axes on it.
+//! The drawing area and its axes.
 
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use plotters::prelude::*;
 
-/// A place to draw on.
+/// An area to draw on.
 pub type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// What drawing returns.
+/// The result of drawing.
 pub type Drawn<'a, T = ()> = Result<T, DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
-/// A chart with its axes, on which series are drawn.
+/// A chart with its axes, to draw series on.
 pub type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
 
-/// An SVG file of a size in pixels: white, with what is drawn on it.
+/// The text of an SVG file with a size in pixels and the drawing on a white background.
 #[must_use]
-#[expect(clippy::missing_panics_doc, reason = "a string takes all that is drawn")]
+#[expect(clippy::missing_panics_doc, reason = "drawing into a string cannot fail")]
 pub fn svg(size: (u32, u32), draw: impl for<'a> FnOnce(&Area<'a>) -> Drawn<'a>) -> String {
     let mut drawing = String::new();
     let root = SVGBackend::with_string(&mut drawing, size).into_drawing_area();
@@ -23,12 +23,12 @@ pub fn svg(size: (u32, u32), draw: impl for<'a> FnOnce(&Area<'a>) -> Drawn<'a>) 
         .fill(&WHITE)
         .and_then(|()| draw(&root))
         .and_then(|()| root.present());
-    drawn.expect("a string takes all that is drawn");
+    drawn.expect("drawing into a string cannot fail");
     drop(root);
     drawing
 }
 
-/// Writes a text, beside the chart or above it.
+/// Writes a text at a place in pixels from the top left corner.
 ///
 /// # Errors
 /// Never, into a string.
@@ -36,25 +36,25 @@ pub fn write<'a>(area: &Area<'a>, text: &str, place: (i32, i32)) -> Drawn<'a> {
     area.draw(&Text::new(text.to_owned(), place, ("sans-serif", 16)))
 }
 
-/// What an axis tells, with its unit, and how its numbers are written.
+/// The title of an axis and the format of its numbers.
 #[derive(Clone, Copy)]
 pub struct Axis<'a, T> {
-    /// What it tells.
+    /// The quantity and its unit.
     pub title: &'a str,
-    /// How its numbers are written.
+    /// The format of its numbers.
     pub label: &'a dyn Fn(&T) -> String,
 }
 
-/// Two axes, a title above them, and room for a legend beside them.
+/// Two axes with a title above them and space for a legend beside them.
 #[derive(Clone, Copy)]
 pub struct Frame<'a, X, Y> {
-    /// The title; nothing, if it is empty.
+    /// The title, or an empty text for none.
     pub title: &'a str,
-    /// The axis below.
+    /// The horizontal axis.
     pub x: Axis<'a, X>,
-    /// The axis on the left.
+    /// The vertical axis.
     pub y: Axis<'a, Y>,
-    /// The room on the right, in pixels.
+    /// The space on the right, in pixels.
     pub legend: i32,
 }
 

@@ -2,12 +2,14 @@
 
 use plotters::style::RGBColor;
 
-/// How many colours there are.
+/// The number of colours.
 pub const COLOR_COUNT: usize = 7;
 
-/// The colour of a line or symbol, black for the first, after [`COLOR_COUNT`] of them from the beginning again. All eyes can tell
-/// them apart: B. Wong, *Points of view: Color blindness*, Nature Methods 8, 2011, without its yellow and with a darker
-/// orange, for white paper.
+/// The colour of a line or symbol. The first is black, and the colours repeat after [`COLOR_COUNT`].
+///
+/// The colours are distinct also for colour-blind readers: B. Wong, *Points of view: Color
+/// blindness*, Nature Methods 8, 2011, without its yellow and with a darker orange, for white
+/// paper.
 #[must_use]
 pub fn color(index: usize) -> RGBColor {
     const PALETTE: [(u8, u8, u8); COLOR_COUNT] = [

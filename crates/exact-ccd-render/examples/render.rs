@@ -1,4 +1,5 @@
-//! Shows mesh files as a picture, or as an animation if there are several. The first contact of a step is marked.
+//! Renders mesh files as a picture, or as an animation if there are several. The first contact of a
+//! step is marked.
 //!
 //! ```sh
 //! cargo run --release --example render -p exact-ccd-render -- OUT.png FRAMES...
@@ -7,13 +8,14 @@
 use std::error::Error;
 use std::fs::File;
 
+use exact_ccd_files::read_frame;
 use exact_ccd_mesh::{Aabb, Audit, Frame, Violation};
 use exact_ccd_render::{Marks, View, render, write_apng};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1);
     let output = arguments.next().ok_or("expected OUT.png FRAMES...")?;
-    let frames = arguments.map(Frame::read).collect::<Result<Vec<_>, _>>()?;
+    let frames = arguments.map(read_frame).collect::<Result<Vec<_>, _>>()?;
     let bounds = frames
         .iter()
         .map(Frame::bounds)

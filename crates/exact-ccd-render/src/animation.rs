@@ -4,20 +4,22 @@ use std::io;
 
 use crate::picture::Picture;
 
-/// An animated PNG file that is written picture by picture. Browsers play it, over and over; programs that do not know
-/// such files show the first picture.
+/// An animated PNG file, written picture by picture. Browsers play it in a loop; programs without
+/// support for animations show the first picture.
 pub struct Animation<W: io::Write> {
     writer: png::Writer<W>,
     size: [u16; 2],
-    /// How many pictures are still to come.
+    /// The number of pictures that have not been added.
     missing: u32,
 }
 
 impl<W: io::Write> Animation<W> {
-    /// Begins a file of `count` pictures, of this width and height in pixels, each shown for `delay` milliseconds.
+    /// Begins a file of `count` pictures with this width and height in pixels, each shown for
+    /// `delay` milliseconds.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures, or no pixels.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no
+    /// pictures or no pixels.
     pub fn new(writer: W, size: [u16; 2], count: u32, delay: u16) -> io::Result<Self> {
         if count == 0 {
             return Err(invalid("there are no pictures"));
@@ -37,18 +39,18 @@ impl<W: io::Write> Animation<W> {
     /// Adds the next picture.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture is not of the size of the
-    /// others, or is one too many.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has
+    /// another size, or exceeds the number of pictures.
     pub fn add(&mut self, picture: &Picture) -> io::Result<()> {
         if picture.size() != self.size {
             return Err(invalid("the pictures are not of the same size"));
         }
         let missing = self.missing.checked_sub(1);
-        self.missing = missing.ok_or_else(|| invalid("there is a picture too many"))?;
+        self.missing = missing.ok_or_else(|| invalid("there is one picture too many"))?;
         Ok(self.writer.write_image_data(picture.pixels().as_flattened())?)
     }
 
-    /// Ends the file.
+    /// Completes the file.
     ///
     /// # Errors
     /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if pictures are missing.
@@ -60,13 +62,13 @@ impl<W: io::Write> Animation<W> {
     }
 }
 
-/// Writes some pictures as an [`Animation`].
+/// Writes pictures as an [`Animation`].
 ///
-/// `delay` is the time of each picture in milliseconds.
+/// `delay` is the duration of each picture in milliseconds.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures, or no pixels, or if not
-/// all are of the same size.
+/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures
+/// or no pixels, or if the sizes differ.
 pub fn write_apng(writer: impl io::Write, pictures: &[Picture], delay: u16) -> io::Result<()> {
     let size = pictures.first().map_or([1, 1], Picture::size);
     let count = u32::try_from(pictures.len()).map_err(|_| invalid("there are too many pictures"))?;
@@ -77,7 +79,7 @@ pub fn write_apng(writer: impl io::Write, pictures: &[Picture], delay: u16) -> i
     animation.finish()
 }
 
-/// What writes PNG files of this width and height.
+/// An encoder of PNG files with this width and height.
 pub(crate) fn encoder<'a, W: io::Write>(writer: W, size: [u16; 2]) -> io::Result<png::Encoder<'a, W>> {
     if size.contains(&0) {
         return Err(invalid("the picture has no pixels"));
@@ -89,6 +91,6 @@ pub(crate) fn encoder<'a, W: io::Write>(writer: W, size: [u16; 2]) -> io::Result
     Ok(encoder)
 }
 
-fn invalid(what: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidInput, what)
+fn invalid(message: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, message)
 }

@@ -1,4 +1,4 @@
-//! Triangles and lines into pixels, the nearest to the viewer on top.
+//! A raster of pixels with a depth buffer: triangles, lines and dots.
 
 use std::ops::Range;
 
@@ -6,8 +6,10 @@ use exact_ccd_mesh::Point;
 
 pub(crate) type Colour = [u8; 3];
 
-/// Pixels, row by row from the top. A point of the picture is where it is, in pixels from the top left corner, and how
-/// near.
+/// Pixels, row by row from the top.
+///
+/// A point of the picture is x and y, in pixels from the top left corner, and its nearness to the
+/// viewer.
 pub(crate) struct Canvas {
     size: [usize; 2],
     pub(crate) colours: Vec<Colour>,
@@ -32,14 +34,14 @@ impl Canvas {
         }
     }
 
-    /// The pixels along an axis whose middle lies between two places.
+    /// The pixels along an axis whose centres are between two coordinates.
     fn pixels(&self, axis: usize, low: f64, high: f64) -> Range<usize> {
-        // The conversion rounds down, and takes what is out of range to its end.
+        // The conversion rounds down and saturates.
         let first = (low + 0.5).max(0.0) as usize;
         first..((high + 0.5).max(0.0) as usize).min(self.size[axis])
     }
 
-    /// Fills a triangle: all pixels whose middle lies in it.
+    /// Fills the pixels whose centres are in a triangle.
     pub(crate) fn triangle(&mut self, corners: [Point; 3], colour: Colour) {
         let [a, b, c] = corners;
         let turn =
@@ -49,9 +51,9 @@ impl Canvas {
             return;
         }
         let extent = |axis: usize| {
-            let places = corners.map(|p| p[axis]);
-            let low = places.into_iter().fold(f64::INFINITY, f64::min);
-            let high = places.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            let coordinates = corners.map(|p| p[axis]);
+            let low = coordinates.into_iter().fold(f64::INFINITY, f64::min);
+            let high = coordinates.into_iter().fold(f64::NEG_INFINITY, f64::max);
             self.pixels(axis, low, high)
         };
         let (columns, rows) = (extent(0), extent(1));
@@ -67,14 +69,14 @@ impl Canvas {
         }
     }
 
-    /// Draws a line of a width in pixels.
+    /// Draws a line with a width in pixels.
     pub(crate) fn line(&mut self, a: Point, b: Point, width: f64, colour: Colour) {
         let Some([from, to]) = self.clip(a, b, width) else {
             return;
         };
         let at = |s: f64| [0, 1, 2].map(|axis: usize| (1.0 - s) * a[axis] + s * b[axis]);
         let [start, end] = [at(from), at(to)];
-        // No more than the picture is large.
+        // The number of steps is bounded by the size of the picture, because the line is clipped.
         let steps = (end[0] - start[0]).abs().max((end[1] - start[1]).abs()).ceil();
         for step in 0..=steps as usize {
             let s = from + (to - from) * step as f64 / steps.max(1.0);
@@ -82,7 +84,7 @@ impl Canvas {
         }
     }
 
-    /// Draws a square of a width in pixels.
+    /// Draws a square with a width in pixels.
     pub(crate) fn dot(&mut self, [x, y, near]: Point, width: f64, colour: Colour) {
         for row in self.pixels(1, y - 0.5 * width, y + 0.5 * width) {
             for column in self.pixels(0, x - 0.5 * width, x + 0.5 * width) {
@@ -91,7 +93,7 @@ impl Canvas {
         }
     }
 
-    /// The part of a line that is in the picture, or no farther from it than `margin`, from 0 at `a` to 1 at `b`.
+    /// The part of a line in the picture extended by `margin` on each side, with 0 at `a` and 1 at `b`.
     fn clip(&self, a: Point, b: Point, margin: f64) -> Option<[f64; 2]> {
         let mut part = [0.0, 1.0];
         for axis in 0..2 {

@@ -1,19 +1,20 @@
-//! Pictures of triangle meshes, without a window or a graphics card: a small rasteriser with a depth buffer.
+//! Pictures of triangle meshes, without a window or a graphics card: a small rasteriser with a
+//! depth buffer.
 //!
 //! ```no_run
 //! use std::fs::File;
 //!
-//! use exact_ccd_mesh::Frame;
+//! use exact_ccd_files::read_frame;
 //! use exact_ccd_render::{Marks, View, render, write_apng};
 //!
-//! let frames = [Frame::read("0.ply")?, Frame::read("1.ply")?];
+//! let frames = [read_frame("0.ply")?, read_frame("1.ply")?];
 //! let view = View::of(&frames[0].bounds(), [1.0, -2.0, 1.0], [640, 480]);
 //! let pictures: Vec<_> = frames.iter().map(|frame| render(frame, &view, &Marks::default())).collect();
 //! write_apng(File::create("motion.png")?, &pictures, 40)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The same frame gives the same picture on every machine: there is no arithmetic but + − × ÷ and √.
+//! The same frame gives the same picture on every machine: the only operations are + − × ÷ and √.
 
 mod animation;
 mod canvas;
@@ -27,3 +28,8 @@ pub use marks::Marks;
 pub use picture::Picture;
 pub use scene::render;
 pub use view::View;
+
+/// The examples in the README of this crate, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

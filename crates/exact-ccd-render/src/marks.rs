@@ -1,8 +1,8 @@
-//! What stands out in a picture.
+//! Marked parts of a mesh.
 
 use exact_ccd_mesh::{Intersection, Pair, TriangleMesh};
 
-/// Parts of a mesh that are shown in a colour of their own, as the ones in contact.
+/// Parts of a mesh to draw in a distinct colour, for example those in contact.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Marks {
     /// Vertices.
@@ -14,7 +14,7 @@ pub struct Marks {
 }
 
 impl Marks {
-    /// The two primitives of a pair. What the mesh does not have is left out.
+    /// The two primitives of a pair. Indices out of range are left out.
     #[must_use]
     pub fn pair(mesh: &TriangleMesh, pair: Pair) -> Self {
         match pair {
@@ -30,7 +30,7 @@ impl Marks {
         }
     }
 
-    /// The edge and the face of an intersection. What the mesh does not have is left out.
+    /// The edge and the face of an intersection. Indices out of range are left out.
     #[must_use]
     pub fn intersection(mesh: &TriangleMesh, intersection: Intersection) -> Self {
         Self {

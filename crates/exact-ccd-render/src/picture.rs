@@ -1,4 +1,4 @@
-//! Pictures, and PNG files of them.
+//! Pictures and PNG files.
 
 use std::io;
 
@@ -6,7 +6,7 @@ use crate::animation::encoder;
 use crate::canvas::Canvas;
 use crate::scene::SAMPLES;
 
-/// A picture in 24 bits a pixel.
+/// A picture with 24 bits per pixel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture {
     size: [u16; 2],
@@ -48,7 +48,8 @@ impl Picture {
     /// Writes a PNG file.
     ///
     /// # Errors
-    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without pixels.
+    /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a picture without
+    /// pixels.
     pub fn write_png(&self, writer: impl io::Write) -> io::Result<()> {
         let mut writer = encoder(writer, self.size)?.write_header()?;
         writer.write_image_data(self.pixels.as_flattened())?;

@@ -1,4 +1,4 @@
-//! A frame as a picture: flat shading, the edges of the mesh, and what is marked.
+//! Renders a frame: flat shading, the edges of the mesh, rods, points and marks.
 
 use std::collections::HashMap;
 
@@ -10,7 +10,7 @@ use crate::picture::Picture;
 use crate::view::{View, cross, dot, minus, unit};
 
 const BACKGROUND: Colour = [255, 255, 255];
-/// Those of the connected parts of a mesh, in turn.
+/// The colours of the connected parts of a mesh, in turn.
 const SURFACES: [Colour; 5] = [
     [166, 189, 219],
     [253, 205, 160],
@@ -21,20 +21,22 @@ const SURFACES: [Colour; 5] = [
 const EDGE: Colour = [70, 80, 100];
 const MARK: Colour = [215, 48, 39];
 
-/// How many samples a pixel has along each axis.
+/// The number of samples of a pixel along each axis.
 pub(crate) const SAMPLES: usize = 2;
 
-/// How much nearer to the viewer lines are taken to be than the faces that they bound, in pixels.
+/// The displacement of lines towards the viewer, relative to the faces that they bound, in pixels.
 const LIFT: f64 = 0.5;
 
-/// Edges that are shorter than this in the mean, in pixels, are not drawn: they would hide the faces.
+/// Edges of faces are not drawn if their mean length in pixels is below this: they would hide the faces.
 const SHORTEST: f64 = 5.0;
 
 /// The picture of a frame.
 ///
-/// Connected parts have colours of their own. Faces are lit from behind the viewer's shoulder, from either side. What is marked is red, and lies on top of what is as
-/// near; marked edges and vertices are wider. A vertex that is out of the range of `f64` once it is projected is left out,
-/// with all that has it.
+/// Connected parts have distinct colours. Light comes from above the viewer's right shoulder and
+/// illuminates both sides of faces. Loose edges are lines and loose vertices are dots. Marks are
+/// red and cover everything at the same depth; marked edges and vertices are wider. A vertex
+/// without a position, or whose projection is out of the range of `f64`, is left out with all its
+/// faces and edges.
 #[must_use]
 pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
     let samples = SAMPLES as f64;
@@ -61,7 +63,7 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
         } else {
             SURFACES[part % SURFACES.len()]
         };
-        let [a, b, c] = face.map(|vertex| frame.positions[vertex as usize]);
+        let [a, b, c] = face.map(|vertex| position(frame, vertex));
         let normal = unit(cross(minus(b, a), minus(c, a)));
         let brightness = 0.35 + 0.65 * normal.map_or(0.0, |normal| dot(normal, light).abs());
         canvas.triangle(face.map(at), colour.map(|x| (f64::from(x) * brightness) as u8));
@@ -70,7 +72,9 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
         let [x, y, near] = at(vertex);
         [x, y, near + times * LIFT * samples]
     };
-    let edges = frame.mesh.edges();
+    let rods = frame.mesh.loose_edges();
+    let all = frame.mesh.edges();
+    let edges = &all[..all.len() - rods.len()];
     let lengths = edges
         .iter()
         .map(|edge| edge.map(at))
@@ -79,6 +83,12 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
         for &[a, b] in edges {
             canvas.line(lifted(a, 1.0), lifted(b, 1.0), 1.0, EDGE);
         }
+    }
+    for &[a, b] in rods {
+        canvas.line(lifted(a, 1.0), lifted(b, 1.0), samples, EDGE);
+    }
+    for vertex in frame.mesh.loose_vertices().take(frame.positions.len()) {
+        canvas.dot(lifted(vertex, 1.0), 3.0 * samples, EDGE);
     }
     for &[a, b] in &marks.edges {
         canvas.line(lifted(a, 2.0), lifted(b, 2.0), 2.0 * samples, MARK);
@@ -89,8 +99,16 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
     Picture::downsampled(view.size, &canvas)
 }
 
-/// The number of the connected part that each face belongs to, in the order of their first faces.
+/// The position of a vertex, NaN if there is none.
+fn position(frame: &Frame, vertex: u32) -> Point {
+    let position = frame.positions.get(vertex as usize).copied();
+    position.unwrap_or([f64::NAN; 3])
+}
+
+/// The number of the connected part of each face. Parts are numbered in the order of their first faces.
 fn parts(mesh: &TriangleMesh) -> Vec<usize> {
+    // Memory is proportional to the faces and edges, and all indices are below the count.
+    let (mesh, _) = mesh.without_loose_vertices();
     let mut parent: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
     let root = |parent: &mut [u32], mut vertex: u32| {
         while parent[vertex as usize] != vertex {

@@ -1,13 +1,13 @@
-//! From space to the picture.
+//! The projection from space to the picture.
 
 use exact_ccd_mesh::{Aabb, Point};
 
 /// A parallel projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Unit vectors to the right, upwards, and towards the viewer.
+    /// Unit vectors to the right, upwards and towards the viewer.
     pub(crate) axes: [Point; 3],
-    /// Where the middle of the picture is, along these.
+    /// The coordinates of the centre of the picture along the axes.
     middle: Point,
     /// Pixels per unit of length.
     scale: f64,
@@ -16,19 +16,23 @@ pub struct View {
 }
 
 impl View {
-    /// How much of the picture the box fills, along the axis on which it fills more.
+    /// The fraction of the picture that the box fills, along the axis on which it fills more.
     const FILL: f64 = 0.9;
 
-    /// A view in which a box fills a picture of this width and height in pixels, and the z axis points upwards.
+    /// A view in which a box fills a picture with this width and height in pixels, and the z axis
+    /// points upwards.
     ///
-    /// `towards` leads from the box towards the viewer. If it is no direction, the view is from above.
+    /// `towards` is the direction from the box to the viewer. If it is zero or not finite, the view
+    /// is from above.
     #[must_use]
     pub fn of(bounds: &Aabb, towards: Point, size: [u16; 2]) -> Self {
         Self::upright(bounds, [0.0, 0.0, 1.0], towards, size)
     }
 
-    /// As [`of`](Self::of), with another direction that points upwards. Who looks along it, or if it is none, has the y axis
-    /// point upwards, or else the z axis.
+    /// As [`of`](Self::of), with another direction upwards.
+    ///
+    /// If `up` is zero, not finite or parallel to `towards`, the y axis points upwards, or else the
+    /// z axis.
     #[must_use]
     pub fn upright(bounds: &Aabb, up: Point, towards: Point, size: [u16; 2]) -> Self {
         let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -57,10 +61,11 @@ impl View {
         }
     }
 
-    /// Where a point is in the picture: pixels from the left, pixels from the top, and how near to the viewer, in pixels.
+    /// The projection of a point: pixels from the left, pixels from the top, and nearness to the
+    /// viewer, in pixels.
     pub(crate) fn project(&self, point: Point) -> Point {
-        let place = along(&self.axes, point);
-        let [x, y, z] = [0, 1, 2].map(|axis: usize| self.scale * (place[axis] - self.middle[axis]));
+        let coordinates = along(&self.axes, point);
+        let [x, y, z] = [0, 1, 2].map(|axis: usize| self.scale * (coordinates[axis] - self.middle[axis]));
         let [width, height] = self.size.map(f64::from);
         [0.5 * width + x, 0.5 * height - y, z]
     }
@@ -82,7 +87,7 @@ pub(crate) fn minus(a: Point, b: Point) -> Point {
     [0, 1, 2].map(|axis: usize| a[axis] - b[axis])
 }
 
-/// The direction of a vector, unless it is zero or out of range.
+/// The direction of a vector, or none if the vector is zero or its components are out of range.
 pub(crate) fn unit(vector: Point) -> Option<Point> {
     let largest = vector.into_iter().map(f64::abs).fold(0.0, f64::max);
     let scaled = vector.map(|x| x / largest);

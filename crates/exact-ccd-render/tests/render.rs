@@ -1,4 +1,4 @@
-//! What a picture shows, and that files hold it.
+//! Contents of pictures and of their files.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -24,7 +24,7 @@ fn squares(squares: &[[Point; 4]]) -> Frame {
     Frame::new(squares.concat(), faces).unwrap()
 }
 
-/// The box from which 100 pixels show ten units.
+/// The box for which 100 pixels are ten units.
 fn ten_units() -> Aabb {
     [[0.5, 0.5, 0.0], [9.5, 9.5, 1.0]].into_iter().collect()
 }
@@ -34,12 +34,13 @@ fn pixel(picture: &Picture, x: usize, y: usize) -> [u8; 3] {
 }
 
 #[test]
-fn a_square_covers_its_area_where_it_is() {
+fn a_square_covers_its_area() {
     let view = View::of(&ten_units(), ABOVE, [100, 100]);
     let picture = render(&squares(&[square(2.0, 7.0, 0.0)]), &view, &Marks::default());
     for y in 0..100 {
         for x in 0..100 {
-            // y points upwards in the plane, and rows count from the top. Edges may reach one pixel farther.
+            // y points upwards in the plane, and rows are counted from the top. Edges may extend by
+            // one pixel.
             let inside =
                 |low: usize, high: usize| (low..high).contains(&x) && (low..high).contains(&(99 - y));
             if inside(21, 69) {
@@ -52,11 +53,11 @@ fn a_square_covers_its_area_where_it_is() {
 }
 
 #[test]
-fn connected_parts_have_colours_of_their_own() {
+fn connected_parts_have_distinct_colours() {
     let view = View::of(&ten_units(), ABOVE, [100, 100]);
     let two = squares(&[square(1.0, 4.0, 0.0), square(6.0, 9.0, 0.0)]);
     let picture = render(&two, &view, &Marks::default());
-    // Off the diagonals, where edges are.
+    // Pixels off the diagonals, which are edges.
     let [a, b] = [pixel(&picture, 20, 70), pixel(&picture, 70, 20)];
     assert!(a != WHITE && b != WHITE && a != b);
     let mut faces = two.mesh.faces().to_vec();
@@ -67,7 +68,7 @@ fn connected_parts_have_colours_of_their_own() {
 }
 
 #[test]
-fn edges_too_short_to_be_told_apart_are_not_drawn() {
+fn short_edges_are_not_drawn() {
     let cells = |count: u32| {
         let places = (0..count * count).map(|cell| [cell % count, cell / count].map(f64::from));
         let size = 9.0 / f64::from(count);
@@ -76,7 +77,7 @@ fn edges_too_short_to_be_told_apart_are_not_drawn() {
         };
         let view = View::of(&ten_units(), ABOVE, [100, 100]);
         let mut joined = squares(&places.map(cell).collect::<Vec<_>>());
-        // All of one part, by faces without area.
+        // Faces without area connect all cells to one part.
         let mut faces = joined.mesh.faces().to_vec();
         faces.extend((1..count * count).map(|cell| [4 * (cell - 1), 4 * cell, 4 * cell]));
         joined = Frame::new(joined.positions, faces).unwrap();
@@ -93,7 +94,7 @@ fn edges_too_short_to_be_told_apart_are_not_drawn() {
 }
 
 #[test]
-fn what_is_nearer_hides_what_is_behind() {
+fn nearer_faces_hide_farther_ones() {
     let (low, high) = (square(2.0, 7.0, 0.0), square(3.0, 6.0, 1.0));
     let marks = Marks {
         faces: vec![0, 1],
@@ -105,7 +106,7 @@ fn what_is_nearer_hides_what_is_behind() {
     };
     for (towards, low_is_hidden) in [(ABOVE, true), ([0.0, 0.0, -1.0], false)] {
         let view = View::of(&ten_units(), towards, [100, 100]);
-        // From below, left and right are exchanged: the middle stays where it is.
+        // From below, left and right are exchanged, and the middle is the same.
         assert_eq!(
             is_red(&render(&squares(&[low, high]), &view, &marks)),
             !low_is_hidden
@@ -188,7 +189,7 @@ fn files_hold_every_pixel() {
 }
 
 #[test]
-fn pictures_that_make_no_file_are_errors() {
+fn invalid_pictures_are_errors() {
     let of = |size| {
         render(
             &squares(&[]),
@@ -213,11 +214,14 @@ fn pictures_that_make_no_file_are_errors() {
 }
 
 proptest! {
-    /// Far away, out of range, flat, or without any extent.
+    /// Meshes far away, out of range, flat, or without extent.
     #[test]
     fn anything_has_a_picture(
         positions in prop::collection::vec(prop::array::uniform3(prop_oneof![
-            any::<f64>().prop_filter("finite", |x| x.is_finite()), (-2..=2i8).prop_map(f64::from), -1e6..1e6]), 1..9),
+            any::<f64>().prop_filter("finite", |x| x.is_finite()),
+            (-2..=2i8).prop_map(f64::from),
+            -1e6..1e6,
+        ]), 1..9),
         faces in prop::collection::vec(prop::array::uniform3(any::<u32>()), 0..9),
         towards in prop::array::uniform3(any::<f64>()),
         size in prop::array::uniform2(0..40_u16),
@@ -228,7 +232,11 @@ proptest! {
         let faces = faces.into_iter().map(|face| face.map(|k| k % count)).collect();
         let frame = Frame::new(positions, faces).unwrap();
         let bounds = if own_view { frame.bounds() } else { ten_units() };
-        let marks = Marks { vertices: vec![marked, 0], edges: vec![[0, marked], [0, count - 1]], faces: vec![marked] };
+        let marks = Marks {
+            vertices: vec![marked, 0],
+            edges: vec![[0, marked], [0, count - 1]],
+            faces: vec![marked],
+        };
         let picture = render(&frame, &View::of(&bounds, towards, size), &marks);
         prop_assert_eq!(picture.pixels().len(), usize::from(size[0]) * usize::from(size[1]));
     }

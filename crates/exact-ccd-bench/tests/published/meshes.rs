@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{Point, TetMesh, intersections};
+use exact_ccd_files::read_tet_mesh;
+use exact_ccd_mesh::{Point, intersections};
 
 use crate::data;
 
@@ -49,7 +50,7 @@ fn the_surface_is_the_one_in_the_file() {
         let Some(mut expected) = listed_surface(&file) else {
             continue;
         };
-        let mesh = TetMesh::read(&file).unwrap();
+        let mesh = read_tet_mesh(&file).unwrap();
         let mut surface: Vec<_> = mesh.surface().iter().copied().map(turned).collect();
         surface.sort_unstable();
         expected.sort_unstable();
@@ -63,7 +64,7 @@ fn the_surface_is_the_one_in_the_file() {
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn the_surface_encloses_the_tetrahedra_and_does_not_meet_itself() {
     for file in meshes() {
-        let mesh = TetMesh::read(&file).unwrap();
+        let mesh = read_tet_mesh(&file).unwrap();
         let at = |vertex: u32| mesh.positions()[vertex as usize];
         let from = |origin: u32| move |vertex: u32| [0, 1, 2].map(|k| at(vertex)[k] - at(origin)[k]);
         let tetrahedra = mesh

@@ -4,9 +4,8 @@ use std::cmp::Ordering;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{
-    Format, Frame, MotionError, ReadError, ReadMotionError, TriangleMesh, Welding, read_pvd,
-};
+use exact_ccd_files::{Format, ReadError, ReadMotionError, read_frame, read_pvd};
+use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
 
 use crate::failure::Failure;
 
@@ -46,7 +45,7 @@ impl Frames {
         let mut welding = Welding::default();
         let mut first: Option<Frame> = None;
         for (index, file) in self.files.iter().enumerate() {
-            let frame = Frame::read(file)?;
+            let frame = read_frame(file)?;
             if let Some(first) = &first {
                 first
                     .mesh
@@ -70,7 +69,7 @@ impl Frames {
     }
 
     pub(super) fn read(&self, index: usize) -> Result<Frame, Failure> {
-        let frame = Frame::read(self.file(index))?;
+        let frame = read_frame(self.file(index))?;
         Ok(match &self.welding {
             None => frame,
             Some((welding, mesh)) => Frame {

@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{Aabb, Format, Frame};
+use exact_ccd_files::{Format, read_frame, write_ply};
+use exact_ccd_mesh::{Aabb, Frame};
 
 use super::report::Report;
 use super::{Arguments, shared_displacement};
@@ -32,7 +33,7 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
         let shifted = frame.shifted(displacement)?;
         report.add(displacement, &frame.positions);
         if let Some(outputs) = &outputs {
-            write_file(&outputs[index], |writer| shifted.write_ply(writer))?;
+            write_file(&outputs[index], |writer| write_ply(writer, &shifted))?;
         }
     }
     Ok(report)
@@ -42,7 +43,7 @@ fn read(file: &Path) -> Result<Frame, Failure> {
     if Format::of_path(file).is_none() {
         return Err(Failure::KindMissing(file.to_owned()));
     }
-    Ok(Frame::read(file)?)
+    Ok(read_frame(file)?)
 }
 
 /// The output file of each mesh: `output` of a single one, files of the same names in that folder of several.

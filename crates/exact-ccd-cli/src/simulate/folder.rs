@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::write_pvd;
+use exact_ccd_files::{write_ply, write_pvd};
 use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
@@ -134,7 +134,7 @@ impl OutputFolder {
         let state = simulation.state();
         let frame = simulation.system().surface_frame(&state.positions);
         write_file(&self.frame(state.step), |writer| {
-            frame.map_err(io::Error::other)?.write_ply(writer)
+            write_ply(writer, &frame.map_err(io::Error::other)?)
         })?;
         write_file(&grid_file(&self.folder, state.step), |writer| {
             self.grid.write(state, writer)

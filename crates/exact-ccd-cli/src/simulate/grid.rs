@@ -2,7 +2,7 @@
 
 use std::io;
 
-use exact_ccd_mesh::UnstructuredGrid;
+use exact_ccd_files::{UnstructuredGrid, write_vtu};
 use exact_ccd_sim::{State, System};
 
 /// The cells of a system.
@@ -38,7 +38,8 @@ impl Grid {
             tetrahedra: &self.tetrahedra,
             triangles: &self.triangles,
             velocities: Some(&state.velocities),
+            ..UnstructuredGrid::default()
         };
-        grid.write_vtu(writer)
+        write_vtu(writer, grid)
     }
 }

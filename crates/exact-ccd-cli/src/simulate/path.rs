@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use exact_ccd_files::write_ply;
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::System;
 
@@ -39,7 +40,9 @@ impl Path {
                 .folder
                 .join(format!("{:06}-{:03}.ply", self.step, self.increments));
             let frame = self.system.surface_frame(positions);
-            self.result = write_file(&file, |writer| frame.map_err(io::Error::other)?.write_ply(writer));
+            self.result = write_file(&file, |writer| {
+                write_ply(writer, &frame.map_err(io::Error::other)?)
+            });
             self.increments += 1;
         }
     }

@@ -1,6 +1,7 @@
 //! Pictures of all time steps.
 
-use exact_ccd_mesh::{Aabb, Frame, Point};
+use exact_ccd_files::read_frame;
+use exact_ccd_mesh::{Aabb, Point};
 use exact_ccd_render::{Animation, Marks, View, render};
 use exact_ccd_sim::Simulation;
 
@@ -18,7 +19,7 @@ pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(),
     let steps = 0..=simulation.state().step;
     let mut bounds = Aabb::EMPTY;
     for step in steps.clone() {
-        bounds = bounds.union(&Frame::read(folder.frame(step))?.bounds());
+        bounds = bounds.union(&read_frame(folder.frame(step))?.bounds());
     }
     let [up, towards] = directions(simulation.settings().gravity);
     let view = View::upright(&bounds, up, towards, SIZE);
@@ -33,7 +34,7 @@ pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(),
         during(progress::frames(count as usize), |progress| {
             let mut animation = Animation::new(writer, SIZE, count, delay).map_err(failed)?;
             for step in steps {
-                let picture = render(&Frame::read(folder.frame(step))?, &view, &Marks::default());
+                let picture = render(&read_frame(folder.frame(step))?, &view, &Marks::default());
                 let file = pictures.join(steps::name(step, "png"));
                 write_file(&file, |writer| picture.write_png(writer))?;
                 animation.add(&picture).map_err(failed)?;

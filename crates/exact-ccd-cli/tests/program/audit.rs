@@ -199,11 +199,11 @@ fn a_collection_is_taken_in_its_order() {
     let files = [("b.vtu", 3.0), ("a.vtu", 1.0), ("c.vtu", -2.0)];
     for (name, height) in files {
         let mut file = Vec::new();
-        tip_above_square(height).write_vtu(&mut file).unwrap();
+        exact_ccd_files::write_vtu(&mut file, &tip_above_square(height)).unwrap();
         folder.write(&format!("frames/{name}"), file);
     }
     let mut collection = Vec::new();
-    exact_ccd_mesh::write_pvd(&mut collection, files.map(|(name, _)| (0.0, name))).unwrap();
+    exact_ccd_files::write_pvd(&mut collection, files.map(|(name, _)| (0.0, name))).unwrap();
     folder.write("frames/all.pvd", collection);
     let run = folder.run(&["audit", "frames/all.pvd"]);
     let report = format!(
@@ -212,7 +212,7 @@ fn a_collection_is_taken_in_its_order() {
     assert_report(&run, 1, &report);
 
     let mut nothing = Vec::new();
-    exact_ccd_mesh::write_pvd(&mut nothing, [(0.0, ""); 0]).unwrap();
+    exact_ccd_files::write_pvd(&mut nothing, [(0.0, ""); 0]).unwrap();
     folder.write("nothing.pvd", nothing);
     assert!(
         folder

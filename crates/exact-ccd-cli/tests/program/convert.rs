@@ -4,6 +4,7 @@ use std::fs;
 
 use exact_ccd::{Query, VertexFace};
 use exact_ccd_data::{ColumnReader, Record};
+use exact_ccd_files::write_ply;
 use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
@@ -116,7 +117,7 @@ fn scene() -> Folder {
         let at = |z| [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]];
         let frame = Frame::new([at(0.0), at(height)].concat(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
         let mut ply = Vec::new();
-        frame.write_ply(&mut ply).unwrap();
+        write_ply(&mut ply, &frame).unwrap();
         folder.write(&format!("fall/frames/{time}.ply"), ply);
     }
     // The mesh has vertices 0 to 5, edges 6 to 11 and faces 12 and 13.

@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use exact_ccd_files::write_ply;
 use exact_ccd_mesh::Frame;
 
 use crate::folder::Folder;
@@ -32,7 +33,7 @@ pub(crate) fn fall(from: f64, to: f64) -> Folder {
 
 pub(crate) fn ply(frame: &Frame) -> Vec<u8> {
     let mut bytes = Vec::new();
-    frame.write_ply(&mut bytes).unwrap();
+    write_ply(&mut bytes, frame).unwrap();
     bytes
 }
 

@@ -1,5 +1,6 @@
 //! The output of `exact-ccd round` for meshes.
 
+use exact_ccd_files::read_frame;
 use exact_ccd_mesh::{Frame, Motion};
 
 use crate::folder::Folder;
@@ -35,7 +36,7 @@ fn one_mesh_becomes_one_file() {
         assert_drawn(&folder.read("plot.svg"), &report.rows);
         let expected = frame.shifted(frame.bounds().displacement()).unwrap();
         assert_eq!(
-            Frame::read(folder.path("rounded.ply")).unwrap(),
+            read_frame(folder.path("rounded.ply")).unwrap(),
             expected,
             "{name}"
         );
@@ -60,7 +61,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
     ]);
     let report = Report::of(&run);
     report.assert_counts(&errors(&[&start, &middle, &end], &report));
-    let read = |name: &str| Frame::read(folder.path("new/rounded").join(name)).unwrap();
+    let read = |name: &str| read_frame(folder.path("new/rounded").join(name)).unwrap();
     // The box of the ends is that of all three.
     let motion = Motion::new(start, end).unwrap();
     let displacement = motion.displacement();
@@ -75,10 +76,10 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
 fn stl_stays_a_soup() {
     let folder = Folder::new();
     folder.write("mesh.stl", stl(&tip_above_square(-0.5)));
-    let soup = Frame::read(folder.path("mesh.stl")).unwrap();
+    let soup = read_frame(folder.path("mesh.stl")).unwrap();
     let report = Report::of(&folder.run(&["round", "mesh.stl", "--output", "rounded.ply"]));
     report.assert_counts(&errors(&[&soup], &report));
-    assert_eq!(Frame::read(folder.path("rounded.ply")).unwrap().mesh, soup.mesh);
+    assert_eq!(read_frame(folder.path("rounded.ply")).unwrap().mesh, soup.mesh);
 }
 
 #[test]

@@ -119,7 +119,7 @@ fn vtu_files_have_tetrahedra_and_triangles_of_all_time_steps() {
     let folder = folder();
     let run = folder.run(&["simulate", "scene.toml", "--out", "result", "--steps", "3"]);
     assert_eq!(run.status, 0);
-    let collection = exact_ccd_mesh::read_pvd(folder.path("result/motion.pvd")).unwrap();
+    let collection = exact_ccd_files::read_pvd(folder.path("result/motion.pvd")).unwrap();
     let file = |step: u32| folder.path(&format!("result/vtu/00000{step}.vtu"));
     let expected: Vec<_> = (0..=3).map(|step| (f64::from(step) * 0.02, file(step))).collect();
     assert_eq!(collection, expected);

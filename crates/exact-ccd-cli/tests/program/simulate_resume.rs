@@ -84,7 +84,7 @@ fn a_killed_and_resumed_simulation_has_the_same_bytes() {
             let threads = ["--threads", threads];
             kill_after(&folder, &arguments(&out, &queries, &threads), steps);
             // All files of the collection exist at any time.
-            let frames = exact_ccd_mesh::read_pvd(folder.path(&format!("{out}/motion.pvd"))).unwrap();
+            let frames = exact_ccd_files::read_pvd(folder.path(&format!("{out}/motion.pvd"))).unwrap();
             assert!(frames.len() > steps && frames.iter().all(|(_, file)| file.is_file()));
 
             let resume = ["--resume", threads[0], threads[1]];

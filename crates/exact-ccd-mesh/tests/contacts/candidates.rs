@@ -51,7 +51,7 @@ fn methods_decide_candidates_one_by_one() {
         let (scene, _) = Scene::pieces(&mut random);
         let step = scene.step();
         let candidates = Candidates::new(step, &Bvh);
-        let methods: [&dyn Ccd; 2] = [&Exact, &RootParity];
+        let methods: [&dyn Ccd; 2] = [&Exact, &RootParity::default()];
         for method in methods {
             let faces = candidates.vertex_face().iter().filter_map(|&[vertex, face]| {
                 let query = step.vertex_face(vertex, face).unwrap();
@@ -129,7 +129,7 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
     let nonsense = Candidates::from_ids(vec![[u32::MAX, 0], [0, u32::MAX]], vec![[1000, 0], [u32::MAX; 2]]);
     assert_eq!(nonsense.counts().total(), 4);
     assert!(nonsense.is_free(scene.step()));
-    assert!(nonsense.is_free_by(scene.step(), &RootParity));
+    assert!(nonsense.is_free_by(scene.step(), &RootParity::default()));
     assert_eq!(nonsense.contacts(scene.step()), []);
     assert_eq!(nonsense.earliest_time_by(scene.step(), &Exact), None);
     assert!(Candidates::default().is_empty());

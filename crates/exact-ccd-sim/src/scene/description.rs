@@ -30,7 +30,7 @@ pub(super) struct Description {
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct BodyDescription {
     /// A mesh file. Solids need tetrahedra (.msh). Shells and obstacles accept any file that
-    /// [`exact_ccd_mesh::Frame::read`] accepts, and the surface of tetrahedra.
+    /// [`exact_ccd_files::read_frame`] accepts, and the surface of tetrahedra.
     pub(super) mesh: Option<PathBuf>,
     /// A generated mesh in place of a file.
     pub(super) shape: Option<Shape>,

@@ -33,7 +33,7 @@ pub(super) fn of_system(
         | SystemError::Empty { body }
         | SystemError::Solid { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
-        SystemError::Script { .. } | SystemError::Motion { .. } => {
+        SystemError::Script { .. } | SystemError::Motion { .. } | SystemError::Mesh(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
         }
     };

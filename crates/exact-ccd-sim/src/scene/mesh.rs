@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use exact_ccd_mesh::{Format, Frame, Point, TetMesh};
+use exact_ccd_files::{Format, read_frame, read_tet_mesh};
+use exact_ccd_mesh::{Point, TetMesh};
 
 use super::description::Shape;
 use crate::body::{Body, BodyKind};
@@ -19,14 +20,14 @@ impl Mesh {
     /// Reads the mesh in a file.
     pub(super) fn read(path: &Path) -> Result<Self, String> {
         if Format::of_path(path) == Some(Format::Msh) {
-            let mesh = TetMesh::read(path).map_err(|error| error.to_string())?;
+            let mesh = read_tet_mesh(path).map_err(|error| error.to_string())?;
             return Ok(Self {
                 points: mesh.positions().to_vec(),
                 faces: mesh.surface().to_vec(),
                 tetrahedra: mesh.tetrahedra().to_vec(),
             });
         }
-        let frame = Frame::read(path).map_err(|error| error.to_string())?;
+        let frame = read_frame(path).map_err(|error| error.to_string())?;
         Ok(Self {
             faces: frame.mesh.faces().to_vec(),
             points: frame.positions,

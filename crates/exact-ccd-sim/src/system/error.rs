@@ -1,6 +1,6 @@
 //! Errors of bodies and scripts.
 
-use exact_ccd_mesh::{Point, TetMeshError};
+use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
 use crate::script::ScriptError;
@@ -23,6 +23,9 @@ pub enum SystemError {
         /// The number of vertices of the body.
         vertex_count: usize,
     },
+    /// The faces of all bodies together do not form a mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// A body has no elements.
     #[error("body {body}: the mesh has no faces or tetrahedra, expected at least one")]
     Empty {

@@ -62,12 +62,7 @@ impl System {
                 *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(*script);
             }
         }
-        let mesh = TriangleMesh::new(vertex_count, parts.faces).map_err(|error| SystemError::Index {
-            body: 0,
-            element: error.face,
-            vertex: error.vertex,
-            vertex_count,
-        })?;
+        let mesh = TriangleMesh::new(vertex_count, parts.faces)?;
         let bounds: Aabb = parts.start.iter().copied().collect();
         let size = if vertex_count == 0 {
             1.0

@@ -1,0 +1,158 @@
+//! Errors in mesh files: the file, the place in it, and what was expected there.
+
+use std::fmt;
+use std::io;
+use std::path::PathBuf;
+
+use exact_ccd_mesh::{FrameError, TetMeshError};
+
+/// The reason why a mesh file could not be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The file is missing or cannot be read.
+    #[error("{}: {source}", path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The error of the operating system.
+        source: io::Error,
+    },
+    /// The extension belongs to no format.
+    #[error("{}: unknown extension, expected .ply, .obj, .stl, .off, .msh or .vtu", path.display())]
+    Extension {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The contents do not follow the format.
+    #[error("{}: {source}", path.display())]
+    Parse {
+        /// The file.
+        path: PathBuf,
+        /// The error and its place.
+        source: ParseError,
+    },
+}
+
+/// An error in the contents of a mesh file, and its place.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{place}{fault}")]
+pub struct ParseError {
+    /// The place in the file.
+    pub place: Place,
+    /// The error there.
+    pub fault: Fault,
+}
+
+/// A place in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A line of text, from 1.
+    Line(usize),
+    /// An offset in bytes from the beginning.
+    Byte(usize),
+    /// The file as a whole.
+    File,
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(line) => write!(f, "line {line}: "),
+            Self::Byte(offset) => write!(f, "byte {offset}: "),
+            Self::File => Ok(()),
+        }
+    }
+}
+
+/// An error at a place in a mesh file. Elements and vertices are counted from 0 unless stated otherwise.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// One thing is in the place of another.
+    #[error("expected {expected}, found {found}")]
+    Expected {
+        /// The thing that should be there.
+        expected: String,
+        /// The thing that is there.
+        found: String,
+    },
+    /// The file ends too early.
+    #[error("the file ends, expected {expected}")]
+    Ends {
+        /// The thing that should follow.
+        expected: String,
+    },
+    /// A face is not a triangle.
+    #[error("face {face} has {corners} corners, expected a triangle")]
+    Corners {
+        /// The index of the face.
+        face: usize,
+        /// The number of its corners.
+        corners: i64,
+    },
+    /// A face, an edge or a point names a vertex that the file does not have.
+    #[error(
+        "{element} {number} names vertex {index}, but there are {vertex_count} vertices, counted from {first}"
+    )]
+    Index {
+        /// `face`, `edge`, `polyline` or `point`.
+        element: &'static str,
+        /// The index of that element.
+        number: usize,
+        /// The vertex, with the numbering of the file.
+        index: i64,
+        /// The number of the first vertex in the file: 0 or 1.
+        first: i64,
+        /// The number of vertices.
+        vertex_count: u64,
+    },
+    /// The file has more vertices than 32-bit indices can number.
+    #[error("more than 2^32 vertices")]
+    TooManyVertices,
+    /// The contents follow the format but are not a valid frame.
+    #[error(transparent)]
+    Frame(FrameError),
+    /// The contents follow the format but are not a valid mesh of tetrahedra.
+    #[error(transparent)]
+    TetMesh(TetMeshError),
+    /// A file of tetrahedra has a triangle that is not a face of any of them.
+    #[error("triangle {triangle} is no face of a tetrahedron")]
+    Sheet {
+        /// The index of the triangle.
+        triangle: usize,
+    },
+}
+
+impl Fault {
+    pub(crate) fn expected(expected: impl Into<String>, found: impl Into<String>) -> Self {
+        Self::Expected {
+            expected: expected.into(),
+            found: found.into(),
+        }
+    }
+
+    pub(crate) fn ends(expected: impl Into<String>) -> Self {
+        Self::Ends {
+            expected: expected.into(),
+        }
+    }
+
+    pub(crate) fn at(self, place: Place) -> ParseError {
+        ParseError { place, fault: self }
+    }
+}
+
+/// A piece of a file, shortened and escaped for a message of one line.
+pub(crate) fn quoted(piece: &[u8]) -> String {
+    const LONGEST: usize = 40;
+    let mut text: String = String::from_utf8_lossy(&piece[..piece.len().min(4 * LONGEST)])
+        .chars()
+        .flat_map(char::escape_debug)
+        .collect();
+    if let Some((end, _)) = text.char_indices().nth(LONGEST) {
+        text.truncate(end);
+        text.push('…');
+    }
+    format!("`{text}`")
+}

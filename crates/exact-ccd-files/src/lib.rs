@@ -1,0 +1,59 @@
+//! Mesh files: PLY, OBJ, STL, OFF, Gmsh and VTK, read and written exactly.
+//!
+//! ```no_run
+//! use exact_ccd_files::{read_motion, write_ply};
+//! use exact_ccd_mesh::{Frame, step};
+//!
+//! let motion = read_motion("start.obj", "end.vtu")?;
+//! let report = step(&motion.mesh, &motion.x0, &motion.x1)?;
+//! println!("{:?}", report.time_of_impact());
+//!
+//! let triangle = Frame::new(vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], vec![[0, 1, 2]])?;
+//! write_ply(std::fs::File::create("triangle.ply")?, &triangle)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | data | from a file | from bytes | to a writer |
+//! |---|---|---|---|
+//! | a mesh at one time, [`Frame`] | [`read_frame`] | [`parse_frame`] | [`write_ply`], `write_obj`, `write_vtu` |
+//! | a mesh in motion, [`Motion`] | [`read_motion`] | | |
+//! | a body of tetrahedra, [`TetMesh`] | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
+//! | tetrahedra, triangles, lines and points, [`UnstructuredGrid`] | | | [`write_vtu`] |
+//! | a sequence of files, one for each time | [`read_pvd`] | | [`write_pvd`] |
+//!
+//! [`Frame`]: exact_ccd_mesh::Frame
+//! [`Motion`]: exact_ccd_mesh::Motion
+//! [`TetMesh`]: exact_ccd_mesh::TetMesh
+//!
+//! # Rods and points
+//!
+//! Loose edges are read from the statements `l` of OBJ, the element `edge` of PLY (properties
+//! `vertex1` and `vertex2`), lines and polylines of VTK and lines of Gmsh. An edge of a face or of
+//! a tetrahedron is not loose, so lines that mark the boundary of a surface have no effect. Every
+//! other line becomes a rod, also where a program wrote it as a construction line. Every vertex of
+//! a surface mesh that is in no face and no edge is a point, whether or not the file lists it as
+//! one. Of tetrahedra, only listed points of VTK are kept; Gmsh lists points for its geometry.
+//!
+//! No bytes make a reader panic. Memory stays proportional to the size of the file.
+
+mod error;
+mod format;
+mod read;
+mod write;
+
+pub use error::{Fault, ParseError, Place, ReadError};
+pub use format::Format;
+pub use read::{
+    ReadMotionError, parse_frame, parse_tet_mesh, read_frame, read_motion, read_pvd, read_tet_mesh,
+};
+pub use write::{UnstructuredGrid, write_obj, write_ply, write_pvd, write_vtu};
+
+/// The examples in the README of the repository, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct RepositoryReadme;
+
+/// The examples in the README of this crate, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

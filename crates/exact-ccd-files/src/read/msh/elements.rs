@@ -1,0 +1,169 @@
+//! The section `$Elements`.
+
+use super::super::cells::Cells;
+use super::nodes::{Tags, positive};
+use super::values::{Record, Values, Version};
+use crate::error::{Fault, ParseError, Place};
+
+/// The supported types of elements.
+///
+/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of
+/// the geometry.
+#[derive(Clone, Copy)]
+enum Shape {
+    Point,
+    Line,
+    Triangle,
+    Tetrahedron,
+}
+
+impl Shape {
+    fn of_type(number: i64, place: Place) -> Result<Self, ParseError> {
+        match number {
+            15 => Ok(Self::Point),
+            1 => Ok(Self::Line),
+            2 => Ok(Self::Triangle),
+            4 => Ok(Self::Tetrahedron),
+            _ => {
+                let expected = "element type 15, a point, 1, a line, 2, a triangle, or 4, a tetrahedron";
+                Err(Fault::expected(expected, format!("`{number}`")).at(place))
+            }
+        }
+    }
+}
+
+/// A reader that appends elements to cells.
+struct Elements<'a> {
+    tags: &'a Tags,
+    cells: &'a mut Cells,
+}
+
+pub(super) fn read<'a>(
+    version: Version,
+    values: &mut impl Values<'a>,
+    tags: &Tags,
+    cells: &mut Cells,
+) -> Result<(), ParseError> {
+    let mut elements = Elements { tags, cells };
+    match version {
+        Version::V2 => elements.read_v2(values)?,
+        Version::V4 => elements.read_v4(values)?,
+    }
+    values.end_section("$EndElements")
+}
+
+impl Elements<'_> {
+    /// Reads elements one by one, each with its type; in binary files, in blocks of consecutive
+    /// elements of one type.
+    fn read_v2<'a, V: Values<'a>>(&mut self, values: &mut V) -> Result<(), ParseError> {
+        let count = values.count_line("the number of elements")?;
+        let mut number = 0;
+        while number < count {
+            let record = Record::of("element", number, count);
+            values.begin(record)?;
+            let place = values.place();
+            if V::BINARY {
+                let shape = Shape::of_type(values.int("the type of an element")?, place)?;
+                let in_block = values.int("the number of elements in the block")?;
+                let left = count - number;
+                let in_block = u64::try_from(in_block)
+                    .ok()
+                    .filter(|&n| n <= left)
+                    .ok_or_else(|| {
+                        Fault::expected(
+                            format!("a block of at most {left} elements"),
+                            format!("`{in_block}`"),
+                        )
+                        .at(place)
+                    })?;
+                let tag_count = values.int("the number of tags")?;
+                for element in number..number + in_block {
+                    values.begin(Record::of("element", element, count))?;
+                    values.int("the tag of an element")?;
+                    self.read_tags_and_nodes(values, shape, tag_count)?;
+                }
+                number += in_block;
+            } else {
+                values.int("the tag of an element")?;
+                let shape = Shape::of_type(values.int("the type of an element")?, place)?;
+                let tag_count = values.int("the number of tags")?;
+                self.read_tags_and_nodes(values, shape, tag_count)?;
+                values.end()?;
+                number += 1;
+            }
+        }
+        Ok(())
+    }
+
+    fn read_tags_and_nodes<'a, V: Values<'a>>(
+        &mut self,
+        values: &mut V,
+        shape: Shape,
+        tag_count: i64,
+    ) -> Result<(), ParseError> {
+        for _ in 0..tag_count {
+            values.int("a tag")?;
+        }
+        self.add(values, shape, |values| {
+            let place = values.place();
+            positive(values.int("the tag of a node")?, place)
+        })
+    }
+
+    /// Reads elements in blocks of one type, one for each entity of the geometry.
+    fn read_v4<'a, V: Values<'a>>(&mut self, values: &mut V) -> Result<(), ParseError> {
+        values.begin(Record::one("the numbers of blocks and elements"))?;
+        let blocks = values.size("the number of blocks")?;
+        let count_place = values.place();
+        let count = values.size("the number of elements")?;
+        values.size("the least tag of an element")?;
+        values.size("the greatest tag of an element")?;
+        values.end()?;
+        let mut found = 0_u64;
+        for block in 0..blocks {
+            values.begin(Record::of("element block", block, blocks))?;
+            values.int("the dimension of an entity")?;
+            values.int("the tag of an entity")?;
+            let place = values.place();
+            let shape = Shape::of_type(values.int("the type of the elements")?, place)?;
+            let in_block = values.size("the number of elements in the block")?;
+            values.end()?;
+            for number in 0..in_block {
+                values.begin(Record::of("element", number, in_block))?;
+                values.size("the tag of an element")?;
+                self.add(values, shape, |values| values.size("the tag of a node"))?;
+                values.end()?;
+                found += 1;
+            }
+        }
+        if found == count {
+            return Ok(());
+        }
+        Err(Fault::expected(format!("{count} elements"), found.to_string()).at(count_place))
+    }
+
+    /// Reads the tags of the nodes of an element and appends the element.
+    fn add<'a, V: Values<'a>>(
+        &mut self,
+        values: &mut V,
+        shape: Shape,
+        mut tag: impl FnMut(&mut V) -> Result<u64, ParseError>,
+    ) -> Result<(), ParseError> {
+        let tags = self.tags;
+        let mut node = || {
+            let place = values.place();
+            let tag = tag(values)?;
+            tags.get(tag).ok_or_else(|| {
+                let expected = format!("the tag of one of the {} nodes", tags.count());
+                Fault::expected(expected, format!("`{tag}`")).at(place)
+            })
+        };
+        match shape {
+            Shape::Point => self.cells.points.push(node()?),
+            Shape::Line => self.cells.lines.push([node()?, node()?]),
+            Shape::Triangle => self.cells.triangles.push([node()?, node()?, node()?]),
+            Shape::Tetrahedron => self.cells.tetrahedra.push([node()?, node()?, node()?, node()?]),
+        }
+        Ok(())
+    }
+}

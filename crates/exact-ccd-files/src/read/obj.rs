@@ -1,0 +1,165 @@
+//! Wavefront OBJ: the statements `v`, `f`, `l` and `p`. All others are skipped.
+
+use exact_ccd_mesh::Point;
+
+use super::cells::Cells;
+use super::text::{Line, Lines, Syntax, parse};
+use crate::error::{Fault, ParseError, Place};
+
+/// An element: its kind, its number among those of the same kind, and its place.
+#[derive(Clone, Copy)]
+struct Element {
+    kind: &'static str,
+    number: usize,
+    place: Place,
+}
+
+impl Element {
+    fn out_of_range(self, index: i64, vertex_count: usize) -> ParseError {
+        Fault::Index {
+            element: self.kind,
+            number: self.number,
+            index,
+            first: 1,
+            vertex_count: vertex_count as u64,
+        }
+        .at(self.place)
+    }
+}
+
+/// Elements may come before their vertices, so indices, from 1, are resolved at the end.
+#[derive(Default)]
+struct Statements {
+    positions: Vec<Point>,
+    faces: Vec<(Place, [i64; 3])>,
+    polylines: Vec<(Place, Vec<i64>)>,
+    points: Vec<(Place, Vec<i64>)>,
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
+    let mut statements = Statements::default();
+    let mut lines = Lines::new(bytes, Syntax::CommentsAndContinuation);
+    for mut line in &mut lines {
+        match line.word() {
+            Some(b"v") => statements.positions.push(position(&mut line)?),
+            Some(b"f") => statements.add_face(&mut line)?,
+            Some(b"l") => statements.add_polyline(&mut line)?,
+            Some(b"p") => statements.add_points(&mut line)?,
+            _ => {}
+        }
+    }
+    if statements.positions.is_empty() {
+        return Err(Fault::ends("a statement `v`").at(lines.end()));
+    }
+    statements.into_cells()
+}
+
+/// The coordinates of a `v`. A weight or a colour may follow.
+fn position(line: &mut Line) -> Result<Point, ParseError> {
+    Ok([line.coordinate()?, line.coordinate()?, line.coordinate()?])
+}
+
+impl Statements {
+    fn add_face(&mut self, line: &mut Line) -> Result<(), ParseError> {
+        let face = self.faces.len();
+        let corners = self.indices("face", face, line)?;
+        let corners = <[i64; 3]>::try_from(corners).map_err(|corners| {
+            let corners = corners.len() as i64;
+            Fault::Corners { face, corners }.at(line.place())
+        })?;
+        self.faces.push((line.place(), corners));
+        Ok(())
+    }
+
+    fn add_polyline(&mut self, line: &mut Line) -> Result<(), ParseError> {
+        let vertices = self.indices("polyline", self.polylines.len(), line)?;
+        if vertices.len() < 2 {
+            let expected = "at least two vertices of a polyline";
+            return Err(Fault::expected(expected, vertices.len().to_string()).at(line.place()));
+        }
+        self.polylines.push((line.place(), vertices));
+        Ok(())
+    }
+
+    fn add_points(&mut self, line: &mut Line) -> Result<(), ParseError> {
+        let vertices = self.indices("point", self.points.len(), line)?;
+        self.points.push((line.place(), vertices));
+        Ok(())
+    }
+
+    /// The indices on the rest of a line, from 1. An index below 0 counts back from the latest
+    /// vertex, which is −1.
+    fn indices(&self, kind: &'static str, number: usize, line: &mut Line) -> Result<Vec<i64>, ParseError> {
+        let place = line.place();
+        let vertices_before = self.positions.len();
+        let mut indices = Vec::new();
+        while let Some(word) = line.word() {
+            let written =
+                index(word).ok_or_else(|| line.unexpected("a corner such as 1, 1/2, 1/2/3 or 1//3", word))?;
+            indices.push(match written {
+                0.. => written,
+                ..0 => {
+                    let absolute = written.saturating_add(vertices_before as i64).saturating_add(1);
+                    if absolute < 1 {
+                        let element = Element { kind, number, place };
+                        return Err(element.out_of_range(written, vertices_before));
+                    }
+                    absolute
+                }
+            });
+        }
+        Ok(indices)
+    }
+
+    fn into_cells(self) -> Result<Cells, ParseError> {
+        let vertex_count = self.positions.len();
+        let in_range = |&index: &u32| (index as usize) < vertex_count;
+        let vertex = |element: Element, index: i64| {
+            let from_zero = u32::try_from(index - 1).ok().filter(in_range);
+            from_zero.ok_or_else(|| element.out_of_range(index, vertex_count))
+        };
+        let mut cells = Cells::default();
+        for (number, (place, corners)) in self.faces.into_iter().enumerate() {
+            let element = Element {
+                kind: "face",
+                number,
+                place,
+            };
+            let [a, b, c] = corners.map(|index| vertex(element, index));
+            cells.triangles.push([a?, b?, c?]);
+        }
+        for (number, (place, indices)) in self.polylines.into_iter().enumerate() {
+            let element = Element {
+                kind: "polyline",
+                number,
+                place,
+            };
+            let vertices = indices.into_iter().map(|index| vertex(element, index));
+            cells.add_polyline(&vertices.collect::<Result<Vec<_>, _>>()?);
+        }
+        for (number, (place, indices)) in self.points.into_iter().enumerate() {
+            let element = Element {
+                kind: "point",
+                number,
+                place,
+            };
+            for index in indices {
+                cells.points.push(vertex(element, index)?);
+            }
+        }
+        cells.positions = self.positions;
+        Ok(cells)
+    }
+}
+
+/// The index of the vertex in `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`.
+fn index(corner: &[u8]) -> Option<i64> {
+    let mut parts = corner.split(|&byte| byte == b'/');
+    let vertex = parse(parts.next()?)?;
+    let texture = parts.next();
+    let normal = parts.next();
+    let is_number = |part: &[u8]| parse::<i64>(part).is_some();
+    let texture_fits = texture.is_none_or(|part| is_number(part) || (part.is_empty() && normal.is_some()));
+    let fits = texture_fits && normal.is_none_or(is_number) && parts.next().is_none();
+    fits.then_some(vertex)
+}

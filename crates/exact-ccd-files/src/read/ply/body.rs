@@ -1,0 +1,195 @@
+//! The body of a PLY file: vertices, faces and edges. Other elements are skipped.
+
+use exact_ccd_mesh::Point;
+
+use super::super::cells::{Cells, vertex_index};
+use super::header::{Element, Header, Integer, Kind, Property, Scalar};
+use super::rows::{Row, Rows};
+use crate::error::{Fault, ParseError, Place, quoted};
+
+/// Reads all rows of all elements, in the order of the header.
+pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Result<Cells, ParseError> {
+    let vertex_count = find(header, "vertex")?.count;
+    // A file of rods has edges and may have no faces.
+    if !header
+        .elements
+        .iter()
+        .any(|element| element.name == b"edge" && end_points(element).is_some())
+    {
+        find(header, "face")?;
+    }
+    let mut cells = Cells::default();
+    for element in &header.elements {
+        match (element.name, end_points(element)) {
+            (b"vertex", _) => cells.positions = read_vertices(element, &mut rows)?,
+            (b"face", _) => cells.triangles = read_faces(element, vertex_count, &mut rows)?,
+            (b"edge", Some(ends)) => cells.lines = read_edges(element, ends, vertex_count, &mut rows)?,
+            _ => skip_rows(element, &mut rows)?,
+        }
+    }
+    rows.finish()?;
+    Ok(cells)
+}
+
+fn find<'a>(header: &'a Header<'a>, name: &str) -> Result<&'a Element<'a>, ParseError> {
+    let mut elements = header.elements.iter();
+    let missing = || Fault::expected(format!("an element `{name}`"), "none").at(Place::File);
+    elements
+        .find(|element| element.name == name.as_bytes())
+        .ok_or_else(missing)
+}
+
+fn read_vertices<'a>(element: &'a Element<'a>, rows: &mut impl Rows<'a>) -> Result<Vec<Point>, ParseError> {
+    let axes = [b"x", b"y", b"z"];
+    for axis in axes {
+        let is_coordinate =
+            |property: &Property| property.name == axis && matches!(property.kind, Kind::One(_));
+        if !element.properties.iter().any(is_coordinate) {
+            let expected = format!("a property {} of element `vertex`, a number", quoted(axis));
+            return Err(Fault::expected(expected, "none").at(element.place));
+        }
+    }
+    let mut positions = Vec::new();
+    for number in 0..element.count {
+        rows.begin(Row { element, number })?;
+        let mut position = [0.0; 3];
+        for property in &element.properties {
+            match (axes.iter().position(|axis| property.name == *axis), property.kind) {
+                (Some(axis), Kind::One(scalar)) => position[axis] = rows.number(scalar)?,
+                _ => skip(property, rows)?,
+            }
+        }
+        rows.end()?;
+        positions.push(position);
+    }
+    Ok(positions)
+}
+
+fn read_faces<'a>(
+    element: &'a Element<'a>,
+    vertex_count: u64,
+    rows: &mut impl Rows<'a>,
+) -> Result<Vec<[u32; 3]>, ParseError> {
+    let corner_list = |property: &Property| match property.kind {
+        Kind::List {
+            count,
+            item: Scalar::Integer(item),
+        } if matches!(property.name, b"vertex_indices" | b"vertex_index") => Some((count, item)),
+        _ => None,
+    };
+    let Some(corners_at) = element
+        .properties
+        .iter()
+        .position(|property| corner_list(property).is_some())
+    else {
+        let expected = "a property `vertex_indices` of element `face`, a list of integers";
+        return Err(Fault::expected(expected, "none").at(element.place));
+    };
+    let mut faces = Vec::new();
+    for number in 0..element.count {
+        rows.begin(Row { element, number })?;
+        let mut face = [0; 3];
+        for (at, property) in element.properties.iter().enumerate() {
+            match corner_list(property) {
+                Some((count, item)) if at == corners_at => {
+                    face = read_corners(faces.len(), vertex_count, count, item, rows)?;
+                }
+                _ => skip(property, rows)?,
+            }
+        }
+        rows.end()?;
+        faces.push(face);
+    }
+    Ok(faces)
+}
+
+fn read_corners<'a>(
+    face: usize,
+    vertex_count: u64,
+    count: Integer,
+    item: Integer,
+    rows: &mut impl Rows<'a>,
+) -> Result<[u32; 3], ParseError> {
+    let place = rows.place();
+    let corners = rows.integer(count)?;
+    if corners != 3 {
+        return Err(Fault::Corners { face, corners }.at(place));
+    }
+    let mut corner = || read_index(("face", face), vertex_count, item, rows);
+    Ok([corner()?, corner()?, corner()?])
+}
+
+/// The types of the properties `vertex1` and `vertex2` of an edge. Without both, as integers, an
+/// edge names no vertices.
+fn end_points(element: &Element) -> Option<[Integer; 2]> {
+    let integer = |name: &[u8]| {
+        let mut properties = element.properties.iter();
+        match properties.find(|property| property.name == name)?.kind {
+            Kind::One(Scalar::Integer(integer)) => Some(integer),
+            _ => None,
+        }
+    };
+    Some([integer(b"vertex1")?, integer(b"vertex2")?])
+}
+
+fn read_edges<'a>(
+    element: &'a Element<'a>,
+    [first, second]: [Integer; 2],
+    vertex_count: u64,
+    rows: &mut impl Rows<'a>,
+) -> Result<Vec<[u32; 2]>, ParseError> {
+    let mut edges = Vec::new();
+    for number in 0..element.count {
+        rows.begin(Row { element, number })?;
+        let vertex = |integer, rows: &mut _| read_index(("edge", edges.len()), vertex_count, integer, rows);
+        let mut edge = [0; 2];
+        for property in &element.properties {
+            match property.name {
+                b"vertex1" => edge[0] = vertex(first, rows)?,
+                b"vertex2" => edge[1] = vertex(second, rows)?,
+                _ => skip(property, rows)?,
+            }
+        }
+        rows.end()?;
+        edges.push(edge);
+    }
+    Ok(edges)
+}
+
+fn read_index<'a>(
+    of: (&'static str, usize),
+    vertex_count: u64,
+    integer: Integer,
+    rows: &mut impl Rows<'a>,
+) -> Result<u32, ParseError> {
+    let place = rows.place();
+    vertex_index(of, rows.integer(integer)?, vertex_count, place)
+}
+
+fn skip_rows<'a>(element: &'a Element<'a>, rows: &mut impl Rows<'a>) -> Result<(), ParseError> {
+    // Such rows take no bytes, so their number is not bounded by the size of the file.
+    if element.properties.is_empty() {
+        return Ok(());
+    }
+    for number in 0..element.count {
+        rows.begin(Row { element, number })?;
+        element
+            .properties
+            .iter()
+            .try_for_each(|property| skip(property, rows))?;
+        rows.end()?;
+    }
+    Ok(())
+}
+
+fn skip<'a>(property: &Property, rows: &mut impl Rows<'a>) -> Result<(), ParseError> {
+    match property.kind {
+        Kind::One(scalar) => rows.skip(scalar, 1),
+        Kind::List { count, item } => {
+            let place = rows.place();
+            let count = rows.integer(count)?;
+            let negative = |_| Fault::expected("the length of a list", format!("`{count}`")).at(place);
+            rows.skip(item, u64::try_from(count).map_err(negative)?)
+        }
+    }
+}

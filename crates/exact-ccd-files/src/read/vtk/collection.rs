@@ -1,0 +1,22 @@
+//! Collections: times and the files that belong to them.
+
+use super::super::text::parse;
+use super::xml::{File, parse_xml};
+use crate::error::{ParseError, quoted};
+
+/// The times, which are finite, and paths in a collection.
+pub(in super::super) fn read(bytes: &[u8]) -> Result<Vec<(f64, String)>, ParseError> {
+    let document = parse_xml(bytes)?;
+    let file = File::new(&document, "Collection")?;
+    let collection = file.child(file.root, "Collection")?;
+    let entries = collection
+        .children()
+        .filter(|child| child.has_tag_name("DataSet"));
+    let entry = |node| {
+        let time = file.attribute(node, "timestep")?.as_bytes();
+        let number = parse(time).filter(|time: &f64| time.is_finite());
+        let number = number.ok_or_else(|| file.fault(node, "a time, a finite number", quoted(time)))?;
+        Ok((number, file.attribute(node, "file")?.to_owned()))
+    };
+    entries.map(entry).collect()
+}

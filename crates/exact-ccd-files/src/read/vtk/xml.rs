@@ -1,0 +1,69 @@
+//! XML documents as VTK writes them.
+
+use roxmltree::{Document, Node};
+
+use crate::error::{Fault, ParseError, Place, quoted};
+
+/// A file of VTK by its root element.
+pub(super) struct File<'a> {
+    pub(super) root: Node<'a, 'a>,
+}
+
+/// The contents of a file as XML.
+pub(super) fn parse_xml(bytes: &[u8]) -> Result<Document<'_>, ParseError> {
+    let text = std::str::from_utf8(bytes)
+        .map_err(|error| Fault::expected("UTF-8", "other bytes").at(Place::Byte(error.valid_up_to())))?;
+    Document::parse(text).map_err(|error| {
+        let line = error.pos().row as usize;
+        Fault::expected("XML", quoted(error.to_string().as_bytes())).at(Place::Line(line))
+    })
+}
+
+impl<'a> File<'a> {
+    /// The root of the document, which must have this type.
+    pub(super) fn new(document: &'a Document<'a>, kind: &str) -> Result<Self, ParseError> {
+        let root = document.root_element();
+        let file = Self { root };
+        if !root.has_tag_name("VTKFile") {
+            let found = quoted(root.tag_name().name().as_bytes());
+            return Err(file.fault(root, "`VTKFile`", found));
+        }
+        let found = file.attribute(root, "type")?;
+        if found != kind {
+            return Err(file.fault(root, format!("type `{kind}`"), quoted(found.as_bytes())));
+        }
+        Ok(file)
+    }
+
+    /// The child with this name, which must be the only one.
+    pub(super) fn child(&self, parent: Node<'a, 'a>, name: &str) -> Result<Node<'a, 'a>, ParseError> {
+        let children: Vec<_> = parent
+            .children()
+            .filter(|child| child.has_tag_name(name))
+            .collect();
+        match children[..] {
+            [child] => Ok(child),
+            _ => Err(self.fault(
+                parent,
+                format!("one element `{name}`"),
+                children.len().to_string(),
+            )),
+        }
+    }
+
+    pub(super) fn attribute(&self, node: Node<'a, 'a>, name: &str) -> Result<&'a str, ParseError> {
+        node.attribute(name)
+            .ok_or_else(|| self.fault(node, format!("an attribute `{name}`"), "none"))
+    }
+
+    /// An error at the line of an element.
+    pub(super) fn fault(
+        &self,
+        node: Node<'a, 'a>,
+        expected: impl Into<String>,
+        found: impl Into<String>,
+    ) -> ParseError {
+        let line = self.root.document().text_pos_at(node.range().start).row;
+        Fault::expected(expected, found).at(Place::Line(line as usize))
+    }
+}

@@ -1,0 +1,14 @@
+//! Writers: one for each format.
+
+mod check;
+mod grid;
+mod obj;
+mod ply;
+mod pvd;
+mod vtu;
+
+pub use grid::UnstructuredGrid;
+pub use obj::write_obj;
+pub use ply::write_ply;
+pub use pvd::write_pvd;
+pub use vtu::write_vtu;

@@ -1,9 +1,0 @@
-//! Gmsh files: both versions, text and binary of both byte orders.
-
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-mod errors;
-mod hostile;
-mod same_mesh;
-mod surface;
-mod writer;
