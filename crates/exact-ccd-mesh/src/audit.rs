@@ -65,8 +65,9 @@ impl Audit {
     /// Examines the next frame, and the step that leads to it.
     ///
     /// # Errors
-    /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end, and the mesh of the
-    /// frames before; or the positions that are not finite. The frame counts as not examined.
+    /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end,
+    /// and the mesh of the frames before; or the positions that are not finite. The frame counts as
+    /// not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
         let violation = if let Some((last, detector)) = &mut self.last {
             last.mesh.check_same(&frame.mesh)?;

@@ -35,8 +35,8 @@ pub(crate) trait Collect: Sync {
 pub(crate) struct AnyContact(AtomicBool);
 
 impl AnyContact {
-    pub(crate) fn is_found(self) -> bool {
-        self.0.into_inner()
+    pub(crate) fn is_found(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
     }
 }
 
@@ -54,7 +54,7 @@ impl Collect for AnyContact {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         narrow_phase.collisions::<K>(mesh, pairs, |_, _| self.0.store(true, Ordering::Relaxed));
-        if self.0.load(Ordering::Relaxed) {
+        if self.is_found() {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())

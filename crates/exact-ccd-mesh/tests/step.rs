@@ -191,7 +191,8 @@ proptest! {
         prop_assert_eq!(bits(report.time_of_impact()), bits(time));
         let pair = truth.earliest.map(|(pair, _)| pair);
         prop_assert_eq!(report.earliest.map(|earliest| earliest.pair), pair);
-        prop_assert_eq!(report.earliest.map(|earliest| earliest.impact), truth.earliest.map(|(_, impact)| impact));
+        let impact = truth.earliest.map(|(_, impact)| impact);
+        prop_assert_eq!(report.earliest.map(|earliest| earliest.impact), impact);
 
         prop_assert_eq!(self::report(&motion, &AllPairs), report);
         assert_searches_agree(&motion, &report);

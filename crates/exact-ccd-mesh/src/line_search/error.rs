@@ -16,8 +16,8 @@ pub enum LineSearchError {
     /// The tolerance of a bisection is not positive.
     #[error("the tolerance is {0}, expected a positive number")]
     Tolerance(f64),
-    /// The part of the way to keep is out of range.
-    #[error("the part of the way to keep is {0}, expected a number above 0 and at most 1")]
+    /// The fraction of the time of impact to keep is out of range.
+    #[error("the fraction of the time of impact to keep is {0}, expected a number above 0 and at most 1")]
     Keep(f64),
     /// The caller has cancelled the search.
     #[error("the search for a free step was cancelled")]

@@ -4,8 +4,8 @@ use std::fmt;
 
 use exact_ccd::Point;
 
+use super::advance::advance;
 use super::error::LineSearchError;
-use super::step_size::advance;
 use super::watched::{Watch, Watched};
 use crate::broad_phase::BroadPhase;
 use crate::collect::{AnyContact, Collect, Earliest};
@@ -20,8 +20,8 @@ use crate::step::Step;
 #[derive(Clone, Copy)]
 #[non_exhaustive]
 pub struct FreeStepOptions<'a> {
-    /// The part of the way to the earliest contact that is kept: above 0 and at most 1. The default
-    /// is 0.9. With 1, the step ends as near to the contact as rounding permits.
+    /// The fraction of the time of impact that is kept: above 0 and at most 1. The default is 0.9.
+    /// With 1, the step ends as near to the contact as rounding permits.
     pub keep: f64,
     /// Called with the number of pairs examined since the last call, from any thread.
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
@@ -40,7 +40,7 @@ impl Default for FreeStepOptions<'_> {
 }
 
 impl<'a> FreeStepOptions<'a> {
-    /// The same options with another part of the way to keep.
+    /// The same options with another fraction of the time of impact to keep.
     #[must_use]
     pub fn with_keep(self, keep: f64) -> Self {
         Self { keep, ..self }
@@ -90,8 +90,7 @@ pub struct FreeStep {
 }
 
 impl<B: BroadPhase> Detector<B> {
-    /// The largest step from positions `x0` towards positions `x1` that is certified to be free of
-    /// contact, with a part of the way to the earliest contact left over.
+    /// A step from positions `x0` towards positions `x1` that is certified to be free of contact.
     ///
     /// The size is `keep` times the time of impact, rounded down, of the full step. The positions
     /// there, by [`Step::at`], are rounded, and the step from `x0` to them is checked exactly. If
@@ -114,8 +113,9 @@ impl<B: BroadPhase> Detector<B> {
     /// ```
     ///
     /// # Errors
-    /// [`LineSearchError`] names the positions that are too many, too few or not finite, or a part to keep that is out of
-    /// range; it is [`LineSearchError::Cancelled`] if the search was cancelled.
+    /// [`LineSearchError`] names the positions that are too many, too few or not finite, or a
+    /// fraction to keep that is out of range; it is [`LineSearchError::Cancelled`] if the search
+    /// was cancelled.
     pub fn free_step(
         &mut self,
         x0: &[Point],
@@ -131,7 +131,8 @@ impl<B: BroadPhase> Detector<B> {
     /// at a size α are those of [`advance`]: x₀ + fl(α d), rounded.
     ///
     /// # Errors
-    /// As [`free_step`](Self::free_step); [`LineSearchError::Direction`] names the part of the direction that is wrong.
+    /// As [`free_step`](Self::free_step); [`LineSearchError::Direction`] names the part of the
+    /// direction that is wrong.
     pub fn free_step_along(
         &mut self,
         x0: &[Point],

@@ -1,12 +1,14 @@
 //! Line search: the part of a step that a mesh can go before it touches itself.
 
+mod advance;
 mod bisection;
 mod error;
 mod free_step;
 mod step_size;
 mod watched;
 
+pub use advance::advance;
 pub use bisection::{Tolerance, bisect};
 pub use error::LineSearchError;
 pub use free_step::{FreeStep, FreeStepOptions};
-pub use step_size::{LineSearch, advance, step_size};
+pub use step_size::{LineSearch, step_size};

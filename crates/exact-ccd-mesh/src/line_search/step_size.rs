@@ -2,6 +2,7 @@
 
 use exact_ccd::{Ccd, Point};
 
+use super::advance::advance;
 use super::bisection::{Tolerance, bisect};
 use super::error::LineSearchError;
 use super::free_step::{FreeStepOptions, free_step_along};
@@ -37,12 +38,13 @@ pub enum LineSearch<'a> {
 ///
 /// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two,
 /// four, … units in its last place: the first of these for which the step is free. It is the size
-/// of [`Detector::free_step_along`](crate::Detector::free_step_along) that keeps all of the way. A
+/// of [`Detector::free_step_along`](crate::Detector::free_step_along) with `keep` = 1. A
 /// bisection returns a step that is smaller by up to its tolerance. Both hold up to the rounding of
 /// the positions: where that decides, a larger step can be free again.
 ///
 /// # Errors
-/// [`LineSearchError`] names the positions or parts of the direction that are too many, too few or not finite.
+/// [`LineSearchError`] names the positions or parts of the direction that are too many, too few or
+/// not finite.
 ///
 /// ```
 /// use exact_ccd_mesh::{LineSearch, TriangleMesh, step_size};
@@ -83,11 +85,4 @@ pub fn step_size(
             }))
         }
     }
-}
-
-/// The positions after a step along a direction: x + fl(α d), rounded.
-#[must_use]
-pub fn advance(start: &[Point], direction: &[Point], size: f64) -> Vec<Point> {
-    let along = |(x, d): (&Point, &Point)| core::array::from_fn(|axis| x[axis] + size * d[axis]);
-    start.iter().zip(direction).map(along).collect()
 }

@@ -5,9 +5,12 @@ use fastrand::Rng;
 
 use crate::scene::{PIECES, Scene, contacts};
 
+/// True for the vertices of two primitives that can collide, by definition.
+type Definition = Box<dyn Fn(&[u32], &[u32]) -> bool>;
+
 /// Rules of all kinds for the vertices of a scene of pieces, and the pairs of vertex lists that
 /// they allow, by definition.
-fn rules(random: &mut Rng) -> Vec<(CanCollide, Box<dyn Fn(&[u32], &[u32]) -> bool>)> {
+fn rules(random: &mut Rng) -> Vec<(CanCollide, Definition)> {
     let count = 4 * PIECES;
     let flags: Vec<bool> = (0..count).map(|_| random.u8(..3) > 0).collect();
     // Shorter than the number of vertices.

@@ -47,7 +47,7 @@ fn are_within<K: PairKind>(scene: &Scene, x: &[Point], ids: [u32; 2], distance: 
 
 /// The pairs that the sampling finds within a distance.
 fn within(scene: &Scene, x: &[Point], all: &Candidates, distance: f64) -> Candidates {
-    // The sampling rounds in its own way, by less than this.
+    // The rounding errors of the sampling are less than this.
     let largest = x.as_flattened().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let distance = distance * (1.0 - 1e-9) - 16.0 * f64::EPSILON * largest;
     let faces = all.vertex_face().iter().copied();

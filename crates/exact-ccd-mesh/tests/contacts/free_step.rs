@@ -239,9 +239,9 @@ fn wrong_input_is_an_error() {
     );
 }
 
-/// Half of the way to a contact at t = 1/2.
+/// Contact is at t = 1/2.
 #[test]
-fn the_part_to_keep_is_a_part_of_the_way() {
+fn the_fraction_to_keep_is_one_of_the_time_of_impact() {
     let (mesh, x0) = falling(1.0);
     let (_, x1) = falling(-1.0);
     let mut detector = Detector::new(mesh);
