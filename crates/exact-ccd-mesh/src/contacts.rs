@@ -92,12 +92,11 @@ impl Contacts {
             candidates: candidates.len(),
             ..Self::default()
         };
-        narrow_phase.collisions::<K>(candidates, |ids, query| {
+        narrow_phase.collisions::<K>(candidates, |ids, collision| {
+            let time = collision.first_contact_time();
             contacts.colliding += 1;
-            if let Some(time) = query.contact_times().first() {
-                contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
-                contacts.earliest = earlier(contacts.earliest, Some((time, K::pair(ids))));
-            }
+            contacts.touching += usize::from(time.is_exact() && time.lower() == 0.0);
+            contacts.earliest = earlier(contacts.earliest, Some((time, K::pair(ids))));
         });
         {
             let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);

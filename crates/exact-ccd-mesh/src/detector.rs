@@ -264,11 +264,10 @@ impl Wanted for First {
     }
 
     fn look<K: PairKind>(&self, narrow_phase: &NarrowPhase<'_>, pairs: &[[u32; 2]]) -> ControlFlow<()> {
-        narrow_phase.collisions::<K>(pairs, |ids, query| {
-            if let Some(time) = query.contact_times().first()
-                // If they may be equal, the lesser pair comes first.
-                && time.lower() <= self.until()
-            {
+        narrow_phase.collisions::<K>(pairs, |ids, collision| {
+            let time = collision.first_contact_time();
+            // If they may be equal, the lesser pair comes first.
+            if time.lower() <= self.until() {
                 self.add(time, K::pair(ids));
             }
         });

@@ -1,6 +1,6 @@
 //! Which candidates are in contact.
 
-use exact_ccd::Query;
+use exact_ccd::Collision;
 use exact_ccd::batch::Trajectories;
 
 use crate::kind::PairKind;
@@ -32,11 +32,11 @@ impl<'a> NarrowPhase<'a> {
             .expect("the positions of a step are sound");
     }
 
-    /// Calls `found` with each pair that is in contact, and its query. Pairs with a common vertex are left out.
+    /// Calls `found` with each pair that is in contact, and its collision. Pairs with a common vertex are left out.
     pub(crate) fn collisions<K: PairKind>(
         &self,
         pairs: &[[u32; 2]],
-        mut found: impl FnMut([u32; 2], &Query<K>),
+        mut found: impl FnMut([u32; 2], Collision<'_, K>),
     ) {
         let (mut kept, mut vertices) = ([[0; 2]; CHUNK], [[0; 4]; CHUNK]);
         for pairs in pairs.chunks(CHUNK) {
@@ -49,7 +49,9 @@ impl<'a> NarrowPhase<'a> {
                 }
             }
             self.trajectories
-                .collisions(&vertices[..count], |index, query| found(kept[index], query))
+                .collisions(&vertices[..count], |index, collision| {
+                    found(kept[index], collision)
+                })
                 .expect("a mesh has the vertices of its primitives");
         }
     }

@@ -1,8 +1,8 @@
 //! Meshes shifted as a whole, so that the differences of their coordinates are exact (section 4.2 of the paper on
 //! [parity](exact_ccd::parity)).
 
-use exact_ccd::Point;
 use exact_ccd::parity::{Displacement, RoundingError};
+use exact_ccd::{Axis, Point};
 
 use crate::bounds::Bounds;
 use crate::frame::Frame;
@@ -93,7 +93,9 @@ fn shifted(positions: &[Point], displacement: Displacement) -> Result<Vec<Point>
         let shifted = displacement.apply(point);
         match shifted.iter().position(|x| !x.is_finite()) {
             None => Ok(shifted),
-            Some(axis) => Err(RoundingError::OutOfRange { axis }),
+            Some(axis) => Err(RoundingError::OutOfRange {
+                axis: Axis::ALL[axis],
+            }),
         }
     };
     positions.iter().map(shift).collect()

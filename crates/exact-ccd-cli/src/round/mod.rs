@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use exact_ccd::parity::{Displacement, RoundingError};
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{Axis, EdgeEdge, VertexFace};
 use exact_ccd_mesh::Bounds;
 
 use crate::failure::Failure;
@@ -84,6 +84,8 @@ fn shared_displacement(bounds: &Bounds) -> Result<Displacement, RoundingError> {
         |axis: &usize| *bounds != Bounds::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
     match (0..3).find(overflows) {
         None => Ok(displacement),
-        Some(axis) => Err(RoundingError::OutOfRange { axis }),
+        Some(axis) => Err(RoundingError::OutOfRange {
+            axis: Axis::ALL[axis],
+        }),
     }
 }

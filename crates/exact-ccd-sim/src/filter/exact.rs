@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{ContactTime, EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{Collision, EdgeEdge, Kind, VertexFace};
 use exact_ccd_mesh::Point;
 use rayon::prelude::*;
 
@@ -26,8 +26,8 @@ impl StepFilter for Exact {
         let earliest = Earliest::default();
         let is_sound = collisions(
             increment,
-            |query| earliest.add(query),
-            |query| earliest.add(query),
+            |collision| earliest.add(&collision),
+            |collision| earliest.add(&collision),
             || false,
         );
         if is_sound {
@@ -53,8 +53,8 @@ impl StepFilter for Exact {
 /// Finds the pairs of a step that collide, until that is enough. Whether the step is sound: of finite positions.
 fn collisions(
     step: &Increment<'_>,
-    vertex_face: impl Fn(&Query<VertexFace>) + Sync,
-    edge_edge: impl Fn(&Query<EdgeEdge>) + Sync,
+    vertex_face: impl Fn(Collision<'_, VertexFace>) + Sync,
+    edge_edge: impl Fn(Collision<'_, EdgeEdge>) + Sync,
     is_enough: impl Fn() -> bool + Sync,
 ) -> bool {
     let (surface, pairs) = (step.surface(), step.pairs());
@@ -80,12 +80,15 @@ fn among<K: Kind>(
     trajectories: &Trajectories,
     pairs: &[[u32; 2]],
     vertices: impl Fn([u32; 2]) -> [u32; 4] + Sync,
-    found: impl Fn(&Query<K>) + Sync,
+    found: impl Fn(Collision<'_, K>) + Sync,
     is_enough: impl Fn() -> bool + Sync,
 ) -> bool {
     pairs.par_chunks(GRAIN).all(|pairs| {
         let queries: Vec<[u32; 4]> = pairs.iter().map(|&pair| vertices(pair)).collect();
-        is_enough() || trajectories.collisions(&queries, |_, query| found(query)).is_ok()
+        is_enough()
+            || trajectories
+                .collisions(&queries, |_, collision| found(collision))
+                .is_ok()
     })
 }
 
@@ -99,11 +102,10 @@ impl Default for Earliest {
 }
 
 impl Earliest {
-    fn add<K: Kind>(&self, query: &Query<K>) {
-        if let Some(time) = query.contact_times().first().map(ContactTime::lower) {
-            // The bits of positive numbers have the order of the numbers. 0.0 may have a sign.
-            self.0.fetch_min(time.abs().to_bits(), Ordering::Relaxed);
-        }
+    fn add<K: Kind>(&self, collision: &Collision<'_, K>) {
+        // The bits of positive numbers have the order of the numbers. 0.0 may have a sign.
+        let time = collision.time_of_impact().abs();
+        self.0.fetch_min(time.to_bits(), Ordering::Relaxed);
     }
 
     /// Its time, rounded down.
