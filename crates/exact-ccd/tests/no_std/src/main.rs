@@ -8,6 +8,8 @@
 #![no_std]
 #![no_main]
 
+mod symbols;
+
 use core::alloc::{GlobalAlloc, Layout};
 use core::arch::{asm, global_asm};
 use core::cmp::Ordering;
@@ -76,7 +78,11 @@ fn flush_subnormals(flush: bool) {
     // SAFETY: only the treatment of subnormal numbers changes, and the kernel detects it.
     unsafe {
         asm!("stmxcsr [{}]", in(reg) &raw mut control, options(nostack));
-        control = if flush { control | 0x8040 } else { control & !0x8040 };
+        control = if flush {
+            control | 0x8040
+        } else {
+            control & !0x8040
+        };
         asm!("ldmxcsr [{}]", in(reg) &raw const control, options(nostack));
     }
 }
@@ -134,7 +140,11 @@ fn scaled<const N: usize>(points: [Point; N], unit: f64) -> [Point; N] {
                 return x;
             }
             let magnitude = f64::from_bits(x.abs() as u64 * unit.to_bits());
-            if x.is_sign_negative() { -magnitude } else { magnitude }
+            if x.is_sign_negative() {
+                -magnitude
+            } else {
+                magnitude
+            }
         })
     })
 }
