@@ -135,7 +135,7 @@ impl<K: Kind> Decide<K> for Exact {
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
         trajectories.collisions::<K>(queries, |index, collision| {
-            sink(index, collision.time_of_impact())
+            sink(index, collision.time_of_impact());
         })
     }
 }
