@@ -1,4 +1,5 @@
-//! Queries of both kinds: the fast path answers as the exact one, and as its symmetries say; so does the parity counter.
+//! Queries of both kinds: the answers are those of the exact path and invariant under symmetries;
+//! the parity is that of the definition.
 
 #![no_main]
 
@@ -32,18 +33,18 @@ use primitives::{Points, Primitives};
 use symmetry::Symmetry;
 
 fuzz_target!(|bytes: &[u8]| {
-    // Too few bytes are no query.
+    // Too few bytes do not make a query.
     let _ = check(&mut Unstructured::new(bytes));
 });
 
-/// What is done to points to make them special.
+/// The changes that make points degenerate.
 struct Recipe {
     changes: Vec<Change>,
     contact: Contact,
     nudges: Vec<([usize; 3], i8)>,
 }
 
-/// A contact that is brought about at a time and place.
+/// A contact that is imposed at a time and place.
 enum Contact {
     None,
     Touching([f64; 3]),
@@ -78,7 +79,7 @@ fn check_kind<K: Primitives + Rim>(recipe: &Recipe, symmetry: &Symmetry, mut poi
     }
 }
 
-/// Few values, so that many coordinates are the same.
+/// Points with few values, so that many coordinates are equal.
 fn points(bytes: &mut Unstructured) -> Result<Points> {
     let mut values = [0.0; 8];
     for value in &mut values {
@@ -117,7 +118,7 @@ fn index(bytes: &mut Unstructured, length: usize) -> Result<usize> {
     bytes.int_in_range(0..=length - 1)
 }
 
-/// Sixteenths, or some fraction.
+/// A time and parameters, in sixteenths or as any fraction.
 fn place(bytes: &mut Unstructured) -> Result<[f64; 3]> {
     let mut place = [0.0; 3];
     for parameter in &mut place {

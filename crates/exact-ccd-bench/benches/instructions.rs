@@ -65,7 +65,7 @@ impl<K: Kind> Batch<K> {
     fn colliding(&self) -> Vec<Query<K>> {
         let mut colliding = Vec::new();
         self.trajectories
-            .collisions::<K>(&self.queries, |_, query| colliding.push(*query))
+            .collisions::<K>(&self.queries, |_, collision| colliding.push(*collision.query()))
             .expect("a mesh has the vertices of its primitives");
         let stride = colliding.len() / QUERIES;
         colliding.into_iter().step_by(stride).take(QUERIES).collect()

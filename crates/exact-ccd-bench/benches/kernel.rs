@@ -178,7 +178,7 @@ fn count_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) 
 fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
     let mut count = 0;
     trajectories
-        .collisions::<K>(vertices, |_, query| match query.contact_times() {
+        .collisions::<K>(vertices, |_, collision| match collision.contact_times() {
             ContactTimes::Finite(times) => count += black_box(times).len(),
             interval => count += usize::from(black_box(interval).first().is_some()),
         })
@@ -263,14 +263,20 @@ fn print_stages(batches: &[Batch<'_>]) {
     );
     println!(
         "| scene and kind | {} | exact past box |",
-        Stage::ALL.map(|stage| format!("{stage:?}")).join(" | ")
+        Stage::ALL
+            .iter()
+            .map(|stage| format!("{stage:?}"))
+            .collect::<Vec<_>>()
+            .join(" | ")
     );
     println!("|---|{}---:|", "---:|".repeat(Stage::ALL.len()));
     for Batch { name, survey, .. } in batches {
         let count = |stage: Stage| survey.settled[stage as usize] as f64;
-        let all: f64 = Stage::ALL.map(count).iter().sum();
+        let all: f64 = Stage::ALL.iter().map(|&stage| count(stage)).sum();
         let shares = Stage::ALL
-            .map(|stage| format!("{:.3}", 100.0 * count(stage) / all))
+            .iter()
+            .map(|&stage| format!("{:.3}", 100.0 * count(stage) / all))
+            .collect::<Vec<_>>()
             .join(" | ");
         let past_box = 100.0 * count(Stage::Exact) / (all - count(Stage::BoundingBox));
         println!("| {name} | {shares} | {past_box:.3} |");

@@ -107,10 +107,9 @@ impl Collect for Earliest {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         narrow_phase.collisions::<K>(mesh, pairs, |ids, collision| {
-            if let Some(time) = collision.contact_times().first()
-                // Equal times count: then the lesser pair comes first.
-                && time.lower() <= self.until()
-            {
+            let time = collision.first_contact_time();
+            // Equal times count: then the lesser pair comes first.
+            if time.lower() <= self.until() {
                 self.add(time, K::pair(ids));
             }
         });
@@ -157,13 +156,12 @@ impl Collect for ContactsUntil {
     ) -> ControlFlow<()> {
         let mut found = Vec::new();
         narrow_phase.collisions::<K>(mesh, pairs, |ids, collision| {
-            let pair = K::pair(ids);
-            found.extend(collision.impact().map(|impact| Contact { pair, impact }));
-        });
-        // A time that is not an f64 lies above its lower bound.
-        found.retain(|Contact { impact, .. }| {
-            let time = impact.time;
-            time.lower() < self.time || time.is_exact() && time.lower() <= self.time
+            let time = collision.first_contact_time();
+            // A time that is not an f64 lies above its lower bound.
+            if time.lower() < self.time || time.is_exact() && time.lower() <= self.time {
+                let (pair, impact) = (K::pair(ids), collision.impact());
+                found.push(Contact { pair, impact });
+            }
         });
         if !found.is_empty() {
             let mut contacts = self.contacts.lock().unwrap_or_else(PoisonError::into_inner);

@@ -1,6 +1,6 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
-use exact_ccd::Query;
+use exact_ccd::Collision;
 use exact_ccd::batch::Trajectories;
 
 use crate::can_collide::CanCollide;
@@ -52,7 +52,7 @@ impl NarrowPhase {
         &self.trajectories
     }
 
-    /// Calls `found` with each pair that is in contact, and its query.
+    /// Calls `found` with each pair that is in contact, and its collision.
     ///
     /// Pairs with a common vertex are left out, as are those that cannot collide and those that
     /// `mesh`, the mesh of the step, does not have.
@@ -60,7 +60,7 @@ impl NarrowPhase {
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
-        mut found: impl FnMut([u32; 2], &Query<K>),
+        mut found: impl FnMut([u32; 2], Collision<'_, K>),
     ) {
         let all_can_collide = self.can_collide.is_all();
         let (mut kept, mut vertices) = ([[0; 2]; CHUNK], [[0; 4]; CHUNK]);
@@ -79,7 +79,9 @@ impl NarrowPhase {
                 }
             }
             self.trajectories
-                .collisions(&vertices[..count], |index, query| found(kept[index], query))
+                .collisions(&vertices[..count], |index, collision| {
+                    found(kept[index], collision)
+                })
                 .expect("a mesh has the vertices of its primitives");
         }
     }

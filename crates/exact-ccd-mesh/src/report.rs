@@ -141,10 +141,9 @@ impl Tally {
         };
         narrow_phase.collisions::<K>(mesh, candidates, |ids, collision| {
             tally.colliding += 1;
-            if let Some(time) = collision.contact_times().first() {
-                tally.touching += usize::from(time.is_exact() && time.lower() == 0.0);
-                tally.earliest = earlier(tally.earliest, Some((time, K::pair(ids))));
-            }
+            let time = collision.first_contact_time();
+            tally.touching += usize::from(time.is_exact() && time.lower() == 0.0);
+            tally.earliest = earlier(tally.earliest, Some((time, K::pair(ids))));
         });
         {
             let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);

@@ -1,8 +1,8 @@
 //! Shifts of whole meshes after which all differences of coordinates are exact (section 4.2 of the
 //! paper on [parity](exact_ccd::parity)).
 
-use exact_ccd::Point;
 use exact_ccd::parity::{Displacement, RoundingError};
+use exact_ccd::{Axis, Point};
 
 use crate::aabb::Aabb;
 use crate::frame::Frame;
@@ -96,7 +96,9 @@ fn shifted(positions: &[Point], displacement: Displacement) -> Result<Vec<Point>
         let shifted = displacement.apply(point);
         match shifted.iter().position(|x| !x.is_finite()) {
             None => Ok(shifted),
-            Some(axis) => Err(RoundingError::OutOfRange { axis }),
+            Some(axis) => Err(RoundingError::OutOfRange {
+                axis: Axis::ALL[axis],
+            }),
         }
     };
     positions.iter().map(shift).collect()

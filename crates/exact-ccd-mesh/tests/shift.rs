@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+use exact_ccd::Axis;
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
 use exact_ccd_mesh::{Aabb, Frame, Motion, Point, TriangleMesh};
 use proptest::prelude::*;
@@ -104,7 +105,9 @@ fn a_shift_out_of_range_is_an_error_that_names_the_axis() {
         let mut x1 = vec![[1.0; 3]; VERTICES];
         x1[6] = far;
         let motion = motion(vec![[1.0; 3]; VERTICES], x1);
-        let expected = RoundingError::OutOfRange { axis };
+        let expected = RoundingError::OutOfRange {
+            axis: Axis::ALL[axis],
+        };
         assert_eq!(motion.shifted(motion.displacement()), Err(expected));
         let [_, end] = frames(&motion);
         assert_eq!(end.shifted(end.bounds().displacement()), Err(expected));

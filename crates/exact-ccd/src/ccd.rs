@@ -3,21 +3,22 @@
 use crate::batch::{Trajectories, VertexOutOfRange};
 use crate::kind::{EdgeEdge, Kind, VertexFace};
 use crate::query::Query;
-use crate::time::ContactTime;
 
-/// A decision of the queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
+/// A decision of queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
 pub trait Decide<K: Kind>: Send + Sync {
     /// True if the primitives touch, according to this method.
     fn collides(&self, query: &Query<K>) -> bool;
 
-    /// The earliest contact time according to this method, in \[0, 1\]; `None` if the primitives do not touch.
+    /// The earliest contact time according to this method, in \[0, 1\]; `None` if the primitives do
+    /// not touch.
     ///
     /// The default is that of a method without times: 0 for each contact, which is conservative.
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         self.collides(query).then_some(0.0)
     }
 
-    /// Calls `sink` with the index of each query over `trajectories` that [collides](Self::collides), in order.
+    /// Calls `sink` with the index of each query over `trajectories` that
+    /// [collides](Self::collides), in order.
     ///
     /// # Errors
     /// [`VertexOutOfRange`] names the first vertex that does not exist.
@@ -37,8 +38,8 @@ pub trait Decide<K: Kind>: Send + Sync {
         Ok(())
     }
 
-    /// Calls `sink` with the index and the [time of impact](Self::time_of_impact) of each query over `trajectories`
-    /// that has one, in order.
+    /// Calls `sink` with the index and the [time of impact](Self::time_of_impact) of each query
+    /// over `trajectories` that has one, in order.
     ///
     /// # Errors
     /// [`VertexOutOfRange`] names the first vertex that does not exist.
@@ -133,10 +134,8 @@ impl<K: Kind> Decide<K> for Exact {
         queries: &[[u32; 4]],
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.collisions::<K>(queries, |index, query| {
-            if let Some(time) = query.contact_times().first().map(ContactTime::lower) {
-                sink(index, time);
-            }
+        trajectories.collisions::<K>(queries, |index, collision| {
+            sink(index, collision.time_of_impact());
         })
     }
 }

@@ -1,14 +1,14 @@
-//! The two kinds of query, as the index tables that tell them apart.
+//! The two kinds of query, as index tables.
 //!
-//! A query has four moving points x₀ … x₃. Both kinds meet in a plane only when the four points are coplanar,
-//! and both are then settled by the side of a line on which a vertex lies, so that all the algorithms in this
-//! crate are written once, over these tables.
+//! A query has four moving points x₀ … x₃. For both kinds, the primitives meet only when the four
+//! points are coplanar, and the sides of lines on which vertices lie decide contact then. Hence all
+//! algorithms in this crate are written once, over these tables.
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
 pub(crate) type Difference = (usize, usize);
 
 /// A vertex against the line of an edge of the other primitive.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Side {
     /// The vertex q.
     pub vertex: usize,
@@ -16,31 +16,34 @@ pub struct Side {
     pub edge: [usize; 2],
     /// The corners of the domain of (u, v) at which F is q − x and q − y, or x − q and y − q.
     pub corners: [usize; 2],
-    /// Where (x − q) × (y − q) points when the primitives meet: along the normal if true, against it if not.
+    /// The direction of (x − q) × (y − q) when the primitives meet: along the normal if true,
+    /// against it if false.
     pub along: bool,
-    /// The edge of the domain of (u, v) on which the vertex meets the edge: where it meets x, and where y.
+    /// The edge of the domain of (u, v) on which the vertex meets the edge: (u, v) where it meets
+    /// x, and where it meets y.
     pub domain: [[f64; 2]; 2],
 }
 
-/// What the algorithms need to know about a kind of query.
+/// The tables, in a private module: this seals [`Kind`].
 pub(crate) mod tables {
     use super::{Difference, Side};
 
     /// The tables of a kind of query.
     #[expect(unnameable_types, reason = "seals the public trait `Kind`")]
     pub trait Tables {
-        /// F at the corners of the domain of (u, v). A face has only three; the last one stands twice.
+        /// F at the corners of the domain of (u, v). A face has only three; the last one is repeated.
         const CORNERS: [Difference; 4];
-        /// The faces of the domain as cycles of four corners, at t = 0 and, plus four, at t = 1: those of a hexahedron, or
-        /// of a prism, whose triangles have a corner twice.
+        /// The faces of the domain as cycles of four corners: 0 to 3 at t = 0, 4 to 7 at t = 1. The
+        /// domain is a hexahedron, or a prism, whose triangles have one corner twice.
         const PATCHES: &'static [[usize; 4]];
-        /// w, e₁, e₂, where w leads from the second primitive to the first: the primitives are coplanar when
-        /// w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
+        /// w, e₁, e₂, where w leads from the second primitive to the first. The primitives are
+        /// coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
-        /// The primitives meet in their common plane, unless its normal vanishes, exactly if every vertex lies on
-        /// the stated side of its line or on the line itself.
+        /// If the normal of the common plane does not vanish, the primitives meet there if and only
+        /// if every vertex lies on the stated side of its line or on the line itself.
         const SIDES: &'static [Side];
-        /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not `along`.
+        /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
+        /// `along`.
         const PARAMETERS: [usize; 2];
     }
 }
@@ -76,7 +79,8 @@ const fn side(
     }
 }
 
-/// p lies in the triangle if it lies to the left of its three edges; their areas with p are its barycentric coordinates.
+/// p lies in the triangle if it lies to the left of its three edges; their areas with p are its
+/// barycentric coordinates.
 impl Tables for VertexFace {
     const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
     const PATCHES: &'static [[usize; 4]] = &[
@@ -95,9 +99,9 @@ impl Tables for VertexFace {
     const PARAMETERS: [usize; 2] = [2, 0];
 }
 
-/// The segments cross if the ends of each lie on different sides of the line of the other: with n = e₁ × e₂,
-/// a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four sides are u ≥ 0, u ≤ 1,
-/// v ≥ 0 and v ≤ 1.
+/// The segments cross if the ends of each lie on different sides of the line of the other: with n =
+/// e₁ × e₂, a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four
+/// sides are u ≥ 0, u ≤ 1, v ≥ 0 and v ≤ 1.
 impl Tables for EdgeEdge {
     const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
     const PATCHES: &'static [[usize; 4]] = &[

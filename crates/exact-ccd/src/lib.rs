@@ -1,13 +1,13 @@
-//! Continuous collision detection that is right.
+//! Exact continuous collision detection.
 //!
 //! Two primitives of moving triangle meshes, a vertex and a face ([`VertexFace`]) or two edges
-//! ([`EdgeEdge`]), move in straight lines from t = 0 to t = 1. Do they touch, how often, and when first?
-//! For every finite input, without rounding it, this crate
+//! ([`EdgeEdge`]), move in straight lines from t = 0 to t = 1. For every finite input, without
+//! rounding it, this crate
 //!
-//! - decides contact: [`Query::collides`], with no false positive and no false negative;
+//! - decides contact: [`Query::collides`], without false positives or false negatives;
 //! - counts the contacts: [`Query::contact_times`];
-//! - returns the time of impact, correctly rounded down: [`Query::time_of_impact`];
-//! - and says what a solver needs to know about the earliest contact: [`Query::impact`].
+//! - computes the time of impact, correctly rounded down: [`Query::time_of_impact`];
+//! - computes the parameters and the normal of the earliest contact: [`Query::impact`].
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};
@@ -18,16 +18,41 @@
 //!     [[0.25, 0.25, -2.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //! )?;
 //! assert!(query.collides());
-//! // t = 1/3 is no f64: this is the largest f64 below it, and [0, toi) is free of contact for certain.
+//! // t = 1/3 is not an f64: this is the largest f64 below it, and [0, toi) is certainly free of contact.
 //! assert_eq!(query.time_of_impact(), Some(0.3333333333333333));
 //! # Ok::<(), exact_ccd::NonFinite>(())
 //! ```
 //!
-//! For a mesh at rest, [`predicates::EdgeFace::intersects`] tells whether an edge meets a face, as exactly.
+//! *Contact* is a common point of the closed primitives at a time of the closed step: touching
+//! counts, at t = 0 and t = 1 too. The integers of [`exact`] define every answer; floating-point
+//! filters answer first where their error bounds prove the same.
 //!
-//! *Contact* is a common point of the closed primitives at a time of the closed step: touching counts, at
-//! t = 0 and t = 1 too. The integers of [`exact`] define every answer; floating-point filters answer first
-//! where their error bounds prove the same.
+//! | item | contents |
+//! |---|---|
+//! | [`Query`] | one query and its answers |
+//! | [`Collision`] | a query that collides; times and impact continue from the decision |
+//! | [`batch`] | many queries at a time, by vector instructions |
+//! | [`predicates`] | orientation and intersection of points at rest |
+//! | [`Ccd`] | the trait of collision detection methods, and the exact one |
+//! | [`exact`] | the definition in integers, without filters |
+//! | [`parity`] | root parity, the published method, for comparison |
+//!
+//! # Features
+//!
+//! - `std` (default): the vector instructions of x86 processors are detected at run time. Without
+//!   it, the crate is `no_std`, needs `alloc` only, and uses the instructions that the program is
+//!   compiled for.
+//!
+//! # Floating-point environment
+//!
+//! A thread that flushes subnormal numbers to zero (FTZ, DAZ), as in a program linked with
+//! `-ffast-math`, gets the same answers: this is detected for each query or batch, and the exact
+//! path decides then, which is much slower. [`parity`] is the exception. Other changes of the
+//! environment, such as of the rounding direction, are not supported.
+//!
+//! # Panics
+//!
+//! No function panics on any input.
 #![no_std]
 
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
@@ -35,9 +60,12 @@ compile_error!("the error bounds of the filters need f64 arithmetic without exce
 
 extern crate alloc;
 
+mod answers;
+mod axis;
 pub mod batch;
 mod ccd;
-mod contact;
+mod collision;
+mod environment;
 pub mod exact;
 mod filter;
 mod impact;
@@ -45,11 +73,32 @@ mod kind;
 pub mod parity;
 pub mod predicates;
 mod query;
+mod stage;
 mod time;
 
+pub use axis::Axis;
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
-pub use contact::Stage;
+pub use collision::Collision;
 pub use impact::Impact;
 pub use kind::{EdgeEdge, Kind, VertexFace};
 pub use query::{NonFinite, Point, Query};
+pub use stage::Stage;
 pub use time::{ContactTime, ContactTimes, Times};
+
+/// All public types can be sent to and shared with other threads.
+const _: () = {
+    const fn assert_send_and_sync<T: Send + Sync>() {}
+    assert_send_and_sync::<(Query<VertexFace>, Query<EdgeEdge>, NonFinite, Axis, Stage)>();
+    assert_send_and_sync::<(Collision<'_, VertexFace>, Collision<'_, EdgeEdge>)>();
+    assert_send_and_sync::<(ContactTime, ContactTimes, Times, Impact)>();
+    assert_send_and_sync::<(Exact, Guarantees, TimeGuarantee, &dyn Ccd)>();
+    assert_send_and_sync::<(batch::Trajectories, batch::Instructions)>();
+    assert_send_and_sync::<(
+        batch::TrajectoriesError,
+        batch::VertexOutOfRange,
+        batch::NonFiniteQuery,
+    )>();
+    assert_send_and_sync::<predicates::EdgeFace>();
+    assert_send_and_sync::<(parity::Parity, parity::Displacement, parity::RoundingError)>();
+    assert_send_and_sync::<(parity::Rounded<VertexFace>, parity::Rounded<EdgeEdge>)>();
+};

@@ -3,16 +3,18 @@
 use core::fmt;
 use core::marker::PhantomData;
 
+use crate::axis::Axis;
 use crate::kind::Kind;
 
 /// A point in space.
 pub type Point = [f64; 3];
 
-/// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and [`EdgeEdge`](crate::EdgeEdge).
+/// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and
+/// [`EdgeEdge`](crate::EdgeEdge).
 ///
-/// Each of the four points moves in a straight line, at constant speed, from where it is at t = 0 to where it is at
-/// t = 1. Any finite coordinates are allowed: faces without area, edges without length, coincident points and
-/// subnormal numbers have right answers too.
+/// Each of the four points moves in a straight line, at constant speed, from its position at t = 0
+/// to its position at t = 1. Any finite coordinates are allowed: the answers are exact for faces
+/// without area, edges without length, coincident points and subnormal numbers too.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Query<K> {
     /// The four points at t = 0 and at t = 1.
@@ -22,14 +24,14 @@ pub struct Query<K> {
 
 /// A coordinate is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("coordinate {} of point {point} at t = {time} is {value}, not a finite number", ["x", "y", "z"][*.axis])]
+#[error("coordinate {axis} of point {point} at t = {time} is {value}, not a finite number")]
 pub struct NonFinite {
     /// The end of the time step, 0 or 1.
     pub time: usize,
     /// The index of the point among those given, from 0.
     pub point: usize,
-    /// The index of the coordinate, from 0.
-    pub axis: usize,
+    /// The axis of the coordinate.
+    pub axis: Axis,
     /// The coordinate.
     pub value: f64,
 }
@@ -37,38 +39,37 @@ pub struct NonFinite {
 impl NonFinite {
     /// Checks points that do not move: their time is 0.
     pub(crate) fn check(points: &[Point]) -> Result<(), Self> {
-        let Some(index) = points.as_flattened().iter().position(|x| !x.is_finite()) else {
-            return Ok(());
-        };
-        let (point, axis) = (index / 3, index % 3);
-        let value = points[point][axis];
-        Err(Self {
-            time: 0,
-            point,
-            axis,
-            value,
-        })
+        Self::check_at(0, points)
     }
 
+    /// Checks points at t = 0 and at t = 1.
     #[cold]
-    fn first_in(points: &[[Point; 4]; 2]) -> Self {
-        let coordinates = points.as_flattened().as_flattened();
-        let index = coordinates
-            .iter()
-            .position(|x| !x.is_finite())
-            .unwrap_or_default();
-        Self {
-            time: index / 12,
-            point: index / 3 % 4,
-            axis: index % 3,
-            value: coordinates[index],
+    pub(crate) fn check_moving([start, end]: &[[Point; 4]; 2]) -> Result<(), Self> {
+        Self::check_at(0, start)?;
+        Self::check_at(1, end)
+    }
+
+    fn check_at(time: usize, points: &[Point]) -> Result<(), Self> {
+        for (point, coordinates) in points.iter().enumerate() {
+            for axis in Axis::ALL {
+                let value = coordinates[axis.index()];
+                if !value.is_finite() {
+                    return Err(Self {
+                        time,
+                        point,
+                        axis,
+                        value,
+                    });
+                }
+            }
         }
+        Ok(())
     }
 }
 
 impl<K: Kind> Query<K> {
-    /// The query of four points at the start and at the end of the time step, in the order of the kind:
-    /// [`VertexFace`](crate::VertexFace) or [`EdgeEdge`](crate::EdgeEdge).
+    /// The query of four points at the start and at the end of the time step, in the order of the
+    /// kind: [`VertexFace`](crate::VertexFace) or [`EdgeEdge`](crate::EdgeEdge).
     ///
     /// # Errors
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.
@@ -81,17 +82,13 @@ impl<K: Kind> Query<K> {
             .as_flattened()
             .iter()
             .fold(true, |all, x| all & x.is_finite());
-        if finite {
-            Ok(Self {
-                points,
-                kind: PhantomData,
-            })
-        } else {
-            Err(NonFinite::first_in(&points))
+        if !finite {
+            NonFinite::check_moving(&points)?;
         }
+        Ok(Self::from_finite(points))
     }
 
-    /// The query of points that are known to be finite.
+    /// The query of finite points.
     #[inline]
     pub(crate) fn from_finite(points: [[Point; 4]; 2]) -> Self {
         Self {
@@ -100,11 +97,12 @@ impl<K: Kind> Query<K> {
         }
     }
 
-    /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra` (`Point3<f64>`,
-    /// `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) turn into `[f64; 3]`.
+    /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra`
+    /// (`Point3<f64>`, `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) convert into
+    /// `[f64; 3]`.
     ///
     /// # Errors
-    /// [`NonFinite`], as there.
+    /// [`NonFinite`], as [`new`](Self::new).
     pub fn from_points<P: Into<Point>>(t0: [P; 4], t1: [P; 4]) -> Result<Self, NonFinite> {
         Self::new(t0.map(Into::into), t1.map(Into::into))
     }

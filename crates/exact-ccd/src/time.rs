@@ -6,11 +6,11 @@ use arrayvec::ArrayVec;
 
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
 ///
-/// Times compare as far as they are known: two different ones between the same two f64 are equal.
+/// Two different times between the same two adjacent f64 compare equal.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct ContactTime {
     lower: f64,
-    /// Whether the time is above `lower`, hence after the one that is exactly that.
+    /// True if the time is above `lower`, hence after the one that is exactly `lower`.
     is_above: bool,
 }
 
@@ -46,22 +46,37 @@ impl ContactTime {
         }
     }
 
-    /// Whether the time is exactly [`lower`](Self::lower).
+    /// Returns true if the time is exactly [`lower`](Self::lower).
     #[must_use]
     pub fn is_exact(self) -> bool {
         !self.is_above
     }
 }
 
-/// The most isolated contact times that a query can have. Coplanar at some times only: three roots of a cubic.
-/// Coplanar always: two roots of a quadratic for each of at most four vertex-edge pairs, t = 0 and t = 1.
-pub(crate) const MOST_TIMES: usize = 10;
+/// The maximal number of isolated contact times of a query.
+///
+/// They are among the events of the exact path. If the four points are coplanar at some times only,
+/// these are the roots of a cubic: at most 3. If they are always coplanar, these are t = 0 and t =
+/// 1 and, for each of at most four pairs of a vertex and an edge, the common roots of three
+/// quadratics or, if these vanish, of three linear functions for each end of the edge: at most 2 +
+/// 4 · 2.
+const MAX_TIMES: usize = 10;
 
 /// Distinct contact times in increasing order; a slice of [`ContactTime`].
 ///
 /// Two distinct times may lie between the same two adjacent f64.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Times(pub(crate) ArrayVec<ContactTime, MOST_TIMES>);
+pub struct Times(ArrayVec<ContactTime, MAX_TIMES>);
+
+impl Times {
+    pub(crate) const NONE: Self = Self(ArrayVec::new_const());
+
+    /// Appends a time. There is room for it: see [`MAX_TIMES`].
+    pub(crate) fn push(&mut self, time: ContactTime) {
+        let pushed = self.0.try_push(time);
+        debug_assert!(pushed.is_ok(), "more than {MAX_TIMES} isolated contact times");
+    }
+}
 
 impl Deref for Times {
     type Target = [ContactTime];
@@ -74,7 +89,7 @@ impl Deref for Times {
 /// All times of a step at which two primitives are in contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ContactTimes {
-    /// The primitives meet at finitely many times, at none if the list is empty.
+    /// The primitives meet at finitely many times; at none if the list is empty.
     Finite(Times),
     /// The primitives stay in contact for an interval of time, sliding or resting.
     Interval {
@@ -84,6 +99,9 @@ pub enum ContactTimes {
 }
 
 impl ContactTimes {
+    /// No contact.
+    pub(crate) const NONE: Self = Self::Finite(Times::NONE);
+
     /// The earliest contact time.
     #[must_use]
     pub fn first(&self) -> Option<ContactTime> {

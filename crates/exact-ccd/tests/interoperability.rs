@@ -1,4 +1,4 @@
-//! Points of other libraries make the same query.
+//! Points of other libraries yield the same queries.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use exact_ccd::parity::{Displacement, RoundingError};
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{Axis, EdgeEdge, VertexFace};
 use exact_ccd_mesh::Aabb;
 
 use crate::failure::Failure;
@@ -86,6 +86,8 @@ fn shared_displacement(bounds: &Aabb) -> Result<Displacement, RoundingError> {
         |axis: &usize| *bounds != Aabb::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
     match (0..3).find(overflows) {
         None => Ok(displacement),
-        Some(axis) => Err(RoundingError::OutOfRange { axis }),
+        Some(axis) => Err(RoundingError::OutOfRange {
+            axis: Axis::ALL[axis],
+        }),
     }
 }

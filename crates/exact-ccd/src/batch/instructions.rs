@@ -1,22 +1,22 @@
-//! Which vector instructions to use.
+//! Sets of vector instructions.
 
 use fearless_simd::{Level, Simd};
 
-/// A set of vector instructions that this processor has.
+/// A set of vector instructions of this processor.
 ///
-/// No answer depends on it. To choose one is for tests and measurements.
+/// No answer depends on it. A choice is useful for tests and measurements only.
 #[derive(Clone, Copy, Debug)]
 pub struct Instructions(Level);
 
 impl Instructions {
-    /// The widest that this processor has, found at run time on x86 with the feature `std`; otherwise, the widest that the
-    /// program is compiled for.
+    /// The widest set of this processor, detected at run time on x86 with the feature `std`;
+    /// otherwise, the widest set that the program is compiled for.
     #[must_use]
     pub fn best() -> Self {
         Self(Level::try_detect().unwrap_or(Level::baseline()))
     }
 
-    /// All that this processor has, from the narrowest to the widest.
+    /// All sets of this processor, from the narrowest to the widest.
     pub fn available() -> impl Iterator<Item = Self> {
         let Self(best) = Self::best();
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

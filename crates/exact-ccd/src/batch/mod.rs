@@ -1,9 +1,13 @@
-//! Many queries over the vertices of one mesh: the filters on several at a time.
+//! Batches of queries: the filters on several at a time.
 //!
-//! [`collides`] for a million candidates, at a fraction of its price: the positions are read once
-//! ([`Trajectories`]), the first filters work on vectors, whichever the processor has ([`Instructions`]), each passes on
-//! only those that it does not settle, and the rare rest goes the way of a single query. The answers are those of
-//! [`collides`], on any processor: the same operations in the same order, each rounded as IEEE 754 says.
+//! Most queries of a batch cost a fraction of [`collides`]. The first filters work on vectors, with
+//! the widest [`Instructions`] of the processor, and each passes on only those queries that it does
+//! not settle. The rest is decided like single queries. The answers are those of [`collides`], on
+//! any processor: the same operations in the same order, each rounded as IEEE 754 defines.
+//!
+//! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
+//! ([`collisions`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times
+//! and impact continue from the decision.
 //!
 //! [`collides`]: crate::Query::collides
 //!
@@ -18,19 +22,22 @@
 //!
 //! let trajectories = Trajectories::new(&x0, &x1)?;
 //! let mut colliding = Vec::new();
-//! trajectories.collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], |index, query| {
-//!     colliding.push((index, query.time_of_impact()));
+//! trajectories.collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], |index, collision| {
+//!     colliding.push((index, collision.time_of_impact()));
 //! })?;
-//! assert_eq!(colliding, [(0, Some(0.5))]);
+//! assert_eq!(colliding, [(0, 0.5)]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod eight;
+mod array;
+mod chunks;
 mod instructions;
+mod lanes;
 mod planes;
 mod row;
 mod rows;
 mod trajectories;
 
+pub use array::{NonFiniteQuery, collisions, collisions_with};
 pub use instructions::Instructions;
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};

@@ -1,5 +1,5 @@
-//! The next filters, [`Stage::Normals`](crate::Stage::Normals) and [`Stage::Coplanarity`](crate::Stage::Coplanarity):
-//! eight queries at a time.
+//! The next filters, [`Stage::Normals`](crate::Stage::Normals) and
+//! [`Stage::Coplanarity`](crate::Stage::Coplanarity): eight queries at a time.
 
 use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
@@ -8,16 +8,16 @@ use super::row::Row;
 use crate::filter::{Cubic, Points, Screened, screen_planes};
 use crate::kind::Kind;
 
-/// How many queries.
+/// The number of queries in a vector.
 pub(super) const LANES: usize = 8;
 
-/// What these filters leave of eight queries.
+/// The results of these filters for eight queries.
 pub(super) struct Rest {
-    /// A bit for each query that is not settled.
+    /// The queries that are not settled, a bit for each.
     pub(super) lanes: u64,
-    /// Those of them which no filter can take.
+    /// The queries with coordinates out of the range of all filters.
     pub(super) out_of_range: u64,
-    /// Their cubics.
+    /// Their coplanarity cubics.
     bernstein: [[f64; LANES]; 4],
     magnitude: [f64; LANES],
 }

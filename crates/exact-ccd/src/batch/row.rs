@@ -1,14 +1,14 @@
-//! A vertex in the first filters: one vector.
+//! The layout of a vertex: one vector.
 
 use crate::query::Point;
 
-/// The position of a vertex at both ends of the step, as x y z x | x y z x, in one line of the cache. After a rotation by
-/// one place each coordinate meets the next one of the same time.
+/// The position of a vertex at both ends of the step, as x y z x | x y z x, in one cache line. A
+/// rotation by one place aligns each coordinate with the next one of the same time.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(64))]
 pub(super) struct Row(pub(super) [f64; 8]);
 
-/// The places at which t = 0 is compared; those of t = 1 are four above.
+/// The places of t = 0 that are compared; those of t = 1 are four above.
 pub(super) const PLACES: u64 = 0b0111;
 
 impl Row {

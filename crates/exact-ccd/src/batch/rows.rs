@@ -1,7 +1,8 @@
 //! The first two filters, [`Stage::BoundingBox`](crate::Stage::BoundingBox) and
-//! [`Stage::Diagonals`](crate::Stage::Diagonals): one query at a time, the coordinates of both times side by side.
+//! [`Stage::Diagonals`](crate::Stage::Diagonals): one query at a time, the coordinates of both
+//! times side by side.
 //!
-//! Both only compare differences of coordinates, place by place, so that no vector needs to be turned around.
+//! Both only compare differences of coordinates, place by place, so that no transposition is needed.
 
 use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
@@ -9,7 +10,8 @@ use fearless_simd::prelude::*;
 use super::row::{PLACES, Row};
 use crate::kind::Kind;
 
-/// Whether a plane x = 0, y = 0 or z = 0, or one at 45° between two of them, separates the primitives.
+/// Returns true if a plane x = 0, y = 0 or z = 0, or one at 45° between two of them, separates the
+/// primitives.
 #[inline(always)]
 pub(super) fn are_separated<S: Simd, K: Kind>(simd: S, [a, b, c, d]: [&Row; 4]) -> bool {
     let points = [a, b, c, d].map(
@@ -54,7 +56,7 @@ pub(super) fn are_separated<S: Simd, K: Kind>(simd: S, [a, b, c, d]: [&Row; 4]) 
         | is_certain(d.to_bitmask())
 }
 
-/// Whether a place is set for both times.
+/// Returns true if a place is set for both times.
 #[inline(always)]
 fn is_certain(places: u64) -> bool {
     places & (places >> 4) & PLACES != 0

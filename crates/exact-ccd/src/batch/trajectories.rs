@@ -2,41 +2,45 @@
 
 use alloc::vec::Vec;
 
-use fearless_simd::{Simd, dispatch};
-
+use super::chunks;
 use super::instructions::Instructions;
-use super::planes::{self, LANES};
 use super::row::Row;
-use super::rows;
+use crate::axis::Axis;
+use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::query::{Point, Query};
-use crate::{exact, filter};
+use crate::query::{NonFinite, Point, Query};
 
-/// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a mesh, laid out for
-/// many queries.
+/// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
+/// mesh, laid out for many queries.
 #[derive(Clone, Debug)]
 pub struct Trajectories {
     rows: Vec<Row>,
     instructions: Instructions,
 }
 
-/// What keeps positions from being trajectories.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+/// Positions do not make trajectories.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TrajectoriesError {
-    /// There are not as many positions at the end as at the start.
+    /// The numbers of positions at the start and at the end differ.
     #[error("{end} positions at t = 1, expected as many as at t = 0: {start}")]
     Count {
-        /// How many there are at t = 0.
+        /// The number of positions at t = 0.
         start: usize,
-        /// How many there are at t = 1.
+        /// The number of positions at t = 1.
         end: usize,
     },
     /// A coordinate is infinite or not a number.
-    #[error("vertex {vertex} has a coordinate that is not a finite number")]
+    #[error("vertex {vertex} has {axis} = {value} at t = {time}, expected a finite number")]
     NonFinite {
-        /// The index of the first such vertex.
+        /// The end of the time step, 0 or 1.
+        time: usize,
+        /// The index of the vertex.
         vertex: usize,
+        /// The axis of the coordinate.
+        axis: Axis,
+        /// The coordinate.
+        value: f64,
     },
 }
 
@@ -46,14 +50,11 @@ pub enum TrajectoriesError {
 pub struct VertexOutOfRange {
     /// The index of the query.
     pub query: usize,
-    /// The vertex, from 0.
+    /// The index of the vertex.
     pub vertex: u32,
-    /// How many vertices there are.
+    /// The number of vertices.
     pub vertex_count: usize,
 }
-
-/// How many queries go through one filter before the next filter.
-const CHUNK: usize = 256;
 
 impl Trajectories {
     /// The trajectories from positions `x0` at t = 0 to positions `x1` at t = 1.
@@ -69,10 +70,11 @@ impl Trajectories {
         Ok(trajectories)
     }
 
-    /// Takes other trajectories, of any number of points, into the memory of the old ones.
+    /// Replaces the trajectories by others, of any number of points, and reuses their memory.
     ///
     /// # Errors
-    /// [`TrajectoriesError`], if the counts differ or a coordinate is not finite; there are no points then.
+    /// [`TrajectoriesError`], if the counts differ or a coordinate is not finite; there are no
+    /// points then.
     pub fn set(&mut self, x0: &[Point], x1: &[Point]) -> Result<(), TrajectoriesError> {
         self.rows.clear();
         if x0.len() != x1.len() {
@@ -82,22 +84,23 @@ impl Trajectories {
             });
         }
         self.rows.extend(x0.iter().zip(x1).map(|(&a, &b)| Row::new(a, b)));
-        match self.rows.iter().position(|row| !row.is_finite()) {
-            None => Ok(()),
-            Some(vertex) => {
+        for (vertex, row) in self.rows.iter().enumerate() {
+            if !row.is_finite() {
+                let error = first_error(vertex, &row.points());
                 self.rows.clear();
-                Err(TrajectoriesError::NonFinite { vertex })
+                return error;
             }
         }
+        Ok(())
     }
 
-    /// The same, for other vector instructions than the widest.
+    /// The same trajectories, for other vector instructions than the widest.
     #[must_use]
     pub fn with_instructions(self, instructions: Instructions) -> Self {
         Self { instructions, ..self }
     }
 
-    /// How many vertices there are.
+    /// The number of vertices.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.rows.len()
@@ -109,22 +112,21 @@ impl Trajectories {
     pub fn query<K: Kind>(&self, vertices: [u32; 4]) -> Option<Query<K>> {
         let row = |vertex: u32| self.rows.get(vertex as usize);
         let [a, b, c, d] = vertices;
-        Some(query([row(a)?, row(b)?, row(c)?, row(d)?]))
+        Some(chunks::query([row(a)?, row(b)?, row(c)?, row(d)?]))
     }
 
-    /// Calls `found` with each query of four vertices that [collides](Query::collides), and its index, in order.
+    /// Calls `found` with the index and the collision of each query of four vertices that
+    /// [collides](Query::collides), in order.
     ///
     /// # Errors
     /// [`VertexOutOfRange`] names the first vertex that does not exist; nothing is found then.
     pub fn collisions<K: Kind>(
         &self,
         queries: &[[u32; 4]],
-        mut found: impl FnMut(usize, &Query<K>),
+        mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
         self.check(queries)?;
-        // Behind a pointer: contacts are few, and the vectors need to be compiled only once for all of whom they are shown to.
-        let found: &mut dyn FnMut(usize, &Query<K>) = &mut found;
-        dispatch!(self.instructions.level(), simd => collisions(simd, &self.rows, queries, found));
+        chunks::collisions(self.instructions, &self.rows, queries, &mut found);
         Ok(())
     }
 
@@ -151,50 +153,17 @@ impl Trajectories {
     }
 }
 
-#[inline(always)]
-fn collisions<S: Simd, K: Kind>(
-    simd: S,
-    rows: &[Row],
-    queries: &[[u32; 4]],
-    found: &mut dyn FnMut(usize, &Query<K>),
-) {
-    let rows_of = |query: &[u32; 4]| query.map(|vertex| &rows[vertex as usize]);
-    let mut near = [0; CHUNK + LANES];
-    for (chunk, queries) in queries.chunks(CHUNK).enumerate() {
-        let mut count = 0;
-        for (index, query) in queries.iter().enumerate() {
-            // Without a branch: which ones are left is hard to predict.
-            near[count] = index;
-            count += usize::from(!rows::are_separated::<S, K>(simd, rows_of(query)));
-        }
-        // The last vector is filled up with a query that is there already.
-        let filled = count.next_multiple_of(LANES);
-        let last = near[count.saturating_sub(1)];
-        near[count..filled].fill(last);
-        for (eight, indices) in near[..filled].chunks_exact(LANES).enumerate() {
-            let mut lanes = [rows_of(&queries[indices[0]]); LANES];
-            for (lane, &index) in lanes.iter_mut().zip(indices) {
-                *lane = rows_of(&queries[index]);
-            }
-            let rest = planes::screen::<S, K>(simd, &lanes);
-            for lane in 0..LANES.min(count - LANES * eight) {
-                if rest.lanes >> lane & 1 != 0 {
-                    let query = query(lanes[lane]);
-                    let filtered = if rest.out_of_range >> lane & 1 == 0 {
-                        filter::collides_near_plane(&query, &rest.cubic(lane))
-                    } else {
-                        None
-                    };
-                    if filtered.map_or_else(|| exact::collides(&query), |(collides, _)| collides) {
-                        found(CHUNK * chunk + indices[lane], &query);
-                    }
-                }
-            }
-        }
-    }
-}
-
-fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
-    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = rows.map(Row::points);
-    Query::from_finite([[a0, b0, c0, d0], [a1, b1, c1, d1]])
+/// The error that names the first coordinate of a vertex that is not finite.
+#[cold]
+fn first_error(vertex: usize, ends: &[Point; 2]) -> Result<(), TrajectoriesError> {
+    NonFinite::check(ends).map_err(
+        |NonFinite {
+             point, axis, value, ..
+         }| TrajectoriesError::NonFinite {
+            time: point,
+            vertex,
+            axis,
+            value,
+        },
+    )
 }

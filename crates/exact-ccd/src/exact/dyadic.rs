@@ -1,4 +1,4 @@
-//! Dyadic rationals n / 2ᵏ: every finite f64 is one, and bisection stays among them.
+//! Dyadic rationals n / 2ᵏ: every finite f64 is one, and so is the mean of two.
 
 use core::cmp::Ordering;
 
@@ -40,12 +40,12 @@ impl Dyadic {
     /// The value of `t`, which must lie in [0, 1].
     pub(crate) fn from_unit(t: f64) -> Self {
         let (mantissa, exponent) = decompose(t);
-        // A number in [0, 1] has no bit above 2⁰, so that a positive exponent can only belong to zero.
+        // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
         Self::new(mantissa.into(), exponent.min(0).unsigned_abs() as usize)
     }
 
-    /// A number strictly between `low` < `high` that brings their logarithms together before it brings themselves
-    /// together, so that a root near 0 costs as few bisections as any other.
+    /// A number strictly between `low` < `high`. It bisects their logarithms while these are far
+    /// apart, and the numbers then, so that a root near 0 takes as few bisections as any other.
     pub(crate) fn between(low: &Self, high: &Self) -> Self {
         let (below, above) = (low.magnitude(), high.magnitude());
         match below {
@@ -79,7 +79,7 @@ impl PartialOrd for Dyadic {
     }
 }
 
-/// (m, e) with x = m · 2ᵉ, for finite x; m is odd or zero.
+/// (m, e) with x = m · 2ᵉ, for finite x; m is odd or zero. Only the bit pattern is read.
 pub(crate) fn decompose(x: f64) -> (i64, i32) {
     let bits = x.to_bits();
     let fraction = (bits & ((1 << 52) - 1)) as i64;
@@ -102,7 +102,8 @@ pub(crate) fn decompose(x: f64) -> (i64, i32) {
     )
 }
 
-/// These numbers as integers, all divided by one power of two, and its exponent.
+/// The numbers as integers, all divided by one power of two, and its exponent. Only bit patterns
+/// are read.
 pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
     let parts = numbers.map(decompose);
     let unit = parts.iter().map(|part| part.1).min().unwrap_or(i32::MAX);
@@ -110,6 +111,6 @@ pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32)
         0 => IBig::ZERO,
         _ => IBig::from(mantissa) << (exponent - unit) as usize,
     };
-    // Where all of them are zero, any unit will do.
+    // If all of them are zero, the unit is arbitrary.
     (parts.map(integer), if unit == i32::MAX { 0 } else { unit })
 }

@@ -1,4 +1,4 @@
-//! Where the primitives meet first, and across which direction, by signs at the instant of contact.
+//! Parameters and normal of a contact, by signs at its instant.
 
 use super::instant::Instant;
 use super::motion::{Motion, Vector, cross};
@@ -7,10 +7,10 @@ use crate::impact::{Impact, unit};
 use crate::kind::{Kind, Side};
 use crate::query::Point;
 
-/// How many bits after the point are computed of a ratio.
+/// The number of bits after the binary point that are computed of a ratio.
 const BITS: usize = 52;
 
-/// What the primitives do at an instant of contact.
+/// The primitives at an instant of contact.
 struct Contact<'a, K> {
     motion: &'a Motion<K>,
     instant: Instant,
@@ -20,7 +20,8 @@ impl<K: Kind> Motion<K> {
     /// The contact at an instant at which the primitives touch; see [`Impact`] for the cases.
     pub(super) fn impact(&self, instant: &Instant) -> Impact {
         let time = instant.round();
-        // In a bracket narrower than the ratios are accurate, nearly all of their signs are plain.
+        // In a bracket narrower than the resolution of the ratios, Descartes' rule proves nearly
+        // all of their signs.
         let instant = instant.clone().narrowed_by(64);
         let contact = Contact {
             motion: self,
@@ -41,7 +42,7 @@ impl<K: Kind> Motion<K> {
 }
 
 impl<K: Kind> Contact<'_, K> {
-    /// (u, v) as ratios of the sides' areas to the normal, which must not vanish.
+    /// (u, v) as ratios of the sides' areas to the normal, which does not vanish.
     fn parameters_in_plane(&self) -> [f64; 2] {
         let Some((axis, facing)) = self.motion.facing(&self.instant) else {
             return [0.0; 2];
@@ -62,8 +63,8 @@ impl<K: Kind> Contact<'_, K> {
         })
     }
 
-    /// The normal of the common plane on the side on which the first primitive is just before: there, the first
-    /// derivative of c that does not vanish decides about the sign of c.
+    /// The normal of the common plane, on the side on which the first primitive is just before the
+    /// contact. The first derivative of c that does not vanish determines the sign of c there.
     fn normal_of_plane(&self) -> Option<Point> {
         let [e1, e2] = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
         let normal = self.direction(cross(&e1, &e2))?;
@@ -81,8 +82,8 @@ impl<K: Kind> Contact<'_, K> {
         Some(if is_above { normal } else { normal.map(|x| -x) })
     }
 
-    /// Parameters and normal where a vertex meets an edge: the normal opposes the velocity of the first primitive
-    /// relative to the second, across the line of the edge.
+    /// Parameters and normal where a vertex meets an edge: the normal opposes the velocity of the
+    /// first primitive relative to the second, across the line of the edge.
     fn vertex_on_edge(&self, side: &Side) -> ([f64; 2], Option<Point>) {
         let [x, y] = side.edge;
         let offset = self.motion.to_scale(self.motion.difference((side.vertex, x)));
@@ -110,8 +111,8 @@ impl<K: Kind> Contact<'_, K> {
         (parameters, self.direction(self.across_line(edge, towards_first)))
     }
 
-    /// The part of a vector that is orthogonal to the line that holds both primitives, if they have one, up to a
-    /// positive factor.
+    /// The part of a vector that is orthogonal to the line that holds both primitives, if they have
+    /// one, up to a positive factor.
     fn across_line(&self, edge: Vector, vector: Vector) -> Vector {
         let spans = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
         let is_point = |line: &Vector| line.iter().all(|component| self.instant.sign(component).is_eq());
@@ -141,7 +142,8 @@ impl<K: Kind> Contact<'_, K> {
         })))
     }
 
-    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of 2⁻⁵².
+    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of
+    /// 2⁻⁵².
     fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
         let reaches = |n: u64| {
@@ -150,7 +152,7 @@ impl<K: Kind> Contact<'_, K> {
                 .is_ge()
         };
         let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
-        // The quotient at an end of the bracket is most likely next to it.
+        // A guess: the quotient at an end of the bracket.
         let guess = scaled.quotient_at(b, self.instant.bounds().0).unwrap_or_default();
         let window = [guess.saturating_sub(1), guess.saturating_add(2)].map(|n| n.clamp(low, high));
         if reaches(window[0]) && !reaches(window[1]) {

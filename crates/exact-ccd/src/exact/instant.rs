@@ -1,6 +1,6 @@
 //! Times in [0, 1] at which an integer polynomial vanishes, and the signs of other polynomials there.
 
-use alloc::rc::Rc;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
@@ -14,17 +14,18 @@ use crate::time::ContactTime;
 pub(crate) enum Instant {
     /// A dyadic rational.
     Dyadic(Dyadic),
-    /// The only root of a square-free polynomial between two dyadic rationals, which are not roots themselves.
+    /// The only root of a square-free polynomial between two dyadic rationals, which are not roots
+    /// themselves.
     Root {
-        of: Rc<Polynomial>,
+        of: Arc<Polynomial>,
         low: Dyadic,
         high: Dyadic,
     },
 }
 
 impl Instant {
-    /// The sign of a polynomial at this time: Tarski's query over the only root of `of` in the bracket, unless the
-    /// polynomial plainly has one sign in all of it.
+    /// The sign of a polynomial at this time: Tarski's query over the only root of `of` in the
+    /// bracket, unless Descartes' rule proves one sign in the whole bracket.
     pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
         match self {
             Self::Dyadic(t) => polynomial.sign_at(t),
@@ -56,12 +57,12 @@ impl Instant {
         }
     }
 
-    /// The same time in a bracket that has been narrowed this many times.
+    /// The same time in a bracket narrowed by this number of bisections.
     pub(crate) fn narrowed_by(self, steps: usize) -> Self {
         (0..steps).fold(self, |instant, _| instant.narrowed())
     }
 
-    /// Whether this time is earlier than another one, which must not be the same.
+    /// Returns true if this time is earlier than another one. It does not terminate for equal times.
     fn is_before(&self, other: &Self) -> bool {
         let (mut this, mut other) = (self.clone(), other.clone());
         loop {
@@ -75,7 +76,7 @@ impl Instant {
         }
     }
 
-    /// How this time compares with t.
+    /// The comparison of this time with t.
     pub(crate) fn compare(&self, t: &Dyadic) -> Ordering {
         match self {
             Self::Dyadic(time) => time.cmp(t),
@@ -89,7 +90,7 @@ impl Instant {
         }
     }
 
-    /// The bounds of this time.
+    /// A lower and an upper bound of this time.
     pub(crate) fn bounds(&self) -> (&Dyadic, &Dyadic) {
         match self {
             Self::Dyadic(t) => (t, t),
@@ -112,7 +113,8 @@ impl Instant {
         }
     }
 
-    /// The time between two adjacent f64, by bisection over the bit patterns, which are ordered like the numbers.
+    /// The time as an f64 or between two adjacent ones, by bisection over bit patterns, which are
+    /// ordered like the numbers.
     pub(crate) fn round(&self) -> ContactTime {
         let (mut low, mut high) = (0.0f64.to_bits(), 1.0f64.to_bits() + 1);
         let compare = |bits| self.compare(&Dyadic::from_unit(f64::from_bits(bits)));
@@ -133,10 +135,10 @@ impl Instant {
     }
 }
 
-/// The roots in [0, 1], in increasing order, of square-free polynomials without common roots.
+/// The distinct roots in [0, 1] of polynomials that are not zero, in increasing order.
 pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
     let mut all: Vec<Instant> = Vec::new();
-    for polynomial in polynomials {
+    for polynomial in coprime(polynomials) {
         let mut roots = Vec::new();
         for end in [Dyadic::ZERO, Dyadic::ONE] {
             if polynomial.sign_at(&end).is_eq() {
@@ -152,8 +154,19 @@ pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
     all
 }
 
-/// Appends the roots of a square-free polynomial between two numbers that are no roots. Recursion is only as deep as
-/// there are roots.
+/// Square-free polynomials without common roots, whose roots are those of the given ones; zero ones
+/// are left out. On these, the bisections below terminate.
+fn coprime(polynomials: Vec<Polynomial>) -> Vec<Polynomial> {
+    let mut factors: Vec<Polynomial> = Vec::new();
+    for polynomial in polynomials.into_iter().filter(|p| !p.is_zero()) {
+        let divide = |rest: Polynomial, factor: &Polynomial| rest.quotient(&rest.clone().gcd(factor.clone()));
+        factors.push(factors.iter().fold(polynomial.square_free(), divide));
+    }
+    factors
+}
+
+/// Appends the roots of a square-free polynomial between two numbers that are not roots. The depth
+/// of recursion is at most the number of roots.
 fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mut Vec<Instant>) {
     let chain = SturmChain::new(&polynomial, &Polynomial::one());
     loop {
@@ -162,9 +175,9 @@ fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mu
             return;
         }
         if count == 1 {
-            // In a narrow bracket, most signs are plain.
+            // In a narrow bracket, Descartes' rule proves most signs.
             let root = Instant::Root {
-                of: Rc::new(polynomial),
+                of: Arc::new(polynomial),
                 low,
                 high,
             };

@@ -13,9 +13,10 @@ use crate::query::Query;
 
 pub(crate) type Vector = [Polynomial; 3];
 
-/// The points of a query as polynomials in t, and the plane that they have in common when they are coplanar.
+/// The points of a query as polynomials in t, and the normal of their plane when they are coplanar.
 ///
 /// Each axis is scaled by a power of two of its own: contact is invariant under such scalings.
+#[derive(Clone, Debug)]
 pub(crate) struct Motion<K> {
     points: [Vector; 4],
     /// The coordinates on an axis are integers times two to this power.
@@ -59,10 +60,11 @@ impl<K: Kind> Motion<K> {
         [0, 1, 2].map(|axis: usize| vector[axis].shifted((self.units[axis] - least) as usize))
     }
 
-    /// Whether the primitives touch at an instant at which the four points are coplanar.
+    /// Returns true if the primitives touch at an instant at which the four points are coplanar.
     pub(crate) fn touches(&self, instant: &Instant) -> bool {
         let Some((axis, facing)) = self.facing(instant) else {
-            // Parallel edges touch if an end of one lies on the other, and a flat face is the union of its edges.
+            // Parallel edges touch if and only if an end of one lies on the other. A flat face is
+            // the union of its edges.
             return K::SIDES.iter().any(|side| self.lies_on(side, instant));
         };
         K::SIDES.iter().all(|side| {
@@ -71,45 +73,39 @@ impl<K: Kind> Motion<K> {
         })
     }
 
-    /// A component of the normal that is not zero at an instant, and its sign; `None` if the normal vanishes.
+    /// A component of the normal that is not zero at an instant, and its sign; `None` if the normal
+    /// vanishes.
     pub(super) fn facing(&self, instant: &Instant) -> Option<(usize, Ordering)> {
         (0..3)
             .map(|axis| (axis, instant.sign(&self.normal[axis])))
             .find(|(_, sign)| sign.is_ne())
     }
 
-    /// Square-free polynomials without common roots, among whose roots are all times at which contact begins or ends.
-    /// The four points are coplanar at every root.
+    /// Polynomials, not zero, among whose roots are all times at which contact begins or ends. The
+    /// four points are coplanar at every root.
     ///
-    /// The primitives meet only while they are coplanar. If they always are, then contact begins or ends with the step,
-    /// or with a vertex on an edge: a vertex inside the face, or edges that cross inside each other, stay so for a
-    /// while. So does a vertex inside an edge whose line it never leaves; it can only come and go over an end.
+    /// The primitives meet only while they are coplanar. If they always are, then contact begins or
+    /// ends with the step, or with a vertex on an edge: a vertex inside the face, or edges that
+    /// cross inside each other, stay so for a while. So does a vertex inside an edge whose line it
+    /// never leaves; it can only enter or leave over an end.
     pub(crate) fn events(&self) -> Vec<Polynomial> {
         if !self.is_always_coplanar() {
-            return vec![self.volume.square_free()];
+            return vec![self.volume.clone()];
         }
-        let mut factors = vec![Polynomial::ends()];
-        let mut join = |vector: Vector| {
-            let [x, y, z] = vector;
-            let common = x.gcd(y).gcd(z);
-            if common.is_zero() {
-                return false;
-            }
-            let divide =
-                |rest: Polynomial, factor: &Polynomial| rest.quotient(&rest.clone().gcd(factor.clone()));
-            factors.push(factors.iter().fold(common.square_free(), divide));
-            true
-        };
+        let mut events = vec![Polynomial::ends()];
         for side in K::SIDES {
-            if !join([0, 1, 2].map(|axis| self.side(side, axis))) {
-                for end in side.edge {
-                    join(self.difference((end, side.vertex)));
-                }
+            let on_line = common([0, 1, 2].map(|axis| self.side(side, axis)));
+            if on_line.is_zero() {
+                let at_end = |end: usize| common(self.difference((end, side.vertex)));
+                events.extend(side.edge.map(at_end).into_iter().filter(|p| !p.is_zero()));
+            } else {
+                events.push(on_line);
             }
         }
-        factors
+        events
     }
 
+    /// Returns true if the four points are coplanar at all times.
     pub(crate) fn is_always_coplanar(&self) -> bool {
         self.volume.is_zero()
     }
@@ -120,7 +116,7 @@ impl<K: Kind> Motion<K> {
         cross_component(&x, &y, axis)
     }
 
-    /// Whether a vertex lies on an edge: on its line and between its ends.
+    /// Returns true if a vertex lies on an edge: on its line and between its ends.
     pub(super) fn lies_on(&self, side: &Side, instant: &Instant) -> bool {
         let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
         cross(&x, &y)
@@ -128,6 +124,11 @@ impl<K: Kind> Motion<K> {
             .all(|component| instant.sign(component).is_eq())
             && instant.sign(&dot(&x, &y)).is_le()
     }
+}
+
+/// A polynomial whose roots are the common roots of all components; zero if these are all zero.
+fn common([x, y, z]: Vector) -> Polynomial {
+    x.gcd(y).gcd(z)
 }
 
 fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {

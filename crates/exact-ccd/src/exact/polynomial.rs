@@ -67,7 +67,8 @@ impl Polynomial {
         sum
     }
 
-    /// The quotient of the values of two polynomials at t, without its fraction, if there is one in range.
+    /// The quotient of the values of two polynomials at t, truncated to an integer, if it is in the
+    /// range of u64.
     pub(crate) fn quotient_at(&self, divisor: &Self, t: &Dyadic) -> Option<u64> {
         let lifted = |p: &Self, other: &Self| {
             p.scaled_value(t) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
@@ -79,7 +80,7 @@ impl Polynomial {
         u64::try_from(value / by).ok()
     }
 
-    /// The sign in all of (low, high), if it is plain from Descartes' rule: the coefficients of
+    /// The sign in the whole interval (low, high), if Descartes' rule proves it: the coefficients of
     /// (1 + s)ᵈ q((low + high s) / (1 + s)), s > 0, have one sign.
     pub(crate) fn sign_between(&self, low: &Dyadic, high: &Dyadic) -> Option<Ordering> {
         let exponent = low.exponent.max(high.exponent);
@@ -143,8 +144,9 @@ impl Polynomial {
         self
     }
 
-    /// Quotient and remainder of this polynomial times a positive integer, the least power of the divisor's leading
-    /// coefficient that is enough.
+    /// Quotient and remainder of this polynomial times a positive integer: the smallest power of
+    /// the magnitude of the divisor's leading coefficient for which all coefficients of the
+    /// quotient are integers by construction.
     fn divide(&self, divisor: &Self) -> (Self, Self) {
         let Some(leading) = divisor.0.last() else {
             return (Self::zero(), self.clone());
@@ -152,7 +154,7 @@ impl Polynomial {
         let steps = (self.0.len() + 1).saturating_sub(divisor.0.len());
         let mut quotient = vec![IBig::ZERO; steps];
         let mut remainder = self.0.clone();
-        // |leading| keeps the multiplier positive, and the signs of Sturm's theorem right.
+        // With |leading| the multiplier is positive, as Sturm's theorem requires.
         let (magnitude, sign) = (IBig::from(leading.clone().unsigned_abs()), leading.signum());
         for step in (0..steps).rev() {
             let top = remainder.pop().unwrap_or_default() * &sign;

@@ -1,9 +1,10 @@
-//! Sturm's theorem in Tarski's form, the one primitive on which exact decisions stand.
+//! Sturm's theorem in Tarski's form: the one primitive of exact decisions.
 //!
-//! For polynomials p and q, let S₀ = p, S₁ = p′ q, Sᵢ₊₁ = −(Sᵢ₋₁ mod Sᵢ) up to a positive factor, and let V(t) be the
-//! number of sign changes in S₀(t), S₁(t), …, zeros left out. If p vanishes neither at a nor at b, then V(a) − V(b) is
-//! the sum of the signs of q over the distinct roots of p in (a, b). With q = 1 it counts them, and over a bracket
-//! of one root it is the sign of q there. (Basu, Pollack, Roy: Algorithms in Real Algebraic Geometry, theorem 2.73.)
+//! For polynomials p and q, let S₀ = p, S₁ = p′ q, Sᵢ₊₁ = −(Sᵢ₋₁ mod Sᵢ) up to a positive factor,
+//! and let V(t) be the number of sign changes in S₀(t), S₁(t), …, zeros left out. If p vanishes
+//! neither at a nor at b, then V(a) − V(b) is the sum of the signs of q over the distinct roots of
+//! p in (a, b). With q = 1 it counts them, and over a bracket of one root it is the sign of q
+//! there. (Basu, Pollack, Roy: Algorithms in Real Algebraic Geometry, theorem 2.73.)
 
 use alloc::vec;
 use alloc::vec::Vec;
@@ -27,7 +28,8 @@ impl SturmChain {
         Self(chain)
     }
 
-    /// The sum of the signs of q over the distinct roots of p in (low, high), where p(low) and p(high) are not zero.
+    /// The sum of the signs of q over the distinct roots of p in (low, high), where p(low) and
+    /// p(high) are not zero.
     pub(crate) fn sum_of_signs(&self, low: &Dyadic, high: &Dyadic) -> isize {
         self.variations(low) - self.variations(high)
     }

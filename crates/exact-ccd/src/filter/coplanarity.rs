@@ -3,11 +3,11 @@
 use super::cubic::Cubic;
 use super::double_double::DoubleDouble;
 use super::number::{Lanes, Number, Points, reach, subtract};
-use super::rounding::PreciseCubic;
+use super::precise_cubic::PreciseCubic;
 use crate::kind::Kind;
 use crate::query::Query;
 
-/// c, and the normals on the way to it.
+/// c, and the normals from which it is computed.
 pub(super) struct Coplanarity<T> {
     pub(super) cubic: Cubic<T>,
     /// e₁ × e₂ at t = 0 and at t = 1.
@@ -16,8 +16,9 @@ pub(super) struct Coplanarity<T> {
 
 /// c = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³.
 struct Expansion<T: Number> {
-    /// b₀, 3 b₁, 3 b₂, b₃. The longest way is that to 3 b₁ and 3 b₂: a difference, a product, the difference in `cross`, the
-    /// sum in `mixed`, a product, two sums in `dot` and one more; and the two other differences in each term.
+    /// b₀, 3 b₁, 3 b₂, b₃. The longest chain of roundings leads to 3 b₁ and 3 b₂: a difference, a
+    /// product, the difference in `cross`, the sum in `mixed`, a product, two sums in `dot` and one
+    /// more; and the two other differences in each term.
     coefficients: [T; 4],
     magnitude: T::Real,
     normals: [[T; 3]; 2],

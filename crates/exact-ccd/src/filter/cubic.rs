@@ -5,32 +5,34 @@ use core::cmp::Ordering;
 use arrayvec::ArrayVec;
 
 use super::number::Lanes;
-use super::{UNDERFLOW, UNIT};
+use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
 use crate::time::ContactTime;
 
-/// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient known to within an error.
+/// c(t) = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³, each coefficient known to within an
+/// error.
 #[derive(Clone, Copy)]
 pub(crate) struct Cubic<T> {
     pub(crate) bernstein: [T; 4],
-    /// A bound for the magnitudes of the coefficients, and of everything that is added up on the way to them.
+    /// A bound for the magnitudes of the coefficients, and of everything that is added up on the
+    /// way to them.
     pub(crate) magnitude: T,
 }
 
 /// A bracket of exactly one root of c, a simple one; c has opposite strict signs at its ends.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Root {
+pub(crate) struct Root {
     pub(super) low: f64,
     pub(super) high: f64,
     /// An approximation of the root in the bracket.
     pub(super) near: f64,
     /// An approximation of c′ there.
     pub(super) slope: f64,
-    /// Whether c is negative below the root and positive above it.
+    /// True if c is negative below the root and positive above it.
     pub(super) rising: bool,
 }
 
 impl Root {
-    /// The root in the narrowest bracket, once its time is known.
+    /// The root in the narrowest bracket, given its time.
     pub(super) fn at(&self, time: ContactTime) -> Self {
         Self {
             low: time.lower(),
@@ -41,17 +43,9 @@ impl Root {
     }
 }
 
-/// What is known of a number of which an approximation is known.
-#[derive(Clone, Copy, PartialEq)]
-enum Sign {
-    Negative,
-    Unknown,
-    Positive,
-}
-
 impl<T: Lanes> Cubic<T> {
-    /// The cubic with the coefficients b₀, 3 b₁, 3 b₂, b₃, each reached in at most ten roundings of terms whose
-    /// magnitudes add up to at most m, 3 m, 3 m and m for `magnitude` m.
+    /// The cubic with the coefficients b₀, 3 b₁, 3 b₂, b₃, each reached in at most ten roundings of
+    /// terms whose magnitudes add up to at most m, 3 m, 3 m and m for `magnitude` m.
     #[inline(always)]
     pub(super) fn new([b0, three_b1, three_b2, b3]: [T; 4], magnitude: T) -> Self {
         Self {
@@ -66,26 +60,27 @@ impl<T: Lanes> Cubic<T> {
         self.magnitude * (16.0 * UNIT) + UNDERFLOW
     }
 
-    /// Whether c is certainly positive in all of [0, 1], as all coefficients are, and whether it is negative.
+    /// True where c is certainly positive in all of [0, 1], because all coefficients are; and where
+    /// it is negative.
     #[inline(always)]
     pub(super) fn constant_signs(&self) -> [T::Mask; 2] {
         let error = self.coefficient_error();
         let [b0, b1, b2, b3] = self.bernstein;
         [
-            b0.exceeds(error) & b1.exceeds(error) & b2.exceeds(error) & b3.exceeds(error),
-            (-b0).exceeds(error) & (-b1).exceeds(error) & (-b2).exceeds(error) & (-b3).exceeds(error),
+            b0.gt(error) & b1.gt(error) & b2.gt(error) & b3.gt(error),
+            (-b0).gt(error) & (-b1).gt(error) & (-b2).gt(error) & (-b3).gt(error),
         ]
     }
 }
 
 impl Cubic<f64> {
-    /// Whether c is positive at t = 0. Certain where the roots are.
+    /// Returns true if c is positive at t = 0. This is certain if [`roots`](Self::roots) are.
     pub(super) fn starts_positive(&self) -> bool {
         self.bernstein[0] > 0.0
     }
 
-    /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y with three roundings
-    /// one after another, n = 11 + 9.
+    /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y
+    /// with three roundings one after another, n = 11 + 9.
     fn blossom_error(&self) -> f64 {
         32.0 * UNIT * self.magnitude + UNDERFLOW
     }
@@ -100,11 +95,12 @@ impl Cubic<f64> {
         }
     }
 
-    /// Brackets of all roots of c in [0, 1], in increasing order, if all of them are certainly simple and inside.
+    /// Brackets of all roots of c in [0, 1], in increasing order, if all of them are certainly
+    /// simple and inside.
     ///
-    /// A piece has no root if its Bernstein coefficients have one sign, and exactly one if their signs change once
-    /// (Descartes' rule). Where neither is certain for the whole, c is cut where that makes it monotone; if neither is
-    /// certain for a piece then, nothing is.
+    /// A piece has no root if its Bernstein coefficients have one sign, and exactly one if their
+    /// signs change once (Descartes' rule). If neither is certain for [0, 1], c is cut into
+    /// monotone pieces; if neither is certain for one of these, the roots are unknown.
     pub(super) fn roots(&self) -> Option<ArrayVec<Root, 3>> {
         let mut roots = ArrayVec::new();
         if self.isolate(0.0, 1.0, self.bernstein, &mut roots).is_some() {
@@ -124,7 +120,8 @@ impl Cubic<f64> {
         Some(roots)
     }
 
-    /// Adds the root in a piece with these Bernstein coefficients, if there certainly is one; `None` if that is not certain.
+    /// Appends the root in a piece with these Bernstein coefficients, if there certainly is one;
+    /// `None` if the number of roots is not certain.
     fn isolate(
         &self,
         low: f64,
@@ -132,22 +129,24 @@ impl Cubic<f64> {
         coefficients: [f64; 4],
         roots: &mut ArrayVec<Root, 3>,
     ) -> Option<()> {
-        match coefficients.map(|value| self.sign(value)) {
-            [Sign::Unknown, ..] | [.., Sign::Unknown] => None,
-            [first, second, third, last] if first == last => {
-                (second == first && third == first).then_some(())
-            }
-            // Whatever the sign of an unknown one, the signs change only once if one of these agrees.
-            [first, second, third, last] => (second == first || third == last).then(|| {
-                let [start, .., end] = coefficients;
-                let secant = low + (high - low) * (start / (start - end));
-                roots.push(self.refine(low, high, secant, last == Sign::Positive));
-            }),
+        let [first, second, third, last] = coefficients.map(|value| self.sign(value));
+        let (Some(at_low), Some(at_high)) = (first, last) else {
+            return None;
+        };
+        if at_low == at_high {
+            return (second == first && third == first).then_some(());
         }
+        // If one of these agrees, the signs change only once, whichever sign an unknown one has.
+        (second == first || third == last).then(|| {
+            let [start, .., end] = coefficients;
+            let secant = low + (high - low) * (start / (start - end));
+            roots.push(self.refine(low, high, secant, at_high.is_gt()));
+        })
     }
 
-    /// Where to cut [0, 1] so that c is monotone on each piece, and so are its Bernstein coefficients there: about at the
-    /// zeros of c′; if there are none, at that of c″, on either side of which the coefficients of c′ have one sign.
+    /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein
+    /// coefficients: approximate zeros of c′; if it has none, that of c″, on either side of which
+    /// the coefficients of c′ have one sign.
     fn cuts(&self) -> ArrayVec<f64, 2> {
         let [b0, b1, b2, b3] = self.bernstein;
         // c′ / 3 = d₀ (1−t)² + 2 d₁ (1−t) t + d₂ t² = a t² + 2 h t + d₀.
@@ -168,7 +167,8 @@ impl Cubic<f64> {
     /// A narrow bracket of the only root in a wider one.
     fn refine(&self, low: f64, high: f64, guess: f64, rising: bool) -> Root {
         let (near, slope) = self.approximate(low, high, guess, rising);
-        // Where c is at least twice its error away from zero, if it is as steep as here.
+        // At this distance c is at least twice its error away from zero, if its slope is the same
+        // there.
         let mut width = 4.0 * self.blossom_error() / slope.abs();
         let mut root = Root {
             low,
@@ -178,9 +178,9 @@ impl Cubic<f64> {
             rising,
         };
         let (below, above) = if rising {
-            (Sign::Negative, Sign::Positive)
+            (Some(Ordering::Less), Some(Ordering::Greater))
         } else {
-            (Sign::Positive, Sign::Negative)
+            (Some(Ordering::Greater), Some(Ordering::Less))
         };
         for _ in 0..3 {
             let (left, right) = (near - width, near + width);
@@ -195,9 +195,10 @@ impl Cubic<f64> {
         root
     }
 
-    /// Newton's iteration, kept in the bracket by bisection: an approximation of the root, and of c′ there.
+    /// Newton's iteration, kept in the bracket by bisection: an approximation of the root, and of
+    /// c′ there.
     ///
-    /// A guess, which needs no bound: in powers of t, which are faster to evaluate than the Bernstein form.
+    /// The result needs no error bound. Powers of t are faster to evaluate than the Bernstein form.
     fn approximate(&self, mut low: f64, mut high: f64, guess: f64, rising: bool) -> (f64, f64) {
         const STEPS: usize = 60;
         let noise = self.blossom_error();
@@ -207,7 +208,7 @@ impl Cubic<f64> {
             3.0 * ((b2 - b1) - (b1 - b0)),
             (b3 - b0) - 3.0 * (b2 - b1),
         ];
-        // At least half of |c″|: after a step s, the value is no larger than this s², until roundings matter.
+        // A bound of |c″| / 2: after a step s, the value is at most this times s², up to roundings.
         let curvature = a2.abs() + 3.0 * a3.abs();
         let (mut t, mut slope) = (guess, 0.0);
         for _ in 0..STEPS {
@@ -230,7 +231,8 @@ impl Cubic<f64> {
         (t, slope)
     }
 
-    /// The symmetric, in each argument affine function whose diagonal is c. (Ramshaw, Blossoms are polar forms, 1989.)
+    /// The blossom of c: symmetric, affine in each argument, and c(t) at (t, t, t). (Ramshaw,
+    /// Blossoms are polar forms, 1989.)
     fn blossom(&self, r: f64, s: f64, t: f64) -> f64 {
         let [b0, b1, b2, b3] = self.bernstein;
         let [b0, b1, b2] = [
@@ -242,19 +244,12 @@ impl Cubic<f64> {
         interpolate(b0, b1, t)
     }
 
-    /// The sign of a blossom value.
-    fn sign(&self, value: f64) -> Sign {
-        let error = self.blossom_error();
-        if value > error {
-            Sign::Positive
-        } else if value < -error {
-            Sign::Negative
-        } else {
-            Sign::Unknown
-        }
+    /// The sign of a blossom value, if it is certain.
+    fn sign(&self, value: f64) -> Option<Ordering> {
+        certain_sign(value, self.blossom_error())
     }
 
-    fn sign_at(&self, t: f64) -> Sign {
+    fn sign_at(&self, t: f64) -> Option<Ordering> {
         self.sign(self.blossom(t, t, t))
     }
 }

@@ -1,16 +1,18 @@
 //! Numbers of twice the precision: unevaluated sums of two f64.
 //!
-//! Error-free transforms after Dekker (A floating-point technique for extending the available precision, 1971) and
-//! Knuth; the sum and the product are the fast ones, whose errors are bounded relative to the magnitudes of the
-//! operands, not of the result: at most [`ROUNDOFF`] (|a| + |b|) and [`ROUNDOFF`] |a b|. (Joldes, Muller, Popescu,
-//! Tight and rigorous error bounds for basic building blocks of double-word arithmetic, 2017.) Products are split by
-//! multiplication and not by a fused multiply-add, which would be a slow library call where the target has none.
+//! The error-free transforms are those of Dekker (A floating-point technique for extending the
+//! available precision, 1971) and Knuth. The sum and the product are the fast ones, whose errors
+//! are bounded relative to the magnitudes of the operands, not of the result: at most [`ROUNDOFF`]
+//! (|a| + |b|) and [`ROUNDOFF`] |a b|. (Joldes, Muller, Popescu, Tight and rigorous error bounds
+//! for basic building blocks of double-word arithmetic, 2017.) Products are split by multiplication
+//! and not by a fused multiply-add, which is a slow library call on targets without the
+//! instruction.
 
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::number::Number;
 
-/// 2⁻¹⁰⁰: more than the relative error of any one operation.
+/// 2⁻¹⁰⁰: an upper bound of the relative error of one operation.
 pub(crate) const ROUNDOFF: f64 = f64::from_bits((1023 - 100) << 52);
 
 /// high + low, with |low| at most half a unit in the last place of `high`.

@@ -1,12 +1,14 @@
-//! Separating directions: F(t, u, v) stays in the convex hull of its values at the corners of the domain, so that
-//! a plane through the origin with all corners strictly on one side proves that F has no root.
+//! Separating directions: F(t, u, v) stays in the convex hull of its values at the corners of the
+//! domain, so that a plane through the origin with all corners strictly on one side proves that F
+//! has no root.
 
 use super::number::{Lanes, Points, subtract};
-use super::{LARGEST, UNDERFLOW, UNIT};
+use super::roundoff::{LARGEST, UNDERFLOW, UNIT};
 use crate::kind::Kind;
 use crate::query::Point;
 
-/// The eight values of F at the corners of its domain, by axis. (A vertex-face query has six; two are repeated.)
+/// The eight values of F at the corners of its domain, by axis. (A vertex-face query has six; two
+/// are repeated.)
 pub(super) struct Hull<T> {
     corners: [[T; 8]; 3],
     low: [T; 3],
@@ -27,8 +29,8 @@ impl<T: Lanes> Hull<T> {
         let (mut low, mut high) = (corners.map(|row| row[0]), corners.map(|row| row[0]));
         for axis in 0..3 {
             for &x in &corners[axis][1..] {
-                low[axis] = x.lesser(low[axis]);
-                high[axis] = x.greater(high[axis]);
+                low[axis] = x.min(low[axis]);
+                high[axis] = x.max(high[axis]);
             }
         }
         Self { corners, low, high }
@@ -37,14 +39,14 @@ impl<T: Lanes> Hull<T> {
     /// The largest magnitude of the corners along an axis.
     #[inline(always)]
     fn reach(&self, axis: usize) -> T {
-        self.high[axis].greater(-self.low[axis])
+        self.high[axis].max(-self.low[axis])
     }
 
-    /// Whether a corner is farther from the origin along some axis than the filters can take.
+    /// True where a coordinate of a corner exceeds [`LARGEST`].
     #[inline(always)]
     pub(super) fn is_out_of_range(&self) -> T::Mask {
         let largest = self.low[0].splat(LARGEST);
-        self.reach(0).exceeds(largest) | self.reach(1).exceeds(largest) | self.reach(2).exceeds(largest)
+        self.reach(0).gt(largest) | self.reach(1).gt(largest) | self.reach(2).gt(largest)
     }
 
     #[inline(always)]
@@ -57,56 +59,61 @@ impl<T: Lanes> Hull<T> {
         along
     }
 
-    /// The error of a scalar product: a corner is rounded once, then there are one product and two sums, n = 4.
+    /// The error of a scalar product: a corner is rounded once, then there are one product and two
+    /// sums, n = 4.
     #[inline(always)]
     fn error_along(&self, direction: [T; 3]) -> T {
-        let [x, y, z] = direction.map(Lanes::magnitude);
+        let [x, y, z] = direction.map(Lanes::abs);
         (x * self.reach(0) + y * self.reach(1) + z * self.reach(2)) * (8.0 * UNIT) + UNDERFLOW
     }
 
-    /// Whether all corners certainly lie strictly on the same side of the plane through the origin across a direction.
+    /// True where all corners certainly lie strictly on the same side of the plane through the
+    /// origin with this normal.
     #[inline(always)]
-    pub(super) fn is_beyond(&self, direction: [T; 3]) -> T::Mask {
+    pub(super) fn separates(&self, direction: [T; 3]) -> T::Mask {
         let error = self.error_along(direction);
         let [first, rest @ ..] = self.along(direction);
-        let (mut above, mut below) = (first.exceeds(error), (-first).exceeds(error));
+        let (mut above, mut below) = (first.gt(error), (-first).gt(error));
         for value in rest {
-            above = above & value.exceeds(error);
-            below = below & (-value).exceeds(error);
+            above = above & value.gt(error);
+            below = below & (-value).gt(error);
         }
         above | below
     }
 }
 
 impl Hull<f64> {
-    /// Whether the bounding box of the corners leaves out the origin. Exact: the sign of a difference of two f64 is
-    /// right even when the difference is rounded, overflows or is subnormal.
+    /// Returns true if the bounding box of the corners does not contain the origin. Exact: the sign
+    /// of a difference of two f64 is right even when the difference is rounded, overflows or is
+    /// subnormal.
     #[inline]
     pub(super) fn box_excludes_origin(&self) -> bool {
         (0..3).any(|axis| self.low[axis] > 0.0 || self.high[axis] < 0.0)
     }
 
-    /// Whether all corners are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Exact: rounding is monotone, so
-    /// that what is less after it was less before.
+    /// Returns true if all corners are strictly on one side of a plane x = ±y, y = ±z or z = ±x.
+    /// Exact: rounding is monotone, so that a rounded difference less than another one implies the
+    /// same of the exact ones.
     #[inline]
-    pub(super) fn is_beyond_diagonal(&self) -> bool {
+    pub(super) fn diagonal_separates(&self) -> bool {
         [[0, 1], [1, 2], [2, 0]]
             .into_iter()
-            .any(|[i, j]| are_beyond_diagonal(self.corners[i].into_iter().zip(self.corners[j])))
+            .any(|[i, j]| diagonal_separates(self.corners[i].into_iter().zip(self.corners[j])))
     }
 
-    /// The mean of the corners, to within rounding: as a direction it needs no accuracy.
+    /// The mean of the corners. It serves as a direction, and needs no accuracy.
     fn centroid(&self) -> Point {
         [0, 1, 2].map(|axis: usize| self.corners[axis].iter().sum::<f64>() / 8.0)
     }
 
-    /// Whether a few steps of Gilbert's iteration (An iterative procedure for computing the minimum of a quadratic form
-    /// on a convex set, 1966), from the centroid towards the point of the hull next to the origin, find a separating direction.
-    pub(super) fn is_beyond_some_direction(&self) -> bool {
+    /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a
+    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps from the
+    /// centroid towards the point of the hull next to the origin.
+    pub(super) fn some_direction_separates(&self) -> bool {
         const STEPS: usize = 6;
         let mut nearest = self.centroid();
         for _ in 0..STEPS {
-            if self.is_beyond(nearest) {
+            if self.separates(nearest) {
                 return true;
             }
             let values = self.along(nearest);
@@ -124,9 +131,10 @@ impl Hull<f64> {
     }
 }
 
-/// Whether some points of a plane are all strictly on one side of one of its diagonals, x = y or x = −y.
+/// Returns true if all points (x, y) are strictly on one side of one of the diagonals x = y and x =
+/// −y.
 #[inline]
-pub(crate) fn are_beyond_diagonal(points: impl Iterator<Item = (f64, f64)>) -> bool {
+pub(crate) fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
     let mut sides = [true; 4];
     for (x, y) in points {
         sides[0] &= x > y;

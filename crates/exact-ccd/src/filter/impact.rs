@@ -1,19 +1,19 @@
-//! Where the primitives meet at a root of the coplanarity cubic, and across which direction.
+//! Parameters and normal of a contact at a root of the coplanarity cubic.
 
 use super::cubic::Root;
-use super::sides::{Bracket, longest};
+use super::position::{Bracket, longest};
 use crate::impact::unit;
 use crate::kind::Kind;
 use crate::query::{Point, Query};
 
-/// 2⁻³³: what the parameters and the normal may be off by; half of what is promised, which leaves room for the
-/// roundings that are not counted here.
+/// 2⁻³³: the largest error of the parameters and the normal. It is half of the documented one,
+/// which leaves room for the roundings that are not counted here.
 const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
 
-/// (u, v) and the normal of the contact at a root, at which the primitives touch, if they are accurate enough.
+/// (u, v) and the normal at a root at which the primitives touch, if they are accurate enough.
 pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> Option<([f64; 2], Point)> {
     let bracket = Bracket::new(query, root);
-    let [_, e1, e2] = K::SPAN.map(|difference| bracket.motion(difference));
+    let [_, e1, e2] = K::SPAN.map(|difference| bracket.vector(difference));
     let normal = bracket.cross(&e1, &e2);
     let magnitude = |axis: usize| normal[axis].value.abs();
     let axis = longest(&normal);
@@ -34,7 +34,7 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
     let mut parameters = [0.0; 2];
     for (parameter, index) in parameters.iter_mut().zip(K::PARAMETERS) {
         let side = &K::SIDES[index];
-        let [x, y] = side.edge.map(|end| bracket.motion((end, side.vertex)));
+        let [x, y] = side.edge.map(|end| bracket.vector((end, side.vertex)));
         let area = bracket.cross_along(axis, &x, &y);
         let ratio = area.value / normal[axis].value;
         // For r = a / n, the exact (a + α) / (n + ν) is off by (α − r ν) / (n + ν).

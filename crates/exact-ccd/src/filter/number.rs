@@ -1,11 +1,11 @@
-//! What the filters compute with: f64 to find an answer, one query or eight at a time, and
-//! [`DoubleDouble`](super::double_double::DoubleDouble) to find its last bit.
+//! The arithmetic of the filters: f64 for the decisions, one query or eight at a time, and
+//! [`DoubleDouble`](super::double_double::DoubleDouble) for the last bit of a time.
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use crate::kind::Difference;
 
-/// f64, one or several side by side. Whatever the number of lanes, each computes the same bits.
+/// One f64 or several side by side. Each lane computes the same bits, whatever their number.
 pub(crate) trait Lanes:
     Copy
     + Add<Output = Self>
@@ -22,16 +22,16 @@ pub(crate) trait Lanes:
     /// A number with this value in each lane.
     fn splat(self, value: f64) -> Self;
 
-    /// Whether a lane is greater than that of another number; never for a NaN.
-    fn exceeds(self, other: Self) -> Self::Mask;
+    /// True in each lane that is greater than that of another number; never for a NaN.
+    fn gt(self, other: Self) -> Self::Mask;
 
-    fn magnitude(self) -> Self;
+    fn abs(self) -> Self;
 
-    /// The lesser of two numbers, of which none is NaN.
-    fn lesser(self, other: Self) -> Self;
+    /// The smaller of two numbers that are not NaN.
+    fn min(self, other: Self) -> Self;
 
-    /// The greater of two numbers, of which none is NaN.
-    fn greater(self, other: Self) -> Self;
+    /// The larger of two numbers that are not NaN.
+    fn max(self, other: Self) -> Self;
 }
 
 impl Lanes for f64 {
@@ -43,34 +43,34 @@ impl Lanes for f64 {
     }
 
     #[inline(always)]
-    fn exceeds(self, other: Self) -> bool {
+    fn gt(self, other: Self) -> bool {
         self > other
     }
 
     #[inline(always)]
-    fn magnitude(self) -> Self {
+    fn abs(self) -> Self {
         self.abs()
     }
 
     #[inline(always)]
-    fn lesser(self, other: Self) -> Self {
+    fn min(self, other: Self) -> Self {
         if self < other { self } else { other }
     }
 
     #[inline(always)]
-    fn greater(self, other: Self) -> Self {
+    fn max(self, other: Self) -> Self {
         if self > other { self } else { other }
     }
 }
 
-/// A number that stands for a real number to within roundings.
+/// An approximation of a real number.
 pub(crate) trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {
-    /// What coordinates and bounds are.
+    /// The type of coordinates and bounds.
     type Real: Lanes;
 
     fn difference(a: Self::Real, b: Self::Real) -> Self;
 
-    /// The f64 next to it.
+    /// The nearest f64.
     fn value(self) -> Self::Real;
 }
 
@@ -110,7 +110,7 @@ pub(crate) fn subtract<T: Number>(points: &Points<T::Real>, (i, j): Difference) 
 pub(crate) fn reach<T: Number, const N: usize>([a, b]: &[[T; N]; 2]) -> [T::Real; N] {
     let mut reach = a.map(Number::value);
     for axis in 0..N {
-        reach[axis] = a[axis].value().magnitude().greater(b[axis].value().magnitude());
+        reach[axis] = a[axis].value().abs().max(b[axis].value().abs());
     }
     reach
 }

@@ -1,21 +1,23 @@
-//! Motion in a plane across an axis, as that of a cloth on the ground or between two walls: the coplanarity cubic is zero,
-//! and what matters is on which sides of the edges' lines the vertices are.
+//! Motion in a plane across an axis, as that of a cloth on the ground or between two walls: the
+//! coplanarity cubic is zero, and the sides of the edges' lines on which the vertices lie decide.
 //!
-//! Each side is the sign of a quadratic. Where all of them have simple roots, apart from each other, one changes at a
-//! time, so that contact which begins within the step lasts for a while.
+//! Each side is the sign of a quadratic. If all roots of the quadratics are simple and apart from
+//! each other, one sign changes at a time, so that contact which begins within the step lasts for
+//! an interval.
 
 use arrayvec::ArrayVec;
 
 use super::cubic::{Cubic, Root};
 use super::double_double::DoubleDouble;
 use super::number::{Number, reach, subtract};
-use super::rounding::PreciseCubic;
+use super::precise_cubic::PreciseCubic;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 use crate::time::ContactTime;
 
-/// The most sides that a kind of query has, times the roots of a quadratic.
-const MOST_ROOTS: usize = 8;
+/// The maximal number of crossings. A kind of query has at most four sides. The quadratic of a side
+/// is handled as a cubic, whose roots are at most three.
+const MAX_CROSSINGS: usize = 12;
 
 /// A query in a plane.
 pub(super) struct Planar<'a, K> {
@@ -24,11 +26,12 @@ pub(super) struct Planar<'a, K> {
     axes: [usize; 2],
 }
 
-/// When contact begins.
-pub(super) enum Beginning {
-    /// It is there at t = 0.
+/// The event with which contact begins.
+#[derive(Clone, Debug)]
+pub(crate) enum Beginning {
+    /// The primitives are in contact at t = 0.
     Start,
-    /// A vertex comes to lie on the line of an edge, as the last one to do so.
+    /// A vertex reaches the line of an edge, and all other vertices lie on the required sides.
     Side(&'static Side, Root),
 }
 
@@ -39,7 +42,8 @@ struct Crossing {
 }
 
 impl<'a, K: Kind> Planar<'a, K> {
-    /// The query, if all its points move in one plane across an axis. Exact: it only compares coordinates.
+    /// The query, if all its points move in one plane across an axis. Exact: coordinates are only
+    /// compared.
     pub(super) fn new(query: &'a Query<K>) -> Option<Self> {
         let is_flat = |axis: usize| {
             query
@@ -54,12 +58,13 @@ impl<'a, K: Kind> Planar<'a, K> {
         })
     }
 
-    /// When contact begins, `Some(None)` if it certainly never does.
+    /// The beginning of contact; `Some(None)` if there certainly is no contact, `None` if that is
+    /// unknown.
     pub(super) fn beginning(&self) -> Option<Option<Beginning>> {
         let [_, e1, e2] = K::SPAN;
         let facing = self.area(e1, e2).constant_sign()?;
         let mut inside = ArrayVec::<bool, 4>::new();
-        let mut crossings = ArrayVec::<Crossing, MOST_ROOTS>::new();
+        let mut crossings = ArrayVec::<Crossing, MAX_CROSSINGS>::new();
         for (index, side) in K::SIDES.iter().enumerate() {
             let [x, y] = side.edge.map(|end| (end, side.vertex));
             let area = self.area(x, y);
@@ -95,7 +100,7 @@ impl<'a, K: Kind> Planar<'a, K> {
         Cubic::new(coefficients, magnitude)
     }
 
-    /// When contact begins, to the last bit.
+    /// The time at which contact begins, to the last bit.
     pub(super) fn round(&self, beginning: &Beginning) -> Option<ContactTime> {
         match beginning {
             Beginning::Start => Some(ContactTime::exactly(0.0)),
@@ -107,8 +112,9 @@ impl<'a, K: Kind> Planar<'a, K> {
         }
     }
 
-    /// The quadratic q₀ (1−t)² + m (1−t) t + q₁ t², raised to a cubic. The longest way to a coefficient is a difference, a
-    /// product, the difference in `cross`, the sum in `mixed` and one more; and the other difference in each term.
+    /// The quadratic q₀ (1−t)² + m (1−t) t + q₁ t², raised to a cubic. The longest chain of
+    /// roundings to a coefficient is a difference, a product, the difference in `cross`, the sum in
+    /// `mixed` and one more; and the other difference in each term.
     fn expand<T: Number<Real = f64>>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
         let along = |difference| {
             subtract(self.query.points(), difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]))

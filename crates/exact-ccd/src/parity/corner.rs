@@ -1,11 +1,12 @@
-//! What the parity counter asks of the corners of F: signs of determinants, in f64 or in integers.
+//! The predicates of the parity counter: signs of determinants of corners of F, in f64 or in
+//! integers.
 
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
 
-use crate::exact::to_integers;
-use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, are_beyond_diagonal};
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, certain_sign, diagonal_separates};
+use crate::predicates::{Integers, determinant, integers, permanent, sign_of_determinant, volume};
 use crate::query::Point;
 
 /// A vector from the origin to a corner, in exact coordinates.
@@ -17,28 +18,29 @@ pub(super) trait Corner: Sized {
 
     fn is_negative(&self, axis: usize) -> bool;
 
-    /// Whether a cheap filter proves that the origin is not in the hull of the corners.
+    /// Returns true if a cheap filter proves that the origin is not in the hull of the corners.
     fn certainly_exclude_origin(_corners: &[Self; 8]) -> bool {
         false
     }
 
-    /// Whether both lie on one line through the origin.
+    /// Returns true if both lie on one line through the origin.
     fn are_parallel(a: &Self, b: &Self) -> bool {
         (0..3).all(|axis| Self::turn(axis, a, b).is_eq())
     }
 
-    /// Whether the corner is the origin.
+    /// Returns true if the corner is the origin.
     fn is_zero(&self) -> bool {
         (0..3).all(|axis| !self.is_positive(axis) && !self.is_negative(axis))
     }
 
-    /// Whether two corners whose turn is zero are on the same side of an axis, as seen along it, and off it.
+    /// Returns true if two corners whose turn is zero are on the same side of an axis, as seen
+    /// along it, and not on it.
     fn are_on_one_ray(axis: usize, a: &Self, b: &Self) -> bool {
         let signs = |c: &Self| seen_along(axis).map(|k| (c.is_positive(k), c.is_negative(k)));
         signs(a) == signs(b) && signs(a) != [(false, false); 2]
     }
 
-    /// The sign of a component of a × b: on which side of that axis the line from a to b passes.
+    /// The sign of a component of a × b: the side of that axis on which the line from a to b passes.
     fn turn(axis: usize, a: &Self, b: &Self) -> Ordering;
 
     /// The sign of a · (b × c): the orientation of three corners, as seen from the origin.
@@ -51,28 +53,9 @@ pub(super) trait Corner: Sized {
     fn integers(corners: [&Self; 4]) -> [Integers; 4];
 }
 
-/// The axes that are seen along another one, in the order of their turn.
+/// The two other axes, as seen along an axis, in the order of their turn.
 pub(super) fn seen_along(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
-}
-
-/// A vector in integers.
-pub(crate) type Integers = [IBig; 3];
-
-#[inline(always)]
-pub(crate) fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
-    a[0] * (b[1] * c[2] - b[2] * c[1])
-        + a[1] * (b[2] * c[0] - b[0] * c[2])
-        + a[2] * (b[0] * c[1] - b[1] * c[0])
-}
-
-/// The determinant of magnitudes, with sums in place of differences.
-#[inline(always)]
-pub(crate) fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
-    let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
-    a[0] * (b[1] * c[2] + b[2] * c[1])
-        + a[1] * (b[2] * c[0] + b[0] * c[2])
-        + a[2] * (b[0] * c[1] + b[1] * c[0])
 }
 
 /// The corners without the i-th, for each i.
@@ -80,22 +63,18 @@ fn faces<T: Copy>([q0, q1, q2, q3]: [T; 4]) -> [[T; 3]; 4] {
     [[q1, q2, q3], [q0, q2, q3], [q0, q1, q3], [q0, q1, q2]]
 }
 
-/// The sign of a number that is known to within an error.
-pub(crate) fn certain_sign(value: f64, error: f64) -> Option<Ordering> {
-    (value.abs() > error).then(|| value.total_cmp(&0.0))
-}
-
 impl Corner for Point {
     fn small(coordinates: [u32; 3]) -> Self {
         coordinates.map(f64::from)
     }
 
-    /// All are strictly on one side of a plane x = ±y, y = ±z or z = ±x. It takes comparisons only, which are exact.
+    /// True if all are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Comparisons are
+    /// exact.
     #[inline]
     fn certainly_exclude_origin(corners: &[Self; 8]) -> bool {
         [[0, 1], [1, 2], [2, 0]]
             .into_iter()
-            .any(|[i, j]| are_beyond_diagonal(corners.iter().map(|corner| (corner[i], corner[j]))))
+            .any(|[i, j]| diagonal_separates(corners.iter().map(|corner| (corner[i], corner[j]))))
     }
 
     #[inline]
@@ -113,11 +92,12 @@ impl Corner for Point {
     fn turn(axis: usize, a: &Self, b: &Self) -> Ordering {
         let [next, last] = seen_along(axis);
         let (p, q) = (a[next] * b[last], a[last] * b[next]);
-        // Without a branch for the sign, which nobody could predict.
+        // Without a branch for the sign, which would be hard to predict.
         if p != q {
             return if p > q { Ordering::Greater } else { Ordering::Less };
         }
-        // Most zeros are plain: a point at rest makes corners coincide, motion in a plane makes them vanish on its axis.
+        // Most zeros are of two kinds: a point at rest makes corners coincide, motion in a plane
+        // makes them vanish on its axis.
         let coincide = (a[next] == b[next]) & (a[last] == b[last]);
         let vanish = |x: f64, y: f64| (x == 0.0) | (y == 0.0);
         if coincide | (vanish(a[next], b[last]) & vanish(a[last], b[next])) {
@@ -128,11 +108,11 @@ impl Corner for Point {
         orientation_near_zero(&along, a, b)
     }
 
-    /// A filter (n = 5 roundings of exact input), then Shewchuk's adaptive predicate where no part of it can underflow or
-    /// overflow, then integers.
+    /// A filter (n = 5 roundings of exact input), then the adaptive determinant.
     ///
-    /// What underflows is off by up to 2⁻¹⁰⁷⁵, and only a coordinate of `a` can enlarge that: by far less than 2⁻¹⁰⁰⁰ times
-    /// one plus their sum. An overflow makes the bound infinite, and nothing certain.
+    /// The underflow in a product is at most 2⁻¹⁰⁷⁵, and only a coordinate of `a` can enlarge it:
+    /// to far less than 2⁻¹⁰⁰⁰ times one plus their sum. An overflow makes the bound infinite, and
+    /// nothing certain.
     #[inline(always)]
     fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {
         const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
@@ -149,8 +129,7 @@ impl Corner for Point {
     }
 
     fn integers(corners: [&Self; 4]) -> [Integers; 4] {
-        let axes = [0, 1, 2].map(|axis: usize| to_integers(corners.map(|corner| corner[axis])).0);
-        [0, 1, 2, 3].map(|corner: usize| [0, 1, 2].map(|axis: usize| axes[axis][corner].clone()))
+        integers(corners)
     }
 }
 
@@ -161,35 +140,13 @@ fn orientation_near_zero(a: &Point, b: &Point, c: &Point) -> Ordering {
     if coincide(a, b) | coincide(b, c) | coincide(c, a) | vanish_on(0) | vanish_on(1) | vanish_on(2) {
         return Ordering::Equal;
     }
-    if [*a, *b, *c]
-        .as_flattened()
-        .iter()
-        .fold(true, |all, &x| all & is_safe(x))
-    {
-        let [a, b, c] = [a, b, c].map(|&[x, y, z]| robust::Coord3D { x, y, z });
-        let origin = robust::Coord3D {
-            x: 0.0,
-            y: 0.0,
-            z: 0.0,
-        };
-        let orientation = robust::orient3d(a, b, c, origin);
-        return orientation.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
-    }
-    let [a, b, c, _] = Point::integers([a, b, c, c]);
-    Integers::orientation(&a, &b, &c)
+    sign_of_determinant([a, b, c, &[0.0; 3]])
 }
 
-/// Whether products of three such numbers, split as Shewchuk splits them, stay within the range of f64: their last bits
-/// are multiples of 2⁻³⁵³⁻³⁵³⁻³⁵³ > 2⁻¹⁰⁷⁴, and the sum of six is at most 2⁹⁰³.
-pub(crate) fn is_safe(x: f64) -> bool {
-    const SMALLEST: f64 = f64::from_bits((1023 - 300) << 52);
-    const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
-    (x == 0.0) | ((x.abs() >= SMALLEST) & (x.abs() <= LARGEST))
-}
-
-/// The sign of φ, where it is certain in the arithmetic of T. Five operations lead to a volume of which m is a bound; it
-/// is off by no more than `relative` m, and a product of two by no more than the errors that each brings to the other,
-/// and `relative` of its magnitude for the operations that are left.
+/// The sign of φ, if it is certain in the arithmetic of T. Five operations lead to a volume with a
+/// bound m; its error is at most `relative` m. The error of a product of two volumes is at most the
+/// product of each bound with the other's error, the product of both errors, and `relative` of its
+/// magnitude for the remaining operations.
 fn certain_phi<T: Number<Real = f64>>(corners: [&Point; 4], relative: f64) -> Option<Ordering> {
     /// 2¹⁶⁰, so that products of six stay in the range of f64.
     const LARGEST: f64 = f64::from_bits((1023 + 160) << 52);
@@ -238,11 +195,6 @@ impl Corner for Integers {
     }
 }
 
-pub(crate) fn volume([a, b, c]: [&Integers; 3]) -> IBig {
-    let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
-    &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
-}
-
 #[cfg(test)]
 mod tests {
     use proptest::array::{uniform3, uniform4};
@@ -267,8 +219,8 @@ mod tests {
         uniform4(uniform3(coordinate))
     }
 
-    /// With the third in the plane of the first two, and the fourth placed so that the patch contains the origin, or
-    /// nearly so.
+    /// Vectors with the third in the plane of the first two, or with the fourth placed such that
+    /// the patch contains the origin up to rounding.
     fn special() -> impl Strategy<Value = [Point; 4]> {
         let factors = [-2..=2i8, -2..=2i8].prop_map(|factors| factors.map(f64::from));
         let place = [1..=3u8, 1..=3u8].prop_map(|place| place.map(|n| f64::from(n) / 4.0));
@@ -294,7 +246,7 @@ mod tests {
         (0..steps.unsigned_abs()).fold(x, |x, _| next(x))
     }
 
-    /// Moved by a few units in the last place, and on each axis in a unit of its own.
+    /// Corners moved by a few units in the last place, with a separate unit on each axis.
     fn corners() -> impl Strategy<Value = [Point; 4]> {
         let steps = prop_oneof![3 => Just(0), 1 => -2..=2i8];
         let unit = prop_oneof![2 => Just(0), 1 => -200..=200, 1 => -900..=900]
@@ -317,7 +269,7 @@ mod tests {
             ..ProptestConfig::default()
         })]
 
-        /// Whatever underflows, overflows, or cancels.
+        /// Also where arithmetic in f64 underflows, overflows or cancels.
         #[test]
         fn signs_are_those_in_integers(corners in corners()) {
             let integers = Point::integers(corners.each_ref());

@@ -1,21 +1,27 @@
-//! Root parity: whether the number of contacts is even or odd, fast and exactly.
+//! Root parity: the number of contacts mod 2, fast and exactly.
 //!
-//! The method of B. Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider, *Fast and Exact Root Parity for
-//! Continuous Collision Detection*, Computer Graphics Forum 41(2), 2022. F maps the domain of (t, u, v), a prism or a
-//! hexahedron, to a solid with bilinear faces. If the origin is not on a face, then F has as many roots, mod 2, as a ray
-//! from the origin has crossings with the faces. All that it takes are signs of determinants of corners of the solid, if
+//! The method of B. Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider, *Fast and
+//! Exact Root Parity for Continuous Collision Detection*, Computer Graphics Forum 41(2), 2022. F
+//! maps the domain of (t, u, v), a prism or a hexahedron, to a solid with bilinear faces. If the
+//! origin is not on a face, then F has as many roots, mod 2, as a ray from the origin has crossings
+//! with the faces. The crossings follow from signs of determinants of corners of the solid, if
 //! these are exact: for that, the input is rounded first ([`Rounded`]).
 //!
-//! Zero contacts and two look the same, and so does a contact that only grazes. [`Query::collides`] and
-//! [`Query::contact_times`] tell them apart, without rounding; this module is for comparison, and for those who want the
-//! paper's answer. The chapter `docs/parity.md` of the repository explains the method.
+//! Zero contacts, two contacts and one grazing contact have the same parity. [`Query::collides`]
+//! and [`Query::contact_times`] distinguish them, without rounding; this module is for comparison
+//! with the paper. The chapter `docs/parity.md` of the repository explains the method.
+//!
+//! Unlike all other answers of this crate, those of this module need gradual underflow: in a thread
+//! that flushes subnormal numbers to zero, as after `-ffast-math`, they are right only for
+//! coordinates whose differences and products are not subnormal. [`rational`] has no such limit.
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};
 //! use exact_ccd::parity::{Parity, Rounded};
 //!
 //! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-//! let falls = |end| Query::<VertexFace>::new([[1.0, 1.0, 1.0], face[0], face[1], face[2]], [end, face[0], face[1], face[2]]);
+//! let at = |point| [point, face[0], face[1], face[2]];
+//! let falls = |end| Query::<VertexFace>::new(at([1.0, 1.0, 1.0]), at(end));
 //! assert_eq!(Rounded::shift(&falls([1.0, 1.0, -1.0])?)?.parity(), Parity::Odd);
 //! assert_eq!(Rounded::shift(&falls([1.0, 1.0, 0.5])?)?.parity(), Parity::Even);
 //! assert_eq!(Rounded::shift(&falls([1.0, 1.0, 0.0])?)?.parity(), Parity::Boundary);
@@ -29,12 +35,12 @@ mod planar;
 mod ray;
 mod rounding;
 
-pub(crate) use corner::{Integers, certain_sign, determinant, is_safe, permanent, volume};
 pub use decide::RootParity;
 pub use rounding::{Displacement, Rounded, RoundingError};
 
 use crate::exact::to_integers;
 use crate::kind::Kind;
+use crate::predicates::Integers;
 use crate::query::Query;
 use corner::Corner;
 use ray::Ray;
@@ -42,17 +48,18 @@ use ray::Ray;
 /// The number of contacts, mod 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parity {
-    /// No contact, or an even number of them, counted with multiplicity: one that only grazes counts as two.
+    /// No contact, or an even number of them, counted with multiplicity: a grazing contact counts
+    /// as two.
     Even,
     /// An odd number of contacts, counted with multiplicity, hence one at least.
     Odd,
-    /// There is a contact on the boundary of the domain: at t = 0 or t = 1, or with an edge of the face or an end of an
-    /// edge. Other contacts are not counted.
+    /// There is a contact on the boundary of the domain: at t = 0 or t = 1, or with an edge of the
+    /// face or an end of an edge. Other contacts are not counted.
     Boundary,
 }
 
 impl Parity {
-    /// What the paper's Algorithm 1 makes of it: a collision unless the parity is even.
+    /// The verdict of the paper's Algorithm 1: a collision unless the parity is even.
     #[must_use]
     pub fn is_collision(self) -> bool {
         self != Self::Even
@@ -67,7 +74,8 @@ impl<K: Kind> Rounded<K> {
     }
 }
 
-/// The parity of the number of contacts of a query as it is, in integers: slow, without filter and without rounding.
+/// The parity of the number of contacts of a query as it is, in integers: slow, without filter and
+/// without rounding.
 #[must_use]
 pub fn rational<K: Kind>(query: &Query<K>) -> Parity {
     let axes = [0, 1, 2].map(|axis: usize| {
@@ -86,13 +94,14 @@ fn parity<K: Kind, C: Corner>(corners: &[C; 8]) -> Parity {
     if signs.exclude_origin(u8::MAX) || C::certainly_exclude_origin(corners) {
         return Parity::Even;
     }
-    // One of them serves; see `ray`.
+    // One of these rays serves; see `ray`.
     let parity = (0..ray::COUNT).find_map(|k| cast::<K, C>(&Ray::new(k), corners, &signs));
     debug_assert!(parity.is_some(), "no ray serves");
-    parity.unwrap_or(Parity::Even)
+    // The conservative answer to a case that does not exist.
+    parity.unwrap_or(Parity::Boundary)
 }
 
-/// The parity that a ray tells, or `None` if it meets the boundary of a face.
+/// The parity of the crossings of a ray, or `None` if it meets the boundary of a face.
 fn cast<K: Kind, C: Corner>(ray: &Ray<C>, corners: &[C; 8], signs: &Signs) -> Option<Parity> {
     let mut parity = Some(false);
     for patch in K::PATCHES {
@@ -115,7 +124,7 @@ fn cast<K: Kind, C: Corner>(ray: &Ray<C>, corners: &[C; 8], signs: &Signs) -> Op
     parity.map(|is_odd| if is_odd { Parity::Odd } else { Parity::Even })
 }
 
-/// Which corners have positive and which negative coordinates, as sets of bits by axis.
+/// The corners with positive and with negative coordinates, as sets of bits by axis.
 struct Signs {
     positive: [u8; 3],
     negative: [u8; 3],
@@ -143,7 +152,7 @@ impl Signs {
         signs
     }
 
-    /// Whether the bounding box of some corners leaves out the origin.
+    /// Returns true if the bounding box of some corners does not contain the origin.
     #[inline]
     fn exclude_origin(&self, mask: u8) -> bool {
         (0..3).fold(false, |excluded, axis| {
@@ -151,7 +160,8 @@ impl Signs {
         })
     }
 
-    /// Whether it leaves out a ray of which no coordinate is negative and, if it is the x axis, none but x is positive.
+    /// Returns true if the bounding box of some corners excludes a ray all of whose coordinates are
+    /// positive or, if it is the x axis, all but x are zero.
     #[inline]
     fn exclude_ray(&self, is_axis: bool, mask: u8) -> bool {
         let [_, y, z] = self.positive.map(|positive| positive & mask == mask);
@@ -174,7 +184,7 @@ mod tests {
     const LINES_OF_PRISM: u32 = 9 + 6;
     const LINES_OF_HEXAHEDRON: u32 = 12 + 12;
 
-    /// How many rays are cast until one serves, without counting that.
+    /// The number of rays that are rejected before one serves.
     fn rejected<K: Kind>(corners: &[Point; 8]) -> u32 {
         let signs = Signs::new(corners);
         if signs.exclude_origin(u8::MAX) {
@@ -185,7 +195,7 @@ mod tests {
             .count() as u32
     }
 
-    /// The corners of a prism, of which those with indices 3 and 7 do not count.
+    /// The number for a prism: corners 3 and 7 are replaced.
     fn rejected_by_prism(mut corners: [Point; 8]) -> u32 {
         (corners[3], corners[7]) = (corners[2], corners[6]);
         rejected::<VertexFace>(&corners)

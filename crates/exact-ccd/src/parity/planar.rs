@@ -2,14 +2,17 @@
 
 use alloc::vec;
 
-use super::corner::{Corner, Integers, seen_along};
+use super::corner::{Corner, seen_along};
 use super::ray::Passage;
 use crate::exact::{Polynomial, Vector, cross, dot, roots};
+use crate::predicates::Integers;
 
-/// Whether a patch, all of whose corners and the origin lie in one plane, contains the origin.
+/// Returns true if a patch contains the origin, given that the origin and all corners lie in one
+/// plane.
 ///
-/// If the closed curve q₀ q₁ q₂ q₃ winds around the origin an odd number of times, the patch, which fills it, covers the
-/// origin. It cannot if the origin is outside of the corners' hull. What is left are patches that fold over.
+/// If the closed curve q₀ q₁ q₂ q₃ winds around the origin an odd number of times, the patch, which
+/// fills it, covers the origin. It does not if the origin is outside of the corners' hull. The
+/// remaining case is that of patches that fold over.
 pub(super) fn contains_origin<C: Corner>(corners: [&C; 4]) -> bool {
     let mut open = None;
     for axis in 0..3 {
@@ -20,13 +23,14 @@ pub(super) fn contains_origin<C: Corner>(corners: [&C; 4]) -> bool {
             open = Some(axis);
         }
     }
-    // Seen along such an axis, different points of the plane look different. If there is none, the corners lie on a line
-    // through the origin, on both sides of it.
+    // The projection along such an axis is one-to-one on the plane. If there is none, the corners
+    // lie on a line through the origin, on both sides of it.
     open.is_none_or(|axis| winds_around_origin(corners, axis) || folds_over_origin(corners))
 }
 
-/// Whether the closed curve through the corners passes through the origin, or winds around it an odd number of times, as
-/// seen along an axis: whether it crosses a ray from the origin as often.
+/// Returns true if the closed curve through the corners, as seen along an axis, passes through the
+/// origin, or winds around it an odd number of times: it crosses a ray from the origin an odd
+/// number of times then.
 fn winds_around_origin<C: Corner>([q0, q1, q2, q3]: [&C; 4], axis: usize) -> bool {
     let [_, up] = seen_along(axis);
     let mut is_odd = false;
@@ -41,10 +45,11 @@ fn winds_around_origin<C: Corner>([q0, q1, q2, q3]: [&C; 4], axis: usize) -> boo
     is_odd
 }
 
-/// Whether the patch covers the origin at all: it is swept by a segment from P(s) on the side q₀ q₁ to Q(s) on the side
-/// q₃ q₂, both linear in s. The origin is on the segment if P × Q = 0 and P · Q ≤ 0. As in [`exact`](crate::exact), that is
-/// the sign of one polynomial at the roots of another: of the components of P × Q, or, if these vanish for all s, at the
-/// roots of P · Q itself, where it may change its sign.
+/// Returns true if the patch covers the origin. The patch is swept by a segment from P(s) on the
+/// side q₀ q₁ to Q(s) on the side q₃ q₂, both linear in s. The origin is on the segment if P × Q =
+/// 0 and P · Q ≤ 0. As in [`exact`](crate::exact), that is the sign of one polynomial at the roots
+/// of another: of the components of P × Q, or, if these vanish for all s, at the roots of P · Q
+/// itself, where it may change its sign.
 fn folds_over_origin<C: Corner>(corners: [&C; 4]) -> bool {
     let [q0, q1, q2, q3] = C::integers(corners);
     let (p, q) = (between(&q0, &q1), between(&q3, &q2));
@@ -57,9 +62,7 @@ fn folds_over_origin<C: Corner>(corners: [&C; 4]) -> bool {
     if turn.is_zero() {
         turn = Polynomial::ends();
     }
-    roots(vec![turn.square_free()])
-        .iter()
-        .any(|s| s.sign(&along).is_le())
+    roots(vec![turn]).iter().any(|s| s.sign(&along).is_le())
 }
 
 fn between(start: &Integers, end: &Integers) -> Vector {

@@ -1,16 +1,18 @@
 //! Rays from the origin, and the triangles that they cross (appendix A of the paper).
 //!
-//! A ray serves if it meets no triangle at its boundary. The paper casts another random one if it does; here, the
-//! directions are (1, k, k²), k = 0, 1, 2, …, and one of the first 49 serves. For each direction that is rejected, there are
-//! two corners of one face such that it lies in the plane through them and the origin, or, if they are on a line through the
-//! origin, along that line. The faces have at most 24 such pairs: their edges and their diagonals. No plane through the
-//! origin contains more than two of the directions, and no two of these are parallel: each pair rejects two at most.
+//! A ray serves if it meets no triangle at its boundary. The paper casts another random one if it
+//! does; here, the directions are (1, k, k²), k = 0, 1, 2, …, and one of the first 49 serves. For
+//! each direction that is rejected, there are two corners of one face such that it lies in the
+//! plane through them and the origin, or, if they are on a line through the origin, along that
+//! line. The faces have at most 24 such pairs: their edges and their diagonals. No plane through
+//! the origin contains more than two of the directions, and no two of these are parallel: each pair
+//! rejects two at most.
 
 use core::cmp::Ordering;
 
 use super::corner::Corner;
 
-/// How many rays there are to try.
+/// The number of rays.
 pub(super) const COUNT: u32 = 2 * 24 + 1;
 
 /// A ray from the origin.
@@ -19,9 +21,11 @@ pub(super) struct Ray<C> {
     is_axis: bool,
 }
 
-/// Where a line through the origin passes a patch: on which side of it the line through each two corners passes.
+/// A line through the origin and a patch: the side of the line on which the line through each two
+/// corners passes.
 pub(super) struct Passage {
-    /// For each corner, those to its left and to its right, seen along the line, as sets of bits.
+    /// For each corner, the corners to its left and to its right, as seen along the line, as sets
+    /// of bits.
     left: [u8; 4],
     right: [u8; 4],
 }
@@ -29,8 +33,8 @@ pub(super) struct Passage {
 impl Passage {
     /// The passage of a line; `None` if it misses the hull of the corners.
     ///
-    /// It does if, seen along the line, one corner is the outermost in either sense of rotation: if all others are strictly on one
-    /// side of it, or behind it or in front of it in the same direction.
+    /// It does if, as seen along the line, one corner is the outermost in a sense of rotation: all
+    /// others are strictly on one side of it, or in the same direction as seen from the line.
     #[inline]
     pub(super) fn new<C>(
         corners: [&C; 4],
@@ -69,7 +73,7 @@ impl Passage {
         )
     }
 
-    /// Whether some two corners are not on one line through the origin, seen along the line.
+    /// Returns true if two corners are not on one line through the origin, as seen along the line.
     pub(super) fn turns(&self) -> bool {
         self.left != [0; 4]
     }
@@ -90,12 +94,13 @@ impl<C: Corner> Ray<C> {
         }
     }
 
-    /// Whether the ray has no part in y > 0 and z > 0 and their like, but only in the closed x axis.
+    /// Returns true if the ray is the positive x axis.
     pub(super) fn is_axis(&self) -> bool {
         self.is_axis
     }
 
-    /// How the line of the ray passes four corners, or `None` if it misses their hull for certain.
+    /// The passage of the line of the ray by four corners, or `None` if it certainly misses their
+    /// hull.
     #[inline]
     pub(super) fn pass(&self, corners: [&C; 4]) -> Option<Passage> {
         if self.is_axis {
@@ -106,15 +111,15 @@ impl<C: Corner> Ray<C> {
         }
     }
 
-    /// Whether the ray crosses a triangle of the four corners that does not contain the origin; `None` if it meets the
-    /// triangle at its boundary, or may.
+    /// Returns true if the ray crosses a triangle of the four corners that does not contain the
+    /// origin; `None` if it may meet the triangle at its boundary.
     pub(super) fn crosses(&self, passage: &Passage, corners: [&C; 4], triangle: [usize; 3]) -> Option<bool> {
         let [i, j, k] = triangle;
         let sides = [passage.side(i, j), passage.side(j, k), passage.side(k, i)];
         if sides.contains(&Ordering::Less) && sides.contains(&Ordering::Greater) {
             return Some(false);
         }
-        // The ray meets the plane in front of the origin if it is on that side of the origin on which the plane is.
+        // The ray meets the plane if it leaves the origin towards the side on which the plane is.
         let triangle = triangle.map(|index| corners[index]);
         match C::orientation(triangle[0], triangle[1], triangle[2]) {
             Ordering::Equal => self.is_apart(triangle, sides).then_some(false),
@@ -123,8 +128,9 @@ impl<C: Corner> Ray<C> {
         }
     }
 
-    /// Whether the ray stays away from a triangle whose plane contains the origin: either it leaves the plane, or there is
-    /// no plane, and the triangle lies on a line through the origin in another direction.
+    /// Returns true if the ray does not meet a triangle whose plane contains the origin: either the
+    /// ray leaves the plane, or the triangle lies on a line through the origin in another
+    /// direction.
     fn is_apart(&self, triangle: [&C; 3], sides: [Ordering; 3]) -> bool {
         if sides.iter().any(|side| side.is_ne()) {
             return true;

@@ -1,14 +1,16 @@
 //! Input rounded so that the corner differences of F are exact (section 4.2 of the paper).
 //!
-//! By Sterbenz's lemma x − y is exact if y / 2 ≤ x ≤ 2 y. A pair a ≤ b that is not like that is moved to the right by
-//! e = RU(b − 2a), the difference rounded up: then b + e ≤ 2 (a + e), and since rounding is monotone and commutes with
-//! doubling, the same holds for the rounded coordinates fl(a + e) and fl(b + e). The shift is the only place where
-//! input is changed, by at most half a unit in the last place of the shifted coordinate.
+//! By Sterbenz's lemma x − y is exact if y / 2 ≤ x ≤ 2 y. A pair a ≤ b that violates this condition
+//! is moved to the right by e = RU(b − 2a), the difference rounded up: then b + e ≤ 2 (a + e), and
+//! since rounding is monotone and commutes with doubling, the same holds for the rounded
+//! coordinates fl(a + e) and fl(b + e). The shift is the only place where input is changed, by at
+//! most half a unit in the last place of the shifted coordinate.
 
+use crate::axis::Axis;
 use crate::kind::Kind;
 use crate::query::{NonFinite, Point, Query};
 
-/// How far all points are moved along each axis to make their differences exact.
+/// The shift of all points along each axis that makes their differences exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Displacement(Point);
 
@@ -41,7 +43,8 @@ fn round_up_difference(a: f64, b: f64) -> f64 {
     }
 }
 
-/// a + b as fl(a + b) and what that leaves out (Dekker). Unless the sum overflows, nothing does on the way.
+/// a + b as fl(a + b) and the rounding error (Dekker). Unless the sum overflows, no intermediate
+/// result does.
 #[inline]
 fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -49,7 +52,8 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, small - (sum - large))
 }
 
-/// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by enough for each.
+/// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by
+/// enough for each.
 #[inline]
 fn displacement(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
     if pairs.clone().fold(true, |all, [a, b]| all & is_near(a, b)) {
@@ -57,8 +61,8 @@ fn displacement(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
     }
     let ordered = pairs.map(|[a, b]| if a < b { (a, b) } else { (b, a) });
     let greater = |a: f64, b: f64| if b > a { b } else { a };
-    // Rounding is monotone: the largest shift is the largest one to nearest, or the next f64, if that is too small for one
-    // of those for which it is the largest.
+    // Rounding is monotone: the largest shift rounded up is the largest one rounded to nearest or,
+    // if that is too small for one of the pairs that attain it, the next f64.
     let shift = ordered
         .clone()
         .map(|(lower, upper)| upper - 2.0 * lower)
@@ -73,7 +77,7 @@ fn displacement(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
     if is_short { shift.next_up() } else { shift }
 }
 
-/// The largest of the shifts, where some of them are out of range, or perhaps not: 2a is.
+/// The largest of the shifts, where some of them, or 2a on the way to them, are out of range.
 #[cold]
 fn largest_shift(ordered: impl Iterator<Item = (f64, f64)>) -> f64 {
     ordered
@@ -120,7 +124,8 @@ impl Displacement {
         [0, 1, 2].map(|axis: usize| point[axis] + self.0[axis])
     }
 
-    /// How far rounding moves a point along each axis: |x + e − fl(x + e)|, exactly. Not finite where the shift overflows.
+    /// The magnitude of the rounding error along each axis: |x + e − fl(x + e)|, exactly. Not
+    /// finite where the shift overflows.
     #[must_use]
     pub fn error(self, point: Point) -> Point {
         [0, 1, 2].map(|axis: usize| exact_sum(point[axis], self.0[axis]).1.abs())
@@ -129,31 +134,36 @@ impl Displacement {
 
 /// A query whose corner differences, the values of F at the corners of its domain, are exactly f64.
 ///
-/// It is made by a shift ([`Rounded::shift`]) or by a check ([`Rounded::check`]), and by nothing else.
+/// The only constructors are a shift ([`Rounded::shift`]) and a check ([`Rounded::check`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rounded<K> {
     query: Query<K>,
     corners: [Point; 8],
 }
 
-/// Why a query is no [`Rounded`] one.
+/// A query is not [`Rounded`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RoundingError {
     /// The difference of two coordinates is not exactly an f64.
-    #[error("on the {} axis, points {} and {} at t = {time} have an inexact difference", ["x", "y", "z"][*.axis], .points[0], .points[1])]
+    #[error(
+        "on the {axis} axis, points {} and {} at t = {time} have an inexact difference",
+        .points[0],
+        .points[1]
+    )]
     Inexact {
         /// The end of the time step, 0 or 1.
         time: usize,
         /// The indices of the two points among the four, from 0.
         points: [usize; 2],
-        /// The index of the coordinate, from 0.
-        axis: usize,
+        /// The axis of the coordinates.
+        axis: Axis,
     },
     /// The coordinates are too far apart to be shifted within the range of f64.
-    #[error("on the {} axis, the coordinates are too large to be shifted", ["x", "y", "z"][*.axis])]
+    #[error("on the {axis} axis, the coordinates are too large to be shifted")]
     OutOfRange {
-        /// The index of the coordinate, from 0.
-        axis: usize,
+        /// The axis of the coordinates.
+        axis: Axis,
     },
 }
 
@@ -178,16 +188,17 @@ impl<K: Kind> Rounded<K> {
         })
     }
 
-    /// The query as it is, if all corner differences are exact: as in a scene that was shifted as a whole, or with small
-    /// integers.
+    /// The query without a shift, if all corner differences are exact: as in a scene that was
+    /// shifted as a whole, or with small integers.
     ///
     /// # Errors
     /// [`RoundingError::Inexact`] names the first difference that is not.
     pub fn check(query: Query<K>) -> Result<Self, RoundingError> {
         for (time, points) in query.points().iter().enumerate() {
             for (i, j) in K::CORNERS {
-                for axis in 0..3 {
-                    let (difference, error) = exact_sum(points[i][axis], -points[j][axis]);
+                for axis in Axis::ALL {
+                    let [a, b] = [points[i], points[j]].map(|point| point[axis.index()]);
+                    let (difference, error) = exact_sum(a, -b);
                     if !(difference.is_finite() && error == 0.0) {
                         let points = [i, j];
                         return Err(RoundingError::Inexact { time, points, axis });

@@ -1,4 +1,4 @@
-//! An edge and a face at rest: do they have a common point?
+//! The intersection of an edge and a face at rest.
 
 use core::cmp::Ordering::{self, Equal};
 
@@ -8,8 +8,8 @@ use crate::query::{NonFinite, Point, Query};
 
 /// An edge a b and a face v₁ v₂ v₃, at rest. Both are closed: their ends and sides belong to them.
 ///
-/// Any finite coordinates are allowed, and edges without length and faces without area are what is left of them: a
-/// point, or a union of segments.
+/// Any finite coordinates are allowed. An edge without length is a point, and a face without area
+/// is the union of its sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EdgeFace {
     edge: [Point; 2],
@@ -20,21 +20,23 @@ impl EdgeFace {
     /// An edge by its ends and a face by its corners.
     ///
     /// # Errors
-    /// [`NonFinite`] names the first coordinate that is infinite or not a number; the corners of the face are points 2
-    /// to 4.
+    /// [`NonFinite`] names the first coordinate that is infinite or not a number; the corners of
+    /// the face are points 2 to 4.
     pub fn new(edge: [Point; 2], face: [Point; 3]) -> Result<Self, NonFinite> {
         let ([a, b], [v1, v2, v3]) = (edge, face);
         NonFinite::check(&[a, b, v1, v2, v3])?;
         Ok(Self { edge, face })
     }
 
-    /// Whether the edge and the face have a common point.
+    /// Returns true if the edge and the face have a common point.
     ///
-    /// If the ends are on different sides of the face's plane, the line of the edge meets the plane in one point, whose
-    /// barycentric coordinates are proportional to the volumes that the edge spans with the sides: it lies in the face
-    /// unless two of them have opposite signs. If one end only is in the plane, it must lie in the face. If both are, or if
-    /// the face has no area, then everything lies in one plane, and a common point entails an end in the face, or a side
-    /// of the face that touches the edge. These are queries that do not move.
+    /// If the ends are on different sides of the face's plane, the line of the edge meets the plane
+    /// in one point, whose barycentric coordinates are proportional to the volumes that the edge
+    /// spans with the sides: it lies in the face unless two of them have opposite signs. If only
+    /// one end is in the plane, the primitives meet if that end lies in the face. If both are, or
+    /// if the face has no area, then everything lies in one plane, and the primitives meet if an
+    /// end lies in the face or a side of the face touches the edge. These cases are queries that do
+    /// not move.
     ///
     /// ```
     /// use exact_ccd::predicates::EdgeFace;
@@ -62,7 +64,7 @@ impl EdgeFace {
         }
     }
 
-    /// Whether a point of the edge lies in the face.
+    /// Returns true if a point lies in the face.
     fn contains(&self, point: Point) -> bool {
         let [v1, v2, v3] = self.face;
         let points = [point, v1, v2, v3];
@@ -70,6 +72,7 @@ impl EdgeFace {
         Query::<VertexFace>::new(points, points).is_ok_and(|query| query.collides())
     }
 
+    /// Returns true if a side of the face touches the edge.
     fn touches_a_side(&self) -> bool {
         let ([a, b], [v1, v2, v3]) = (self.edge, self.face);
         [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(|[x, y]| {
@@ -79,7 +82,7 @@ impl EdgeFace {
     }
 }
 
-/// Whether no two signs are opposite.
+/// Returns true if no two signs are opposite.
 fn agree(signs: [Ordering; 3]) -> bool {
     !(signs.contains(&Ordering::Less) && signs.contains(&Ordering::Greater))
 }

@@ -1,4 +1,4 @@
-//! An edge and a face at rest, against rational numbers.
+//! Predicates of an edge and a face at rest, compared with rational arithmetic.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -1,13 +1,14 @@
-//! Cases that one can picture.
+//! Named cases with obvious answers.
 
 use exact_ccd::predicates::{EdgeFace, orient3d};
-use exact_ccd::{NonFinite, Point};
+use exact_ccd::{Axis, NonFinite, Point};
 
 const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
 #[track_caller]
 fn assert_intersects(expected: bool, edge: [Point; 2], face: [Point; 3]) {
-    // Far below and above what products of three can hold, and where all coordinates are multiples of the least number.
+    // Products of three underflow or overflow, and all coordinates are multiples of the smallest
+    // number.
     for scale in [1.0, 1e-120, 2f64.powi(-1074), 1e120, 2f64.powi(1000)] {
         let scaled = |p: Point| p.map(|x| x * scale);
         let answer = EdgeFace::new(edge.map(scaled), face.map(scaled))
@@ -87,13 +88,16 @@ fn numbers_that_are_not_finite_are_named() {
     let end = [0.0, f64::INFINITY, 0.0];
     assert_eq!(
         EdgeFace::new([[0.0; 3], end], FACE).map(drop),
-        error(1, 1, f64::INFINITY)
+        error(1, Axis::Y, f64::INFINITY)
     );
     let [v1, v2, _] = FACE;
     let face = [v1, v2, [0.0, 0.0, f64::NEG_INFINITY]];
     assert_eq!(
         EdgeFace::new([v1, v2], face).map(drop),
-        error(4, 2, f64::NEG_INFINITY)
+        error(4, Axis::Z, f64::NEG_INFINITY)
     );
-    assert_eq!(orient3d([v1, v2, end, v1]).map(drop), error(2, 1, f64::INFINITY));
+    assert_eq!(
+        orient3d([v1, v2, end, v1]).map(drop),
+        error(2, Axis::Y, f64::INFINITY)
+    );
 }

@@ -1,8 +1,9 @@
-//! The definition of a common point, as a system of linear equations and inequalities over the rational numbers:
-//! a + s (b − a) = v₁ + u (v₂ − v₁) + v (v₃ − v₁) with 0 ≤ s ≤ 1, 0 ≤ u, 0 ≤ v and u + v ≤ 1.
+//! The definition of a common point, as a system of linear equations and inequalities over the
+//! rational numbers: a + s (b − a) = v₁ + u (v₂ − v₁) + v (v₃ − v₁) with 0 ≤ s ≤ 1, 0 ≤ u, 0 ≤ v
+//! and u + v ≤ 1.
 //!
-//! Equations are used to eliminate unknowns; the unknowns that are left go by the method of Fourier and Motzkin. It
-//! knows no special cases.
+//! Equations eliminate unknowns; the method of Fourier and Motzkin eliminates the remaining ones.
+//! There are no special cases.
 
 use std::cmp::Ordering;
 
@@ -41,7 +42,7 @@ pub(crate) fn intersect([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
     equations.iter().all(|row| row[3] == RBig::ZERO) && at_least_zero.iter().all(|row| row[3] >= RBig::ZERO)
 }
 
-/// The system that the other unknowns fulfil exactly if there is a value for this one.
+/// The system that the other unknowns fulfil if and only if there is a value for this one.
 fn eliminate((mut equations, rows): (Vec<Row>, Vec<Row>), unknown: usize) -> (Vec<Row>, Vec<Row>) {
     if let Some(pivot) = equations.iter().position(|row| row[unknown] != RBig::ZERO) {
         let pivot = equations.swap_remove(pivot);

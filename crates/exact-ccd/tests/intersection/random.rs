@@ -1,4 +1,4 @@
-//! Configurations of all kinds, most of them about to touch.
+//! Random configurations of all kinds, most of them close to contact.
 
 use exact_ccd::Point;
 use exact_ccd::predicates::{EdgeFace, orient3d};
@@ -13,7 +13,8 @@ mod alphabet;
 
 type Points = [Point; 5];
 
-/// Small numbers, among which points coincide, lines meet and planes are shared; any others; and the worst.
+/// Small integers, for which points coincide, lines meet and planes are shared; any fractions; and
+/// extreme numbers.
 fn points() -> impl Strategy<Value = Points> {
     let small = (-2..=2i8).prop_map(f64::from);
     let ordinary = -1.0..1.0;
@@ -34,8 +35,9 @@ fn combine<const N: usize>(factors: [f64; N], points: [Point; N]) -> Point {
     [0, 1, 2].map(|axis: usize| (0..N).map(|i| factors[i] * points[i][axis]).sum())
 }
 
-/// With the edge through, or nearly through, a point of the face's plane with these coordinates in eighths, which may be on
-/// a side, a corner or outside; or with an end there; or with both ends in the plane.
+/// Configurations with a point of the face's plane, with these coordinates in eighths, which may be
+/// on a side, a corner or outside: the edge passes through or near it, or ends there, or lies in
+/// the plane.
 fn aimed([a, b, v1, v2, v3]: Points, aim: u8, [first, second]: [[i8; 2]; 2], length: f64) -> Points {
     let on_plane = |[u, v]: [i8; 2]| {
         let [u, v] = [u, v].map(|x| f64::from(x) / 8.0);
@@ -55,7 +57,7 @@ fn nudged(x: f64, steps: i8) -> f64 {
     (0..steps.unsigned_abs()).fold(x, |x, _| next(x))
 }
 
-/// Moved by a few units in the last place, and with a unit for each axis.
+/// Configurations moved by a few units in the last place, with a separate unit on each axis.
 fn configuration() -> impl Strategy<Value = Points> {
     let eighths = prop::sample::select(vec![-1, 0, 0, 0, 1, 2, 4, 7, 8, 8, 9]);
     let places = [[eighths.clone(), eighths.clone()], [eighths.clone(), eighths]];
@@ -119,8 +121,7 @@ proptest! {
     }
 }
 
-/// The generator finds both answers often, in all degrees of degeneracy: what is drawn is no less important than what is
-/// checked.
+/// The generator yields both answers often, in all degrees of degeneracy.
 #[test]
 fn the_configurations_are_of_all_kinds() {
     use proptest::strategy::ValueTree;

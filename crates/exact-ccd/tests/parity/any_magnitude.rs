@@ -1,5 +1,5 @@
-//! Coordinates from 5e-324 to the end of the range in one query: where products underflow and overflow, the parity is
-//! that in integers all the same.
+//! Coordinates from 5e-324 to the end of the range in one query: the parity is that in integers
+//! also where products underflow or overflow.
 
 use exact_ccd::parity::{Parity, Rounded};
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
@@ -11,7 +11,7 @@ use crate::laws::{checked_parity, query};
 use crate::primitives::Points;
 use crate::runner::for_all;
 
-/// Few powers of two: there are products that cancel, at every magnitude.
+/// Few powers of two, such that products cancel at every magnitude.
 fn powers() -> impl Strategy<Value = Points> {
     let signs = prop::sample::select(vec![-1.0, 0.0, 1.0]);
     let exponents = prop::sample::select(vec![-1000, -600, -300, 0, 300, 1000]);
@@ -19,7 +19,7 @@ fn powers() -> impl Strategy<Value = Points> {
     uniform2(uniform4(uniform3(coordinate)))
 }
 
-/// Small integers, in units that are different on each axis and at the two times.
+/// Small integers, in a separate unit on each axis at each of the two times.
 fn uneven() -> impl Strategy<Value = Points> {
     let exponents = uniform2(uniform3(-1000..=1000i32));
     (degenerate(small_integers(2)), exponents).prop_map(|(points, exponents)| {
@@ -30,7 +30,7 @@ fn uneven() -> impl Strategy<Value = Points> {
     })
 }
 
-/// With the vertex at rest in the origin, the differences are exact, whatever the face.
+/// With the vertex at rest in the origin, the differences are exact for any face.
 fn around_origin(cases: u32, faces: impl Strategy<Value = Points>) {
     for_all(cases, faces, |points| {
         let points = points.map(|[_, v1, v2, v3]| [[0.0; 3], v1, v2, v3]);
@@ -48,7 +48,7 @@ fn of_a_vertex_and_a_face() {
     around_origin(5_000, scattered(degenerate(fractions())));
 }
 
-/// 2⁻⁶⁰⁰ squared is no f64, but times 2¹⁰⁰⁰ it would count.
+/// 2⁻⁶⁰⁰ squared underflows, but its product with 2¹⁰⁰⁰ would not.
 const SMALL: f64 = f64::from_bits((1023 - 600) << 52);
 const LARGE: f64 = f64::from_bits((1023 + 1000) << 52);
 
@@ -69,7 +69,8 @@ fn of_a_falling_vertex_in_any_units() {
     }
 }
 
-/// Without a range in which to trust products of three, every ray seemed to meet a boundary.
+/// Products of three out of the range of f64: without a check of the range, every ray seems to meet
+/// a boundary.
 #[test]
 fn of_corners_on_axes_at_any_distance() {
     let start = [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0], [-SMALL, -LARGE, 0.0]];
@@ -99,7 +100,7 @@ fn of_edges_in_uneven_units() {
     in_uneven_units::<EdgeEdge>();
 }
 
-/// What is left of queries of mixed magnitudes when the largest ones have displaced the others.
+/// Queries of mixed magnitudes after the shift, in which the largest coordinates displace the others.
 fn after_a_shift<K: Kind>() {
     let points = prop_oneof![
         extremes(),

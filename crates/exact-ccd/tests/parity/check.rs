@@ -2,7 +2,7 @@
 
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use exact_ccd::parity::{Rounded, RoundingError};
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{Axis, EdgeEdge, VertexFace};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
@@ -12,19 +12,22 @@ use crate::laws::query;
 use crate::primitives::{Points, Primitives};
 use crate::runner::for_all;
 
-/// Whether x − y is an f64: it has at most 53 bits, and is less than 2¹⁰²⁴.
+/// Returns true if x − y is an f64: it has at most 53 bits, and is less than 2¹⁰²⁴.
 fn is_exact(x: f64, y: f64) -> bool {
     let difference = (exactly(x) - exactly(y)).unsigned_abs();
     let bits = difference.bit_len() - difference.trailing_zeros().unwrap_or(0);
     bits <= 53 && difference.bit_len() <= 1024 + 1074
 }
 
-/// The first difference that is not, if there is one.
+/// The error for the first inexact difference, if there is one.
 fn expected_error<K: Corners>(points: &Points) -> Option<RoundingError> {
     for (time, now) in points.iter().enumerate() {
         for &points in K::DIFFERENCES {
             let [x, y] = points.map(|i| now[i]);
-            if let Some(axis) = (0..3).find(|&axis| !is_exact(x[axis], y[axis])) {
+            if let Some(axis) = Axis::ALL
+                .into_iter()
+                .find(|axis| !is_exact(x[axis.index()], y[axis.index()]))
+            {
                 return Some(RoundingError::Inexact { time, points, axis });
             }
         }

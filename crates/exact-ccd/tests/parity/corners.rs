@@ -7,7 +7,7 @@ use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 use crate::primitives::Points;
 
 pub(crate) trait Corners: Kind + PartialEq + Debug {
-    /// In the order in which they are checked.
+    /// The differences in the order of the checks.
     const DIFFERENCES: &'static [[usize; 2]];
 
     /// The pairs of points of which these are the differences.

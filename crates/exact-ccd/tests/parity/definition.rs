@@ -1,4 +1,4 @@
-//! The parity is what the definition of contact makes it, on queries that are special in every way.
+//! The parity agrees with the definition of contact, on all families of special queries.
 
 use exact_ccd::parity::Rounded;
 use exact_ccd::{EdgeEdge, VertexFace};

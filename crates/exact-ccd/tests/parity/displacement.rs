@@ -1,10 +1,10 @@
-//! The shift moves coordinates to the right by as little as makes their differences exact, and says how far it rounded
-//! them.
+//! The shift moves coordinates to the right by the smallest amount that makes their differences
+//! exact, and returns the rounding errors.
 
 use dashu_int::IBig;
 use dashu_int::ops::Abs;
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{Axis, EdgeEdge, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::corners::Corners;
@@ -14,7 +14,7 @@ use crate::laws::query;
 use crate::primitives::Points;
 use crate::runner::for_all;
 
-/// Everything that floating-point numbers can be to each other.
+/// Pairs of all relations of magnitude.
 fn points() -> impl Strategy<Value = Points> {
     prop_oneof![
         4 => fractions(),
@@ -39,7 +39,7 @@ fn excess(x: f64, y: f64) -> IBig {
     exactly(x.max(y)) - exactly(x.min(y)) * 2
 }
 
-fn moves_by_as_little_as_it_must<K: Corners>() {
+fn moves_by_the_least_shift<K: Corners>() {
     for_all(20_000, points(), |points| {
         let pairs = K::pairs(&points);
         let displacement = Displacement::of_query(&query::<K>(&points));
@@ -58,13 +58,13 @@ fn moves_by_as_little_as_it_must<K: Corners>() {
 }
 
 #[test]
-fn moves_a_vertex_and_a_face_by_as_little_as_it_must() {
-    moves_by_as_little_as_it_must::<VertexFace>();
+fn moves_a_vertex_and_a_face_by_the_least_shift() {
+    moves_by_the_least_shift::<VertexFace>();
 }
 
 #[test]
-fn moves_edges_by_as_little_as_it_must() {
-    moves_by_as_little_as_it_must::<EdgeEdge>();
+fn moves_edges_by_the_least_shift() {
+    moves_by_the_least_shift::<EdgeEdge>();
 }
 
 fn brings_points_near<K: Corners>() {
@@ -81,9 +81,13 @@ fn brings_points_near<K: Corners>() {
                 }
             }
             Err(error) => {
-                let overflows = |axis: &usize| moved.as_flattened().iter().any(|x| !x[*axis].is_finite());
-                let named = |axis: usize| error == RoundingError::OutOfRange { axis };
-                assert!((0..3).filter(overflows).any(named), "{error}: {points:?}");
+                let overflows =
+                    |axis: &Axis| moved.as_flattened().iter().any(|x| !x[axis.index()].is_finite());
+                let named = |axis: Axis| error == RoundingError::OutOfRange { axis };
+                assert!(
+                    Axis::ALL.into_iter().filter(overflows).any(named),
+                    "{error}: {points:?}"
+                );
             }
         }
     });
@@ -149,7 +153,7 @@ fn knows_its_error() {
     });
 }
 
-/// The sum x + e stays in range, and so does what it leaves out, though x + e − x would not.
+/// The sum x + e and its rounding error are in range, though an intermediate x + e − x is not.
 #[test]
 fn knows_its_error_at_the_end_of_the_range() {
     let displacement = Displacement::of_pairs(&[[[-f64::MAX / 2.0; 3], [0.0; 3]]]);
@@ -161,7 +165,7 @@ fn knows_its_error_at_the_end_of_the_range() {
     );
 }
 
-/// Even where 2a is out of range, and where a + b is a tie with the end of the range.
+/// Also if 2a is out of range, and if a + b is a tie with the end of the range.
 #[test]
 fn is_the_least_at_the_end_of_the_range() {
     let e = |a: f64, b: f64| Displacement::of_pairs(&[[[a; 3], [b; 3]]]).along_axes()[0];

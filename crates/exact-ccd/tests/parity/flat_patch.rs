@@ -1,6 +1,7 @@
-//! An edge that moves in a plane sweeps a patch with coplanar corners: a quadrilateral, or one that crosses itself or
-//! folds back. Whatever the shape, it passes a point as often as two triangles contain it, mod 2. How often, that is
-//! told by a quadratic equation.
+//! An edge that moves in a plane sweeps a patch with coplanar corners: a quadrilateral that may
+//! cross itself or fold back. For any shape, the number of times the edge passes a point equals,
+//! mod 2, the number of triangles of a pair that contain the point. The independent count is that
+//! of the roots of a quadratic equation.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,7 +20,7 @@ type Signs = [i64; 4];
 struct Row {
     signs: Signs,
     shape: &'static str,
-    /// Which of the triangles q₀ q₁ q₂ and q₀ q₂ q₃ a point can be in, if it is in one at all.
+    /// The triangles of q₀ q₁ q₂ and q₀ q₂ q₃ that can contain a point.
     triangles: &'static [[bool; 2]],
 }
 
@@ -44,7 +45,8 @@ const TABLE: [Row; 12] = [
 ];
 
 impl Row {
-    /// The signs and the triangles when q₀ and q₂ are swapped, or q₁ and q₃, and with the other orientation.
+    /// The signs and the triangles when q₀ and q₂ are swapped, or q₁ and q₃, and with the other
+    /// orientation.
     fn images(&self) -> [(Signs, BTreeSet<[bool; 2]>); 8] {
         let [a, b, c, d] = self.signs;
         let same = BTreeSet::from_iter(self.triangles.iter().copied());
@@ -83,7 +85,8 @@ fn has_origin_on_side(patch: [Flat; 4]) -> bool {
     (0..4).any(|i| is_on_segment(patch[i], patch[(i + 1) % 4]))
 }
 
-/// Which of the two triangles along a diagonal contain the origin; `None` if it is on the diagonal.
+/// True for each of the two triangles along a diagonal that contains the origin; `None` if it is on
+/// the diagonal.
 fn along_diagonal([q0, q1, q2, q3]: [Flat; 4]) -> Option<[bool; 2]> {
     (!is_on_segment(q0, q2)).then(|| [[q0, q1, q2], [q0, q2, q3]].map(is_in_triangle))
 }
@@ -101,7 +104,7 @@ fn has_a_row_in_the_table() {
             "{signs:?}"
         );
     }
-    // The sum of the numbers is zero: that is what flat means.
+    // The patch is flat: the sum of the numbers is zero.
     for index in 0..3i64.pow(4) {
         let signs = [0, 1, 2, 3].map(|digit| index / 3i64.pow(digit) % 3 - 1);
         let may_sum_to_zero = signs.contains(&1) == signs.contains(&-1);
@@ -131,8 +134,8 @@ fn is_passed_as_often_as_the_triangles_of_either_diagonal() {
     }
 }
 
-/// Queries in which an edge moves from q₀ q₃ to q₁ q₂, and in which contact is where it passes the origin of the plane. The
-/// plane is tilted so that bounding boxes do not tell.
+/// Queries in which an edge moves from q₀ q₃ to q₁ q₂, with contact when it passes the origin of
+/// the plane. The plane is tilted, so that bounding boxes do not separate.
 fn are_passed<K: Kind>(query: impl Fn([Point; 4]) -> Query<K>) {
     for patch in patches() {
         let corners = patch.map(|[y, z]| [3 * y - 4 * z, y, z].map(|x| x as f64));
@@ -149,7 +152,7 @@ fn are_passed<K: Kind>(query: impl Fn([Point; 4]) -> Query<K>) {
 const FRONT: Point = [1.0, 0.0, 0.0];
 const BACK: Point = [-1.0, 0.0, 0.0];
 
-/// The vertex is behind the plane, and further behind is the third corner of the face.
+/// The vertex is behind the plane, and the third corner of the face further behind.
 #[test]
 fn is_passed_by_the_edge_of_a_face() {
     are_passed(|[q0, q1, q2, q3]| {
@@ -165,8 +168,9 @@ fn is_passed_by_an_edge() {
     });
 }
 
-/// The parity is the same in the definition for edges among small integers, and the side of the domain along which the first
-/// ends of both move is then a patch with every combination of signs, flat or not.
+/// The parity agrees with the definition for edges among small integers. The side of the domain
+/// along which the first ends of both edges move is a patch with every combination of signs, flat
+/// or not.
 #[test]
 fn has_all_signs() {
     let found = RefCell::new(BTreeMap::<Signs, u32>::new());

@@ -1,4 +1,4 @@
-//! What holds for the parity of every query, wherever it comes from.
+//! Properties of the parity of every query.
 
 use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{Kind, Query};
@@ -11,14 +11,14 @@ pub(crate) fn query<K: Kind>(points: &Points) -> Query<K> {
     Query::new(points[0], points[1]).unwrap()
 }
 
-/// The parity, checked to be the same in integers.
+/// The parity, which is checked to be the same in integers.
 pub(crate) fn checked_parity<K: Kind>(rounded: &Rounded<K>) -> Parity {
     let (parity, query) = (rounded.parity(), rounded.query());
     assert_eq!(parity, parity::rational(query), "{query:?}");
     parity
 }
 
-/// Checks that the parity is what the definition of contact makes it.
+/// Checks that the parity agrees with the definition of contact.
 pub(crate) fn assert_defined<K: Rim>(rounded: &Rounded<K>) {
     let query = rounded.query();
     assert_eq!(checked_parity(rounded), expected(query), "{query:?}");

@@ -1,5 +1,5 @@
-//! Root parity against the definition of contact and against itself in integers, and its rounding against exact
-//! arithmetic.
+//! Root parity, compared with the definition of contact and with the same method in integers; its
+//! rounding, compared with exact arithmetic.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -22,21 +22,22 @@ pub(crate) fn area([a, b, c]: [Flat; 3]) -> i64 {
     cross(minus(b, a), minus(c, a))
 }
 
-/// Whether the origin is on a segment.
+/// Returns true if the origin is on a segment.
 pub(crate) fn is_on_segment(a: Flat, b: Flat) -> bool {
     cross(a, b) == 0 && dot(a, b) <= 0
 }
 
-/// Whether the origin is inside of a triangle.
+/// Returns true if the origin is inside of a triangle.
 pub(crate) fn is_in_triangle([a, b, c]: [Flat; 3]) -> bool {
     let sides = [cross(a, b), cross(b, c), cross(c, a)].map(i64::signum);
     sides == [1; 3] || sides == [-1; 3]
 }
 
-/// How often the inside of an edge passes the origin between the ends of a step in which it moves from q₀ q₃ to q₁ q₂,
-/// counted with multiplicity. At neither end may the edge contain the origin, nor may one of its ends pass it.
+/// The number of times, with multiplicity, that the inside of an edge passes the origin in a step
+/// in which it moves from q₀ q₃ to q₁ q₂. The edge must not contain the origin at an end of the
+/// step, and neither of its ends may pass the origin.
 ///
-/// If the ends are P(s) and Q(s), it passes where P × Q = 0 and P · Q < 0.
+/// The edge from P(s) to Q(s) passes the origin where P × Q = 0 and P · Q < 0.
 pub(crate) fn passages([q0, q1, q2, q3]: [Flat; 4]) -> usize {
     let (p, q) = ([q0, minus(q1, q0)], [q3, minus(q2, q3)]);
     let product =
@@ -58,7 +59,7 @@ struct Surd {
 }
 
 impl Surd {
-    /// The roots, a double one twice; none of zero.
+    /// The roots, a double one twice; none of the zero polynomial.
     fn roots([c0, c1, c2]: Quadratic) -> Vec<Self> {
         let d = c1 * c1 - 4 * c0 * c2;
         let root = |a, b, c| Self { a, b, c, d };
@@ -76,7 +77,7 @@ impl Surd {
         // c² times the value is m + n √d.
         let m = c0 * c * c + c1 * a * c + c2 * (a * a + b * b * d);
         let n = c1 * b * c + 2 * c2 * a * b;
-        // The larger part decides.
+        // The sign is that of the part with the larger magnitude.
         let (of_m, of_n) = (m.cmp(&0), n.cmp(&0));
         match (m * m).cmp(&(n * n * d)) {
             Ordering::Less => of_n,

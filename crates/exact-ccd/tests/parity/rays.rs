@@ -1,5 +1,5 @@
-//! Corners of F placed so that the first rays (1, k, k²), k = 0, 1, 2, …, meet them, or edges between them, or lie in
-//! the planes of faces.
+//! Corners of F on the first rays (1, k, k²), k = 0, 1, 2, …, or such that these rays meet edges or
+//! lie in planes of faces.
 
 use exact_ccd::parity::Rounded;
 use exact_ccd::{EdgeEdge, Point, VertexFace};
@@ -11,7 +11,7 @@ use crate::laws::{assert_defined, query};
 use crate::primitives::combine;
 use crate::runner::for_all;
 
-/// On one of the rays, opposite of one, or in the plane of two.
+/// A corner on one of the rays, opposite of one, or in the plane of two.
 fn corner() -> impl Strategy<Value = Point> {
     let ray = (0..6i8).prop_map(|k| [1, k, k * k].map(f64::from));
     ([-1..=2i8, -1..=2i8], uniform2(ray)).prop_map(|(factors, rays)| combine(factors.map(f64::from), rays))

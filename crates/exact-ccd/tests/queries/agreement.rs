@@ -1,4 +1,4 @@
-//! The fast path answers as the exact path does, bit for bit.
+//! The answers of the filters are those of the exact path, bit for bit.
 
 use std::cell::RefCell;
 
@@ -16,8 +16,8 @@ fn agrees<K: Primitives>(cases: u32, points: impl Strategy<Value = Points>) {
     });
 }
 
-/// A test of each kind of query for each family, with the number of cases: the exact path is slow on numbers of very
-/// different magnitudes.
+/// A test of each kind of query for each family, with the number of cases. The exact path is slow
+/// on numbers of very different magnitudes.
 macro_rules! agrees {
     ($($name:ident: $cases:literal, $points:expr;)*) => { $(
         mod $name {
@@ -68,7 +68,7 @@ agrees! {
     on_extremes: 200, extremes();
 }
 
-/// Otherwise agreement would mean little.
+/// The agreement above covers all stages.
 fn every_stage_settles_some<K: Primitives>() {
     let stages = RefCell::new(Vec::new());
     for_all(4_000, mixed::<K>(), |points| {
@@ -77,7 +77,7 @@ fn every_stage_settles_some<K: Primitives>() {
             .push(query::<K>(&points).contact_times_with_stage().1);
     });
     for stage in Stage::ALL {
-        assert!(stages.borrow().contains(&stage), "{stage:?}");
+        assert!(stages.borrow().contains(stage), "{stage:?}");
     }
 }
 

@@ -1,17 +1,22 @@
-//! Many queries at once are answered as one by one, whatever the processor's instructions.
+//! The answers to a batch are those to single queries, for all vector instructions of the processor.
 
 use std::cell::RefCell;
 
-use exact_ccd::batch::{Instructions, Trajectories, TrajectoriesError, VertexOutOfRange};
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::batch::{
+    self, Instructions, NonFiniteQuery, Trajectories, TrajectoriesError, VertexOutOfRange,
+};
+use exact_ccd::{Axis, Collision, EdgeEdge, Impact, NonFinite, Query, VertexFace};
 
 use crate::generators::mixed;
-use crate::laws::query;
+use crate::laws::{bits, query};
 use crate::primitives::{Points, Primitives};
 use crate::runner::for_all;
 
-/// Queries of all families, and the bounds of the chunks that a batch is worked off in.
+/// Enough for queries of all families, and for several chunks of a batch.
 const COUNT: u32 = 4_001;
+
+/// The sizes of batches: those around a vector of 8 queries and a chunk of 256, and all queries.
+const SIZES: [usize; 10] = [0, 1, 7, 8, 9, 255, 256, 257, 264, COUNT as usize];
 
 fn queries<K: Primitives>() -> Vec<Points> {
     let queries = RefCell::new(Vec::new());
@@ -19,7 +24,7 @@ fn queries<K: Primitives>() -> Vec<Points> {
     queries.into_inner()
 }
 
-/// The vertices of all queries, and which ones make a query: each one's own.
+/// The trajectories of the points of all queries, and the four vertices of each query.
 fn meshed<K: Primitives>(queries: &[Points]) -> (Trajectories, Vec<[u32; 4]>) {
     let at = |time: usize| -> Vec<_> {
         queries
@@ -31,40 +36,77 @@ fn meshed<K: Primitives>(queries: &[Points]) -> (Trajectories, Vec<[u32; 4]>) {
     (Trajectories::new(&at(0), &at(1)).unwrap(), vertices.collect())
 }
 
-fn answers_as_one_by_one<K: Primitives>() {
+/// All answers about a colliding query, to the last bit.
+#[derive(Debug, PartialEq)]
+struct Answers {
+    index: usize,
+    points: Points,
+    times: (bool, Vec<(u64, bool)>),
+    time_of_impact: u64,
+    impact: Impact,
+}
+
+impl Answers {
+    fn of_query<K: Primitives>(index: usize, query: &Query<K>) -> Option<Self> {
+        query.collides().then(|| Self {
+            index,
+            points: *query.points(),
+            times: bits(&query.contact_times()),
+            time_of_impact: query.time_of_impact().unwrap().to_bits(),
+            impact: query.impact().unwrap(),
+        })
+    }
+
+    fn of_collision<K: Primitives>(index: usize, collision: &Collision<'_, K>) -> Self {
+        Self {
+            index,
+            points: *collision.query().points(),
+            times: bits(&collision.contact_times()),
+            time_of_impact: collision.time_of_impact().to_bits(),
+            impact: collision.impact(),
+        }
+    }
+}
+
+fn answers_as_single_queries<K: Primitives>() {
     let queries = queries::<K>();
     let (trajectories, vertices) = meshed::<K>(&queries);
-    let expected: Vec<(usize, Points)> = queries
+    let expected: Vec<Answers> = queries
         .iter()
-        .map(query::<K>)
         .enumerate()
-        .filter(|(_, query)| query.collides())
-        .map(|(index, query)| (index, *query.points()))
+        .filter_map(|(index, points)| Answers::of_query(index, &query::<K>(points)))
         .collect();
     assert!((100..queries.len() - 100).contains(&expected.len()));
     for instructions in Instructions::available() {
         let trajectories = trajectories.clone().with_instructions(instructions);
-        for count in [0, 1, 7, 8, 9, 255, 256, 257, 264, queries.len()] {
+        for size in SIZES {
+            let expected = &expected[..expected.partition_point(|answers| answers.index < size)];
             let mut found = Vec::new();
             trajectories
-                .collisions::<K>(&vertices[..count], |index, query| {
-                    found.push((index, *query.points()));
+                .collisions::<K>(&vertices[..size], |index, collision| {
+                    found.push(Answers::of_collision(index, &collision));
                 })
                 .unwrap();
-            let among_these = expected.partition_point(|(index, _)| *index < count);
-            assert_eq!(found, expected[..among_these], "{instructions:?}");
+            assert_eq!(found, expected, "vertices, {instructions:?}");
+
+            let mut found = Vec::new();
+            batch::collisions_with::<K>(instructions, &queries[..size], |index, collision| {
+                found.push(Answers::of_collision(index, &collision));
+            })
+            .unwrap();
+            assert_eq!(found, expected, "points, {instructions:?}");
         }
     }
 }
 
 #[test]
-fn vertex_face_as_one_by_one() {
-    answers_as_one_by_one::<VertexFace>();
+fn batches_of_vertex_face_answer_as_single_queries() {
+    answers_as_single_queries::<VertexFace>();
 }
 
 #[test]
-fn edge_edge_as_one_by_one() {
-    answers_as_one_by_one::<EdgeEdge>();
+fn batches_of_edge_edge_answer_as_single_queries() {
+    answers_as_single_queries::<EdgeEdge>();
 }
 
 #[test]
@@ -79,15 +121,23 @@ fn a_query_of_vertices_is_that_of_their_positions() {
 }
 
 #[test]
-fn names_what_is_wrong() {
-    let (o, x) = ([0.0; 3], [1.0, 0.0, f64::NAN]);
+fn errors_of_trajectories_name_vertex_and_coordinate() {
+    let (o, x) = ([0.0; 3], [1.0, 0.0, f64::INFINITY]);
     assert_eq!(
         Trajectories::new(&[o, o], &[o]).unwrap_err(),
         TrajectoriesError::Count { start: 2, end: 1 }
     );
+    let error = Trajectories::new(&[o, o], &[o, x]).unwrap_err();
+    let expected = TrajectoriesError::NonFinite {
+        time: 1,
+        vertex: 1,
+        axis: Axis::Z,
+        value: f64::INFINITY,
+    };
+    assert_eq!(error, expected);
     assert_eq!(
-        Trajectories::new(&[o, o], &[o, x]).unwrap_err(),
-        TrajectoriesError::NonFinite { vertex: 1 }
+        error.to_string(),
+        "vertex 1 has z = inf at t = 1, expected a finite number"
     );
     let trajectories = Trajectories::new(&[o; 5], &[o; 5]).unwrap();
     let found = trajectories.collisions::<VertexFace>(&[[0, 1, 2, 3], [4, 9, 5, 0]], |_, _| {
@@ -99,4 +149,32 @@ fn names_what_is_wrong() {
         vertex_count: 5,
     };
     assert_eq!(found, Err(expected));
+}
+
+/// All queries collide: their points coincide. Those before the one with the error are found, in
+/// any chunk.
+#[test]
+fn errors_of_arrays_name_query_and_coordinate() {
+    for bad in [0, 3, 255, 256, 700] {
+        let mut queries = vec![[[[0.0; 3]; 4]; 2]; 701];
+        queries[bad][1][2][1] = f64::NEG_INFINITY;
+        queries[700][1][3] = [f64::NAN; 3];
+        let mut found = Vec::new();
+        let error = batch::collisions::<EdgeEdge>(&queries, |index, _| found.push(index)).unwrap_err();
+        let expected = NonFiniteQuery {
+            query: bad,
+            source: NonFinite {
+                time: 1,
+                point: 2,
+                axis: Axis::Y,
+                value: f64::NEG_INFINITY,
+            },
+        };
+        assert_eq!(error, expected);
+        assert_eq!(
+            error.to_string(),
+            format!("query {bad}: coordinate y of point 2 at t = 1 is -inf, not a finite number")
+        );
+        assert_eq!(found, (0..bad).collect::<Vec<_>>());
+    }
 }

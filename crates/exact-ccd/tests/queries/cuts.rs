@@ -1,4 +1,4 @@
-//! A step or a primitive cut in two at the middle has the contacts of the whole. Exact on integers.
+//! The two halves of a step or of a primitive have the contacts of the whole. Exact on integers.
 
 use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::prelude::*;
@@ -34,12 +34,12 @@ fn list(times: &ContactTimes) -> Vec<ContactTime> {
     }
 }
 
-/// What is known of a time, t ↦ (2 t − shift); exact for times in [1/2, 1], or without a shift.
+/// The image of a time under t ↦ 2 t − shift, exact for times in [1/2, 1], or without a shift.
 fn doubled(time: ContactTime, shift: f64) -> [f64; 2] {
     [time.lower(), time.upper()].map(|t| 2.0 * t - shift)
 }
 
-/// Whether a time is the one of which this is known.
+/// Returns true if a time may be the given one.
 fn may_be(time: ContactTime, [lower, upper]: [f64; 2]) -> bool {
     if lower == upper {
         time.is_exact() && time.lower() == lower
@@ -63,7 +63,7 @@ fn halves_of_the_step<K: Primitives>(points: &Points) {
     late.retain(|time| time.lower() >= 0.5);
     let [mut in_morning, mut in_afternoon] = [list(&morning), list(&afternoon)];
     if lasts {
-        // Only the beginning is known.
+        // Only the beginning of an interval is given.
         in_morning.truncate(1);
         in_afternoon.truncate(usize::from(early.is_empty()));
         late.truncate(in_afternoon.len());
@@ -81,7 +81,7 @@ fn halves_of_the_step<K: Primitives>(points: &Points) {
     }
 }
 
-/// Cuts the edge between the last two points, which is one of the face or all of the other edge.
+/// Cuts the edge between the last two points: an edge of the face, or the second edge.
 fn halves_of_a_primitive<K: Primitives>(points: &Points) {
     let left = points.map(|[a, b, c, d]| [a, b, c, middle(c, d)]);
     let right = points.map(|[a, b, c, d]| [a, b, middle(c, d), d]);

@@ -1,4 +1,5 @@
-//! The answers do not depend on names, axes, units, the direction of time, or the frame of reference.
+//! The answers do not depend on the order of points, axes, units, the direction of time, or the
+//! frame of reference.
 
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 use proptest::array::{uniform2, uniform3};
@@ -84,7 +85,7 @@ fn the_frame_of_reference_does_not_matter() {
     frames_of_reference::<EdgeEdge>();
 }
 
-/// A face with two corners in one place is an edge, and a vertex is an edge without length.
+/// A face with two coincident corners is an edge, and a vertex is an edge without length.
 #[test]
 fn a_collapsed_face_is_an_edge() {
     for_all(6_000, mixed::<EdgeEdge>(), |points| {

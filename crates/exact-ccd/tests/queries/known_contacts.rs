@@ -1,4 +1,4 @@
-//! Queries made to touch at a known time. All arithmetic is exact on integers.
+//! Queries constructed with contact at a known time. All arithmetic is exact on integers.
 
 use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::array::uniform3;

@@ -1,4 +1,4 @@
-//! What holds for the answers to every query, wherever it comes from.
+//! Properties of the answers to every query.
 
 use std::cmp::Ordering;
 
@@ -12,8 +12,8 @@ pub(crate) fn query<K: Kind>(points: &Points) -> Query<K> {
     Query::new(points[0], points[1]).unwrap()
 }
 
-/// The contact times, checked to be sound in themselves, the same as those of the exact path bit for bit, and in
-/// accord with the other answers.
+/// The contact times, checked: they are increasing times in [0, 1], the same as those of the exact
+/// path bit for bit, and consistent with the other answers, which are computed apart from them.
 pub(crate) fn checked_times<K: Kind>(query: &Query<K>) -> ContactTimes {
     let times = query.contact_times();
     assert_eq!(bits(&times), bits(&exact::contact_times(query)), "{query:?}");
@@ -21,12 +21,15 @@ pub(crate) fn checked_times<K: Kind>(query: &Query<K>) -> ContactTimes {
     let touches = times.first().is_some();
     assert_eq!(query.collides(), touches, "{query:?}");
     assert_eq!(exact::collides(query), touches, "exactly: {query:?}");
-    let first = times.first().map(|time| time.lower().to_bits());
-    assert_eq!(query.time_of_impact().map(f64::to_bits), first, "{query:?}");
+    // The time of impact and the impact are computed without the later times.
+    let first = times.first();
+    let lower = first.map(|time| time.lower().to_bits());
+    assert_eq!(query.time_of_impact().map(f64::to_bits), lower, "{query:?}");
+    assert_eq!(query.impact().map(|impact| impact.time), first, "{query:?}");
     times
 }
 
-/// All that can be told of contact times: whether they are finitely many, and their exact bits.
+/// The bits of contact times, and true if they are finitely many.
 pub(crate) fn bits(times: &ContactTimes) -> (bool, Vec<(u64, bool)>) {
     let bits = |time: &ContactTime| (time.lower().to_bits(), time.is_exact());
     match times {
@@ -40,13 +43,8 @@ fn assert_sound(times: &ContactTimes) {
         ContactTimes::Finite(times) => times.to_vec(),
         ContactTimes::Interval { first } => vec![*first],
     };
-    assert_eq!(times.first(), all.first().copied());
-    match times {
-        ContactTimes::Finite(_) => assert_eq!(times.count(), Some(all.len())),
-        ContactTimes::Interval { first } => {
-            assert_eq!(times.count(), None);
-            assert!(first.upper() <= 1.0 && first.lower() < 1.0, "{times:?}");
-        }
+    if let ContactTimes::Interval { first } = times {
+        assert!(first.lower() < 1.0, "{times:?}");
     }
     for time in &all {
         assert!(
@@ -54,22 +52,16 @@ fn assert_sound(times: &ContactTimes) {
             "{times:?}"
         );
         assert!(time.upper() <= 1.0, "{times:?}");
-        let next = if time.is_exact() {
-            time.lower()
-        } else {
-            time.lower().next_up()
-        };
-        assert_eq!(time.upper(), next);
     }
     for pair in all.windows(2) {
-        // Two times that are no f64 may lie in one gap.
+        // Two times that are not f64 may lie between the same two f64.
         let apart = pair[0].upper() <= pair[1].lower() && pair[0] != pair[1];
         let in_one_gap = pair[0] == pair[1] && !pair[0].is_exact();
         assert!(apart || in_one_gap, "{times:?}");
     }
 }
 
-/// Checks that a symmetry leaves the contact times as they are.
+/// Checks that a symmetry does not change the contact times.
 pub(crate) fn assert_symmetric<K: Primitives>(points: &Points, symmetry: &Symmetry) {
     let image = symmetry.apply::<K>(points);
     assert_same_times(&query::<K>(points), &query::<K>(&image));
@@ -102,7 +94,7 @@ pub(crate) fn assert_reversible<K: Primitives>(points: &Points) {
     }
 }
 
-/// Whether numbers of which this is known may be t and 1 − t.
+/// Returns true if the times may be t and 1 − t.
 fn may_add_up_to_one(a: ContactTime, b: ContactTime) -> bool {
     let lower = compare_sum_with_one(a.lower(), b.lower());
     let upper = compare_sum_with_one(a.upper(), b.upper());
@@ -113,7 +105,7 @@ fn may_add_up_to_one(a: ContactTime, b: ContactTime) -> bool {
     }
 }
 
-/// How a + b compares with 1, for numbers in [0, 1]; exact, as 1 − x is for x ≥ 1/2.
+/// The comparison of a + b with 1, for numbers in [0, 1]. It is exact, because 1 − x is for x ≥ 1/2.
 fn compare_sum_with_one(a: f64, b: f64) -> Ordering {
     let (smaller, larger) = if a < b { (a, b) } else { (b, a) };
     if larger < 0.5 {

@@ -1,4 +1,4 @@
-//! The answers to queries, against their definition, their symmetries, and independent truth.
+//! The answers to queries, compared with their definition, their symmetries, and independent truth.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

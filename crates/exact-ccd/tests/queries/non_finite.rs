@@ -1,6 +1,6 @@
-//! Coordinates that are no numbers are refused by name.
+//! The errors name the first coordinate that is not a finite number.
 
-use exact_ccd::{EdgeEdge, NonFinite, Point, Query, VertexFace};
+use exact_ccd::{Axis, EdgeEdge, NonFinite, Point, Query, VertexFace};
 
 const BAD: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
@@ -12,21 +12,21 @@ fn errors(points: [[Point; 4]; 2]) -> [NonFinite; 2] {
 }
 
 #[test]
-fn every_coordinate_is_looked_at() {
+fn every_coordinate_is_checked() {
     for time in 0..2 {
         for point in 0..4 {
-            for axis in 0..3 {
+            for axis in Axis::ALL {
                 for value in BAD {
                     let mut points = [[[1.0; 3]; 4]; 2];
-                    points[time][point][axis] = value;
+                    points[time][point][axis.index()] = value;
                     for error in errors(points) {
                         assert_eq!((error.time, error.point, error.axis), (time, point, axis));
                         assert_eq!(error.value.to_bits(), value.to_bits());
-                        let name = ["x", "y", "z"][axis];
                         assert_eq!(
                             error.to_string(),
                             format!(
-                                "coordinate {name} of point {point} at t = {time} is {value}, not a finite number"
+                                "coordinate {axis} of point {point} at t = {time} is {value}, \
+                                 not a finite number"
                             )
                         );
                     }
@@ -37,7 +37,7 @@ fn every_coordinate_is_looked_at() {
 }
 
 #[test]
-fn the_first_one_is_named() {
+fn the_first_coordinate_is_named() {
     let mut points = [[[f64::MAX; 3]; 4]; 2];
     points[1] = [[f64::NAN; 3]; 4];
     points[0][2][1] = f64::NEG_INFINITY;
@@ -46,7 +46,7 @@ fn the_first_one_is_named() {
         let expected = NonFinite {
             time: 0,
             point: 2,
-            axis: 1,
+            axis: Axis::Y,
             value: f64::NEG_INFINITY,
         };
         assert_eq!(error, expected);
@@ -54,7 +54,7 @@ fn the_first_one_is_named() {
 }
 
 #[test]
-fn the_largest_and_the_smallest_numbers_are_fine() {
+fn the_largest_and_the_smallest_numbers_are_accepted() {
     for value in [f64::MAX, f64::MIN, 5e-324, -0.0] {
         let points = [[value; 3]; 4];
         assert!(Query::<VertexFace>::new(points, points).is_ok());

@@ -1,4 +1,4 @@
-//! F as its definition reads, apart from the algebra of the kernel.
+//! F by its definition, independent of the algebra of the kernel.
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
@@ -7,13 +7,13 @@ pub(crate) type Points = [[Point; 4]; 2];
 
 /// A kind of query, as the linear combination of its four points that vanishes in contact.
 pub(crate) trait Primitives: Kind + 'static {
-    /// How many of the points, from the first on, belong to the first primitive.
+    /// The number of points of the first primitive, which come first.
     const FIRST: usize;
     /// The corners of the domain of (u, v).
     const DOMAIN: &'static [[f64; 2]];
-    /// Whether (u / one, v / one) lies in the domain.
+    /// Returns true if (u / one, v / one) lies in the domain.
     fn contains(parameters: [f64; 2], one: f64) -> bool;
-    /// Orders of the points that leave the two primitives what they are.
+    /// The orders of the points that describe the same two primitives.
     const RENAMINGS: &'static [[usize; 4]];
     /// The factors of the four points in F(·, u, v).
     fn weights(u: f64, v: f64) -> [f64; 4];
@@ -82,7 +82,7 @@ pub(crate) fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// Where the points are at time t.
+/// The points at time t.
 pub(crate) fn at(points: &Points, t: f64) -> [Point; 4] {
     [0, 1, 2, 3].map(|i: usize| combine([1.0 - t, t], [points[0][i], points[1][i]]))
 }

@@ -1,4 +1,4 @@
-//! Square and cube roots as contact times, which integers can check.
+//! Square and cube roots as contact times, checked in integers.
 
 use std::cmp::Ordering;
 
@@ -26,7 +26,7 @@ fn cube_root(m: f64, n: f64) -> Query<EdgeEdge> {
     Query::new(at(0.0), at(1.0)).unwrap()
 }
 
-/// How n tᵏ compares with m.
+/// The comparison of n tᵏ with m.
 fn compare_power(t: f64, k: usize, m: u32, n: u32) -> Ordering {
     const SHIFT: i32 = 1074;
     let bits = t.to_bits();

@@ -13,7 +13,7 @@ pub(crate) struct Rational {
 }
 
 impl Rational {
-    /// All of them, some under several names, with denominators up to `most`.
+    /// All simple fractions, some in several forms, with denominators up to `most`.
     pub(crate) fn all_in_unit(most: u8) -> impl Iterator<Item = Self> {
         (1..=most).flat_map(|n| {
             (0..=n).map(move |m| Self {
@@ -23,7 +23,7 @@ impl Rational {
         })
     }
 
-    /// One of them.
+    /// A random simple fraction.
     pub(crate) fn in_unit(most: u8) -> impl Strategy<Value = Self> {
         prop::sample::select(Self::all_in_unit(most).collect::<Vec<_>>())
     }
@@ -33,12 +33,13 @@ impl Rational {
         (self.m, self.n)
     }
 
-    /// How this compares with an f64 in [0, 1]. Exact: a fused multiply-add rounds once, which keeps the sign.
+    /// The comparison with an f64 in [0, 1]. Exact: a fused multiply-add rounds once, which keeps
+    /// the sign.
     fn compare(self, t: f64) -> Ordering {
         0.0.partial_cmp(&t.mul_add(self.n, -self.m)).unwrap()
     }
 
-    /// Whether a contact time may be this number.
+    /// Returns true if a contact time may be this number.
     fn may_be(self, time: ContactTime) -> bool {
         let above_lower = self.compare(time.lower());
         if time.is_exact() {
@@ -48,8 +49,8 @@ impl Rational {
         }
     }
 
-    /// Whether this is one of the contact times, `None` if that is not known of an interval. Numbers that lie in the
-    /// same gap between f64 are taken to be the same: they are, where all numbers are small.
+    /// Returns true if this is one of the contact times; `None` if an interval leaves that open.
+    /// Numbers between the same two f64 count as equal, which is right for small numbers.
     pub(crate) fn is_among(self, times: &ContactTimes) -> Option<bool> {
         match times {
             ContactTimes::Finite(times) => Some(times.iter().any(|time| self.may_be(*time))),

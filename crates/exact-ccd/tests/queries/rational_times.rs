@@ -1,4 +1,4 @@
-//! At simple fractions of the step, whether the primitives touch is a system of three linear equations in u and v.
+//! Contact at a simple fraction of the step is a system of three linear equations in u and v.
 
 use exact_ccd::{EdgeEdge, VertexFace};
 use proptest::prelude::*;
@@ -9,7 +9,8 @@ use crate::primitives::{Points, Primitives, combine};
 use crate::rational::Rational;
 use crate::runner::for_all;
 
-/// One component of n F(m / n, u, v) = c + a u + b v: integers, as long as the points are.
+/// One component of n F(m / n, u, v) = c + a u + b v. The coefficients are integers if the
+/// coordinates are.
 #[derive(Clone, Copy)]
 struct Equation {
     c: f64,
@@ -22,7 +23,8 @@ impl Equation {
         self.c + self.a * u + self.b * v
     }
 
-    /// Whether another equation with parallel (a, b) is a multiple of this one, whose (a, b) is not zero.
+    /// Returns true if another equation with parallel (a, b) is a multiple of this one, whose (a,
+    /// b) is not zero.
     fn implies(self, other: Self) -> bool {
         self.a * other.c == other.a * self.c && self.b * other.c == other.b * self.c
     }
@@ -40,7 +42,8 @@ fn equations<K: Primitives>(points: &Points, time: Rational) -> [Equation; 3] {
     })
 }
 
-/// Whether the equations have a common solution in the domain, by rank of the coefficients of u and v.
+/// Returns true if the equations have a common solution in the domain, by the rank of the
+/// coefficients of u and v.
 fn have_solution<K: Primitives>(equations: &[Equation; 3]) -> bool {
     for [i, j, k] in [[0, 1, 2], [1, 2, 0], [2, 0, 1]] {
         let [e, f, g] = [i, j, k].map(|i: usize| equations[i]);
@@ -56,7 +59,7 @@ fn have_solution<K: Primitives>(equations: &[Equation; 3]) -> bool {
     }
     match equations.iter().find(|e| e.a != 0.0 || e.b != 0.0) {
         Some(line) => {
-            // A line meets a convex domain if it does not leave all corners on one side.
+            // A line meets a convex domain unless all corners are strictly on one side.
             let values = || K::DOMAIN.iter().map(|&corner| line.value(corner));
             equations.iter().all(|e| line.implies(*e))
                 && values().any(|value| value <= 0.0)

@@ -1,12 +1,12 @@
-//! Runs a check on many values.
+//! A runner of checks on many values.
 
 use std::fmt::Debug;
 
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
-/// Panics with the smallest value found on which the check panics. The values are the same in every run: new ones are
-/// for the fuzzer, and a failure that is worth keeping becomes a test with a name.
+/// Panics with the smallest value found on which the check panics. The values are the same in every
+/// run; the fuzzer tries others.
 pub(crate) fn for_all<T: Debug>(cases: u32, values: impl Strategy<Value = T>, check: impl Fn(T)) {
     let config = ProptestConfig {
         failure_persistence: None,

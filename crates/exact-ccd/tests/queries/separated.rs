@@ -1,4 +1,4 @@
-//! Queries made to stay apart, on two sides of a plane. All arithmetic is exact on integers.
+//! Queries constructed to stay apart, on two sides of a plane. All arithmetic is exact on integers.
 
 use exact_ccd::{ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::array::{uniform2, uniform3};
@@ -18,8 +18,9 @@ fn assert_never_touches<K: Primitives>(points: &Points) {
     assert_eq!(times, ContactTimes::Finite(Default::default()), "{points:?}");
 }
 
-/// The points, moved along each other so that at both ends the first primitive lies at or above a level of the
-/// scalar product with a direction, and the second one strictly below, by as little as integers allow.
+/// The points, moved along each other so that at both ends the first primitive lies at or above a
+/// level of the scalar product with a direction, and the second one strictly below, by the smallest
+/// distance between integers.
 fn apart<K: Primitives>(mut points: Points, direction: Point, levels: [f64; 2]) -> Points {
     let unit = dot(direction, direction);
     for (now, level) in points.iter_mut().zip(levels) {
@@ -64,8 +65,8 @@ fn a_plane_keeps_edges_apart() {
     never_across_a_plane::<EdgeEdge>();
 }
 
-/// Whether a turning plane separates the primitives: n(t) · F is quadratic in t for n(t) = (1 − t) n₀ + t n₁, and
-/// positive where its Bernstein coefficients are.
+/// Returns true if a turning plane separates the primitives: n(t) · F is quadratic in t for n(t) =
+/// (1 − t) n₀ + t n₁, and positive where its Bernstein coefficients are.
 fn is_parted_by<K: Primitives>(points: &Points, [n0, n1]: [Point; 2]) -> bool {
     K::DOMAIN.iter().all(|&[u, v]| {
         let [f0, f1] = points.map(|now| combine(K::weights(u, v), now));
@@ -73,7 +74,8 @@ fn is_parted_by<K: Primitives>(points: &Points, [n0, n1]: [Point; 2]) -> bool {
     })
 }
 
-/// Moves the first primitive at both ends along normals that form an acute angle, until they separate.
+/// Moves the first primitive at both ends along normals that form an acute angle, until they
+/// separate.
 fn out_of_the_way<K: Primitives>(mut points: Points, normals: [Point; 2]) -> Points {
     while !is_parted_by::<K>(&points, normals) {
         for (now, normal) in points.iter_mut().zip(normals) {

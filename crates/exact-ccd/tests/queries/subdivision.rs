@@ -1,6 +1,7 @@
-//! Contact by subdivision: F is affine in each of t, u and v, so that its image of a box lies in the hull of its values
-//! at the corners. Boxes whose image a plane parts from the origin are free of contact, the others are cut until they
-//! are too small to matter. On small integers, nothing comes that close without touching.
+//! Contact by subdivision: F is affine in each of t, u and v, so that its image of a box lies in
+//! the hull of its values at the corners. Boxes whose image a plane separates from the origin are
+//! free of contact, the others are cut down to a minimal size. On small integers, primitives that
+//! do not touch are farther apart than that size.
 
 use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
 use proptest::prelude::*;
@@ -10,10 +11,10 @@ use crate::laws::query;
 use crate::primitives::{Points, Primitives, at, combine, dot};
 use crate::runner::for_all;
 
-/// More than all roundings.
+/// An upper bound of all rounding errors.
 const MARGIN: f64 = 1e-12;
 
-/// How close to the origin the image of a box must be to count as contact.
+/// The distance to the origin below which the image of a box counts as contact.
 const SIZE: f64 = 1e-7;
 
 /// An interval of each of t, u and v.
@@ -25,7 +26,8 @@ fn corners<K: Primitives>(points: &Points, cuboid: &Cuboid) -> [Point; 8] {
     [0, 1, 2, 3, 4, 5, 6, 7].map(|i: usize| combine(K::weights(us[i / 2 % 2], vs[i % 2]), ends[i / 4]))
 }
 
-/// Whether all points are beyond a plane through the origin, across an axis or across the direction of their centre.
+/// Returns true if all points are beyond a plane through the origin, across an axis or across the
+/// direction of their centre.
 fn are_beyond_a_plane(points: &[Point; 8]) -> bool {
     let centre = combine([0.125; 8], *points);
     let directions = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], centre];
@@ -35,7 +37,7 @@ fn are_beyond_a_plane(points: &[Point; 8]) -> bool {
     })
 }
 
-/// How far the image reaches along each of t, u and v.
+/// The extent of the image along each of t, u and v.
 fn extents(corners: &[Point; 8]) -> [f64; 3] {
     let distance = |i: usize, j: usize| {
         let difference = combine([1.0, -1.0], [corners[i], corners[j]]);
@@ -49,10 +51,10 @@ fn extents(corners: &[Point; 8]) -> [f64; 3] {
     })
 }
 
-/// Whether there is contact in a box, as far as its size can tell.
+/// Returns true if there is contact in a box, up to the minimal size.
 fn touches<K: Primitives>(points: &Points, cuboid: Cuboid) -> bool {
     let [_, [u, _], [v, _]] = cuboid;
-    // The lower corner is the last one to leave the domain.
+    // If the lower corner is outside of the domain, so is the box.
     if !K::contains([u, v], 1.0) {
         return false;
     }
@@ -79,7 +81,7 @@ fn touches_between<K: Primitives>(points: &Points, low: f64, high: f64) -> bool 
 }
 
 fn contacts_are_the_reported_ones<K: Primitives>(points: &Points) {
-    /// How long before and after a contact the primitives are clearly apart.
+    /// The time before and after a contact at which the primitives are clearly apart.
     const NEAR: f64 = 1.0 / 64.0;
     let times = query::<K>(points).contact_times();
     let (all, until): (Vec<ContactTime>, f64) = match &times {

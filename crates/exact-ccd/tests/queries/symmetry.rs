@@ -1,17 +1,17 @@
-//! Changes of a query that leave its contact times as they are, bit for bit.
+//! Changes of a query that do not change its contact times, bit for bit.
 
 use crate::primitives::{Points, Primitives};
 
-/// Other names for the points, and other axes.
+/// A permutation of the points and of the axes, with mirrored and stretched axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Symmetry {
-    /// Picks one of the orders of the points that leave the primitives what they are.
+    /// The index of an order of the points that describes the same primitives.
     pub(crate) renaming: usize,
-    /// For each axis, the one that takes its place.
+    /// For each axis, the axis that replaces it.
     pub(crate) axes: [usize; 3],
-    /// Which axes are mirrored.
+    /// True for each mirrored axis.
     pub(crate) mirrored: [bool; 3],
-    /// By which power of two an axis is stretched, unless that would round.
+    /// The exponents of the powers of two by which the axes are stretched, unless that would round.
     pub(crate) exponents: [i32; 3],
 }
 

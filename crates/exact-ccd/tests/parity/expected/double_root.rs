@@ -5,14 +5,15 @@ use exact_ccd::{ContactTime, Point};
 
 use super::integers::{exactly, in_one_unit};
 
-/// A rational number, with any denominator but zero.
+/// A rational number; the denominator is not zero.
 pub(crate) struct Ratio {
     numerator: IBig,
     denominator: IBig,
 }
 
 impl Ratio {
-    /// Whether a contact time may be this number: it is, or it lies between the same two f64.
+    /// Returns true if a contact time may be this number: it is equal, or lies between the same two
+    /// f64.
     pub(crate) fn may_be(&self, time: ContactTime) -> bool {
         let sign = self.denominator.signum();
         let compare =
@@ -27,7 +28,8 @@ impl Ratio {
 
 /// The root of multiplicity two of the coplanarity of four points, if there is one.
 ///
-/// For a₃ (t − r)² (t − s), a₂² − 3 a₁ a₃ is a₃² (r − s)², and for a₂ (t − r)², a₂²; then the ratio below is r.
+/// For a₃ (t − r)² (t − s), a₂² − 3 a₁ a₃ is a₃² (r − s)², and for a₂ (t − r)², a₂²; then the ratio
+/// below is r.
 pub(crate) fn double_root(points: &[[Point; 4]; 2]) -> Option<Ratio> {
     let [a0, a1, a2, a3] = coplanarity(points);
     let numerator = IBig::from(9) * &a0 * &a3 - &a1 * &a2;
@@ -44,7 +46,8 @@ pub(crate) fn double_root(points: &[[Point; 4]; 2]) -> Option<Ratio> {
     })
 }
 
-/// The coefficients of a multiple of the determinant of x₁ − x₀, x₂ − x₀, x₃ − x₀, from its values at four times.
+/// The coefficients of a multiple of the determinant of x₁ − x₀, x₂ − x₀, x₃ − x₀, from its values
+/// at four times.
 fn coplanarity(points: &[[Point; 4]; 2]) -> [IBig; 4] {
     let axes = [0, 1, 2]
         .map(|axis: usize| in_one_unit([0, 1, 2, 3, 4, 5, 6, 7].map(|i: usize| points[i / 4][i % 4][axis])));

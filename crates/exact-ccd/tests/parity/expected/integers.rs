@@ -14,7 +14,7 @@ pub(crate) fn exactly(x: f64) -> IBig {
     if x < 0.0 { -magnitude } else { magnitude }
 }
 
-/// Numbers as integers in one unit, a power of two as large as it can be.
+/// Numbers as integers in one unit, the largest possible power of two.
 pub(crate) fn in_one_unit<const N: usize>(numbers: [f64; N]) -> [IBig; N] {
     let integers = numbers.map(exactly);
     let zeros = integers

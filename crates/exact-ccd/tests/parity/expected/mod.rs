@@ -1,9 +1,9 @@
-//! The parity of a query by the definition of contact: the boundary of the domain made of smaller queries, and the
-//! roots in its interior counted with their multiplicity.
+//! The parity of a query by the definition of contact: smaller queries on the boundary of the
+//! domain, and the roots in its interior, counted with multiplicity.
 //!
-//! Where the four points are coplanar at all times, and where the edges are parallel or the face is flat, contact is
-//! for a line of parameters or for an interval of time, and reaches the boundary. So contact that does not is at
-//! roots of the coplanarity, and each counts as often as it is a root.
+//! If the four points are always coplanar, the edges parallel or the face flat, contact holds for a
+//! line of parameters or for an interval of time, and reaches the boundary. All other contact is at
+//! roots of the coplanarity, and counts with their multiplicity.
 
 mod double_root;
 pub(crate) mod integers;
@@ -13,7 +13,7 @@ use exact_ccd::{ContactTimes, EdgeEdge, Kind, Point, Query, VertexFace, exact};
 
 use double_root::double_root;
 
-/// A kind of query, as the vertices and edges that meet on the boundary of (u, v).
+/// The vertices and edges of a kind of query that meet on the boundary of (u, v).
 pub(crate) trait Rim: Kind {
     /// A vertex, and the ends of an edge of the other primitive.
     const MEETINGS: &'static [[usize; 3]];
@@ -46,7 +46,7 @@ pub(crate) fn expected<K: Rim>(query: &Query<K>) -> Parity {
     }
 }
 
-/// Whether there is a contact at an end of the step, or of a vertex with an edge.
+/// Returns true if there is a contact at an end of the step, or of a vertex with an edge.
 fn touches_on_boundary<K: Rim>(query: &Query<K>) -> bool {
     let is_met = |[vertex, x, y]: &[usize; 3]| {
         let [start, end] = query

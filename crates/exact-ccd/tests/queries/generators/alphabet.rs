@@ -1,11 +1,11 @@
-//! Coordinates at which floating-point arithmetic goes wrong.
+//! Coordinates at which floating-point arithmetic fails.
 
 const fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((1023 + exponent) as u64) << 52)
 }
 
-/// Zeros, subnormals, neighbours of 1, the ends of the range, and the magnitudes at which squares and cubes underflow,
-/// lose bits or overflow.
+/// Zeros, subnormals, neighbours of 1, the ends of the range, and the magnitudes at which squares
+/// and cubes underflow, lose bits or overflow.
 pub(crate) const ALPHABET: [f64; 40] = [
     0.0,
     -0.0,

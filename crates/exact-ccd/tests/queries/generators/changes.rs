@@ -1,12 +1,13 @@
-//! Changes that make a query special: exactly so on small integers, and nearly so where they round.
+//! Changes that make a query degenerate: exactly on small integers, approximately where they round.
 
 use crate::primitives::{Points, combine};
 
-/// A relation that is brought about among the points.
+/// A relation imposed on the points.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Change {
-    /// The first of these points becomes xⱼ + a (xₖ − xⱼ) + b (xₗ − xⱼ) for the others, at the ends of the step that
-    /// are marked. So points coincide, lie in line or in a plane, and edges become parallel.
+    /// The first of these points becomes xⱼ + a (xₖ − xⱼ) + b (xₗ − xⱼ) for the others, at the
+    /// marked ends of the step. Then points coincide or are collinear or coplanar, and edges are
+    /// parallel.
     Combine {
         points: [usize; 4],
         factors: [i8; 2],
@@ -48,7 +49,7 @@ impl Change {
     }
 }
 
-/// The f64 that comes a few steps after x, or before it.
+/// The f64 that is a few steps after x, or before it.
 fn nudged(x: f64, steps: i8) -> f64 {
     let next = if steps < 0 { f64::next_down } else { f64::next_up };
     (0..steps.unsigned_abs()).fold(x, |x, _| next(x))
@@ -65,7 +66,7 @@ pub(crate) fn nudge(mut points: Points, nudges: &[([usize; 3], i8)]) -> Points {
 
 /// x times a power of two, rounded if it is subnormal.
 pub(crate) fn scaled(x: f64, exponent: i32) -> f64 {
-    // In two factors, for 2⁻¹⁰⁷⁴ may be out of the range of `powi`.
+    // In two factors, because 2⁻¹⁰⁷⁴ may be out of the range of `powi`.
     let half = exponent / 2;
     x * 2f64.powi(half) * 2f64.powi(exponent - half)
 }

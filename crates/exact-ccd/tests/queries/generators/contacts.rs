@@ -1,4 +1,5 @@
-//! Queries brought into contact at a given time and place: exactly where the arithmetic is exact, nearly elsewhere.
+//! Queries with contact at a given time and place: exact if the arithmetic is exact, otherwise
+//! approximate.
 
 use crate::primitives::{Points, Primitives, at, combine};
 
@@ -12,8 +13,8 @@ pub(crate) fn touching<K: Primitives>(mut points: Points, [t, u, v]: [f64; 3]) -
     points
 }
 
-/// Some points, moved into contact at (t, u, v) with a relative velocity that lies in the common plane, as given in
-/// terms of its spanning vectors: a double root of the coplanarity.
+/// Some points, moved into contact at (t, u, v) with a relative velocity in the common plane, given
+/// in terms of its spanning vectors: a double root of the coplanarity.
 pub(crate) fn grazing<K: Primitives>(points: Points, [t, u, v]: [f64; 3], [a, b]: [f64; 2]) -> Points {
     let mut points = touching::<K>(points, [t, u, v]);
     let [u, v] = K::in_domain(u, v);

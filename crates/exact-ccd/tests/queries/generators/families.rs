@@ -1,4 +1,4 @@
-//! The families.
+//! The families of queries.
 
 use proptest::array::{uniform2, uniform3, uniform4, uniform8};
 use proptest::prelude::*;
@@ -13,23 +13,23 @@ fn points_of(coordinate: impl Strategy<Value = f64> + Clone) -> impl Strategy<Va
     uniform2(uniform4(uniform3(coordinate)))
 }
 
-/// Every relation among few small integers comes up by chance.
+/// Few small integers: every relation among them occurs by chance.
 pub(crate) fn small_integers(radius: i8) -> impl Strategy<Value = Points> + Clone {
     points_of((-radius..=radius).prop_map(f64::from))
 }
 
-/// Integers that add up exactly, and whose products do not fit into an f64.
+/// Integers whose sums are exact and whose products are not.
 pub(crate) fn large_integers() -> impl Strategy<Value = Points> + Clone {
     const RADIUS: i64 = 1 << 36;
     points_of((-RADIUS..=RADIUS).prop_map(|n| n as f64))
 }
 
-/// Small ones or large ones.
+/// Small or large integers.
 pub(crate) fn integers() -> impl Strategy<Value = Points> + Clone {
     prop_oneof![small_integers(8), large_integers()]
 }
 
-/// All 53 bits in use.
+/// Fractions with all 53 bits in use.
 pub(crate) fn fractions() -> impl Strategy<Value = Points> + Clone {
     points_of(-1.0..1.0)
 }
@@ -53,19 +53,19 @@ pub(crate) fn degenerate(points: impl Strategy<Value = Points>) -> impl Strategy
     })
 }
 
-/// A few steps away from other points.
+/// Points a few steps away from others.
 pub(crate) fn nearly(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
     (points, nudges()).prop_map(|(points, nudges)| nudge(points, &nudges))
 }
 
-/// In contact at a quarter of the step and of the domain, on numbers that do not round.
+/// Contact at a quarter of the step and of the domain, without rounding.
 pub(crate) fn exact_contacts<K: Primitives>(
     integers: impl Strategy<Value = Points>,
 ) -> impl Strategy<Value = Points> {
     (integers, quarters()).prop_map(|(points, place)| touching::<K>(points, place))
 }
 
-/// Touching, but not crossing, at a quarter of the step, on numbers that do not round.
+/// Touching without crossing at a quarter of the step, without rounding.
 pub(crate) fn exact_grazes<K: Primitives>(
     integers: impl Strategy<Value = Points>,
 ) -> impl Strategy<Value = Points> {
@@ -74,19 +74,19 @@ pub(crate) fn exact_grazes<K: Primitives>(
         .prop_map(|(points, place, velocity)| grazing::<K>(points, place, velocity))
 }
 
-/// In contact somewhere, to within rounding.
+/// Contact anywhere, up to rounding.
 pub(crate) fn rounded_contacts<K: Primitives>() -> impl Strategy<Value = Points> {
     (fractions(), parameters()).prop_map(|(points, place)| touching::<K>(points, place))
 }
 
-/// Touching, but not crossing, to within rounding.
+/// Touching without crossing, up to rounding.
 pub(crate) fn rounded_grazes<K: Primitives>() -> impl Strategy<Value = Points> {
     let velocity = [-4.0..4.0, -4.0..4.0];
     (fractions(), parameters(), velocity)
         .prop_map(|(points, place, velocity)| grazing::<K>(points, place, velocity))
 }
 
-/// Off a contact or a graze by any power of two, so that filters come to their limits.
+/// A contact or a graze missed by any power of two, at the limits of the filters.
 pub(crate) fn narrow_misses<K: Primitives>(
     points: impl Strategy<Value = Points>,
 ) -> impl Strategy<Value = Points> {
@@ -99,7 +99,7 @@ pub(crate) fn narrow_misses<K: Primitives>(
     })
 }
 
-/// In one plane across an axis, touching there at some time.
+/// Motion in one plane across an axis, with contact at some time.
 pub(crate) fn planar_contacts<K: Primitives>() -> impl Strategy<Value = Points> {
     (fractions(), 0..3usize, parameters()).prop_map(|(mut points, axis, place)| {
         Change::Flatten(axis).apply(&mut points);
@@ -107,14 +107,14 @@ pub(crate) fn planar_contacts<K: Primitives>() -> impl Strategy<Value = Points> 
     })
 }
 
-/// Each axis in a unit of its own, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.
+/// A separate unit on each axis, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.
 pub(crate) fn stretched(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
     (points, uniform3(exponent())).prop_map(|(points, exponents)| {
         points.map(|now| now.map(|point| [0, 1, 2].map(|axis: usize| scaled(point[axis], exponents[axis]))))
     })
 }
 
-/// Each point at each end of the step in a unit of its own, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.
+/// A separate unit for each point at each end of the step, from 2⁻¹⁰⁰⁰ to 2¹⁰⁰⁰.
 pub(crate) fn scattered(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
     (points, uniform8(exponent())).prop_map(|(points, exponents)| {
         [0, 1].map(|time: usize| {
@@ -127,12 +127,12 @@ fn exponent() -> impl Strategy<Value = i32> + Clone {
     prop_oneof![-1000..=1000, -210..=210, Just(0), Just(200)]
 }
 
-/// Multiples of the least subnormal number.
+/// Multiples of the smallest subnormal number.
 pub(crate) fn subnormal(points: impl Strategy<Value = Points>) -> impl Strategy<Value = Points> {
     points.prop_map(|points| points.map(|now| now.map(|point| point.map(|x| scaled(x, -1074)))))
 }
 
-/// Single coordinates of extreme magnitude in ordinary company.
+/// Single coordinates of extreme magnitude among ordinary ones.
 pub(crate) fn extremes() -> impl Strategy<Value = Points> {
     let bits = any::<u64>()
         .prop_map(f64::from_bits)
@@ -145,7 +145,7 @@ pub(crate) fn extremes() -> impl Strategy<Value = Points> {
     points_of(coordinate.boxed())
 }
 
-/// Some of everything.
+/// A mixture of all families.
 pub(crate) fn mixed<K: Primitives>() -> impl Strategy<Value = Points> {
     prop_oneof![
         20 => small_integers(2),

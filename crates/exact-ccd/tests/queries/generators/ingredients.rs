@@ -1,4 +1,4 @@
-//! What families are made of.
+//! The parts from which families are composed.
 
 use proptest::prelude::*;
 
@@ -28,12 +28,12 @@ pub(crate) fn nudges() -> impl Strategy<Value = Vec<([usize; 3], i8)>> {
     prop::collection::vec((place, -4..=4i8), 1..5)
 }
 
-/// Quarters, so that nothing rounds on small integers.
+/// Quarters, which are exact on small integers.
 pub(crate) fn quarters() -> impl Strategy<Value = [f64; 3]> {
     [0..=4u8, 0..=4u8, 0..=4u8].prop_map(|parameters| parameters.map(|n| f64::from(n) / 4.0))
 }
 
-/// Anything in the unit cube, with some preference for its boundary and for simple fractions.
+/// Points of the unit cube, with some preference for its boundary and for simple fractions.
 pub(crate) fn parameters() -> impl Strategy<Value = [f64; 3]> {
     let parameter = || {
         prop_oneof![

@@ -1,4 +1,4 @@
-//! Queries as points, in families that are each hard in their own way.
+//! Families of queries, each with its own numerical difficulty.
 
 pub(crate) mod alphabet;
 mod changes;

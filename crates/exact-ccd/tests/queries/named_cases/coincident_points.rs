@@ -1,4 +1,4 @@
-//! Points that are all the same.
+//! Points that all coincide.
 
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 

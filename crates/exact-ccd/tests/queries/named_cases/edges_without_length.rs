@@ -41,7 +41,8 @@ fn meet_each_other() {
     touches_from(&edge_against(origin, origin, origin), 0.0);
 }
 
-/// In one plane with the other edge at all times; the line y = s x − 1/4 passes over (s, 0) when s² = 1/4.
+/// In one plane with the other edge at all times; the line y = s x − 1/4 passes over (s, 0) when s²
+/// = 1/4.
 #[test]
 fn meet_an_edge_twice_in_a_plane() {
     let query: Query<EdgeEdge> = during(|s| {

@@ -24,7 +24,7 @@ fn cross_at_a_third() {
 
 #[test]
 fn cross_before_the_first_f64_and_after_the_last() {
-    // At t = 5e-324 / 1.7e308, more or less, and at 1 less that.
+    // At about t = 5e-324 / 1.7e308, and at 1 minus that.
     touches_just_above(&falls(TINY, -HUGE), &[0.0]);
     touches_just_above(&falls(HUGE, -TINY), &[1.0f64.next_down()]);
 }
@@ -36,7 +36,8 @@ fn stay_apart_by_the_least_distance() {
     never_touches(&falls(TINY, TINY));
 }
 
-/// The upper corner is at the least distance from the x-axis, and the edges leave it all but along that.
+/// The upper corner is at the smallest distance from the x-axis, and the edges leave it almost
+/// along that axis.
 #[test]
 fn make_faces_that_are_all_but_flat() {
     let face = [[-HUGE, -1.0, 0.0], [HUGE, -1.0, 0.0], [0.0, TINY, 0.0]];

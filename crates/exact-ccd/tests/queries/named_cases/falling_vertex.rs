@@ -54,7 +54,7 @@ fn hits_both_faces_at_the_edge_that_they_share() {
     }
 }
 
-/// On one side of the shared edge or on the other, where 1 − x is rounded.
+/// The vertex is on either side of the shared edge, where 1 − x is rounded.
 #[test]
 fn does_not_slip_through_between_two_faces() {
     let [a, b, c] = FACE;

@@ -1,4 +1,4 @@
-//! Cases with answers that a person can see.
+//! Named cases with obvious answers.
 
 mod coincident_points;
 mod crossing_edges;
@@ -20,31 +20,31 @@ const HUGE: f64 = 1.7e308;
 /// The face (0, 0), (1, 0), (0, 1) at height 0.
 const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
-/// A vertex on its way, and a face at rest.
+/// A moving vertex and a face at rest.
 fn vertex_against(face: [Point; 3], from: Point, to: Point) -> Query<VertexFace> {
     let [v1, v2, v3] = face;
     Query::new([from, v1, v2, v3], [to, v1, v2, v3]).unwrap()
 }
 
-/// An edge on its way, and another one at rest.
+/// A moving edge and an edge at rest.
 fn edge_against(rest: [Point; 2], from: [Point; 2], to: [Point; 2]) -> Query<EdgeEdge> {
     let [b0, b1] = rest;
     Query::new([from[0], from[1], b0, b1], [to[0], to[1], b0, b1]).unwrap()
 }
 
-/// A query whose points are given as functions of s = 2 t − 1, linear ones.
+/// A query whose points are linear functions of s = 2 t − 1.
 fn during<K: Kind>(points: impl Fn(f64) -> [Point; 4]) -> Query<K> {
     Query::new(points(-1.0), points(1.0)).unwrap()
 }
 
-/// Contact at these times only, which are all f64.
+/// Checks that contact is at these times only, all of them f64.
 #[track_caller]
 fn touches_at<K: Kind>(query: &Query<K>, times: &[f64]) {
     let expected: Vec<_> = times.iter().map(|&time| (time, true)).collect();
     assert_eq!(finitely(query), expected);
 }
 
-/// Contact just above these f64 only.
+/// Checks that contact is just above these f64 only.
 #[track_caller]
 fn touches_just_above<K: Kind>(query: &Query<K>, times: &[f64]) {
     let expected: Vec<_> = times.iter().map(|&time| (time, false)).collect();
@@ -59,7 +59,7 @@ fn finitely<K: Kind>(query: &Query<K>) -> Vec<(f64, bool)> {
     times.iter().map(|time| (time.lower(), time.is_exact())).collect()
 }
 
-/// Contact for a while, from this time on.
+/// Checks that contact lasts for an interval from this time on.
 #[track_caller]
 fn touches_from<K: Kind>(query: &Query<K>, time: f64) {
     let ContactTimes::Interval { first } = checked_times(query) else {

@@ -62,7 +62,7 @@ fn rest_on_each_other() {
     never_touches(&edge_against(REST, along(2.0, 3.0, 0.0), along(2.0, 3.0, 0.0)));
 }
 
-/// Turning in a plane, an edge lies along the other one for a moment.
+/// An edge turns in a plane, and lies along the other one at one time.
 #[test]
 fn are_so_for_a_moment() {
     let beside = |s: f64| [[2.0, -s, 0.0], [3.0, s, 0.0], REST[0], REST[1]];

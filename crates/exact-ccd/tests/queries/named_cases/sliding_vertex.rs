@@ -21,7 +21,7 @@ fn rests_beside_it() {
 
 #[test]
 fn slides_into_it() {
-    // Over the edge x = 0 after a quarter of the way, over the hypotenuse after seven sixteenths.
+    // The vertex crosses the edge x = 0 at t = 1/4 and the hypotenuse at t = 7/16.
     touches_from(&vertex_against(FACE, [-1.0, 0.25, 0.0], [3.0, 0.25, 0.0]), 0.25);
 }
 

@@ -1,4 +1,4 @@
-//! A vertex against a face in the plane z = s x, which tilts from one side to the other.
+//! A vertex and a face in the plane z = s x, which tilts from one side to the other.
 
 use exact_ccd::{Query, VertexFace};
 
@@ -42,7 +42,7 @@ fn never_reaches_it() {
     }
 }
 
-/// Two times, one gap between f64: s = 3 t − 1 in place of 2 t − 1.
+/// Two times between the same two f64, with s = 3 t − 1 in place of 2 t − 1.
 #[test]
 fn crosses_it_twice_around_a_third() {
     let at = |s: f64| {
@@ -58,7 +58,8 @@ fn crosses_it_twice_around_a_third() {
     touches_just_above(&query, &[1.0 / 3.0, 1.0 / 3.0]);
 }
 
-/// The face is sheared along x by s y as well, and the vertex at (1/4, s, 0) meets it when s (1/4 − s²) = 0.
+/// The face is sheared along x by s y as well, and the vertex at (1/4, s, 0) meets it when s (1/4 −
+/// s²) = 0.
 #[test]
 fn crosses_it_three_times() {
     let corner = |s: f64, x: f64, y: f64| [x + s * y, y, s * x];

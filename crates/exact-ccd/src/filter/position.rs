@@ -1,67 +1,58 @@
-//! Where the primitives are in their common plane, at a time known to within a bracket.
+//! The position of the primitives in their common plane, at a time in a bracket.
+
+use core::cmp::Ordering;
 
 use super::cubic::Root;
-use super::{UNDERFLOW, UNIT};
+use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
 use crate::kind::{Difference, Kind};
 use crate::query::{Point, Query};
 
-/// Whether two coplanar primitives touch.
+/// The position of two coplanar primitives.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Position {
+    /// They touch.
     Inside,
+    /// They do not touch.
     Outside,
 }
 
-/// A sign that is certain in a whole bracket of time.
-#[derive(Clone, Copy, PartialEq)]
-enum Sign {
-    Negative,
-    Zero,
-    Positive,
-}
-
-/// The difference of two points somewhere in a bracket of time.
-pub(super) struct Motion {
-    /// Near the middle of the bracket.
+/// The difference of two points at any time in a bracket.
+pub(super) struct VectorEstimate {
+    /// The difference near the middle of the bracket.
     value: Point,
-    /// The larger magnitude at t = 0 and t = 1.
+    /// The larger magnitude of each coordinate at t = 0 and t = 1.
     magnitude: Point,
 }
 
-/// A number in a bracket of time, to within an error. It is zero for certain if the error is.
-pub(super) struct Component {
+/// A number at any time in a bracket, to within an error. If the error is zero, so is the number.
+pub(super) struct Estimate {
     pub(super) value: f64,
     pub(super) error: f64,
 }
 
-impl Component {
-    fn sign(&self) -> Option<Sign> {
-        if self.value > self.error {
-            Some(Sign::Positive)
-        } else if self.value < -self.error {
-            Some(Sign::Negative)
-        } else if self.error == 0.0 {
-            Some(Sign::Zero)
-        } else {
-            None
-        }
+impl Estimate {
+    /// The sign, if it is certain in the whole bracket.
+    fn sign(&self) -> Option<Ordering> {
+        certain_sign(self.value, self.error).or((self.error == 0.0).then_some(Ordering::Equal))
     }
 }
 
-/// Whether the primitives touch at the root, if that is certain; the same tests as in the exact path.
-pub(super) fn position<K: Kind>(query: &Query<K>, root: &Root) -> Option<Position> {
+/// The position of the primitives at a root, if it is certain, by the same tests as in the exact
+/// path.
+pub(super) fn at<K: Kind>(query: &Query<K>, root: &Root) -> Option<Position> {
     let bracket = Bracket::new(query, root);
-    let [_, e1, e2] = K::SPAN.map(|difference| bracket.motion(difference));
+    let [_, e1, e2] = K::SPAN.map(|difference| bracket.vector(difference));
     let normal = bracket.cross(&e1, &e2);
-    let corners = K::CORNERS.map(|difference| bracket.motion(difference));
+    let corners = K::CORNERS.map(|difference| bracket.vector(difference));
     let axis = longest(&normal);
     let mut position = Some(Position::Inside);
     for side in K::SIDES {
         let [x, y] = side.corners.map(|corner| &corners[corner]);
-        // In one plane, the components of both cross products have the same ratio: any certain one will do.
+        // In one plane, the components of both cross products have the same ratio: one certain
+        // component is enough.
         let verdict = |axis: usize| match (normal[axis].sign()?, bracket.cross_along(axis, x, y).sign()?) {
-            (Sign::Zero, _) => None,
-            (_, Sign::Zero) => Some(Position::Inside),
+            (Ordering::Equal, _) => None,
+            (_, Ordering::Equal) => Some(Position::Inside),
             (normal, area) if (normal == area) == side.along => Some(Position::Inside),
             _ => Some(Position::Outside),
         };
@@ -74,8 +65,8 @@ pub(super) fn position<K: Kind>(query: &Query<K>, root: &Root) -> Option<Positio
     position
 }
 
-/// The axis along which a vector is the longest.
-pub(super) fn longest(vector: &[Component; 3]) -> usize {
+/// The axis of the component with the largest magnitude.
+pub(super) fn longest(vector: &[Estimate; 3]) -> usize {
     let magnitude = |axis: usize| vector[axis].value.abs();
     (1..3).fold(0, |best, axis| {
         if magnitude(axis) > magnitude(best) {
@@ -86,11 +77,13 @@ pub(super) fn longest(vector: &[Component; 3]) -> usize {
     })
 }
 
+/// A query in a bracket of time around a root.
 pub(super) struct Bracket<'a, K> {
     query: &'a Query<K>,
     near: f64,
-    /// A bound of the error of a difference, relative to its magnitude: two ends rounded once, (1 − t), a product and a
-    /// sum, n = 4, and |d₁ − d₀| ≤ 2 max(|d₀|, |d₁|) times how far the time may be from the one it is taken at.
+    /// A bound of the error of a difference, relative to its magnitude: two ends rounded once, (1 −
+    /// t), a product and a sum, n = 4; and |d₁ − d₀| ≤ 2 max(|d₀|, |d₁|) times the distance of the
+    /// time from `near`.
     slack: f64,
 }
 
@@ -104,35 +97,35 @@ impl<'a, K: Kind> Bracket<'a, K> {
         }
     }
 
-    pub(super) fn motion(&self, (i, j): Difference) -> Motion {
+    pub(super) fn vector(&self, (i, j): Difference) -> VectorEstimate {
         let [start, end] = self.query.points();
-        let mut motion = Motion {
+        let mut vector = VectorEstimate {
             value: [0.0; 3],
             magnitude: [0.0; 3],
         };
         for axis in 0..3 {
             let (start, end) = (start[i][axis] - start[j][axis], end[i][axis] - end[j][axis]);
-            motion.value[axis] = (1.0 - self.near) * start + self.near * end;
+            vector.value[axis] = (1.0 - self.near) * start + self.near * end;
             let (start, end) = (start.abs(), end.abs());
-            motion.magnitude[axis] = if start > end { start } else { end };
+            vector.magnitude[axis] = if start > end { start } else { end };
         }
-        motion
+        vector
     }
 
     /// The components of a × b.
-    pub(super) fn cross(&self, a: &Motion, b: &Motion) -> [Component; 3] {
+    pub(super) fn cross(&self, a: &VectorEstimate, b: &VectorEstimate) -> [Estimate; 3] {
         [0, 1, 2].map(|axis| self.cross_along(axis, a, b))
     }
 
-    /// A component of a × b. Each factor is off by `slack` of its magnitude, each product by 2 slack + slack² and two
-    /// more roundings. Zero is certain where each product has a factor that is zero at both ends of the step, as happens
-    /// when a vertex and an edge share a coordinate.
-    pub(super) fn cross_along(&self, axis: usize, a: &Motion, b: &Motion) -> Component {
+    /// A component of a × b. Each factor is off by `slack` of its magnitude, each product by 2
+    /// slack + slack² and two more roundings. Zero is certain where each product has a factor that
+    /// is zero at both ends of the step, as happens when a vertex and an edge share a coordinate.
+    pub(super) fn cross_along(&self, axis: usize, a: &VectorEstimate, b: &VectorEstimate) -> Estimate {
         let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
         let relative = 2.0 * self.slack + self.slack * self.slack + 8.0 * UNIT;
         let vanishes = |i: usize, j: usize| a.magnitude[i] == 0.0 || b.magnitude[j] == 0.0;
         let magnitude = a.magnitude[next] * b.magnitude[last] + a.magnitude[last] * b.magnitude[next];
-        Component {
+        Estimate {
             value: a.value[next] * b.value[last] - a.value[last] * b.value[next],
             error: if vanishes(next, last) && vanishes(last, next) {
                 0.0

@@ -1,10 +1,10 @@
-//! A root between two adjacent f64, by signs in twice the precision.
+//! Cubics in twice the precision: a root is rounded to two adjacent f64 by signs on both sides of it.
 
 use core::cmp::Ordering;
 
-use super::UNDERFLOW;
 use super::cubic::Root;
 use super::double_double::{DoubleDouble, ROUNDOFF};
+use super::roundoff::{UNDERFLOW, certain_sign};
 use crate::time::ContactTime;
 
 /// c(t) = a₀ + a₁ t + a₂ t² + a₃ t³.
@@ -17,9 +17,10 @@ pub(super) struct PreciseCubic {
 impl PreciseCubic {
     /// The cubic of [`Cubic::new`](super::cubic::Cubic::new).
     ///
-    /// With m for `magnitude`: differences are exact; at most eight operations lead to the coefficients, six more to the
-    /// powers, which m, 6 m, 12 m and 8 m bound, and six in Horner's scheme to a value: at most 20 operations, on terms
-    /// that add up to no more than 27 m (1 + 2 + 3).
+    /// Let m be `magnitude`. Differences are exact. At most eight operations lead to the
+    /// coefficients, six more to the powers, which are bounded by m, 6 m, 12 m and 8 m, and six in
+    /// Horner's scheme to a value: at most 20 operations, on terms whose magnitudes add up to at
+    /// most 27 m (1 + 2 + 3).
     pub(super) fn new([b0, three_b1, three_b2, b3]: [DoubleDouble; 4], magnitude: f64) -> Self {
         let powers = [
             b0,
@@ -36,12 +37,12 @@ impl PreciseCubic {
         ((a3 * t + a2) * t + a1) * t + a0
     }
 
-    /// The sign of c(t), if it is certainly not zero.
+    /// The sign of a value, if it is certainly not zero.
     fn sign(&self, value: DoubleDouble) -> Option<Ordering> {
-        (value.high.abs() > self.error).then(|| value.high.total_cmp(&0.0))
+        certain_sign(value.high, self.error)
     }
 
-    /// The root between two adjacent f64, if it can be told on which side of them it is.
+    /// The root between two adjacent f64, if the signs of c at both are certain.
     pub(super) fn round(&self, root: &Root) -> Option<ContactTime> {
         const STEPS: usize = 4;
         let below = if root.rising {
@@ -59,7 +60,7 @@ impl PreciseCubic {
                 newton.high
             };
             if next == floor {
-                // Nothing is known about c outside of the bracket.
+                // Outside of the bracket, c may have other roots.
                 if floor < root.low || floor.next_up() > root.high {
                     return None;
                 }

@@ -1,4 +1,4 @@
-//! Eight f64 side by side.
+//! The filters' arithmetic on eight f64 side by side.
 
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x8, mask64x8};
@@ -14,22 +14,22 @@ impl<S: Simd> Lanes for f64x8<S> {
     }
 
     #[inline(always)]
-    fn exceeds(self, other: Self) -> Self::Mask {
+    fn gt(self, other: Self) -> Self::Mask {
         self.simd_gt(other)
     }
 
     #[inline(always)]
-    fn magnitude(self) -> Self {
-        self.abs()
+    fn abs(self) -> Self {
+        <Self as SimdBase<S>>::abs(self)
     }
 
     #[inline(always)]
-    fn lesser(self, other: Self) -> Self {
-        self.min(other)
+    fn min(self, other: Self) -> Self {
+        <Self as SimdBase<S>>::min(self, other)
     }
 
     #[inline(always)]
-    fn greater(self, other: Self) -> Self {
-        self.max(other)
+    fn max(self, other: Self) -> Self {
+        <Self as SimdBase<S>>::max(self, other)
     }
 }

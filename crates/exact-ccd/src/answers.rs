@@ -1,0 +1,74 @@
+//! The answers to a query: floating-point filters first, then the exact path.
+
+use crate::collision::Collision;
+use crate::environment::flushes_subnormals;
+use crate::exact;
+use crate::filter::{self, Decision};
+use crate::impact::Impact;
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::stage::Stage;
+use crate::time::ContactTimes;
+
+impl<K: Kind> Query<K> {
+    /// Returns true if the primitives touch at some time of the step.
+    #[must_use]
+    #[inline]
+    pub fn collides(&self) -> bool {
+        self.collides_with_stage().0
+    }
+
+    /// [`collides`](Self::collides), and the stage that settled it.
+    #[must_use]
+    #[inline]
+    pub fn collides_with_stage(&self) -> (bool, Stage) {
+        match self.decide() {
+            Decision::Free(stage) => (false, stage),
+            Decision::Contact(contact) => (true, contact.stage()),
+            Decision::Unknown => (exact::collides(self), Stage::Exact),
+        }
+    }
+
+    /// The collision, if the primitives touch: [`collides`](Self::collides) with the intermediate
+    /// results from which all further answers follow.
+    #[must_use]
+    #[inline]
+    pub fn collision(&self) -> Option<Collision<'_, K>> {
+        Collision::from_decision(self, self.decide()).ok()
+    }
+
+    /// All times at which the primitives touch.
+    #[must_use]
+    pub fn contact_times(&self) -> ContactTimes {
+        self.contact_times_with_stage().0
+    }
+
+    /// [`contact_times`](Self::contact_times), and the stage that settled it.
+    #[must_use]
+    pub fn contact_times_with_stage(&self) -> (ContactTimes, Stage) {
+        match Collision::from_decision(self, self.decide()) {
+            Ok(collision) => collision.contact_times_with_stage(),
+            Err(stage) => (ContactTimes::NONE, stage),
+        }
+    }
+
+    /// The largest f64 not above the earliest contact time, if there is one.
+    #[must_use]
+    pub fn time_of_impact(&self) -> Option<f64> {
+        self.collision().map(|collision| collision.time_of_impact())
+    }
+
+    /// The earliest contact, if there is one: time, parameters and normal.
+    #[must_use]
+    pub fn impact(&self) -> Option<Impact> {
+        self.collision().map(|collision| collision.impact())
+    }
+
+    #[inline]
+    fn decide(&self) -> Decision {
+        if flushes_subnormals() {
+            return Decision::Unknown;
+        }
+        filter::decide(self)
+    }
+}

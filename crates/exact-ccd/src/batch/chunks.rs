@@ -1,0 +1,156 @@
+//! The filters on chunks of queries: each filter passes on only those that it does not settle.
+
+use fearless_simd::{Simd, dispatch};
+
+use super::instructions::Instructions;
+use super::planes::{self, LANES};
+use super::row::Row;
+use super::rows;
+use crate::collision::Collision;
+use crate::environment::flushes_subnormals;
+use crate::filter::{self, Decision};
+use crate::kind::Kind;
+use crate::query::Query;
+
+/// The number of queries that go through one filter before the next filter.
+pub(super) const CHUNK: usize = 256;
+
+/// The callback for collisions. Behind a pointer: contacts are few, and the vector code is compiled
+/// only once for all callbacks.
+pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
+
+/// Calls `found` with each query of four rows that collides, and its index, in order. All indices
+/// of rows exist.
+pub(super) fn collisions<K: Kind>(
+    instructions: Instructions,
+    rows: &[Row],
+    queries: &[[u32; 4]],
+    found: Found<'_, K>,
+) {
+    if flushes_subnormals() {
+        return without_filters(rows, queries, found);
+    }
+    dispatch!(instructions.level(), simd => with_filters(simd, rows, queries, found));
+}
+
+/// The same without the filters.
+#[cold]
+fn without_filters<K: Kind>(rows: &[Row], queries: &[[u32; 4]], found: Found<'_, K>) {
+    for (index, vertices) in queries.iter().enumerate() {
+        let query = query(rows_of(rows, vertices));
+        if let Ok(collision) = Collision::from_decision(&query, Decision::Unknown) {
+            found(index, collision);
+        }
+    }
+}
+
+#[inline(always)]
+fn with_filters<S: Simd, K: Kind>(simd: S, rows: &[Row], queries: &[[u32; 4]], found: Found<'_, K>) {
+    let mut near = [0; CHUNK + LANES];
+    for (chunk, queries) in queries.chunks(CHUNK).enumerate() {
+        let mut count = 0;
+        for (index, query) in queries.iter().enumerate() {
+            // Without a branch, which would be hard to predict.
+            near[count] = index;
+            count += usize::from(!rows::are_separated::<S, K>(simd, rows_of(rows, query)));
+        }
+        // The last vector is filled up with copies of the last query.
+        let filled = count.next_multiple_of(LANES);
+        let last = near[count.saturating_sub(1)];
+        near[count..filled].fill(last);
+        for (eight, indices) in near[..filled].chunks_exact(LANES).enumerate() {
+            let mut lanes = [rows_of(rows, &queries[indices[0]]); LANES];
+            for (lane, &index) in lanes.iter_mut().zip(indices) {
+                *lane = rows_of(rows, &queries[index]);
+            }
+            let rest = planes::screen::<S, K>(simd, &lanes);
+            for lane in 0..LANES.min(count - LANES * eight) {
+                if rest.lanes >> lane & 1 != 0 {
+                    let query = query(lanes[lane]);
+                    let decision = if rest.out_of_range >> lane & 1 == 0 {
+                        filter::decide_near_plane(&query, &rest.cubic(lane))
+                    } else {
+                        Decision::Unknown
+                    };
+                    if let Ok(collision) = Collision::from_decision(&query, decision) {
+                        found(CHUNK * chunk + indices[lane], collision);
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn rows_of<'a>(rows: &'a [Row], vertices: &[u32; 4]) -> [&'a Row; 4] {
+    vertices.map(|vertex| &rows[vertex as usize])
+}
+
+/// The query of four rows, whose coordinates are finite.
+pub(super) fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
+    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = rows.map(Row::points);
+    Query::from_finite([[a0, b0, c0, d0], [a1, b1, c1, d1]])
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec::Vec;
+
+    use proptest::array::{uniform2, uniform4};
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    use super::*;
+    use crate::{ContactTimes, EdgeEdge, VertexFace};
+
+    type Answers = Vec<(usize, ContactTimes, crate::Impact)>;
+
+    fn answers<K: Kind>(collisions: impl FnOnce(Found<'_, K>)) -> Answers {
+        let mut answers = Vec::new();
+        collisions(&mut |index, collision| {
+            answers.push((index, collision.contact_times(), collision.impact()));
+        });
+        answers
+    }
+
+    fn agree<K: Kind>(rows: &[Row], queries: &[[u32; 4]]) {
+        let instructions = Instructions::best();
+        let with: Answers = answers::<K>(|found| collisions(instructions, rows, queries, found));
+        let without: Answers = answers::<K>(|found| without_filters(rows, queries, found));
+        assert_eq!(with.len(), without.len());
+        for (with, without) in with.into_iter().zip(without) {
+            assert_eq!((with.0, with.1), (without.0, without.1));
+            assert_eq!(with.2.time, without.2.time);
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 200,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..ProptestConfig::default()
+        })]
+
+        /// A thread that flushes subnormal numbers finds the same contacts as others: in units of 1
+        /// and of the smallest subnormal number.
+        #[test]
+        fn the_answers_do_not_depend_on_the_filters(
+            points in vec(uniform2([-4..=4i8, -4..=4i8, -4..=4i8]), 12),
+            queries in vec(uniform4(0..12_u32), 30),
+            is_subnormal: bool,
+        ) {
+            let unit = if is_subnormal { f64::from_bits(1) } else { 1.0 };
+            let rows: Vec<Row> = points
+                .iter()
+                .map(|ends| {
+                    let [start, end] = ends.map(|point| point.map(|x| f64::from(x) * unit));
+                    Row::new(start, end)
+                })
+                .collect();
+            agree::<VertexFace>(&rows, &queries);
+            agree::<EdgeEdge>(&rows, &queries);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! A contact that the filters have proved, and the further answers that follow from the proof.
+
+use arrayvec::ArrayVec;
+
+use super::coplanarity;
+use super::cubic::Root;
+use super::impact::parameters_and_normal;
+use super::planar::{Beginning, Planar};
+use super::position::{self, Position};
+use crate::impact::Impact;
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::stage::Stage;
+use crate::time::{ContactTime, ContactTimes, Times};
+
+/// A proved contact, with the intermediate results of the proof.
+#[derive(Clone, Debug)]
+pub(crate) enum Contact {
+    /// The primitives are coplanar exactly at some roots, and touch at one of them.
+    AtRoot {
+        /// All roots of the coplanarity cubic in the step, in increasing order.
+        roots: ArrayVec<Root, 3>,
+        /// The index of the first root at which the primitives certainly touch.
+        touching: usize,
+        /// True if they certainly do not touch at any root before that one.
+        is_first: bool,
+    },
+    /// The primitives are coplanar at all times, and in contact for an interval that begins like
+    /// this.
+    Sliding(Beginning),
+}
+
+impl Contact {
+    /// The contact at one of the roots; `Ok(None)` if there certainly is none, `Err` if that is not
+    /// known.
+    #[inline]
+    pub(super) fn at_roots<K: Kind>(
+        query: &Query<K>,
+        roots: ArrayVec<Root, 3>,
+    ) -> Result<Option<Self>, Unknown> {
+        let mut is_first = true;
+        for (index, root) in roots.iter().enumerate() {
+            match position::at(query, root) {
+                Some(Position::Inside) => {
+                    return Ok(Some(Self::AtRoot {
+                        touching: index,
+                        is_first,
+                        roots,
+                    }));
+                }
+                Some(Position::Outside) => {}
+                None => is_first = false,
+            }
+        }
+        if is_first { Ok(None) } else { Err(Unknown) }
+    }
+
+    /// The stage that proved the contact.
+    #[inline]
+    pub(crate) fn stage(&self) -> Stage {
+        match self {
+            Self::AtRoot { .. } => Stage::Roots,
+            Self::Sliding(_) => Stage::Planar,
+        }
+    }
+
+    /// The earliest contact time, if the filters determine it.
+    pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
+        match self {
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => coplanarity::precise(query).round(&roots[*touching]),
+            Self::AtRoot { is_first: false, .. } => None,
+            Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
+        }
+    }
+
+    /// All contact times, if the filters determine them.
+    pub(crate) fn times<K: Kind>(&self, query: &Query<K>) -> Option<ContactTimes> {
+        match self {
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => {
+                let (_, [first, later @ ..]) = roots.split_at_checked(*touching)? else {
+                    return None;
+                };
+                let precise = coplanarity::precise(query);
+                let mut times = Times::default();
+                times.push(precise.round(first)?);
+                for root in later {
+                    if position::at(query, root)? == Position::Inside {
+                        times.push(precise.round(root)?);
+                    }
+                }
+                Some(ContactTimes::Finite(times))
+            }
+            Self::AtRoot { is_first: false, .. } => None,
+            Self::Sliding(_) => Some(ContactTimes::Interval {
+                first: self.first(query)?,
+            }),
+        }
+    }
+
+    /// The earliest contact, if the filters determine it.
+    pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
+        let Self::AtRoot { roots, touching, .. } = self else {
+            return None;
+        };
+        let time = self.first(query)?;
+        let (parameters, normal) = parameters_and_normal(query, &roots[*touching].at(time))?;
+        Some(Impact {
+            time,
+            parameters,
+            normal: Some(normal),
+        })
+    }
+}
+
+/// The filters do not determine the answer.
+pub(super) struct Unknown;
