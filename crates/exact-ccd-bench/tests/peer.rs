@@ -21,7 +21,7 @@ fn main() {
         Some("babbling") => println!("no JSON at all"),
         Some("silent") => std::thread::sleep(Duration::from_secs(600)),
         Some(fault @ ("truncating" | "endless" | "undecided" | "late" | "stalling")) => {
-            answer_all(Some(fault))
+            answer_all(Some(fault));
         }
         _ => test_all(),
     }
