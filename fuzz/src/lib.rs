@@ -1,4 +1,4 @@
-//! What the targets make of bytes: values from a small alphabet that is known to hurt, and raw bits.
+//! Inputs of the targets from bytes: values of a small alphabet of special cases, and raw bits.
 
 #[path = "../../crates/exact-ccd/tests/queries/generators/alphabet.rs"]
 mod alphabet;
@@ -7,7 +7,8 @@ use arbitrary::{Result, Unstructured};
 
 use alphabet::ALPHABET;
 
-/// A small integer, a number at which floating-point arithmetic goes wrong, or any f64, which may be infinite or NaN.
+/// A small integer, a number at which floating-point arithmetic goes wrong, or any f64, which may be
+/// infinite or NaN.
 pub fn coordinate(bytes: &mut Unstructured) -> Result<f64> {
     Ok(match bytes.arbitrary::<u8>()? {
         kind @ ..0x80 => f64::from(kind % 17) - 8.0,

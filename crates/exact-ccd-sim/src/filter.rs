@@ -8,8 +8,8 @@ use exact_ccd_mesh::{Candidates, Step, Tolerance, bisect};
 
 /// The bound on each Newton step, by a method of continuous collision detection.
 ///
-/// The guarantees of a simulation are those of its method: a method with false negatives lets primitives pass through
-/// each other.
+/// The guarantees of a simulation are those of its method: a method with false negatives lets primitives
+/// pass through each other.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -79,8 +79,9 @@ impl StepFilter {
         }
     }
 
-    /// The same filter with a callback for each step that it decides: the full step of a line search, and the steps that
-    /// the line search takes. The callback runs on one thread at a time, in the order of the decisions.
+    /// The same filter with a callback for each step that it decides: the full step of a line search, and
+    /// the steps that the line search takes. The callback runs on one thread at a time, in the order of the
+    /// decisions.
     #[must_use]
     pub fn observed(self, observer: impl Fn(&Candidates, Step<'_>) + Send + Sync + 'static) -> Self {
         Self {
@@ -95,8 +96,8 @@ impl StepFilter {
         &self.name
     }
 
-    /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if all of the step is
-    /// free. `candidates` has all pairs that can touch in the step.
+    /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if
+    /// all of the step is free. `candidates` has all pairs that can touch in the step.
     #[must_use]
     pub fn free_part(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
         self.observe(candidates, step);

@@ -28,8 +28,8 @@ pub struct Settings {
     pub tolerance: Length,
     /// The maximal number of Newton iterations for each friction lag.
     pub max_iterations: usize,
-    /// The name of the CCD method. A simulation starts with `exact`, and takes the name of the filter that is passed to
-    /// [`Simulation::with_filter`](crate::Simulation::with_filter).
+    /// The name of the CCD method. A simulation starts with `exact`, and takes the name of the filter that
+    /// is passed to [`Simulation::with_filter`](crate::Simulation::with_filter).
     pub ccd: String,
 }
 

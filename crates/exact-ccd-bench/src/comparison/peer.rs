@@ -7,9 +7,9 @@
 //!               "time": "conservative", "call_ns": 700.0}]}
 //! ```
 //!
-//! in one line, where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`, `conservative`
-//! or `exact`, and `call_ns` is the time of an empty call in nanoseconds. Then, again and again, it
-//! reads a line such as
+//! in one line, where the first two flags are [`Guarantees`], `time` is `absent`, `approximate`,
+//! `conservative` or `exact`, and `call_ns` is the time of an empty call in nanoseconds. Then, again and
+//! again, it reads a line such as
 //!
 //! ```json
 //! {"method": "TI", "kind": "vf", "queries": 128, "limit_ns": 1000000}

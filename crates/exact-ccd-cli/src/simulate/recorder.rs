@@ -62,7 +62,8 @@ impl Recording {
     }
 }
 
-/// Adds the pairs whose boxes overlap to a sample, in order. `first` is the number of points of the first primitive.
+/// Adds the pairs whose boxes overlap to a sample, in order. `first` is the number of points of the first
+/// primitive.
 fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &mut Subjects<K>) {
     for pairs in pairs.chunks(CHUNK) {
         let subject = |&pair: &[u32; 2]| {

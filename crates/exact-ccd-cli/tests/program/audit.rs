@@ -1,4 +1,4 @@
-//! What `exact-ccd audit` reports about a sequence of frames.
+//! Reports of `exact-ccd audit`.
 
 use exact_ccd_mesh::Frame;
 use serde_json::{Value, json};

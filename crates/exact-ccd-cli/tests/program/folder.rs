@@ -10,7 +10,7 @@ use tempfile::TempDir;
 /// A temporary folder. The program runs in it, so that files go by their names.
 pub(crate) struct Folder(TempDir);
 
-/// What a run of the program left.
+/// The output of a run of the program.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Run {
     pub(crate) status: i32,
@@ -68,7 +68,8 @@ impl From<Output> for Run {
 }
 
 impl Run {
-    /// The run failed as it should: status 2 and one line on standard error, which is returned without its beginning.
+    /// The run failed as it should: status 2 and one line on standard error, which is returned without its
+    /// beginning.
     #[track_caller]
     pub(crate) fn error(&self) -> &str {
         assert_eq!(self.status, 2, "{self:?}");

@@ -20,6 +20,7 @@ mod simulate;
 mod simulate_errors;
 mod simulate_queries;
 mod simulate_resume;
+mod solver;
 mod step;
 mod step_errors;
 mod streams;

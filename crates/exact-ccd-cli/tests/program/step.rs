@@ -1,4 +1,4 @@
-//! What `exact-ccd step` reports.
+//! Reports of `exact-ccd step`.
 
 use exact_ccd_mesh::{Frame, Motion, Pair, Point, StepReport, step};
 use proptest::prelude::*;
@@ -15,7 +15,7 @@ pub(crate) fn without_seconds(run: &Run) -> &str {
     &run.stdout[..end]
 }
 
-/// What the JSON object is to say, apart from the seconds.
+/// The expected fields of the JSON object, without the seconds.
 fn expected(report: &StepReport) -> Value {
     let pair = report.earliest.map(|earliest| match earliest.pair {
         Pair::VertexFace { vertex, face } => json!({"kind": "vf", "ids": [vertex, face]}),

@@ -29,9 +29,9 @@ use crate::interval::Interval;
 /// - It gives up on a cubic with an inflection point within the step, unless the first or the last
 ///   Bernstein coefficient alone has a sign of its own. The paper cuts the cubic there, but the
 ///   authors' program never computes the place of the cut, and does not terminate: such a query
-///   counts as a contact here, as every query on which a method fails does in the comparison. Of the 5,171 queries of a
-///   twisted rod 190 are of this kind, 6 of which do not touch; of vertices and faces that move at
-///   random, 40 % of those that do not touch are reported.
+///   counts as a contact here, as every query on which a method fails does in the comparison. Of the
+///   5,171 queries of a twisted rod 190 are of this kind, 6 of which do not touch; of vertices and
+///   faces that move at random, 40 % of those that do not touch are reported.
 /// - Every contact of primitives that are coplanar for the whole step is a false negative, because
 ///   no sign changes: 3 of 192 and 8 of 145 of the handcrafted contacts, 13 of 107 edge-edge contacts of a
 ///   cloth that slides through a funnel.

@@ -14,8 +14,8 @@ use crate::system::System;
 
 use Key::{Index, Name};
 
-/// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with the names that
-/// there are.
+/// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with
+/// the names that there are.
 pub type FilterByName<'a> = dyn Fn(&str, &System) -> Result<StepFilter, String> + 'a;
 
 /// The system, the settings and the duration of a scene file.

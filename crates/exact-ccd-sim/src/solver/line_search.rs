@@ -18,13 +18,14 @@ const SLACK: f64 = 0.9;
 /// The number of halvings after which the line search fails.
 const HALVINGS: usize = 60;
 
-/// The largest displacement of a vertex in one iteration, relative to the size of the scene. A larger one would sweep over
-/// too many pairs, and is far from the minimum.
+/// The largest displacement of a vertex in one iteration, relative to the size of the scene. A larger one
+/// would sweep over too many pairs, and is far from the minimum.
 const FARTHEST: f64 = 0.25;
 
 impl Newton<'_> {
-    /// Moves the scripted vertices to their targets: together with the Newton direction of all others, or alone. If
-    /// neither step is free of contact, springs replace the targets. Returns true if the targets are reached.
+    /// Moves the scripted vertices to their targets: together with the Newton direction of all others, or
+    /// alone. If neither step is free of contact, springs replace the targets. Returns true if the targets
+    /// are reached.
     pub(super) fn prescribe(
         &self,
         now: &mut Iterate,
@@ -68,7 +69,8 @@ impl Newton<'_> {
         false
     }
 
-    /// Takes a step along a direction that is free of contact and decreases the potential. Returns false if there is none.
+    /// Takes a step along a direction that is free of contact and decreases the potential. Returns false if
+    /// there is none.
     pub(super) fn search(
         &self,
         now: &mut Iterate,
@@ -131,9 +133,10 @@ impl Newton<'_> {
         Ok(false)
     }
 
-    /// Returns true if the slope of the potential along a direction is small enough at the new positions: the test of
-    /// descent where rounding hides the difference of two values. This is the approximate Wolfe condition of W. Hager
-    /// and H. Zhang, *A new conjugate gradient method with guaranteed descent and an efficient line search*, 2005.
+    /// Returns true if the slope of the potential along a direction is small enough at the new positions:
+    /// the test of descent where rounding hides the difference of two values. This is the approximate Wolfe
+    /// condition of W. Hager and H. Zhang, *A new conjugate gradient method with guaranteed descent and an
+    /// efficient line search*, 2005.
     fn flattens(
         &self,
         now: &Iterate,

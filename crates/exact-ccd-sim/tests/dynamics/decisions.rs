@@ -6,7 +6,8 @@ use exact_ccd::{Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
 use exact_ccd_mesh::{Audit, Frame, Point, Violation};
 use exact_ccd_sim::{Script, Settings, Simulation, StepFilter, System, shapes};
 
-/// A method whose time of impact is always just below 1. Its decision is exact if `decides`, else always free.
+/// A method whose time of impact is always just below 1. Its decision is exact if `decides`, else always
+/// free.
 struct Hasty {
     decides: bool,
 }
