@@ -1,11 +1,11 @@
 //! How the data sets name and number the two kinds of query.
 
-use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, Step, TriangleMesh};
 use exact_ccd_methods::{Answer, Method};
 
 /// A kind of query, as the data sets know it.
-pub trait DataKind: Kind + Send + Sync {
+pub trait DataKind: Kind<Points = [Point; 4]> + Send + Sync {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
     /// What the name of each of its files in a scene ends with.

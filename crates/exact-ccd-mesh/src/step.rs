@@ -94,7 +94,7 @@ impl<'a> Step<'a> {
         self.query([a0, a1, b0, b1])
     }
 
-    fn query<K: Kind>(&self, [a, b, c, d]: [u32; 4]) -> Option<Query<K>> {
+    fn query<K: Kind<Points = [Point; 4]>>(&self, [a, b, c, d]: [u32; 4]) -> Option<Query<K>> {
         let [x0, x1] = self.positions;
         let at = |x: &[Point]| {
             let point = |vertex: u32| x.get(vertex as usize).copied();

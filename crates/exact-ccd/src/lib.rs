@@ -45,11 +45,12 @@ mod kind;
 pub mod parity;
 pub mod predicates;
 mod query;
+pub mod separation;
 mod time;
 
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use contact::Stage;
 pub use impact::Impact;
-pub use kind::{EdgeEdge, Kind, VertexFace};
+pub use kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 pub use query::{NonFinite, Point, Query};
 pub use time::{ContactTime, ContactTimes, Times};

@@ -130,7 +130,7 @@ impl<K: Kind> Motion<K> {
     }
 }
 
-fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {
+pub(super) fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {
     [0, 1, 2].map(|axis: usize| &points[i][axis] - &points[j][axis])
 }
 

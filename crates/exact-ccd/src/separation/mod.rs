@@ -1,0 +1,17 @@
+//! Minimum separation: the times at which two primitives are at most a distance d apart.
+
+mod answers;
+mod distance;
+
+pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
+
+use crate::time::ContactTime;
+
+/// A closed interval of times, which may have length 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimeInterval {
+    /// The first time.
+    pub start: ContactTime,
+    /// The last time; equal to `start` for a single moment.
+    pub end: ContactTime,
+}
