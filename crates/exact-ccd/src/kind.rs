@@ -28,12 +28,12 @@ pub struct Side {
 /// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
 #[derive(Clone, Copy)]
 pub struct Features {
-    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference.
+    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference: the first of `CORNERS`.
     pub vertices: &'static [(Difference, [f64; 2])],
     /// The number of sides, from the first, that are a vertex and an edge in the sense of the kind.
     pub sides: usize,
-    /// True if the primitives span a plane: the inner points of the face, or of two edges, can be closest.
-    pub inner: bool,
+    /// The corners at which (u, v) is (1, 0) and (0, 1), if inner points of the face or of both edges can be closest.
+    pub inner: Option<[usize; 2]>,
 }
 
 /// What the algorithms need to know about a kind of query.
@@ -139,7 +139,7 @@ impl Tables for VertexFace {
     const FEATURES: Features = Features {
         vertices: &[((0, 1), [0.0, 0.0]), ((0, 2), [1.0, 0.0]), ((0, 3), [0.0, 1.0])],
         sides: 3,
-        inner: true,
+        inner: Some([1, 2]),
     };
 }
 
@@ -173,7 +173,7 @@ impl Tables for EdgeEdge {
             ((1, 3), [1.0, 1.0]),
         ],
         sides: 4,
-        inner: true,
+        inner: Some([2, 1]),
     };
 }
 
@@ -188,7 +188,7 @@ impl Tables for VertexEdge {
     const FEATURES: Features = Features {
         vertices: &[((0, 2), [0.0, 0.0]), ((0, 3), [0.0, 1.0])],
         sides: 1,
-        inner: false,
+        inner: None,
     };
 }
 
@@ -203,6 +203,6 @@ impl Tables for VertexVertex {
     const FEATURES: Features = Features {
         vertices: &[((0, 2), [0.0, 0.0])],
         sides: 0,
-        inner: false,
+        inner: None,
     };
 }

@@ -27,7 +27,7 @@ use arrayvec::ArrayVec;
 pub(crate) use cubic::Cubic;
 pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
 pub(crate) use hull::are_beyond_diagonal;
-pub(crate) use number::{Lanes, Number, Points};
+pub(crate) use number::{Lanes, Number, Points, subtract};
 
 use coplanarity::Coplanarity;
 use cubic::Root;

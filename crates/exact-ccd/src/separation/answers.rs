@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::{DistanceBounds, Separation, TimeInterval, TimeOutOfStep};
+use super::{DistanceBounds, Separation, SeparationStage, TimeInterval, TimeOutOfStep, filter};
 use crate::exact::separation as exact;
 use crate::impact::Impact;
 use crate::kind::Kind;
@@ -12,20 +12,30 @@ use crate::time::{ContactTime, ContactTimes};
 impl<K: Kind> Query<K> {
     /// Returns true if the distance of the primitives is at most d at some time of the step.
     #[must_use]
+    #[inline]
     pub fn comes_within(&self, d: Separation) -> bool {
         if d.get() == 0.0 {
             return self.collides();
         }
-        exact::comes_within(self, d)
+        filter::first_within(self, d).map_or_else(|| exact::comes_within(self, d), |(first, _)| first.is_some())
     }
 
     /// The first time at which the distance of the primitives is at most d, if there is one.
     #[must_use]
+    #[inline]
     pub fn first_within(&self, d: Separation) -> Option<ContactTime> {
+        self.first_within_with_stage(d).0
+    }
+
+    /// [`first_within`](Self::first_within), and the stage that settled it.
+    #[must_use]
+    #[inline]
+    pub fn first_within_with_stage(&self, d: Separation) -> (Option<ContactTime>, SeparationStage) {
         if d.get() == 0.0 {
-            return self.contact_times().first();
+            return (self.contact_times().first(), SeparationStage::Contact);
         }
-        exact::first_within(self, d)
+        filter::first_within(self, d)
+            .unwrap_or_else(|| (exact::first_within(self, d), SeparationStage::Exact))
     }
 
     /// The largest f64 not above the first time at which the distance of the primitives is at most d, if there is one.
@@ -49,6 +59,9 @@ impl<K: Kind> Query<K> {
             };
             return times.iter().map(moment).collect();
         }
+        if let Some((None, _)) = filter::first_within(self, d) {
+            return Vec::new();
+        }
         exact::intervals_within(self, d)
     }
 
@@ -61,6 +74,9 @@ impl<K: Kind> Query<K> {
     pub fn impact_within(&self, d: Separation) -> Option<Impact> {
         if d.get() == 0.0 {
             return self.impact();
+        }
+        if let Some((None, _)) = filter::first_within(self, d) {
+            return None;
         }
         exact::impact_within(self, d)
     }

@@ -2,8 +2,11 @@
 
 mod answers;
 mod distance;
+mod filter;
+mod stage;
 
 pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
+pub use stage::SeparationStage;
 
 use crate::time::ContactTime;
 

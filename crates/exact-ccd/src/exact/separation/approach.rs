@@ -78,7 +78,7 @@ impl Approach {
                 [along, beyond].into(),
             )
         });
-        let inner = K::FEATURES.inner.then(|| {
+        let inner = K::FEATURES.inner.map(|_| {
             let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
             let n = cross(&e1, &e2);
             let volume = dot(&w, &n);
