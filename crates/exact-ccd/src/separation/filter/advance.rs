@@ -21,7 +21,7 @@ pub(super) enum Advance {
 /// The direction at a time is that of the closest points then. It proves D > d for as long as all corners are beyond d
 /// along it, which move at constant speed. The steps converge as Newton's do where D decreases to d.
 pub(super) fn from_start<K: Kind>(scaled: &Scaled) -> Advance {
-    const STEPS: usize = 24;
+    const STEPS: usize = 4;
     let mut free = None;
     for _ in 0..STEPS {
         let t = free.unwrap_or(0.0);

@@ -1,18 +1,20 @@
 //! The first time within d between two adjacent f64, where D decreases through d.
 
-use super::bounds::PreciseCorners;
-use super::closest::{Closest, dot};
+use super::closest::dot;
 use super::corners::Scaled;
+use super::moment::{Moment, Moving};
 use crate::filter::{DoubleDouble, Number};
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::query::Query;
 use crate::time::ContactTime;
 
-/// The first time within d, or none, when D > d is known up to the time `free`; `None` if that is not certain.
+/// The pieces into which a stretch of time is cut at most: two to this power.
+const DEPTH: u32 = 5;
+
+/// The first time within d, or none, when D > d is known before the time `free`; `None` if that is not certain.
 ///
-/// Newton's method guesses an f64 t, and two proofs make it certain: along the direction of the closest points at t, all
-/// corners are beyond d at `free` and at t, hence at all times between, for they move at constant speed; and at the
-/// next f64 after t, some points of the primitives are less than d apart.
+/// Newton's method guesses an f64 t. Two proofs make it certain: the distance is above d from `free` to t, and
+/// below d at the next f64.
 pub(super) fn first_after<K: Kind>(
     query: &Query<K>,
     scaled: &Scaled,
@@ -21,35 +23,66 @@ pub(super) fn first_after<K: Kind>(
     if !scaled.d_is_exact {
         return None;
     }
-    let corners = PreciseCorners::new(query, scaled);
-    let floor = newton::<K>(scaled, &corners, free)?;
-    let now = corners.at(floor);
-    let direction = now.direction(Closest::guess::<K>(&now.rounded()));
-    if !(now.are_beyond(direction) && corners.at(free).are_beyond(direction)) {
+    let rough = Moving::<f64>::new(query, scaled);
+    let precise = Moving::<DoubleDouble>::new(query, scaled);
+    let floor = newton::<K>(&precise, free).unwrap_or(1.0);
+    let stretch = Stretch {
+        rough: &rough,
+        precise: &precise,
+    };
+    if floor > free && !stretch.is_beyond::<K>([free, floor], true, DEPTH)
+        || floor <= free && !{
+            let now = precise.at::<K>(floor);
+            now.is_beyond_until(&now)
+        }
+    {
         return None;
     }
     if floor == 1.0 {
         return Some(None);
     }
-    let next = corners.at(floor.next_up());
-    next.are_within(Closest::guess::<K>(&next.rounded()))
-        .then(|| Some(ContactTime::just_above(floor)))
+    let next = precise.at::<K>(floor.next_up());
+    next.is_within().then(|| Some(ContactTime::just_above(floor)))
 }
 
-/// A guess of the largest f64 in [`free`, 1] before D first reaches d.
-fn newton<K: Kind>(scaled: &Scaled, corners: &PreciseCorners, free: f64) -> Option<f64> {
-    const STEPS: usize = 10;
-    let [start, end] = &scaled.at;
-    let velocities: [Point; 4] =
-        [0, 1, 2, 3].map(|i: usize| [0, 1, 2].map(|axis: usize| end[i][axis] - start[i][axis]));
+/// A stretch of time in both precisions.
+struct Stretch<'a> {
+    rough: &'a Moving<f64>,
+    precise: &'a Moving<DoubleDouble>,
+}
+
+impl Stretch<'_> {
+    /// True if the distance is certainly above d from one time to another: in one piece, or cut in the middle. The last piece
+    /// ends next to the distance d and needs twice the precision.
+    fn is_beyond<K: Kind>(&self, [start, end]: [f64; 2], is_last: bool, depth: u32) -> bool {
+        let proved = if is_last {
+            let moment = |t| -> Moment<DoubleDouble> { self.precise.at::<K>(t) };
+            moment(start).is_beyond_until(&moment(end))
+        } else {
+            let moment = |t| -> Moment<f64> { self.rough.at::<K>(t) };
+            moment(start).is_beyond_until(&moment(end))
+        };
+        if proved || depth == 0 {
+            return proved;
+        }
+        let middle = 0.5 * (start + end);
+        // The end of a stretch is what fails first.
+        self.is_beyond::<K>([middle, end], is_last, depth - 1)
+            && self.is_beyond::<K>([start, middle], false, depth - 1)
+    }
+}
+
+/// A guess of the largest f64 in [`free`, 1] before D first reaches d; `None` if D does not decrease to d.
+fn newton<K: Kind>(moving: &Moving<DoubleDouble>, free: f64) -> Option<f64> {
+    const STEPS: usize = 12;
     let mut floor = free;
     for _ in 0..STEPS {
-        let now = corners.at(floor);
-        let rounded = now.rounded();
-        let closest = Closest::guess::<K>(&rounded);
-        // (|F|² − d²)′ = 2 F · F′.
-        let slope = 2.0 * dot(closest.point(&rounded), closest.point(&velocities));
-        let step = -now.excess(closest).value() / slope;
+        let now = moving.at::<K>(floor);
+        let point = now.point();
+        // For D = |F| and with D² − d² = (D − d) (D + d): (D − d) / D′ = (D² − d²) D / ((D + d) F · F′).
+        let distance = libm::sqrt(dot(point, point));
+        let slope = dot(point, moving.velocity(now.closest));
+        let step = -now.excess().value() * distance / ((distance + moving.separation()) * slope);
         if slope.is_nan() || slope >= 0.0 {
             return None;
         }
@@ -65,7 +98,6 @@ fn newton<K: Kind>(scaled: &Scaled, corners: &PreciseCorners, free: f64) -> Opti
 /// a + b, rounded down.
 fn down(a: f64, b: f64) -> f64 {
     let sum = a + b;
-    let exact = DoubleDouble::difference(a, -b);
-    let error = exact - DoubleDouble::difference(sum, 0.0);
+    let error = DoubleDouble::difference(a, -b) - DoubleDouble::difference(sum, 0.0);
     if error.value() < 0.0 { sum.next_down() } else { sum }
 }

@@ -8,10 +8,10 @@
 //! largest component is in [1/2, 1). Comparisons are written so that a NaN proves nothing.
 
 mod advance;
-mod bounds;
 mod closest;
 mod corners;
 mod crossing;
+mod moment;
 
 use super::{Separation, SeparationStage};
 use crate::kind::Kind;
