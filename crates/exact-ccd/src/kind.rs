@@ -1,7 +1,7 @@
 //! The kinds of query, as the index tables that tell them apart.
 //!
-//! A query has four moving points x₀ … x₃. Vertex and face, or two edges, meet in a plane only when the four points are coplanar,
-//! and both are then settled by the side of a line on which a vertex lies, so that all the algorithms in this
+//! A query has four moving points x₀ … x₃. Vertex and face, or two edges, meet in a plane only when the four
+//! points are coplanar, and both are then settled by the side of a line on which a vertex lies, so that all the algorithms in this
 //! crate are written once, over these tables. A vertex against an edge or a vertex is a query of two edges, of which one
 //! or both have length zero: a point stands twice.
 
@@ -28,11 +28,13 @@ pub struct Side {
 /// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
 #[derive(Clone, Copy)]
 pub struct Features {
-    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference: the first of `CORNERS`.
+    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference. They are the
+    /// first of `CORNERS`.
     pub vertices: &'static [(Difference, [f64; 2])],
     /// The number of sides, from the first, that are a vertex and an edge in the sense of the kind.
     pub sides: usize,
-    /// The corners at which (u, v) is (1, 0) and (0, 1), if inner points of the face or of both edges can be closest.
+    /// The corners at which (u, v) is (1, 0) and (0, 1), if inner points of the face or of both edges can be
+    /// closest.
     pub inner: Option<[usize; 2]>,
 }
 
@@ -64,7 +66,8 @@ pub(crate) mod tables {
 }
 pub(crate) use tables::Tables;
 
-/// The kind of a [`Query`](crate::Query): [`VertexFace`], [`EdgeEdge`], [`VertexEdge`] or [`VertexVertex`]. Sealed.
+/// The kind of a [`Query`](crate::Query): [`VertexFace`], [`EdgeEdge`], [`VertexEdge`] or [`VertexVertex`].
+/// Sealed.
 pub trait Kind: Tables + Copy {
     /// The points of a query at one time, in the order that the kind states.
     type Points: AsRef<[Point]> + Copy;

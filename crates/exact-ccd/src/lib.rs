@@ -7,6 +7,7 @@
 //! - decides contact: [`Query::collides`], with no false positive and no false negative;
 //! - counts the contacts: [`Query::contact_times`];
 //! - returns the time of impact, correctly rounded down: [`Query::time_of_impact`];
+//! - finds when they come within a distance: [`Query::intervals_within`], see [`separation`];
 //! - and says what a solver needs to know about the earliest contact: [`Query::impact`].
 //!
 //! ```

@@ -1,6 +1,7 @@
 //! Times within a distance against truth from rational arithmetic.
 //!
-//! `KIND-FAMILY-dD.csv` holds the queries, with the decision for the distance D; `….times.csv` the times within D.
+//! `KIND-FAMILY-dD.csv` holds the queries, with the decision for the distance D; `….times.csv` the
+//! times within D.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -84,11 +85,19 @@ fn files(kind: &str) -> Vec<(PathBuf, Separation)> {
         family.starts_with(kind).then(|| Separation::new(d).unwrap())
     };
     let with_distance = |file: PathBuf| distance(&file).map(|d| (file, d));
-    data().separation().unwrap().into_iter().filter_map(with_distance).collect()
+    data()
+        .separation()
+        .unwrap()
+        .into_iter()
+        .filter_map(with_distance)
+        .collect()
 }
 
 fn assert_same(intervals: &[TimeInterval], truth: &Times, place: &str) {
-    let lower: Vec<[f64; 2]> = intervals.iter().map(|i| [i.start.lower(), i.end.lower()]).collect();
+    let lower: Vec<[f64; 2]> = intervals
+        .iter()
+        .map(|i| [i.start.lower(), i.end.lower()])
+        .collect();
     assert_eq!(lower.len(), truth.count, "{place}");
     assert_eq!(lower, truth.intervals, "{place}");
     assert_eq!(lower[0][0].to_bits(), truth.first.to_bits(), "{place}");
@@ -106,7 +115,11 @@ where
             let place = format!("query {index} of {}", file.display());
             assert_eq!(truth.contains_key(&index), comes_within, "{place}");
             assert_eq!(query.comes_within(d), comes_within, "{place}");
-            assert_eq!(exact::separation::comes_within(&query, d), comes_within, "exactly, {place}");
+            assert_eq!(
+                exact::separation::comes_within(&query, d),
+                comes_within,
+                "exactly, {place}"
+            );
             let (fast, exact) = (query.first_within(d), exact::separation::first_within(&query, d));
             let intervals = query.intervals_within(d);
             let exact_intervals = exact::separation::intervals_within(&query, d);
@@ -116,7 +129,11 @@ where
                     assert_same(&exact_intervals, truth, &format!("exactly, {place}"));
                     for first in [fast, exact] {
                         let first = first.map(|time| (time.lower().to_bits(), time.is_exact()));
-                        assert_eq!(first, Some((truth.first.to_bits(), truth.first_is_exact)), "{place}");
+                        assert_eq!(
+                            first,
+                            Some((truth.first.to_bits(), truth.first_is_exact)),
+                            "{place}"
+                        );
                     }
                 }
                 None => {

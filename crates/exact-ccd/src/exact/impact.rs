@@ -103,7 +103,10 @@ impl<K: Kind> Contact<'_, K> {
 
         let [start, end] = side.domain;
         let parameters = [0, 1].map(|i: usize| start[i] + along * (end[i] - start[i]));
-        (parameters, self.instant.direction(self.across_line(edge, towards_first)))
+        (
+            parameters,
+            self.instant.direction(self.across_line(edge, towards_first)),
+        )
     }
 
     /// The part of a vector that is orthogonal to the line that holds both primitives, if they have one, up to a

@@ -30,13 +30,11 @@ impl Instant {
         })))
     }
 
-    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at this time, rounded down to a multiple of 2⁻⁵².
+    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at this time, rounded down to a multiple of
+    /// 2⁻⁵².
     pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
-        let reaches = |n: u64| {
-            self.sign(&(&scaled - &(&Polynomial::constant(n) * b)))
-                .is_ge()
-        };
+        let reaches = |n: u64| self.sign(&(&scaled - &(&Polynomial::constant(n) * b))).is_ge();
         let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
         // The quotient at an end of the bracket is most likely next to it.
         let guess = scaled.quotient_at(b, self.bounds().0).unwrap_or_default();

@@ -17,7 +17,8 @@ impl<K: Kind> Query<K> {
         if d.get() == 0.0 {
             return self.collides();
         }
-        filter::first_within(self, d).map_or_else(|| exact::comes_within(self, d), |(first, _)| first.is_some())
+        filter::first_within(self, d)
+            .map_or_else(|| exact::comes_within(self, d), |(first, _)| first.is_some())
     }
 
     /// The first time at which the distance of the primitives is at most d, if there is one.
@@ -38,16 +39,18 @@ impl<K: Kind> Query<K> {
             .unwrap_or_else(|| (exact::first_within(self, d), SeparationStage::Exact))
     }
 
-    /// The largest f64 not above the first time at which the distance of the primitives is at most d, if there is one.
+    /// The largest f64 not above the first time at which the distance of the primitives is at most
+    /// d, if there is one.
     #[must_use]
     pub fn time_within(&self, d: Separation) -> Option<f64> {
         self.first_within(d).map(ContactTime::lower)
     }
 
-    /// The times at which the distance of the primitives is at most d: the maximal closed intervals, in increasing order.
+    /// The times at which the distance of the primitives is at most d: the maximal closed
+    /// intervals, in increasing order.
     ///
-    /// An interval has length 0 where the primitives only reach the distance d, as at the contact of two that cross if
-    /// d = 0.
+    /// An interval has length 0 where the primitives only reach the distance d, as at the contact
+    /// of two that cross if d = 0.
     #[must_use]
     pub fn intervals_within(&self, d: Separation) -> Vec<TimeInterval> {
         if d.get() == 0.0
@@ -65,11 +68,13 @@ impl<K: Kind> Query<K> {
         exact::intervals_within(self, d)
     }
 
-    /// The first time at which the distance of the primitives is at most d, with the closest points then.
+    /// The first time at which the distance of the primitives is at most d, with the closest points
+    /// then.
     ///
-    /// The parameters are those of the closest points, the normal is the direction from the closest point of the second
-    /// primitive to that of the first; there is none if the two coincide. Where several pairs of points are the closest,
-    /// it is one of them. For d = 0 this is [`impact`](Self::impact).
+    /// The parameters are those of the closest points, the normal is the direction from the closest
+    /// point of the second primitive to that of the first; there is none if the two coincide. Where
+    /// several pairs of points are the closest, it is one of them. For d = 0 this is
+    /// [`impact`](Self::impact).
     #[must_use]
     pub fn impact_within(&self, d: Separation) -> Option<Impact> {
         if d.get() == 0.0 {

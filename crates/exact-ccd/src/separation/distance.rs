@@ -1,6 +1,7 @@
 //! Distances: the threshold of a query, and bounds of the distance at one time.
 
-/// A distance d below which two primitives count as close: a finite f64, at least 0, in the unit of the coordinates.
+/// A distance d below which two primitives count as close: a finite f64, at least 0, in the unit of
+/// the coordinates.
 ///
 /// It is taken exactly. −0.0 is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -48,7 +49,8 @@ impl TryFrom<f64> for Separation {
 pub struct DistanceBounds {
     /// The largest f64 that is not above the distance.
     pub lower: f64,
-    /// The smallest f64 that is not below the distance; infinite if the distance is above all of them.
+    /// The smallest f64 that is not below the distance; infinite if the distance is above all of
+    /// them.
     pub upper: f64,
 }
 

@@ -12,7 +12,8 @@ pub enum SeparationStage {
     Diagonals,
     /// The primitives are within d at t = 0.
     Start,
-    /// Directions, one stretch of time after the other, prove that the primitives never come within d.
+    /// Directions, one stretch of time after the other, prove that the primitives never come within
+    /// d.
     Advancement,
     /// The distance falls below d between two adjacent f64, or only after t = 1.
     Crossing,

@@ -56,7 +56,8 @@ for_each_kind! {
     is_the_one_asked_for_at_the_first_time => equals_d_at_the_first_time;
 }
 
-/// The least squared length of F over the domain at a time, by ternary search in u, and in v for each u.
+/// The least squared length of F over the domain at a time, by ternary search in u, and in v for
+/// each u.
 fn searched<K: Primitives>(points: &[Point; 4]) -> f64 {
     let squared = |u: f64, v: f64| {
         let x = combine(K::weights(u, v), *points);
@@ -82,11 +83,18 @@ fn least(mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 fn is_near_the_searched_one<K: FromFour>(search: impl Fn(&[Point; 4]) -> f64) {
-    let points = prop_oneof![small_integers(2), small_integers(8), degenerate(small_integers(2))];
+    let points = prop_oneof![
+        small_integers(2),
+        small_integers(8),
+        degenerate(small_integers(2))
+    ];
     for_all(cases(2_000), (points, 0.0..=1.0), |(points, t)| {
         let DistanceBounds { lower, upper } = bounds(&K::query(&points), t);
         let near = search(&at(&points, t)).sqrt();
-        assert!(lower - 1e-6 < near && near < upper + 1e-6, "{near}, {lower} at {t}: {points:?}");
+        assert!(
+            lower - 1e-6 < near && near < upper + 1e-6,
+            "{near}, {lower} at {t}: {points:?}"
+        );
     });
 }
 
@@ -106,5 +114,11 @@ fn is_an_error_outside_of_the_step() {
         let error = query.distance_at(t).unwrap_err();
         assert_eq!(error.time.to_bits(), t.to_bits());
     }
-    assert_eq!(bounds(&query, -0.0), DistanceBounds { lower: 0.0, upper: 0.0 });
+    assert_eq!(
+        bounds(&query, -0.0),
+        DistanceBounds {
+            lower: 0.0,
+            upper: 0.0
+        }
+    );
 }

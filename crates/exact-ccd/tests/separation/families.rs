@@ -42,10 +42,7 @@ impl Rule {
 
 /// Distances at which the primitives are at some time, and others.
 pub(crate) fn rule() -> impl Strategy<Value = Rule> + Clone {
-    let t = prop_oneof![
-        prop::sample::select(vec![0.0, 0.25, 0.5, 0.75, 1.0]),
-        0.0..1.0,
-    ];
+    let t = prop_oneof![prop::sample::select(vec![0.0, 0.25, 0.5, 0.75, 1.0]), 0.0..1.0,];
     let reached = (t, any::<bool>(), -2..=2i8).prop_map(|(t, up, steps)| Rule::Reached { t, up, steps });
     let fixed = prop_oneof![
         3 => prop::sample::select(vec![0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 5.0]),
@@ -88,5 +85,9 @@ pub(crate) fn extreme() -> impl Strategy<Value = Points> {
 
 /// Fewer cases where arithmetic is checked.
 pub(crate) const fn cases(release: u32) -> u32 {
-    if cfg!(debug_assertions) { release / 12 + 1 } else { release }
+    if cfg!(debug_assertions) {
+        release / 12 + 1
+    } else {
+        release
+    }
 }

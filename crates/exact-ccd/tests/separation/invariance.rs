@@ -21,11 +21,13 @@ struct Symmetry {
 fn symmetry() -> impl Strategy<Value = Symmetry> {
     let axes = Just([0, 1, 2]).prop_shuffle();
     let exponent = prop_oneof![Just(0), -3..=3, -900..=900];
-    (0..4usize, axes, any::<[bool; 3]>(), exponent).prop_map(|(renaming, axes, mirrored, exponent)| Symmetry {
-        renaming,
-        axes,
-        mirrored,
-        exponent,
+    (0..4usize, axes, any::<[bool; 3]>(), exponent).prop_map(|(renaming, axes, mirrored, exponent)| {
+        Symmetry {
+            renaming,
+            axes,
+            mirrored,
+            exponent,
+        }
     })
 }
 
@@ -51,14 +53,26 @@ impl Symmetry {
 }
 
 fn symmetric<K: FromFour>() {
-    for_all(cases(4_000), (ordinary(), rule(), symmetry()), |(points, rule, symmetry)| {
-        let d = rule.separation::<K>(&points);
-        let (image, image_d) = symmetry.apply::<K>(&points, d);
-        let (query, other) = (K::query(&points), K::query(&image));
-        let (times, others) = (query.intervals_within(d), other.intervals_within(image_d));
-        assert_eq!(bits(&times), bits(&others), "{d:?}: {query:?}, {image_d:?}: {other:?}");
-        assert_eq!(query.first_within(d), other.first_within(image_d), "{d:?}: {query:?}");
-    });
+    for_all(
+        cases(4_000),
+        (ordinary(), rule(), symmetry()),
+        |(points, rule, symmetry)| {
+            let d = rule.separation::<K>(&points);
+            let (image, image_d) = symmetry.apply::<K>(&points, d);
+            let (query, other) = (K::query(&points), K::query(&image));
+            let (times, others) = (query.intervals_within(d), other.intervals_within(image_d));
+            assert_eq!(
+                bits(&times),
+                bits(&others),
+                "{d:?}: {query:?}, {image_d:?}: {other:?}"
+            );
+            assert_eq!(
+                query.first_within(d),
+                other.first_within(image_d),
+                "{d:?}: {query:?}"
+            );
+        },
+    );
 }
 
 /// True if the numbers may be t and 1 − t.
@@ -66,7 +80,11 @@ fn may_add_up_to_one(a: ContactTime, b: ContactTime) -> bool {
     let compare = |a: f64, b: f64| {
         let (smaller, larger) = if a < b { (a, b) } else { (b, a) };
         // 1 − x is exact for x ≥ 1/2.
-        if larger < 0.5 { std::cmp::Ordering::Less } else { smaller.total_cmp(&(1.0 - larger)) }
+        if larger < 0.5 {
+            std::cmp::Ordering::Less
+        } else {
+            smaller.total_cmp(&(1.0 - larger))
+        }
     };
     let (lower, upper) = (compare(a.lower(), b.lower()), compare(a.upper(), b.upper()));
     if a.is_exact() && b.is_exact() {

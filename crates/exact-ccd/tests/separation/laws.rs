@@ -3,8 +3,8 @@
 use exact_ccd::separation::{Separation, TimeInterval};
 use exact_ccd::{ContactTime, Kind, Query, exact};
 
-/// The times within d, checked to be sound in themselves, the same as those of the exact path bit for bit, and in accord
-/// with the other answers.
+/// The times within d, checked to be sound in themselves, the same as those of the exact path bit
+/// for bit, and in accord with the other answers.
 pub(crate) fn checked_intervals<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInterval> {
     let intervals = query.intervals_within(d);
     assert_eq!(
@@ -14,13 +14,21 @@ pub(crate) fn checked_intervals<K: Kind>(query: &Query<K>, d: Separation) -> Vec
     );
     assert_sound(&intervals);
     let first = intervals.first().map(|interval| interval.start);
-    assert_eq!(first_bits(query.first_within(d)), first_bits(first), "{d:?}: {query:?}");
+    assert_eq!(
+        first_bits(query.first_within(d)),
+        first_bits(first),
+        "{d:?}: {query:?}"
+    );
     assert_eq!(
         first_bits(exact::separation::first_within(query, d)),
         first_bits(first),
         "exactly, {d:?}: {query:?}"
     );
-    assert_eq!(query.time_within(d), first.map(ContactTime::lower), "{d:?}: {query:?}");
+    assert_eq!(
+        query.time_within(d),
+        first.map(ContactTime::lower),
+        "{d:?}: {query:?}"
+    );
     assert_eq!(query.comes_within(d), first.is_some(), "{d:?}: {query:?}");
     assert_eq!(
         exact::separation::comes_within(query, d),
@@ -47,7 +55,10 @@ pub(crate) fn bits(intervals: &[TimeInterval]) -> Vec<[Bits; 2]> {
 
 fn assert_sound(intervals: &[TimeInterval]) {
     for TimeInterval { start, end } in intervals {
-        assert!(start.lower() >= 0.0 && start.lower().is_sign_positive(), "{intervals:?}");
+        assert!(
+            start.lower() >= 0.0 && start.lower().is_sign_positive(),
+            "{intervals:?}"
+        );
         assert!(start <= end && end.upper() <= 1.0, "{intervals:?}");
     }
     for pair in intervals.windows(2) {

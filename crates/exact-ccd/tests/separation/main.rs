@@ -8,6 +8,7 @@ mod families;
 #[path = "../queries/generators/mod.rs"]
 #[allow(dead_code, unused_imports, reason = "the tests of contact need more of it")]
 mod generators;
+mod impact;
 mod invariance;
 mod kinds;
 mod laws;

@@ -24,7 +24,11 @@ fn a_vertex_and_an_edge_are_edges() {
         let d = rule.separation::<VertexEdge>(&points);
         let query = VertexEdge::query(&points);
         for edges in [edges(&points, [0, 0, 2, 3]), edges(&points, [3, 2, 0, 0])] {
-            assert_eq!(bits(&query.intervals_within(d)), bits(&edges.intervals_within(d)), "{d:?}: {query:?}");
+            assert_eq!(
+                bits(&query.intervals_within(d)),
+                bits(&edges.intervals_within(d)),
+                "{d:?}: {query:?}"
+            );
             assert_eq!(query.contact_times(), edges.contact_times(), "{query:?}");
             assert_eq!(query.collides(), edges.collides(), "{query:?}");
             assert_eq!(query.distance_at(0.5), edges.distance_at(0.5), "{query:?}");
@@ -38,7 +42,11 @@ fn two_vertices_are_edges() {
         let d = rule.separation::<VertexVertex>(&points);
         let query = VertexVertex::query(&points);
         let edges = edges(&points, [0, 0, 2, 2]);
-        assert_eq!(bits(&query.intervals_within(d)), bits(&edges.intervals_within(d)), "{d:?}: {query:?}");
+        assert_eq!(
+            bits(&query.intervals_within(d)),
+            bits(&edges.intervals_within(d)),
+            "{d:?}: {query:?}"
+        );
         assert_eq!(query.contact_times(), edges.contact_times(), "{query:?}");
         assert_eq!(query.collides(), edges.collides(), "{query:?}");
         assert_eq!(query.distance_at(0.5), edges.distance_at(0.5), "{query:?}");

@@ -15,13 +15,19 @@ fn is_contact<K: FromFour>(points: &Points) {
     let intervals = checked_intervals(&query, zero);
     match exact::contact_times(&query) {
         ContactTimes::Finite(times) => {
-            let moment = |&time: &ContactTime| TimeInterval { start: time, end: time };
+            let moment = |&time: &ContactTime| TimeInterval {
+                start: time,
+                end: time,
+            };
             let moments: Vec<_> = times.iter().map(moment).collect();
             assert_eq!(bits(&intervals), bits(&moments), "{query:?}");
         }
         ContactTimes::Interval { first } => {
             assert_eq!(time_bits(intervals[0].start), time_bits(first), "{query:?}");
-            assert!(intervals.iter().any(|interval| interval.start != interval.end), "{query:?}");
+            assert!(
+                intervals.iter().any(|interval| interval.start != interval.end),
+                "{query:?}"
+            );
         }
     }
     assert_eq!(query.comes_within(zero), query.collides());

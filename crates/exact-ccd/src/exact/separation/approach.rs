@@ -12,8 +12,8 @@ use crate::kind::{Difference, Kind};
 use crate::query::Query;
 use crate::separation::Separation;
 
-/// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike contact, distance
-/// is not invariant under a scaling of one axis.
+/// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
+/// contact, distance is not invariant under a scaling of one axis.
 pub(super) struct Approach {
     points: [Vector; 4],
     squared_separation: Polynomial,

@@ -10,7 +10,8 @@ use crate::impact::Impact;
 use crate::kind::{Kind, Side};
 use crate::query::Point;
 
-/// The parameters of two points, and the direction from that on the second primitive to that on the first.
+/// The parameters of two points, and the direction from that on the second primitive to that on the
+/// first.
 type Closest = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
@@ -34,8 +35,8 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
     })
 }
 
-/// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the direction from it to
-/// the vertex that of (e · e) x − (e · x) e.
+/// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the
+/// direction from it to the vertex that of (e · e) x − (e · x) e.
 fn vertex_edge(approach: &Approach, side: &Side, instant: &Instant) -> Closest {
     let [a, b] = side.edge;
     let (x, e) = (approach.difference((side.vertex, a)), approach.difference((b, a)));
@@ -47,12 +48,17 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Instant) -> Closest {
     let is_of_first = side.vertex < a;
     let direction: Vector = [0, 1, 2].map(|axis: usize| {
         let towards_vertex = &(&squared_length * &x[axis]) - &(&along * &e[axis]);
-        if is_of_first { towards_vertex } else { -towards_vertex }
+        if is_of_first {
+            towards_vertex
+        } else {
+            -towards_vertex
+        }
     });
     (parameters, instant.direction(direction))
 }
 
-/// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of w.
+/// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
+/// w.
 fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Instant) -> Closest {
     let [w, e1, e2] = K::SPAN.map(|difference| approach.difference(difference));
     let n = cross(&e1, &e2);

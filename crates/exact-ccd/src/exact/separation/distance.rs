@@ -12,8 +12,8 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::separation::DistanceBounds;
 
-/// The distance of the primitives at a time, by bisection over the bit patterns of f64, which are ordered like the
-/// numbers.
+/// The distance of the primitives at a time, by bisection over the bit patterns of f64, which are
+/// ordered like the numbers.
 pub(super) fn bounds<K: Kind>(query: &Query<K>, t: &Dyadic) -> DistanceBounds {
     let approach = Approach::at(query, t);
     // All polynomials are constant.
@@ -23,8 +23,9 @@ pub(super) fn bounds<K: Kind>(query: &Query<K>, t: &Dyadic) -> DistanceBounds {
         .into_iter()
         .filter(|feature| feature.exists(&now))
         .min_by(|one, other| one.compare(other, &now));
-    let [numerator, denominator] =
-        closest.map_or([IBig::ZERO, IBig::ONE], |feature| feature.squared_distance().map(Polynomial::constant_term));
+    let [numerator, denominator] = closest.map_or([IBig::ZERO, IBig::ONE], |feature| {
+        feature.squared_distance().map(Polynomial::constant_term)
+    });
     // (m 2ᵉ)² against numerator / denominator, in units of 4 to the power of `unit`.
     let compare = |bits: u64| {
         let (mantissa, exponent) = decompose(f64::from_bits(bits));
@@ -49,7 +50,11 @@ pub(super) fn bounds<K: Kind>(query: &Query<K>, t: &Dyadic) -> DistanceBounds {
             high = middle;
         }
     }
-    let upper = if compare(low) == Ordering::Equal { low } else { high };
+    let upper = if compare(low) == Ordering::Equal {
+        low
+    } else {
+        high
+    };
     DistanceBounds {
         lower: f64::from_bits(low),
         upper: f64::from_bits(upper),

@@ -1,5 +1,5 @@
-//! Pairs of features: the distance of two vertices, of a vertex and the line of an edge, of two lines or a vertex and a
-//! plane, each where its closest points lie inside the features.
+//! Pairs of features: the distance of two vertices, of a vertex and the line of an edge, of two
+//! lines or a vertex and a plane, each where its closest points lie inside the features.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -21,13 +21,15 @@ pub(super) enum Pair {
 
 /// The squared distance of two features as a quotient of polynomials in t.
 ///
-/// Where the denominator is positive and all guards are at least 0, the quotient is the squared distance of two points
-/// of the primitives. At each time, this holds for a pair of features whose points are the closest of the primitives.
+/// Where the denominator is positive and all guards are at least 0, the quotient is the squared
+/// distance of two points of the primitives. At each time, this holds for a pair of features whose
+/// points are the closest of the primitives.
 pub(super) struct Feature {
     pub(super) pair: Pair,
     numerator: Polynomial,
     denominator: Polynomial,
-    /// The closest points of the lines or planes lie inside the features exactly if none of these is negative.
+    /// The closest points of the lines or planes lie inside the features exactly if none of these
+    /// is negative.
     pub(super) guards: Vec<Polynomial>,
     excess: Polynomial,
 }

@@ -1,8 +1,9 @@
 //! The definition of separation: the distance of the primitives compared with d, in integers.
 //!
-//! The squared distance of the primitives is the least of those of their features ([`feature`]), each a quotient of
-//! polynomials in t. The times at which the distance is at most d form closed intervals, which begin and end at 0, at 1, or
-//! at roots of the features' excesses over d². The proofs are in `docs/separation.md`.
+//! The squared distance of the primitives is the least of those of their features ([`feature`]),
+//! each a quotient of polynomials in t. The times at which the distance is at most d form closed
+//! intervals, which begin and end at 0, at 1, or at roots of the features' excesses over d². The
+//! proofs are in `docs/separation.md`.
 
 mod approach;
 mod closest;
@@ -48,8 +49,7 @@ pub fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInt
         if start.is_none() && is_within(&features, event) {
             start = Some(event);
         }
-        let continues =
-            |next: &Instant| is_within(&features, &Instant::Dyadic(event.before(next)));
+        let continues = |next: &Instant| is_within(&features, &Instant::Dyadic(event.before(next)));
         if !events.get(i + 1).is_some_and(continues) {
             intervals.extend(start.take().map(|start| TimeInterval {
                 start: start.round(),
@@ -94,8 +94,8 @@ fn is_within(features: &[Feature], instant: &Instant) -> bool {
     features.iter().any(|feature| feature.is_within(instant))
 }
 
-/// Square-free polynomials without common roots, among whose roots are all times at which the primitives come within d
-/// or leave, and the ends of the step.
+/// Square-free polynomials without common roots, among whose roots are all times at which the
+/// primitives come within d or leave, and the ends of the step.
 fn events(features: &[Feature]) -> Vec<Polynomial> {
     let mut factors = vec![Polynomial::ends()];
     for excess in features.iter().map(Feature::excess) {

@@ -1,4 +1,5 @@
-//! Advancement: stretches of time, from the left, in which a direction keeps the primitives farther than d apart.
+//! Advancement: stretches of time, from the left, in which a direction keeps the primitives farther
+//! than d apart.
 
 use super::closest::{Closest, dot};
 use super::corners::Scaled;
@@ -18,8 +19,9 @@ pub(super) enum Advance {
 
 /// Advances as far as directions prove it.
 ///
-/// The direction at a time is that of the closest points then. It proves D > d for as long as all corners are beyond d
-/// along it, which move at constant speed. The steps converge as Newton's do where D decreases to d.
+/// The direction at a time is that of the closest points then. It proves D > d for as long as all
+/// corners are beyond d along it, which move at constant speed. Few steps settle most queries; a
+/// crossing needs directions that turn.
 pub(super) fn from_start<K: Kind>(scaled: &Scaled) -> Advance {
     const STEPS: usize = 4;
     let mut free = None;
@@ -42,8 +44,8 @@ pub(super) fn from_start<K: Kind>(scaled: &Scaled) -> Advance {
 
 /// True if |x| < d for x = F(0, u, v), of which this is an approximation.
 ///
-/// x is a combination of corners below 1, each rounded once, with at most three products and sums: n = 8 on each axis,
-/// on terms that add up to at most 5 (corners, and differences of two of them).
+/// x is a combination of corners below 1, each rounded once, with at most three products and sums:
+/// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them).
 fn is_within(scaled: &Scaled, x: Point) -> bool {
     const ERROR: f64 = 64.0 * UNIT;
     let reach = x.map(|component| component.abs() + ERROR);
@@ -52,10 +54,11 @@ fn is_within(scaled: &Scaled, x: Point) -> bool {
 
 /// The time up to which a direction proves D > d from t on; `None` if it does not at t.
 ///
-/// A corner is beyond d along g at t if (1 − t) m₀ + t m₁ > 0 for m = g · x − d |g|. The error of m, with e the sum of
-/// |gₖ| times the reach of axis k: 4 u e for the scalar product (one rounding of the corner, a product and two sums), 5 u d |g|
-/// for the other term (four roundings in |g|² and its root, one product), u (e + d |g|) for the difference. The
-/// interpolation adds 4 u times the larger |m|. All of it is less than 16 u (e + d |g|).
+/// A corner is beyond d along g at t if (1 − t) m₀ + t m₁ > 0 for m = g · x − d |g|. With e the sum of the
+/// products of |g| and the reach on each axis, m is off by at most 4 u e for the scalar product (one rounding of the
+/// corner, a product and two sums), 5 u d |g| for the other term (four roundings in |g|² and its root, one product)
+/// and u (e + d |g|) for the difference. The interpolation adds 4 u times the larger |m|. All of it is less than
+/// 16 u (e + d |g|).
 fn free_until(scaled: &Scaled, count: usize, g: Point, t: f64) -> Option<f64> {
     let threshold = scaled.d * libm::sqrt(dot(g, g));
     let extent = g[0].abs() * scaled.reach[0] + g[1].abs() * scaled.reach[1] + g[2].abs() * scaled.reach[2];

@@ -10,8 +10,8 @@ pub(super) enum Closest {
     Corner(usize),
     /// From the first corner towards the second, by a fraction in [0, 1]: a vertex and an edge.
     Between([usize; 2], f64),
-    /// From corner 0 towards two others, by fractions in [0, 1], of a sum of at most 1 if there are three corners only:
-    /// a vertex and a face, or two edges.
+    /// From corner 0 towards two others, by fractions in [0, 1], of a sum of at most 1 if there are
+    /// three corners only: a vertex and a face, or two edges.
     Inner([usize; 2], [f64; 2]),
 }
 
@@ -66,11 +66,16 @@ impl Closest {
             return self.point(corners);
         };
         let n = cross(subtract(corners[i], corners[0]), subtract(corners[j], corners[0]));
-        if dot(n, corners[0]) < 0.0 { n.map(|x| -x) } else { n }
+        if dot(n, corners[0]) < 0.0 {
+            n.map(|x| -x)
+        } else {
+            n
+        }
     }
 }
 
-/// The parameters of the point of a plane that is closest to the origin, if they are inside the domain.
+/// The parameters of the point of a plane that is closest to the origin, if they are inside the
+/// domain.
 fn inner(corners: &[Point; 4], [i, j]: [usize; 2], is_triangle: bool) -> Option<[f64; 2]> {
     let c = corners[0];
     let (a, b) = (subtract(corners[i], c), subtract(corners[j], c));
@@ -79,7 +84,13 @@ fn inner(corners: &[Point; 4], [i, j]: [usize; 2], is_triangle: bool) -> Option<
     let determinant = aa * bb - ab * ab;
     let u = (ab * cb - bb * ca) / determinant;
     let v = (ab * ca - aa * cb) / determinant;
-    let is_inside = u > 0.0 && v > 0.0 && if is_triangle { u + v < 1.0 } else { u < 1.0 && v < 1.0 };
+    let is_inside = u > 0.0
+        && v > 0.0
+        && if is_triangle {
+            u + v < 1.0
+        } else {
+            u < 1.0 && v < 1.0
+        };
     (determinant > 0.0 && is_inside).then_some([u, v])
 }
 

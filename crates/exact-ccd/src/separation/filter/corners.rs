@@ -26,15 +26,19 @@ impl Corners {
                 for axis in 0..3 {
                     let x = points[i][axis] - points[j][axis];
                     corner[axis] = x;
-                    reach[axis] = if x.abs() > reach[axis] { x.abs() } else { reach[axis] };
+                    reach[axis] = if x.abs() > reach[axis] {
+                        x.abs()
+                    } else {
+                        reach[axis]
+                    };
                 }
             }
         }
         Self { at, reach }
     }
 
-    /// True if all components on an axis are above d, or below −d. Exact: rounding is monotone and d an f64, so that a
-    /// difference that exceeds d when rounded exceeds it before.
+    /// True if all components on an axis are above d, or below −d. Exact: rounding is monotone and
+    /// d an f64, so that a difference that exceeds d when rounded exceeds it before.
     #[inline]
     pub(super) fn are_beyond_axis(&self, d: f64) -> bool {
         (0..3).any(|axis| {
@@ -45,8 +49,8 @@ impl Corners {
 
     /// True if all corners are farther than d from a plane x = ±y, y = ±z or z = ±x, on one side.
     ///
-    /// The distance from the plane is |x ± y| / √2. With x and y rounded once, the sum once more, it is off by at most
-    /// 2 u (|x| + |y|) (1 + u); `SQRT_2` is above √2.
+    /// The distance from the plane is |x ± y| / √2. With x and y rounded once, the sum once more,
+    /// it is off by at most 2 u (|x| + |y|) (1 + u); `SQRT_2` is above √2.
     #[inline]
     pub(super) fn are_beyond_diagonal(&self, d: f64) -> bool {
         [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
@@ -67,7 +71,10 @@ impl Corners {
     /// The corners and d, scaled by a power of two; `None` if they are out of range.
     pub(super) fn scaled(&self, d: f64) -> Option<Scaled> {
         const RANGE: i64 = 1000;
-        let reach = self.reach.into_iter().fold(0.0, |a: f64, b| if b > a { b } else { a });
+        let reach = self
+            .reach
+            .into_iter()
+            .fold(0.0, |a: f64, b| if b > a { b } else { a });
         let exponent = (reach.to_bits() >> 52) as i64 - 1022;
         if !(-RANGE..=RANGE).contains(&exponent) {
             return None;
@@ -76,7 +83,9 @@ impl Corners {
         let d = d * factor;
         Some(Scaled {
             factor,
-            at: self.at.map(|corners| corners.map(|corner| corner.map(|x| x * factor))),
+            at: self
+                .at
+                .map(|corners| corners.map(|corner| corner.map(|x| x * factor))),
             reach: self.reach.map(|x| x * factor),
             d: if d < LEAST { LEAST } else { d },
             d_is_exact: d >= LEAST,
@@ -101,8 +110,7 @@ impl Scaled {
     /// The corners at time t, to within rounding.
     pub(super) fn corners_at(&self, t: f64) -> [Point; 4] {
         let [start, end] = &self.at;
-        [0, 1, 2, 3].map(|i: usize| {
-            [0, 1, 2].map(|axis: usize| (1.0 - t) * start[i][axis] + t * end[i][axis])
-        })
+        [0, 1, 2, 3]
+            .map(|i: usize| [0, 1, 2].map(|axis: usize| (1.0 - t) * start[i][axis] + t * end[i][axis]))
     }
 }

@@ -1,11 +1,13 @@
 //! Floating-point filters of separation: each one proves an answer or returns that it is unknown.
 //!
-//! All proofs rest on two facts. With x = F(t, u, v) for parameters in the domain, the distance at t is at most |x|. And
-//! for any vector g, the distance is at least the least of g · x / |g| over the corners x of F at t, in whose hull F
-//! lies. Guesses of the closest points, which need no bound, lead to good x and g.
+//! All proofs rest on two facts. With x = F(t, u, v) for parameters in the domain, the distance at
+//! t is at most |x|. And for any vector g, the distance is at least the least of g · x / |g| over
+//! the corners x of F at t, in whose hull F lies. Guesses of the closest points, which need no
+//! bound, lead to good x and g.
 //!
-//! Conventions of the error bounds as in the filters of contact. Corners are scaled by a power of two so that the
-//! largest component is in [1/2, 1). Comparisons are written so that a NaN proves nothing.
+//! The conventions of the error bounds are those of the filters of contact. Corners are scaled by a
+//! power of two so that the largest component is in [1/2, 1). Comparisons are written so that a NaN
+//! proves nothing.
 
 mod advance;
 mod closest;

@@ -1,4 +1,5 @@
-//! The corners of F at one time, and what they prove about the distance then, and between two times.
+//! The corners of F at one time, and what they prove about the distance then, and between two
+//! times.
 
 use core::ops::{Mul, Neg};
 
@@ -9,19 +10,22 @@ use crate::kind::Kind;
 use crate::query::Query;
 
 /// f64, or twice its precision.
-pub(super) trait Precision:
-    Number<Real = f64> + Neg<Output = Self> + Mul<f64, Output = Self>
-{
-    /// The largest error of one operation, relative to its operands; for f64 that of a rounded coordinate difference too.
+pub(super) trait Precision: Number<Real = f64> + Neg<Output = Self> + Mul<f64, Output = Self> {
+    /// The largest error of one operation, relative to its operands; for f64 that of a rounded
+    /// coordinate difference too.
     const ROUNDOFF: f64;
+    /// The step below which Newton's method has settled.
+    const SETTLED: f64;
 }
 
 impl Precision for f64 {
     const ROUNDOFF: f64 = UNIT;
+    const SETTLED: f64 = 64.0 * UNIT;
 }
 
 impl Precision for DoubleDouble {
     const ROUNDOFF: f64 = ROUNDOFF;
+    const SETTLED: f64 = 0.0;
 }
 
 type Vector<T> = [T; 3];
@@ -37,7 +41,9 @@ pub(super) struct Moving<T> {
 impl<T: Precision> Moving<T> {
     pub(super) fn new<K: Kind>(query: &Query<K>, scaled: &Scaled) -> Self {
         let factor = scaled.factor;
-        let points = query.points().map(|now| now.map(|point| point.map(|x| x * factor)));
+        let points = query
+            .points()
+            .map(|now| now.map(|point| point.map(|x| x * factor)));
         let both = K::CORNERS.map(|difference| subtract::<T>(&points, difference));
         Self {
             start: both.map(|[start, _]| start),
@@ -48,9 +54,8 @@ impl<T: Precision> Moving<T> {
     }
 
     pub(super) fn at<K: Kind>(&self, t: f64) -> Moment<T> {
-        let corners = [0, 1, 2, 3].map(|i: usize| {
-            [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t)
-        });
+        let corners = [0, 1, 2, 3]
+            .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t));
         let closest = Closest::guess::<K>(&corners.map(|corner| corner.map(Number::value)));
         let direction = direction(&corners, closest);
         Moment {
@@ -72,10 +77,11 @@ impl<T: Precision> Moving<T> {
     }
 }
 
-/// The corners of F at one time, with a guess of the closest points and the direction from one to the other.
+/// The corners of F at one time, with a guess of the closest points and the direction from one to
+/// the other.
 ///
-/// With ε for [`Precision::ROUNDOFF`]: a component of a corner, of magnitude at most 1, comes in four operations on terms of at
-/// most 1, 1, 2 and 3. It is off by at most 8 ε.
+/// With ε for [`Precision::ROUNDOFF`]: a component of a corner, of magnitude at most 1, comes in
+/// four operations on terms of at most 1, 1, 2 and 3. It is off by at most 8 ε.
 pub(super) struct Moment<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
@@ -88,7 +94,8 @@ pub(super) struct Moment<T> {
 impl<T: Precision> Moment<T> {
     /// F at the guess, to within rounding.
     pub(super) fn point(&self) -> [f64; 3] {
-        self.closest.point(&self.corners.map(|corner| corner.map(Number::value)))
+        self.closest
+            .point(&self.corners.map(|corner| corner.map(Number::value)))
     }
 
     /// |F|² − d² at the guess.
@@ -100,19 +107,21 @@ impl<T: Precision> Moment<T> {
 
     /// True if the distance is certainly less than d, as |F| is at the guess.
     ///
-    /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners with factors of at most 1,
-    /// and by 12 ε for the operations on them; |F|² by twice that for each axis and by 12 ε more; d² by ε d², the
-    /// difference by ε (3 + d²).
+    /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners
+    /// with factors of at most 1, and by 12 ε for the operations on them; |F|² by twice that for
+    /// each axis and by 12 ε more; d² by ε d², the difference by ε (3 + d²).
     pub(super) fn is_within(&self) -> bool {
         let error = 512.0 * T::ROUNDOFF * (1.0 + self.d * self.d);
         self.excess().value() < -error
     }
 
-    /// True if the distance is certainly above d at this time, at another one, and at all times between.
+    /// True if the distance is certainly above d at this time, at another one, and at all times
+    /// between.
     ///
-    /// Let g change linearly from one direction to the other, and a corner x from its place at one time to that at the
-    /// other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ, (gₐ · x_b + g_b · xₐ) / 2 and g_b · x_b, and |g| is at most
-    /// its linear interpolant, with the coefficients |gₐ|, (|gₐ| + |g_b|) / 2 and |g_b|. So g · x > d |g| at all these times if each
+    /// Let g change linearly from one direction to the other, and a corner x from its place at one
+    /// time to that at the other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ,
+    /// (gₐ · x_b + g_b · xₐ) / 2 and g_b · x_b, and |g| is at most its linear interpolant, with the
+    /// coefficients |gₐ|, (|gₐ| + |g_b|) / 2 and |g_b|. So g · x > d |g| at all these times if each
     /// coefficient is above d times the other: and if that is so for all corners, then it is for F.
     pub(super) fn is_beyond_until(&self, later: &Self) -> bool {
         are_beyond(self, self) && are_beyond(self, later) && are_beyond(later, later)
@@ -121,21 +130,30 @@ impl<T: Precision> Moment<T> {
 
 /// True if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
 ///
-/// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2 (p² + q²). With e the
-/// sum of the magnitudes of the components of both directions, s is at most e and off by (8 + 6) ε e; taken less 32 ε e
-/// it is below the exact one. Its square is off by 4 ε times itself, the right side by 12 ε times itself.
+/// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2
+/// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
+/// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
+/// times itself, the right side by 12 ε times itself.
 fn are_beyond<T: Precision>(a: &Moment<T>, b: &Moment<T>) -> bool {
-    let extent = a.direction.iter().chain(&b.direction).fold(0.0, |sum, x| sum + x.value().abs());
+    let extent = a
+        .direction
+        .iter()
+        .chain(&b.direction)
+        .fold(0.0, |sum, x| sum + x.value().abs());
     let slack = T::difference(32.0 * T::ROUNDOFF * extent + UNDERFLOW, 0.0);
     let d = T::difference(a.d, 0.0);
     let lengths = dot(a.direction, a.direction) + dot(b.direction, b.direction);
     let threshold = d * d * lengths * 2.0;
     let limit = 32.0 * T::ROUNDOFF * threshold.value() + UNDERFLOW;
-    a.corners.iter().zip(&b.corners).take(a.count).all(|(&of_a, &of_b)| {
-        let least = dot(a.direction, of_b) + dot(b.direction, of_a) - slack;
-        let square = least * least;
-        least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * T::ROUNDOFF * square.value()
-    })
+    a.corners
+        .iter()
+        .zip(&b.corners)
+        .take(a.count)
+        .all(|(&of_a, &of_b)| {
+            let least = dot(a.direction, of_b) + dot(b.direction, of_a) - slack;
+            let square = least * least;
+            least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * T::ROUNDOFF * square.value()
+        })
 }
 
 fn towards<T: Precision>(corners: &[Vector<T>; 4], i: usize, j: usize) -> Vector<T> {
@@ -168,7 +186,11 @@ fn direction<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector
         }
         Closest::Inner([i, j], _) => {
             let n = cross(towards(corners, 0, i), towards(corners, 0, j));
-            if dot(n, corners[0]).value() < 0.0 { n.map(|x| -x) } else { n }
+            if dot(n, corners[0]).value() < 0.0 {
+                n.map(|x| -x)
+            } else {
+                n
+            }
         }
     };
     let scale = 1.0 / libm::sqrt(dot(across, across).value());

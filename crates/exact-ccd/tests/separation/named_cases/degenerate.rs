@@ -34,7 +34,12 @@ fn a_face_that_is_flat_for_a_moment() {
 #[test]
 fn parallel_edges_at_a_constant_distance() {
     let at = |x: f64| -> [Point; 4] {
-        [[x, 0.0, 1.0], [x + 1.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]
+        [
+            [x, 0.0, 1.0],
+            [x + 1.0, 0.0, 1.0],
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+        ]
     };
     // They overlap while |x| ≤ 1.
     let query = Query::<EdgeEdge>::new(at(-2.0), at(2.0)).unwrap();

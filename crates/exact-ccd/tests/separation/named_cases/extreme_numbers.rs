@@ -45,20 +45,17 @@ fn a_distance_can_be_too_large_for_an_f64() {
     is_within(&query, f64::MAX, &[]);
 }
 
-/// The distance from the plane is h / √2 with h = 5e-324.
+/// The distance from the plane x = y is h / √2 with h = 5e-324.
 #[test]
 fn a_distance_can_be_below_all_f64() {
-    let face = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let query = vertex_against(face, [0.25, 0.25 + f64::EPSILON * 0.0, 0.25], [0.25, 0.25, 0.25]);
-    assert_eq!(query.distance_at(0.0).unwrap().upper, 0.0);
-    let near = vertex_against(
-        [[0.0, 0.0, 0.0], [8.0 * TINY, 8.0 * TINY, 0.0], [0.0, 0.0, 8.0 * TINY]],
-        [2.0 * TINY, 3.0 * TINY, TINY],
-        [2.0 * TINY, 3.0 * TINY, TINY],
-    );
+    let face = [[0.0; 3], [8.0 * TINY, 8.0 * TINY, 0.0], [0.0, 0.0, 8.0 * TINY]];
+    let p = [2.0 * TINY, 3.0 * TINY, TINY];
+    let query = vertex_against(face, p, p);
     let expected = DistanceBounds {
         lower: 0.0,
         upper: TINY,
     };
-    assert_eq!(near.distance_at(1.0).unwrap(), expected);
+    assert_eq!(query.distance_at(1.0).unwrap(), expected);
+    is_within(&query, TINY, &[[0.0, 1.0]]);
+    is_within(&query, 0.0, &[]);
 }

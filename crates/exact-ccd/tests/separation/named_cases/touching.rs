@@ -52,11 +52,10 @@ fn edges_that_stop_at_the_distance() {
     is_within(&query, 1.0f64.next_down(), &[]);
 }
 
-/// z = (4 t − 1) (4 t − 3) cannot be: points move in lines. Two vertices can come near an edge one after the other.
+/// At t = 1/2 it is upright, above the middle of the other edge.
 #[test]
-fn an_edge_that_passes_between_two_times() {
+fn an_upright_edge_that_passes_over_another() {
     let rest: [Point; 2] = [[0.0, -8.0, 0.0], [0.0, 8.0, 0.0]];
-    // The edge from (x, 0, 1) to (x + 4, 0, 1) moves in −x, then only its ends are near.
     let at = |x: f64| [[x, 0.0, 1.0], [x, 0.0, 9.0], rest[0], rest[1]];
     let query = Query::<EdgeEdge>::new(at(-2.0), at(2.0)).unwrap();
     is_within(&query, 1.0, &[[0.5, 0.5]]);
