@@ -4,6 +4,7 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
+use crate::exact::dyadic::Dyadic;
 use crate::exact::instant::Instant;
 use crate::exact::polynomial::Polynomial;
 use crate::kind::{Difference, Side};
@@ -54,6 +55,11 @@ impl Feature {
     /// The squared distance less d², times the denominator: at most 0 within d.
     pub(super) fn excess(&self) -> &Polynomial {
         &self.excess
+    }
+
+    /// False if the excess is zero or certainly has no root inside the step.
+    pub(super) fn may_cross(&self) -> bool {
+        self.excess.sign_between(&Dyadic::ZERO, &Dyadic::ONE).is_none()
     }
 
     /// Numerator and denominator of the squared distance.

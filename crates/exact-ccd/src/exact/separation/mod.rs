@@ -27,14 +27,20 @@ use feature::Feature;
 /// [`Query::comes_within`], decided in integers alone.
 #[must_use]
 pub fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
-    first_instant(&Approach::new(query, d).features::<K>()).is_some()
+    let features = Approach::new(query, d).features::<K>();
+    is_within(&features, &Instant::Dyadic(Dyadic::ZERO)) || crossings(&features).next().is_some()
 }
 
 /// [`Query::first_within`], computed in integers alone.
 #[must_use]
 pub fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactTime> {
-    let first = first_instant(&Approach::new(query, d).features::<K>())?;
-    Some(first.round())
+    let features = Approach::new(query, d).features::<K>();
+    if is_within(&features, &Instant::Dyadic(Dyadic::ZERO)) {
+        return Some(ContactTime::exactly(0.0));
+    }
+    // Rounding is monotone: the least of the rounded times is the least time, rounded.
+    let times = crossings(&features).map(|instant| instant.round());
+    times.reduce(|a, b| if b < a { b } else { a })
 }
 
 /// [`Query::intervals_within`], computed in integers alone.
@@ -50,7 +56,7 @@ pub fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInt
             start = Some(event);
         }
         let continues = |next: &Instant| is_within(&features, &Instant::Dyadic(event.before(next)));
-        if !events.get(i + 1).is_some_and(continues) {
+        if start.is_some() && !events.get(i + 1).is_some_and(continues) {
             intervals.extend(start.take().map(|start| TimeInterval {
                 start: start.round(),
                 end: event.round(),
@@ -89,6 +95,20 @@ fn first_instant(features: &[Feature]) -> Option<Instant> {
         .find(|event| is_within(features, event))
 }
 
+/// Times within d, among which is the first if it is not 0: roots of single excesses, and t = 1.
+fn crossings(features: &[Feature]) -> impl Iterator<Item = Instant> {
+    let of_feature = |feature: &Feature| {
+        let roots = roots(vec![feature.excess().square_free()]);
+        roots.into_iter().find(|root| is_within(features, root))
+    };
+    let inside = features
+        .iter()
+        .filter(|feature| feature.may_cross())
+        .filter_map(of_feature);
+    let end = Some(Instant::Dyadic(Dyadic::ONE)).filter(|end| is_within(features, end));
+    inside.chain(end)
+}
+
 /// True if the distance is at most d at an instant.
 fn is_within(features: &[Feature], instant: &Instant) -> bool {
     features.iter().any(|feature| feature.is_within(instant))
@@ -98,13 +118,9 @@ fn is_within(features: &[Feature], instant: &Instant) -> bool {
 /// primitives come within d or leave, and the ends of the step.
 fn events(features: &[Feature]) -> Vec<Polynomial> {
     let mut factors = vec![Polynomial::ends()];
-    for excess in features.iter().map(Feature::excess) {
-        // An excess of one sign inside the step has no root there.
-        if excess.sign_between(&Dyadic::ZERO, &Dyadic::ONE).is_none() {
-            let divide =
-                |rest: Polynomial, factor: &Polynomial| rest.quotient(&rest.clone().gcd(factor.clone()));
-            factors.push(factors.iter().fold(excess.square_free(), divide));
-        }
+    for feature in features.iter().filter(|feature| feature.may_cross()) {
+        let divide = |rest: Polynomial, factor: &Polynomial| rest.quotient(&rest.clone().gcd(factor.clone()));
+        factors.push(factors.iter().fold(feature.excess().square_free(), divide));
     }
     factors
 }
