@@ -1,4 +1,5 @@
-//! Queries of all kinds with a distance: the fast path answers as the exact one, and the distance at a time agrees.
+//! Queries of all kinds with a distance: the fast path answers as the exact one, and the distance
+//! at a time agrees.
 
 #![no_main]
 
@@ -32,7 +33,8 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     Ok(())
 }
 
-/// The distance to check: a number, or the distance of the primitives at a time and some f64 away from it.
+/// The distance to check: a number, or the distance of the primitives at a time and some f64 away
+/// from it.
 struct Rule {
     distance: f64,
     eighths: u8,

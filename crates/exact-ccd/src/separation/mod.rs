@@ -1,10 +1,11 @@
 //! Minimum separation: the times at which two primitives are at most a distance d apart.
 //!
-//! The distance is that of the closed primitives, d is taken exactly, and the answers are exact for every finite input.
-//! [`Query::comes_within`](crate::Query::comes_within) decides,
+//! The distance is that of the closed primitives, d is taken exactly, and the answers are exact for
+//! every finite input. [`Query::comes_within`](crate::Query::comes_within) decides,
 //! [`Query::time_within`](crate::Query::time_within) is the first time, rounded down to f64,
 //! [`Query::intervals_within`](crate::Query::intervals_within) all of them. The integers of
-//! [`exact::separation`](crate::exact::separation) define the answers; filters answer first where they prove the same.
+//! [`exact::separation`](crate::exact::separation) define the answers; filters answer first where
+//! they prove the same.
 //!
 //! ```
 //! use exact_ccd::separation::Separation;

@@ -86,7 +86,7 @@ pub(crate) fn extreme() -> impl Strategy<Value = Points> {
 /// Fewer cases where arithmetic is checked.
 pub(crate) const fn cases(release: u32) -> u32 {
     if cfg!(debug_assertions) {
-        release / 12 + 1
+        release / 16 + 1
     } else {
         release
     }

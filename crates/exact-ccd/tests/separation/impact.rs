@@ -27,7 +27,8 @@ fn connects_the_closest_points<K: FromFour + Primitives>() {
         };
         let [u, v] = impact.parameters;
         assert!(u >= 0.0 && v >= 0.0, "{impact:?}");
-        // The parameters are within 2⁻³², hence the difference of the points within a few times that of their size.
+        // The parameters are within 2⁻³², hence the difference of the points within a few times
+        // that of their size.
         let x = combine(K::weights(u, v), at(&points, impact.time.lower()));
         let distance = query.distance_at(impact.time.lower()).unwrap().lower;
         let length = dot(x, x).sqrt();

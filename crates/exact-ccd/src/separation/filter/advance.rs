@@ -54,13 +54,18 @@ fn is_within(scaled: &Scaled, x: Point) -> bool {
 
 /// The time up to which a direction proves D > d from t on; `None` if it does not at t.
 ///
-/// A corner is beyond d along g at t if (1 − t) m₀ + t m₁ > 0 for m = g · x − d |g|. With e the sum of the
-/// products of |g| and the reach on each axis, m is off by at most 4 u e for the scalar product (one rounding of the
-/// corner, a product and two sums), 5 u d |g| for the other term (four roundings in |g|² and its root, one product)
-/// and u (e + d |g|) for the difference. The interpolation adds 4 u times the larger |m|. All of it is less than
-/// 16 u (e + d |g|).
+/// A corner is beyond d along g at t if (1 − t) m₀ + t m₁ > 0 for m = g · x − d |g|. With e the sum
+/// of the products of |g| and the reach on each axis, m is off by at most 4 u e for the scalar
+/// product (one rounding of the corner, a product and two sums), 5 u d |g| for the other term (four
+/// roundings in |g|² and its root, one product) and u (e + d |g|) for the difference. The
+/// interpolation adds 4 u times the larger |m|. All of it is less than 16 u (e + d |g|).
 fn free_until(scaled: &Scaled, count: usize, g: Point, t: f64) -> Option<f64> {
-    let threshold = scaled.d * libm::sqrt(dot(g, g));
+    let squared_length = dot(g, g);
+    // Below, its products underflow, and its error is not relative.
+    if squared_length.is_nan() || squared_length < UNDERFLOW {
+        return None;
+    }
+    let threshold = scaled.d * libm::sqrt(squared_length);
     let extent = g[0].abs() * scaled.reach[0] + g[1].abs() * scaled.reach[1] + g[2].abs() * scaled.reach[2];
     let error = 32.0 * UNIT * (extent + threshold) + UNDERFLOW;
     let margin = |x: Point| dot(g, x) - threshold - error;

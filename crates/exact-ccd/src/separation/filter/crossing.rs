@@ -49,8 +49,8 @@ struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    /// True if the distance is certainly above d from one time to another: in one piece, or cut in the middle. A last
-    /// piece ends next to the distance d and needs twice the precision.
+    /// True if the distance is certainly above d from one time to another: in one piece, or cut in
+    /// the middle. A last piece ends next to the distance d and needs twice the precision.
     fn is_beyond<K: Kind>(&self, [start, end]: [f64; 2], is_last: bool, depth: u32) -> bool {
         let proved = if is_last {
             let moment = |t| -> Moment<DoubleDouble> { self.precise.at::<K>(t) };
@@ -69,15 +69,16 @@ impl Stretch<'_> {
     }
 }
 
-/// A guess of the largest f64 in [`free`, 1] before D first reaches d, from another guess on; `None` if D does not
-/// seem to decrease to d.
+/// A guess of the largest f64 in [`free`, 1] before D first reaches d, from another guess on;
+/// `None` if D does not seem to decrease to d.
 fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, guess]: [f64; 2]) -> Option<f64> {
     const STEPS: usize = 24;
     let (mut floor, mut approaching) = (guess, None);
     for _ in 0..STEPS {
         let now = moving.at::<K>(floor);
         let point = now.point();
-        // For D = |F| and with D² − d² = (D − d) (D + d): (D − d) / D′ = (D² − d²) D / ((D + d) F · F′).
+        // For D = |F| and with D² − d² = (D − d) (D + d): (D − d) / D′ = (D² − d²) D / ((D + d) F ·
+        // F′).
         let distance = libm::sqrt(dot(point, point));
         let slope = dot(point, moving.velocity(now.closest));
         let next = if slope < 0.0 {

@@ -45,6 +45,17 @@ fn a_distance_can_be_too_large_for_an_f64() {
     is_within(&query, f64::MAX, &[]);
 }
 
+/// The normal of the face is so short that its square underflows.
+#[test]
+fn a_tiny_face_is_not_passed_by() {
+    for size in [1e-80, 1e-85, 1e-90, 1e-95, 1e-120, 1e-160, 1e-300] {
+        let face = FACE.map(|corner| corner.map(|x| x * size));
+        let p = |z: f64| [0.25 * size, 0.25 * size, z];
+        is_within(&vertex_against(face, p(1.0), p(0.5)), 0.75, &[[0.5, 1.0]]);
+        is_within(&vertex_against(face, p(-1.0), p(-0.5)), 0.75, &[[0.5, 1.0]]);
+    }
+}
+
 /// The distance from the plane x = y is h / √2 with h = 5e-324.
 #[test]
 fn a_distance_can_be_below_all_f64() {
