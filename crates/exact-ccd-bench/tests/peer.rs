@@ -84,7 +84,7 @@ fn answer_all(fault: Option<&str>) {
     }
 }
 
-fn time_of_impact<K: Kind>([start, end]: [[Point; 4]; 2]) -> Option<f64> {
+fn time_of_impact<K: Kind<Points = [Point; 4]>>([start, end]: [[Point; 4]; 2]) -> Option<f64> {
     Query::<K>::new(start, end).unwrap().time_of_impact()
 }
 

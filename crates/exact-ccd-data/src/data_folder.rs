@@ -56,6 +56,14 @@ impl DataFolder {
         list(&self.0.join("meshes"))
     }
 
+    /// All files of queries with the times within a distance.
+    ///
+    /// # Errors
+    /// If the folder cannot be read.
+    pub fn separation(&self) -> Result<Vec<PathBuf>, DataError> {
+        list(&self.0.join("separation"))
+    }
+
     /// All scenes.
     ///
     /// # Errors

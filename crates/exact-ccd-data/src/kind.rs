@@ -1,10 +1,10 @@
 //! The names and numbers of the two kinds of query in the data sets.
 
-use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
 
 /// A kind of query with its names and numbers in the data sets.
-pub trait DataKind: Kind + Send + Sync {
+pub trait DataKind: Kind<Points = [Point; 4]> + Send + Sync {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
     /// The ending of the names of its files in a scene, which is also its short name.

@@ -1,6 +1,6 @@
 //! Pairs of primitives of a mesh, and the vertices that they stand for.
 
-use exact_ccd::{EdgeEdge, Kind, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
 use crate::mesh::TriangleMesh;
 
@@ -65,7 +65,7 @@ impl PairCounts {
 }
 
 /// A kind of query whose primitives have indices in a mesh.
-pub trait PairKind: Kind + Send + Sync {
+pub trait PairKind: Kind<Points = [Point; 4]> + Send + Sync {
     /// The number of vertices of the first primitive: they come first among the four.
     const FIRST: usize;
 

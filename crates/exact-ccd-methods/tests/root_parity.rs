@@ -29,7 +29,7 @@ fn points(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Points> {
     })
 }
 
-fn query<K: Kind>([start, end]: Points) -> Query<K> {
+fn query<K: Kind<Points = [Point; 4]>>([start, end]: Points) -> Query<K> {
     Query::new(start, end).unwrap()
 }
 

@@ -1,8 +1,11 @@
-//! The two kinds of query, as index tables.
+//! The kinds of query, as index tables.
 //!
-//! A query has four moving points x₀ … x₃. For both kinds, the primitives meet only when the four
+//! A query has four moving points x₀ … x₃. A vertex and a face, or two edges, meet only when the four
 //! points are coplanar, and the sides of lines on which vertices lie decide contact then. Hence all
-//! algorithms in this crate are written once, over these tables.
+//! algorithms in this crate are written once, over these tables. A vertex against an edge or a vertex
+//! is a query of two edges, of which one or both have length zero: a point is repeated.
+
+use crate::query::Point;
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
 pub(crate) type Difference = (usize, usize);
@@ -24,9 +27,22 @@ pub struct Side {
     pub domain: [[f64; 2]; 2],
 }
 
+/// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
+#[derive(Clone, Copy)]
+pub struct Features {
+    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference. They are the
+    /// first of `CORNERS`.
+    pub vertices: &'static [(Difference, [f64; 2])],
+    /// The number of sides, from the first, that are a vertex and an edge in the sense of the kind.
+    pub sides: usize,
+    /// The corners at which (u, v) is (1, 0) and (0, 1), if inner points of the face or of both edges can be
+    /// closest.
+    pub inner: Option<[usize; 2]>,
+}
+
 /// The tables, in a private module: this seals [`Kind`].
 pub(crate) mod tables {
-    use super::{Difference, Side};
+    use super::{Difference, Features, Side};
 
     /// The tables of a kind of query.
     #[expect(unnameable_types, reason = "seals the public trait `Kind`")]
@@ -45,12 +61,20 @@ pub(crate) mod tables {
         /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
         /// `along`.
         const PARAMETERS: [usize; 2];
+        /// For each of x₀ … x₃, the index of the point that it is among those of the query.
+        const LAYOUT: [usize; 4];
+        /// The pairs of features among whose distances the least is that of the primitives.
+        const FEATURES: Features;
     }
 }
 pub(crate) use tables::Tables;
 
-/// The kind of a [`Query`](crate::Query): [`VertexFace`] or [`EdgeEdge`]. Sealed.
-pub trait Kind: Tables + Copy {}
+/// The kind of a [`Query`](crate::Query): [`VertexFace`], [`EdgeEdge`], [`VertexEdge`] or [`VertexVertex`].
+/// Sealed.
+pub trait Kind: Tables + Copy {
+    /// The points of a query at one time, in the order that the kind states.
+    type Points: AsRef<[Point]> + Copy;
+}
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,8 +84,29 @@ pub struct VertexFace;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EdgeEdge;
 
-impl Kind for VertexFace {}
-impl Kind for EdgeEdge {}
+/// Marks a query of a vertex p against an edge a b, as points p, a, b: x₀ = x₁ = p, x₂ = a, x₃ = b.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VertexEdge;
+
+/// Marks a query of a vertex p against a vertex q, as points p, q: x₀ = x₁ = p, x₂ = x₃ = q.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VertexVertex;
+
+impl Kind for VertexFace {
+    type Points = [Point; 4];
+}
+
+impl Kind for EdgeEdge {
+    type Points = [Point; 4];
+}
+
+impl Kind for VertexEdge {
+    type Points = [Point; 3];
+}
+
+impl Kind for VertexVertex {
+    type Points = [Point; 2];
+}
 
 const fn side(
     vertex: usize,
@@ -97,6 +142,12 @@ impl Tables for VertexFace {
         side(0, [3, 1], [2, 0], true, [[0.0, 1.0], [0.0, 0.0]]),
     ];
     const PARAMETERS: [usize; 2] = [2, 0];
+    const LAYOUT: [usize; 4] = [0, 1, 2, 3];
+    const FEATURES: Features = Features {
+        vertices: &[((0, 1), [0.0, 0.0]), ((0, 2), [1.0, 0.0]), ((0, 3), [0.0, 1.0])],
+        sides: 3,
+        inner: Some([1, 2]),
+    };
 }
 
 /// The segments cross if the ends of each lie on different sides of the line of the other: with n =
@@ -120,4 +171,45 @@ impl Tables for EdgeEdge {
         side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
     ];
     const PARAMETERS: [usize; 2] = [0, 2];
+    const LAYOUT: [usize; 4] = [0, 1, 2, 3];
+    const FEATURES: Features = Features {
+        vertices: &[
+            ((0, 2), [0.0, 0.0]),
+            ((0, 3), [0.0, 1.0]),
+            ((1, 2), [1.0, 0.0]),
+            ((1, 3), [1.0, 1.0]),
+        ],
+        sides: 4,
+        inner: Some([2, 1]),
+    };
+}
+
+/// Two edges, of which the first has length zero.
+impl Tables for VertexEdge {
+    const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
+    const PATCHES: &'static [[usize; 4]] = EdgeEdge::PATCHES;
+    const SPAN: [Difference; 3] = EdgeEdge::SPAN;
+    const SIDES: &'static [Side] = EdgeEdge::SIDES;
+    const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;
+    const LAYOUT: [usize; 4] = [0, 0, 1, 2];
+    const FEATURES: Features = Features {
+        vertices: &[((0, 2), [0.0, 0.0]), ((0, 3), [0.0, 1.0])],
+        sides: 1,
+        inner: None,
+    };
+}
+
+/// Two edges of length zero.
+impl Tables for VertexVertex {
+    const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
+    const PATCHES: &'static [[usize; 4]] = EdgeEdge::PATCHES;
+    const SPAN: [Difference; 3] = EdgeEdge::SPAN;
+    const SIDES: &'static [Side] = EdgeEdge::SIDES;
+    const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;
+    const LAYOUT: [usize; 4] = [0, 0, 1, 1];
+    const FEATURES: Features = Features {
+        vertices: &[((0, 2), [0.0, 0.0])],
+        sides: 0,
+        inner: None,
+    };
 }

@@ -7,7 +7,8 @@
 //! - decides contact: [`Query::collides`], without false positives or false negatives;
 //! - counts the contacts: [`Query::contact_times`];
 //! - computes the time of impact, correctly rounded down: [`Query::time_of_impact`];
-//! - computes the parameters and the normal of the earliest contact: [`Query::impact`].
+//! - computes the parameters and the normal of the earliest contact: [`Query::impact`];
+//! - computes the times within a distance: [`Query::intervals_within`], see [`separation`].
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};
@@ -73,6 +74,7 @@ mod kind;
 pub mod parity;
 pub mod predicates;
 mod query;
+pub mod separation;
 mod stage;
 mod time;
 
@@ -80,7 +82,7 @@ pub use axis::Axis;
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use collision::Collision;
 pub use impact::Impact;
-pub use kind::{EdgeEdge, Kind, VertexFace};
+pub use kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 pub use query::{NonFinite, Point, Query};
 pub use stage::Stage;
 pub use time::{ContactTime, ContactTimes, Times};

@@ -68,14 +68,25 @@ impl NonFinite {
 }
 
 impl<K: Kind> Query<K> {
-    /// The query of four points at the start and at the end of the time step, in the order of the
-    /// kind: [`VertexFace`](crate::VertexFace) or [`EdgeEdge`](crate::EdgeEdge).
+    /// The query of points at the start and at the end of the time step, in the order of the kind: four
+    /// points for [`VertexFace`](crate::VertexFace) and [`EdgeEdge`](crate::EdgeEdge), three for
+    /// [`VertexEdge`](crate::VertexEdge), two for [`VertexVertex`](crate::VertexVertex).
     ///
     /// # Errors
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.
     #[inline]
-    pub fn new(t0: [Point; 4], t1: [Point; 4]) -> Result<Self, NonFinite> {
-        let points = [t0, t1];
+    pub fn new(t0: K::Points, t1: K::Points) -> Result<Self, NonFinite> {
+        let (t0, t1) = (t0.as_ref(), t1.as_ref());
+        let four = |points: &[Point]| K::LAYOUT.map(|i| points[i]);
+        Self::checked([four(t0), four(t1)]).map_err(|error| NonFinite {
+            point: K::LAYOUT[error.point],
+            ..error
+        })
+    }
+
+    /// The query of the four points x₀ … x₃, which stand as the kind lays them out.
+    #[inline]
+    pub(crate) fn checked(points: [[Point; 4]; 2]) -> Result<Self, NonFinite> {
         // Without a branch for each coordinate, which would cost more than most queries.
         let finite = points
             .as_flattened()
@@ -97,6 +108,15 @@ impl<K: Kind> Query<K> {
         }
     }
 
+    /// The four points at t = 0 and at t = 1: a vertex that is an edge of length zero stands twice.
+    #[must_use]
+    #[inline]
+    pub fn points(&self) -> &[[Point; 4]; 2] {
+        &self.points
+    }
+}
+
+impl<K: Kind<Points = [Point; 4]>> Query<K> {
     /// [`new`](Self::new) for points of another library: those of `glam` (`DVec3`), `nalgebra`
     /// (`Point3<f64>`, `Vector3<f64>`) and `mint` (`Point3<f64>`, `Vector3<f64>`) convert into
     /// `[f64; 3]`.
@@ -105,13 +125,6 @@ impl<K: Kind> Query<K> {
     /// [`NonFinite`], as [`new`](Self::new).
     pub fn from_points<P: Into<Point>>(t0: [P; 4], t1: [P; 4]) -> Result<Self, NonFinite> {
         Self::new(t0.map(Into::into), t1.map(Into::into))
-    }
-
-    /// The four points at t = 0 and at t = 1.
-    #[must_use]
-    #[inline]
-    pub fn points(&self) -> &[[Point; 4]; 2] {
-        &self.points
     }
 }
 

@@ -20,7 +20,7 @@ use std::sync::LazyLock;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use exact_ccd::batch::{Instructions, Trajectories};
-use exact_ccd::{EdgeEdge, Kind, Query, Stage, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Stage, VertexFace};
 use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, StepReport, Sweep};
 
 use crate::cloth::Cloth;
@@ -38,7 +38,7 @@ fn repeated<K: Kind>(queries: &[Query<K>]) -> Vec<Query<K>> {
 }
 
 #[divan::bench(types = [VertexFace, EdgeEdge], args = Stage::ALL, sample_count = 20)]
-fn collides<K: Kind + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
+fn collides<K: Kind<Points = [Point; 4]> + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
     let queries = repeated(&settled::decided::<K>(stage));
     bencher.counter(ItemsCount::new(queries.len())).bench(|| {
         queries
@@ -49,7 +49,7 @@ fn collides<K: Kind + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
 }
 
 #[divan::bench(types = [VertexFace, EdgeEdge], args = Stage::ALL, sample_count = 20)]
-fn contact_times<K: Kind + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
+fn contact_times<K: Kind<Points = [Point; 4]> + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
     let queries = repeated(&settled::timed::<K>(stage));
     bencher.counter(ItemsCount::new(queries.len())).bench(|| {
         for query in &queries {
@@ -79,7 +79,11 @@ fn instructions() -> impl Iterator<Item = Named> {
     Instructions::available().map(Named)
 }
 
-fn count<K: Kind + Sync>(bencher: Bencher<'_, '_>, instructions: Named, queries: &[[u32; 4]]) {
+fn count<K: Kind<Points = [Point; 4]> + Sync>(
+    bencher: Bencher<'_, '_>,
+    instructions: Named,
+    queries: &[[u32; 4]],
+) {
     let [x0, x1] = LANDING.step().positions();
     let trajectories = Trajectories::new(x0, x1).expect("the positions of a step are sound");
     let trajectories = trajectories.with_instructions(instructions.0);

@@ -9,12 +9,12 @@ const DIFFERENT: usize = 64;
 const TRIES: usize = 20_000;
 
 /// Queries whose decision is settled at `stage`.
-pub(crate) fn decided<K: Kind>(stage: Stage) -> Vec<Query<K>> {
+pub(crate) fn decided<K: Kind<Points = [Point; 4]>>(stage: Stage) -> Vec<Query<K>> {
     found(|query: &Query<K>| query.collides_with_stage().1 == stage)
 }
 
 /// Queries whose contact times are settled at `stage`: colliding ones, if it settles any.
-pub(crate) fn timed<K: Kind>(stage: Stage) -> Vec<Query<K>> {
+pub(crate) fn timed<K: Kind<Points = [Point; 4]>>(stage: Stage) -> Vec<Query<K>> {
     let is_settled = |query: &Query<K>| query.contact_times_with_stage().1 == stage;
     let colliding = found(|query| is_settled(query) && query.collides());
     if colliding.is_empty() {
@@ -25,7 +25,7 @@ pub(crate) fn timed<K: Kind>(stage: Stage) -> Vec<Query<K>> {
 }
 
 /// The same for the same condition, on every machine.
-fn found<K: Kind>(is_wanted: impl Fn(&Query<K>) -> bool) -> Vec<Query<K>> {
+fn found<K: Kind<Points = [Point; 4]>>(is_wanted: impl Fn(&Query<K>) -> bool) -> Vec<Query<K>> {
     let mut random = Rng::with_seed(1);
     (0..TRIES)
         .map(|index| query(&mut random, FAMILIES[index % FAMILIES.len()]))
@@ -39,7 +39,7 @@ type Points = [[Point; 4]; 2];
 /// Of the filters, some settle what most queries are like, and some what few are.
 const FAMILIES: [fn(&mut Rng) -> Points; 4] = [anywhere, near, planar, integers];
 
-fn query<K: Kind>(random: &mut Rng, family: fn(&mut Rng) -> Points) -> Query<K> {
+fn query<K: Kind<Points = [Point; 4]>>(random: &mut Rng, family: fn(&mut Rng) -> Points) -> Query<K> {
     let [t0, t1] = family(random);
     Query::new(t0, t1).expect("all coordinates are finite")
 }

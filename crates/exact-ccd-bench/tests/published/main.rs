@@ -11,6 +11,7 @@ mod frames;
 mod ground_truth;
 mod meshes;
 mod parity;
+mod separation;
 mod steps;
 
 #[path = "../../../exact-ccd/tests/parity/expected/mod.rs"]

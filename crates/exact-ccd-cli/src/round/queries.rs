@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
-use exact_ccd::{Kind, NonFinite, Query};
+use exact_ccd::{NonFinite, Query};
 use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
 use rayon::prelude::*;
 
@@ -58,7 +58,7 @@ fn read<K: DataKind + 'static>(file: &Path) -> Result<Vec<Record<K>>, Failure> {
 }
 
 /// The query, moved and rounded. Its corner differences are exact by construction; this is checked as well.
-fn shift<K: Kind>(query: &Query<K>, displacement: Displacement) -> Result<Rounded<K>, RoundingError> {
+fn shift<K: DataKind>(query: &Query<K>, displacement: Displacement) -> Result<Rounded<K>, RoundingError> {
     let [t0, t1] = query
         .points()
         .map(|points| points.map(|point| displacement.apply(point)));

@@ -112,7 +112,7 @@ fn columns(parity: Parity) -> &'static str {
     }
 }
 
-fn assert_answers<K: Kind>(kind: &str, points: &[[[Point; 4]; 2]]) {
+fn assert_answers<K: Kind<Points = [Point; 4]>>(kind: &str, points: &[[[Point; 4]; 2]]) {
     let queries: Vec<Query<K>> = points
         .iter()
         .map(|&[t0, t1]| Query::new(t0, t1).unwrap())

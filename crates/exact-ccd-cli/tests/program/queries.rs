@@ -154,7 +154,7 @@ fn many_queries_keep_their_order_on_any_number_of_threads() {
 }
 
 /// Checks the answers to these queries against the library's, bit for bit.
-fn assert_answers<K: Kind>(kind: &str, points: &[[[Point; 4]; 2]]) {
+fn assert_answers<K: Kind<Points = [Point; 4]>>(kind: &str, points: &[[[Point; 4]; 2]]) {
     let queries: Vec<Query<K>> = points
         .iter()
         .map(|&[start, end]| Query::new(start, end).unwrap())

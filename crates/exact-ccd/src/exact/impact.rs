@@ -2,13 +2,9 @@
 
 use super::instant::Instant;
 use super::motion::{Motion, Vector, cross};
-use super::polynomial::Polynomial;
-use crate::impact::{Impact, unit};
+use crate::impact::Impact;
 use crate::kind::{Kind, Side};
 use crate::query::Point;
-
-/// The number of bits after the binary point that are computed of a ratio.
-const BITS: usize = 52;
 
 /// The primitives at an instant of contact.
 struct Contact<'a, K> {
@@ -52,7 +48,7 @@ impl<K: Kind> Contact<'_, K> {
             let side = &K::SIDES[index];
             let area = self.motion.side(side, axis);
             let reversed = facing.is_lt() == side.along;
-            self.ratio(
+            self.instant.ratio(
                 &if reversed { -area } else { area },
                 &if facing.is_lt() {
                     -normal.clone()
@@ -67,7 +63,7 @@ impl<K: Kind> Contact<'_, K> {
     /// contact. The first derivative of c that does not vanish determines the sign of c there.
     fn normal_of_plane(&self) -> Option<Point> {
         let [e1, e2] = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
-        let normal = self.direction(cross(&e1, &e2))?;
+        let normal = self.instant.direction(cross(&e1, &e2))?;
         let mut derivative = self.motion.volume.clone();
         let mut is_above = true;
         while !derivative.is_zero() {
@@ -99,7 +95,7 @@ impl<K: Kind> Contact<'_, K> {
                 let component = vector[axis].clone();
                 if reversed { -component } else { component }
             });
-            along = self.ratio(&above, &below);
+            along = self.instant.ratio(&above, &below);
             let of_edge = velocity(&edge);
             relative = [0, 1, 2].map(|axis: usize| &(&below * &relative[axis]) - &(&above * &of_edge[axis]));
         }
@@ -108,7 +104,10 @@ impl<K: Kind> Contact<'_, K> {
 
         let [start, end] = side.domain;
         let parameters = [0, 1].map(|i: usize| start[i] + along * (end[i] - start[i]));
-        (parameters, self.direction(self.across_line(edge, towards_first)))
+        (
+            parameters,
+            self.instant.direction(self.across_line(edge, towards_first)),
+        )
     }
 
     /// The part of a vector that is orthogonal to the line that holds both primitives, if they have
@@ -120,52 +119,5 @@ impl<K: Kind> Contact<'_, K> {
             Some(line) => cross(&line, &cross(&vector, &line)),
             None => vector,
         }
-    }
-
-    /// The direction of a vector at the instant, unless it vanishes there.
-    fn direction(&self, vector: Vector) -> Option<Point> {
-        let signs = [0, 1, 2].map(|axis: usize| self.instant.sign(&vector[axis]));
-        let mut magnitudes = vector;
-        for (component, sign) in magnitudes.iter_mut().zip(signs) {
-            if sign.is_lt() {
-                *component = -component.clone();
-            }
-        }
-        let is_less = |a: usize, b: usize| self.instant.sign(&(&magnitudes[a] - &magnitudes[b])).is_lt();
-        let largest = (1..3).fold(0, |best, axis| if is_less(best, axis) { axis } else { best });
-        if signs[largest].is_eq() {
-            return None;
-        }
-        Some(unit([0, 1, 2].map(|axis: usize| {
-            let ratio = self.ratio(&magnitudes[axis], &magnitudes[largest]);
-            if signs[axis].is_lt() { -ratio } else { ratio }
-        })))
-    }
-
-    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of
-    /// 2⁻⁵².
-    fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
-        let scaled = a.shifted(BITS);
-        let reaches = |n: u64| {
-            self.instant
-                .sign(&(&scaled - &(&Polynomial::constant(n) * b)))
-                .is_ge()
-        };
-        let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
-        // A guess: the quotient at an end of the bracket.
-        let guess = scaled.quotient_at(b, self.instant.bounds().0).unwrap_or_default();
-        let window = [guess.saturating_sub(1), guess.saturating_add(2)].map(|n| n.clamp(low, high));
-        if reaches(window[0]) && !reaches(window[1]) {
-            [low, high] = window;
-        }
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            if reaches(middle) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        low as f64 / (1_u64 << BITS) as f64
     }
 }

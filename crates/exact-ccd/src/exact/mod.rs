@@ -13,6 +13,8 @@ mod impact;
 mod instant;
 mod motion;
 mod polynomial;
+mod ratio;
+pub mod separation;
 mod sturm;
 
 pub(crate) use dyadic::to_integers;

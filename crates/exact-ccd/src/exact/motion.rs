@@ -131,7 +131,7 @@ fn common([x, y, z]: Vector) -> Polynomial {
     x.gcd(y).gcd(z)
 }
 
-fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {
+pub(super) fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {
     [0, 1, 2].map(|axis: usize| &points[i][axis] - &points[j][axis])
 }
 

@@ -34,6 +34,11 @@ impl Polynomial {
         Self::new(vec![value.into()])
     }
 
+    /// The value at t = 0.
+    pub(crate) fn constant_term(&self) -> IBig {
+        self.0.first().cloned().unwrap_or_default()
+    }
+
     /// The polynomial times 2ᵏ.
     pub(crate) fn shifted(&self, exponent: usize) -> Self {
         Self(self.0.iter().map(|coefficient| coefficient << exponent).collect())

@@ -20,6 +20,6 @@ pub(crate) use contact::Contact;
 pub(crate) use cubic::Cubic;
 pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
 pub(crate) use hull::diagonal_separates;
-pub(crate) use number::{Lanes, Number, Points};
+pub(crate) use number::{Lanes, Number, Points, subtract};
 pub(crate) use roundoff::{UNDERFLOW, UNIT, certain_sign};
 pub(crate) use screening::{Decision, Screened, decide, decide_near_plane, screen_planes};

@@ -34,7 +34,7 @@ impl<K: Kind> Decide<K> for RootParity {
         let shifted = query
             .points()
             .map(|points| points.map(|point| self.displacement.apply(point)));
-        let Ok(query) = Query::<K>::new(shifted[0], shifted[1]) else {
+        let Ok(query) = Query::<K>::checked(shifted) else {
             return true;
         };
         Rounded::shift(&query).map_or(true, |rounded| rounded.parity().is_collision())

@@ -179,9 +179,8 @@ impl<K: Kind> Rounded<K> {
         for point in points.as_flattened_mut() {
             *point = displacement.apply(*point);
         }
-        let [start, end] = points;
         let shifted =
-            Query::new(start, end).map_err(|NonFinite { axis, .. }| RoundingError::OutOfRange { axis })?;
+            Query::checked(points).map_err(|NonFinite { axis, .. }| RoundingError::OutOfRange { axis })?;
         Ok(Self {
             corners: corners(&shifted),
             query: shifted,

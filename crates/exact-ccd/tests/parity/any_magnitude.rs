@@ -84,7 +84,7 @@ fn of_corners_on_axes_at_any_distance() {
     assert_eq!(checked_parity(&rounded), Parity::Even);
 }
 
-fn in_uneven_units<K: Kind>() {
+fn in_uneven_units<K: Kind<Points = [Point; 4]>>() {
     for_all(10_000, uneven(), |points| {
         checked_parity(&Rounded::check(query::<K>(&points)).unwrap());
     });
@@ -101,7 +101,7 @@ fn of_edges_in_uneven_units() {
 }
 
 /// Queries of mixed magnitudes after the shift, in which the largest coordinates displace the others.
-fn after_a_shift<K: Kind>() {
+fn after_a_shift<K: Kind<Points = [Point; 4]>>() {
     let points = prop_oneof![
         extremes(),
         few_values(),

@@ -6,7 +6,7 @@ use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 
 use crate::primitives::Points;
 
-pub(crate) trait Corners: Kind + PartialEq + Debug {
+pub(crate) trait Corners: Kind<Points = [Point; 4]> + PartialEq + Debug {
     /// The differences in the order of the checks.
     const DIFFERENCES: &'static [[usize; 2]];
 

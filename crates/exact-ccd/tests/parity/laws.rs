@@ -1,13 +1,13 @@
 //! Properties of the parity of every query.
 
 use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{Kind, Query};
+use exact_ccd::{Kind, Point, Query};
 
 use crate::expected::{Rim, expected};
 use crate::primitives::Points;
 
 /// The query of these points, which are finite.
-pub(crate) fn query<K: Kind>(points: &Points) -> Query<K> {
+pub(crate) fn query<K: Kind<Points = [Point; 4]>>(points: &Points) -> Query<K> {
     Query::new(points[0], points[1]).unwrap()
 }
 

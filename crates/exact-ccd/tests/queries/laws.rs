@@ -2,13 +2,13 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::{ContactTime, ContactTimes, Kind, Query, exact};
+use exact_ccd::{ContactTime, ContactTimes, Kind, Point, Query, exact};
 
 use crate::primitives::{Points, Primitives};
 use crate::symmetry::Symmetry;
 
 /// The query of these points, which are finite.
-pub(crate) fn query<K: Kind>(points: &Points) -> Query<K> {
+pub(crate) fn query<K: Kind<Points = [Point; 4]>>(points: &Points) -> Query<K> {
     Query::new(points[0], points[1]).unwrap()
 }
 

@@ -6,7 +6,7 @@ use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 pub(crate) type Points = [[Point; 4]; 2];
 
 /// A kind of query, as the linear combination of its four points that vanishes in contact.
-pub(crate) trait Primitives: Kind + 'static {
+pub(crate) trait Primitives: Kind<Points = [Point; 4]> + 'static {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
     /// The corners of the domain of (u, v).

@@ -14,7 +14,7 @@ use exact_ccd::{ContactTimes, EdgeEdge, Kind, Point, Query, VertexFace, exact};
 use double_root::double_root;
 
 /// The vertices and edges of a kind of query that meet on the boundary of (u, v).
-pub(crate) trait Rim: Kind {
+pub(crate) trait Rim: Kind<Points = [Point; 4]> {
     /// A vertex, and the ends of an edge of the other primitive.
     const MEETINGS: &'static [[usize; 3]];
 }

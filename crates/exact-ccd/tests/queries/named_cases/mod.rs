@@ -33,7 +33,7 @@ fn edge_against(rest: [Point; 2], from: [Point; 2], to: [Point; 2]) -> Query<Edg
 }
 
 /// A query whose points are linear functions of s = 2 t − 1.
-fn during<K: Kind>(points: impl Fn(f64) -> [Point; 4]) -> Query<K> {
+fn during<K: Kind<Points = [Point; 4]>>(points: impl Fn(f64) -> [Point; 4]) -> Query<K> {
     Query::new(points(-1.0), points(1.0)).unwrap()
 }
 

@@ -1,0 +1,55 @@
+//! Ratios of polynomials and directions of vectors at an instant, by signs.
+
+use super::instant::Instant;
+use super::motion::Vector;
+use super::polynomial::Polynomial;
+use crate::impact::unit;
+use crate::query::Point;
+
+/// The number of bits of a ratio after the point.
+const BITS: usize = 52;
+
+impl Instant {
+    /// The direction of a vector at this time, unless it vanishes then.
+    pub(crate) fn direction(&self, vector: Vector) -> Option<Point> {
+        let signs = [0, 1, 2].map(|axis: usize| self.sign(&vector[axis]));
+        let mut magnitudes = vector;
+        for (component, sign) in magnitudes.iter_mut().zip(signs) {
+            if sign.is_lt() {
+                *component = -component.clone();
+            }
+        }
+        let is_less = |a: usize, b: usize| self.sign(&(&magnitudes[a] - &magnitudes[b])).is_lt();
+        let largest = (1..3).fold(0, |best, axis| if is_less(best, axis) { axis } else { best });
+        if signs[largest].is_eq() {
+            return None;
+        }
+        Some(unit([0, 1, 2].map(|axis: usize| {
+            let ratio = self.ratio(&magnitudes[axis], &magnitudes[largest]);
+            if signs[axis].is_lt() { -ratio } else { ratio }
+        })))
+    }
+
+    /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at this time, rounded down to a multiple of
+    /// 2⁻⁵².
+    pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
+        let scaled = a.shifted(BITS);
+        let reaches = |n: u64| self.sign(&(&scaled - &(&Polynomial::constant(n) * b))).is_ge();
+        let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
+        // The quotient at an end of the bracket is most likely next to it.
+        let guess = scaled.quotient_at(b, self.bounds().0).unwrap_or_default();
+        let window = [guess.saturating_sub(1), guess.saturating_add(2)].map(|n| n.clamp(low, high));
+        if reaches(window[0]) && !reaches(window[1]) {
+            [low, high] = window;
+        }
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if reaches(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        low as f64 / (1_u64 << BITS) as f64
+    }
+}

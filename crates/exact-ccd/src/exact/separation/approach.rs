@@ -1,0 +1,100 @@
+//! The four moving points and the distance d in integers of one unit.
+
+use alloc::vec::Vec;
+
+use dashu_int::IBig;
+
+use super::feature::{Feature, Pair};
+use crate::exact::dyadic::{Dyadic, to_integers};
+use crate::exact::motion::{Vector, cross, dot, subtract};
+use crate::exact::polynomial::Polynomial;
+use crate::kind::{Difference, Kind};
+use crate::query::Query;
+use crate::separation::Separation;
+
+/// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
+/// contact, distance is not invariant under a scaling of one axis.
+pub(super) struct Approach {
+    points: [Vector; 4],
+    squared_separation: Polynomial,
+    /// The coordinates are integers times two to this power.
+    pub(super) unit: i32,
+}
+
+impl Approach {
+    pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
+        Self::with(query, d.get(), Polynomial::between)
+    }
+
+    /// The points at one time, as constant polynomials, and d = 0.
+    pub(super) fn at<K: Kind>(query: &Query<K>, t: &Dyadic) -> Self {
+        let at_time = |start: &IBig, end: &IBig| {
+            Polynomial::new([(start << t.exponent) + (end - start) * &t.numerator].into())
+        };
+        let approach = Self::with(query, 0.0, at_time);
+        Self {
+            unit: approach.unit - t.exponent as i32,
+            ..approach
+        }
+    }
+
+    fn with<K: Kind>(query: &Query<K>, d: f64, motion: impl Fn(&IBig, &IBig) -> Polynomial) -> Self {
+        let mut numbers = [d; 25];
+        numbers[..24].copy_from_slice(query.points().as_flattened().as_flattened());
+        let (integers, unit) = to_integers(numbers);
+        let squared_separation = Polynomial::new([&integers[24] * &integers[24]].into());
+        let coordinate = |i: usize| motion(&integers[i], &integers[12 + i]);
+        Self {
+            points: [0, 3, 6, 9].map(|point| [0, 1, 2].map(|axis| coordinate(point + axis))),
+            squared_separation,
+            unit,
+        }
+    }
+
+    pub(super) fn difference(&self, difference: Difference) -> Vector {
+        subtract(&self.points, difference)
+    }
+
+    /// The features of the primitives.
+    pub(super) fn features<K: Kind>(&self) -> Vec<Feature> {
+        let vertices = K::FEATURES.vertices.iter().map(|&(difference, parameters)| {
+            let x = self.difference(difference);
+            (
+                Pair::Vertices(difference, parameters),
+                dot(&x, &x),
+                Polynomial::one(),
+                Vec::new(),
+            )
+        });
+        let sides = K::SIDES[..K::FEATURES.sides].iter().map(|side| {
+            let [a, b] = side.edge;
+            let (x, e) = (self.difference((side.vertex, a)), self.difference((b, a)));
+            let (across, along, squared_length) = (cross(&e, &x), dot(&e, &x), dot(&e, &e));
+            let beyond = &squared_length - &along;
+            (
+                Pair::VertexEdge(side),
+                dot(&across, &across),
+                squared_length,
+                [along, beyond].into(),
+            )
+        });
+        let inner = K::FEATURES.inner.map(|_| {
+            let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
+            let n = cross(&e1, &e2);
+            let volume = dot(&w, &n);
+            let guards = K::SIDES.iter().map(|side| {
+                let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
+                let area = dot(&n, &cross(&x, &y));
+                if side.along { area } else { -area }
+            });
+            (Pair::Inner, &volume * &volume, dot(&n, &n), guards.collect())
+        });
+        vertices
+            .chain(sides)
+            .chain(inner)
+            .map(|(pair, numerator, denominator, guards)| {
+                Feature::new(pair, [numerator, denominator], guards, &self.squared_separation)
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,84 @@
+//! Pairs of features: the distance of two vertices, of a vertex and the line of an edge, of two
+//! lines or a vertex and a plane, each where its closest points lie inside the features.
+
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+use crate::exact::dyadic::Dyadic;
+use crate::exact::instant::Instant;
+use crate::exact::polynomial::Polynomial;
+use crate::kind::{Difference, Side};
+
+/// Two features, one of each primitive.
+#[derive(Clone, Copy)]
+pub(super) enum Pair {
+    /// Two vertices, and the parameters (u, v) of the primitives there.
+    Vertices(Difference, [f64; 2]),
+    /// A vertex of one primitive and an edge of the other.
+    VertexEdge(&'static Side),
+    /// A vertex and a face, or two edges: their inner points.
+    Inner,
+}
+
+/// The squared distance of two features as a quotient of polynomials in t.
+///
+/// Where the denominator is positive and all guards are at least 0, the quotient is the squared
+/// distance of two points of the primitives. At each time, this holds for a pair of features whose
+/// points are the closest of the primitives.
+pub(super) struct Feature {
+    pub(super) pair: Pair,
+    numerator: Polynomial,
+    denominator: Polynomial,
+    /// The closest points of the lines or planes lie inside the features exactly if none of these
+    /// is negative.
+    pub(super) guards: Vec<Polynomial>,
+    excess: Polynomial,
+}
+
+impl Feature {
+    pub(super) fn new(
+        pair: Pair,
+        [numerator, denominator]: [Polynomial; 2],
+        guards: Vec<Polynomial>,
+        squared_separation: &Polynomial,
+    ) -> Self {
+        let excess = &numerator - &(squared_separation * &denominator);
+        Self {
+            pair,
+            numerator,
+            denominator,
+            guards,
+            excess,
+        }
+    }
+
+    /// The squared distance less d², times the denominator: at most 0 within d.
+    pub(super) fn excess(&self) -> &Polynomial {
+        &self.excess
+    }
+
+    /// False if the excess is zero or certainly has no root inside the step.
+    pub(super) fn may_cross(&self) -> bool {
+        self.excess.sign_between(&Dyadic::ZERO, &Dyadic::ONE).is_none()
+    }
+
+    /// Numerator and denominator of the squared distance.
+    pub(super) fn squared_distance(&self) -> [&Polynomial; 2] {
+        [&self.numerator, &self.denominator]
+    }
+
+    /// True if the quotient is the squared distance of two points of the primitives.
+    pub(super) fn exists(&self, instant: &Instant) -> bool {
+        instant.sign(&self.denominator).is_gt() && self.guards.iter().all(|guard| instant.sign(guard).is_ge())
+    }
+
+    /// True if two points of these features are at most d apart.
+    pub(super) fn is_within(&self, instant: &Instant) -> bool {
+        instant.sign(&self.excess).is_le() && self.exists(instant)
+    }
+
+    /// Compares the distances of two pairs of features that exist.
+    pub(super) fn compare(&self, other: &Self, instant: &Instant) -> Ordering {
+        instant.sign(&(&(&self.numerator * &other.denominator) - &(&other.numerator * &self.denominator)))
+    }
+}

@@ -1,0 +1,57 @@
+//! Floating-point filters of separation: each one proves an answer or returns that it is unknown.
+//!
+//! All proofs rest on two facts. With x = F(t, u, v) for parameters in the domain, the distance at
+//! t is at most |x|. And for any vector g, the distance is at least the least of g · x / |g| over
+//! the corners x of F at t, in whose hull F lies. Guesses of the closest points, which need no
+//! bound, lead to good x and g.
+//!
+//! The conventions of the error bounds are those of the filters of contact. Corners are scaled by a
+//! power of two so that the largest component is in [1/2, 1). Comparisons are written so that a NaN
+//! proves nothing.
+
+mod advance;
+mod closest;
+mod corners;
+mod crossing;
+mod moment;
+
+use super::{Separation, SeparationStage};
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::time::ContactTime;
+use advance::Advance;
+use corners::Corners;
+
+/// The first time within d, or none, and the stage that proved it; `None` if that is unknown.
+#[inline]
+pub(super) fn first_within<K: Kind>(
+    query: &Query<K>,
+    d: Separation,
+) -> Option<(Option<ContactTime>, SeparationStage)> {
+    let corners = Corners::new(query);
+    if corners.are_beyond_axis(d.get()) {
+        return Some((None, SeparationStage::BoundingBox));
+    }
+    if corners.are_beyond_diagonal(d.get()) {
+        return Some((None, SeparationStage::Diagonals));
+    }
+    first_near(query, &corners, d.get())
+}
+
+/// Few candidates get here; apart, so that the stages above stay small.
+#[inline(never)]
+fn first_near<K: Kind>(
+    query: &Query<K>,
+    corners: &Corners,
+    d: f64,
+) -> Option<(Option<ContactTime>, SeparationStage)> {
+    let scaled = corners.scaled(d)?;
+    match advance::from_start::<K>(&scaled) {
+        Advance::Within => Some((Some(ContactTime::exactly(0.0)), SeparationStage::Start)),
+        Advance::Free => Some((None, SeparationStage::Advancement)),
+        Advance::Until(free) => {
+            let first = crossing::first_after(query, &scaled, free)?;
+            Some((first, SeparationStage::Crossing))
+        }
+    }
+}

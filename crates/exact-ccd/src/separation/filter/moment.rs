@@ -1,0 +1,210 @@
+//! The corners of F at one time, and what they prove about the distance then, and between two
+//! times.
+
+use core::ops::{Mul, Neg};
+
+use super::closest::Closest;
+use super::corners::Scaled;
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, subtract};
+use crate::kind::Kind;
+use crate::query::Query;
+
+/// f64, or twice its precision.
+pub(super) trait Precision: Number<Real = f64> + Neg<Output = Self> + Mul<f64, Output = Self> {
+    /// The largest error of one operation, relative to its operands; for f64 that of a rounded
+    /// coordinate difference too.
+    const ROUNDOFF: f64;
+    /// The step below which Newton's method has settled.
+    const SETTLED: f64;
+}
+
+impl Precision for f64 {
+    const ROUNDOFF: f64 = UNIT;
+    const SETTLED: f64 = 64.0 * UNIT;
+}
+
+impl Precision for DoubleDouble {
+    const ROUNDOFF: f64 = ROUNDOFF;
+    const SETTLED: f64 = 0.0;
+}
+
+type Vector<T> = [T; 3];
+
+/// The moving corners of F, scaled.
+pub(super) struct Moving<T> {
+    start: [Vector<T>; 4],
+    velocity: [Vector<T>; 4],
+    count: usize,
+    d: f64,
+}
+
+impl<T: Precision> Moving<T> {
+    pub(super) fn new<K: Kind>(query: &Query<K>, scaled: &Scaled) -> Self {
+        let factor = scaled.factor;
+        let points = query
+            .points()
+            .map(|now| now.map(|point| point.map(|x| x * factor)));
+        let both = K::CORNERS.map(|difference| subtract::<T>(&points, difference));
+        Self {
+            start: both.map(|[start, _]| start),
+            velocity: both.map(|[start, end]| [0, 1, 2].map(|axis: usize| end[axis] - start[axis])),
+            count: K::FEATURES.vertices.len(),
+            d: scaled.d,
+        }
+    }
+
+    pub(super) fn at<K: Kind>(&self, t: f64) -> Moment<T> {
+        let corners = [0, 1, 2, 3]
+            .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t));
+        let closest = Closest::guess::<K>(&corners.map(|corner| corner.map(Number::value)));
+        let direction = direction(&corners, closest);
+        Moment {
+            corners,
+            closest,
+            direction,
+            count: self.count,
+            d: self.d,
+        }
+    }
+
+    pub(super) fn separation(&self) -> f64 {
+        self.d
+    }
+
+    /// The derivative of F at fixed parameters, to within rounding.
+    pub(super) fn velocity(&self, closest: Closest) -> [f64; 3] {
+        closest.point(&self.velocity.map(|corner| corner.map(Number::value)))
+    }
+}
+
+/// The corners of F at one time, with a guess of the closest points and the direction from one to
+/// the other.
+///
+/// With ε for [`Precision::ROUNDOFF`]: a component of a corner, of magnitude at most 1, comes in
+/// four operations on terms of at most 1, 1, 2 and 3. It is off by at most 8 ε.
+pub(super) struct Moment<T> {
+    corners: [Vector<T>; 4],
+    pub(super) closest: Closest,
+    /// Any vector proves something; this one, of a length of about 1, proves the most.
+    direction: Vector<T>,
+    count: usize,
+    d: f64,
+}
+
+impl<T: Precision> Moment<T> {
+    /// F at the guess, to within rounding.
+    pub(super) fn point(&self) -> [f64; 3] {
+        self.closest
+            .point(&self.corners.map(|corner| corner.map(Number::value)))
+    }
+
+    /// |F|² − d² at the guess.
+    pub(super) fn excess(&self) -> T {
+        let x = point(&self.corners, self.closest);
+        let d = T::difference(self.d, 0.0);
+        dot(x, x) - d * d
+    }
+
+    /// True if the distance is certainly less than d, as |F| is at the guess.
+    ///
+    /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners
+    /// with factors of at most 1, and by 12 ε for the operations on them; |F|² by twice that for
+    /// each axis and by 12 ε more; d² by ε d², the difference by ε (3 + d²).
+    pub(super) fn is_within(&self) -> bool {
+        let error = 512.0 * T::ROUNDOFF * (1.0 + self.d * self.d);
+        self.excess().value() < -error
+    }
+
+    /// True if the distance is certainly above d at this time, at another one, and at all times
+    /// between.
+    ///
+    /// Let g change linearly from one direction to the other, and a corner x from its place at one
+    /// time to that at the other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ,
+    /// (gₐ · x_b + g_b · xₐ) / 2 and g_b · x_b, and |g| is at most its linear interpolant, with the
+    /// coefficients |gₐ|, (|gₐ| + |g_b|) / 2 and |g_b|. So g · x > d |g| at all these times if each
+    /// coefficient is above d times the other: and if that is so for all corners, then it is for F.
+    pub(super) fn is_beyond_until(&self, later: &Self) -> bool {
+        are_beyond(self, self) && are_beyond(self, later) && are_beyond(later, later)
+    }
+}
+
+/// True if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
+///
+/// It is if the sum s on the left is positive and s² > 2 d² (gₐ · gₐ + g_b · g_b), as (p + q)² ≤ 2
+/// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
+/// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
+/// times itself, the right side by 12 ε times itself.
+fn are_beyond<T: Precision>(a: &Moment<T>, b: &Moment<T>) -> bool {
+    let extent = a
+        .direction
+        .iter()
+        .chain(&b.direction)
+        .fold(0.0, |sum, x| sum + x.value().abs());
+    let slack = T::difference(32.0 * T::ROUNDOFF * extent + UNDERFLOW, 0.0);
+    let d = T::difference(a.d, 0.0);
+    let lengths = dot(a.direction, a.direction) + dot(b.direction, b.direction);
+    let threshold = d * d * lengths * 2.0;
+    let limit = 32.0 * T::ROUNDOFF * threshold.value() + UNDERFLOW;
+    a.corners
+        .iter()
+        .zip(&b.corners)
+        .take(a.count)
+        .all(|(&of_a, &of_b)| {
+            let least = dot(a.direction, of_b) + dot(b.direction, of_a) - slack;
+            let square = least * least;
+            least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * T::ROUNDOFF * square.value()
+        })
+}
+
+fn towards<T: Precision>(corners: &[Vector<T>; 4], i: usize, j: usize) -> Vector<T> {
+    [0, 1, 2].map(|axis: usize| corners[j][axis] - corners[i][axis])
+}
+
+/// F at some parameters.
+fn point<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector<T> {
+    match closest {
+        Closest::Corner(i) => corners[i],
+        Closest::Between([i, j], s) => {
+            let e = towards(corners, i, j);
+            [0, 1, 2].map(|axis: usize| corners[i][axis] + e[axis] * s)
+        }
+        Closest::Inner([i, j], [u, v]) => {
+            let (a, b) = (towards(corners, 0, i), towards(corners, 0, j));
+            [0, 1, 2].map(|axis: usize| corners[0][axis] + (a[axis] * u + b[axis] * v))
+        }
+    }
+}
+
+/// A vector of a length of about 1 across the features, on the side of F.
+fn direction<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector<T> {
+    let across = match closest {
+        Closest::Corner(i) => corners[i],
+        Closest::Between([i, j], _) => {
+            let (x, e) = (corners[i], towards(corners, i, j));
+            let (ee, ex) = (dot(e, e), dot(e, x));
+            [0, 1, 2].map(|axis: usize| ee * x[axis] - ex * e[axis])
+        }
+        Closest::Inner([i, j], _) => {
+            let n = cross(towards(corners, 0, i), towards(corners, 0, j));
+            if dot(n, corners[0]).value() < 0.0 {
+                n.map(|x| -x)
+            } else {
+                n
+            }
+        }
+    };
+    let scale = 1.0 / libm::sqrt(dot(across, across).value());
+    across.map(|x| x * scale)
+}
+
+fn dot<T: Precision>(a: Vector<T>, b: Vector<T>) -> T {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross<T: Precision>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}

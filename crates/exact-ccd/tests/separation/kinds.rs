@@ -1,0 +1,76 @@
+//! All kinds of query, made from four points.
+
+use exact_ccd::{EdgeEdge, Kind, Query, VertexEdge, VertexFace, VertexVertex};
+
+use crate::primitives::Points;
+
+/// A kind of query whose points are some of four.
+pub(crate) trait FromFour: Kind + 'static {
+    /// Orders of the four points that leave the primitives the same.
+    const RENAMINGS: &'static [[usize; 4]];
+
+    /// The query of the points that the kind uses, which are finite.
+    fn query(points: &Points) -> Query<Self>;
+}
+
+impl FromFour for VertexFace {
+    const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [0, 2, 1, 3], [0, 3, 1, 2], [0, 3, 2, 1]];
+
+    fn query(points: &Points) -> Query<Self> {
+        Query::new(points[0], points[1]).unwrap()
+    }
+}
+
+impl FromFour for EdgeEdge {
+    const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [1, 0, 2, 3], [2, 3, 0, 1], [3, 2, 0, 1]];
+
+    fn query(points: &Points) -> Query<Self> {
+        Query::new(points[0], points[1]).unwrap()
+    }
+}
+
+impl FromFour for VertexEdge {
+    const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [0, 1, 3, 2]];
+
+    fn query(points: &Points) -> Query<Self> {
+        let [start, end] = points.map(|now| [now[0], now[2], now[3]]);
+        Query::new(start, end).unwrap()
+    }
+}
+
+impl FromFour for VertexVertex {
+    const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [2, 3, 0, 1]];
+
+    fn query(points: &Points) -> Query<Self> {
+        let [start, end] = points.map(|now| [now[0], now[2]]);
+        Query::new(start, end).unwrap()
+    }
+}
+
+/// A test of each kind: `$test::<K>()`.
+macro_rules! for_each_kind {
+    ($($name:ident => $test:ident;)*) => { $(
+        mod $name {
+            #[test]
+            fn vertex_face() {
+                super::$test::<exact_ccd::VertexFace>();
+            }
+
+            #[test]
+            fn edge_edge() {
+                super::$test::<exact_ccd::EdgeEdge>();
+            }
+
+            #[test]
+            fn vertex_edge() {
+                super::$test::<exact_ccd::VertexEdge>();
+            }
+
+            #[test]
+            fn vertex_vertex() {
+                super::$test::<exact_ccd::VertexVertex>();
+            }
+        }
+    )* };
+}
+pub(crate) use for_each_kind;

@@ -1,0 +1,64 @@
+//! Faces without area, edges without length, motion at a constant distance.
+
+use exact_ccd::{EdgeEdge, Point, Query};
+
+use super::{FACE, is_within, vertex_against};
+
+#[test]
+fn a_face_that_is_a_segment() {
+    let face = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+    let query = vertex_against(face, [1.5, 0.0, 4.0], [1.5, 0.0, 0.0]);
+    is_within(&query, 1.0, &[[0.75, 1.0]]);
+    // Beyond its end, at (2, 0, 0): distance 5 from (5, 0, 4).
+    let query = vertex_against(face, [5.0, 0.0, 4.0], [5.0, 0.0, 4.0]);
+    is_within(&query, 5.0, &[[0.0, 1.0]]);
+    is_within(&query, 5.0f64.next_down(), &[]);
+}
+
+#[test]
+fn a_face_that_is_a_point() {
+    let query = vertex_against([[0.0; 3]; 3], [3.0, 4.0, 0.0], [3.0, 4.0, 12.0]);
+    is_within(&query, 5.0, &[[0.0, 0.0]]);
+    is_within(&query, 13.0, &[[0.0, 1.0]]);
+}
+
+/// The face has area but for t = 1/2, when all its corners are on the x-axis.
+#[test]
+fn a_face_that_is_flat_for_a_moment() {
+    let at = |s: f64| [[0.5, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, s, 0.0]];
+    let query = Query::<exact_ccd::VertexFace>::new(at(-1.0), at(1.0)).unwrap();
+    is_within(&query, 1.0, &[[0.0, 1.0]]);
+    is_within(&query, 1.0f64.next_down(), &[]);
+}
+
+#[test]
+fn parallel_edges_at_a_constant_distance() {
+    let at = |x: f64| -> [Point; 4] {
+        [
+            [x, 0.0, 1.0],
+            [x + 1.0, 0.0, 1.0],
+            [0.0, 0.0, 0.0],
+            [1.0, 0.0, 0.0],
+        ]
+    };
+    // They overlap while |x| ≤ 1.
+    let query = Query::<EdgeEdge>::new(at(-2.0), at(2.0)).unwrap();
+    is_within(&query, 1.0, &[[0.25, 0.75]]);
+    is_within(&query, 1.0f64.next_down(), &[]);
+}
+
+#[test]
+fn a_vertex_that_slides_over_a_face_at_the_distance() {
+    let query = vertex_against(FACE, [-1.0, 0.25, 1.0], [3.0, 0.25, 1.0]);
+    // Above the face for 0 ≤ x ≤ 3/4.
+    is_within(&query, 1.0, &[[0.25, 0.4375]]);
+    is_within(&query, 1.0f64.next_down(), &[]);
+}
+
+#[test]
+fn edges_without_length() {
+    let at = |x: f64| [[x, 3.0, 4.0], [x, 3.0, 4.0], [0.0; 3], [0.0; 3]];
+    let query = Query::<EdgeEdge>::new(at(-12.0), at(12.0)).unwrap();
+    is_within(&query, 5.0, &[[0.5, 0.5]]);
+    is_within(&query, 13.0, &[[0.0, 1.0]]);
+}
