@@ -14,7 +14,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn comes_within(&self, d: Separation) -> bool {
-        if d.get() == 0.0 {
+        if d.is_zero() {
             return self.collides();
         }
         filter::first_within(self, d)
@@ -32,7 +32,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn first_within_with_stage(&self, d: Separation) -> (Option<ContactTime>, SeparationStage) {
-        if d.get() == 0.0 {
+        if d.is_zero() {
             return (self.contact_times().first(), SeparationStage::Contact);
         }
         filter::first_within(self, d)
@@ -53,7 +53,7 @@ impl<K: Kind> Query<K> {
     /// of two that cross if d = 0.
     #[must_use]
     pub fn intervals_within(&self, d: Separation) -> Vec<TimeInterval> {
-        if d.get() == 0.0
+        if d.is_zero()
             && let ContactTimes::Finite(times) = self.contact_times()
         {
             let moment = |&time: &ContactTime| TimeInterval {
@@ -77,7 +77,7 @@ impl<K: Kind> Query<K> {
     /// [`impact`](Self::impact).
     #[must_use]
     pub fn impact_within(&self, d: Separation) -> Option<Impact> {
-        if d.get() == 0.0 {
+        if d.is_zero() {
             return self.impact();
         }
         if let Some((None, _)) = filter::first_within(self, d) {

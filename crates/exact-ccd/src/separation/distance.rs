@@ -21,8 +21,10 @@ impl Separation {
     /// # Errors
     /// [`InvalidSeparation`], if d is negative, infinite or not a number.
     pub fn new(d: f64) -> Result<Self, InvalidSeparation> {
-        if d.is_finite() && d >= 0.0 {
-            Ok(Self(d.abs()))
+        let magnitude = d.abs();
+        // By its sign, because a comparison may read a subnormal number as zero.
+        if d.is_finite() && (d.is_sign_positive() || magnitude.to_bits() == 0) {
+            Ok(Self(magnitude))
         } else {
             Err(InvalidSeparation { value: d })
         }
@@ -33,6 +35,12 @@ impl Separation {
     #[inline]
     pub fn get(self) -> f64 {
         self.0
+    }
+
+    /// Returns true for 0. By its bits, because a comparison may read a subnormal number as zero.
+    #[inline]
+    pub(super) fn is_zero(self) -> bool {
+        self.0.to_bits() == 0
     }
 }
 

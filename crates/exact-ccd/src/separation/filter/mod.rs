@@ -16,6 +16,7 @@ mod crossing;
 mod moment;
 
 use super::{Separation, SeparationStage};
+use crate::environment::flushes_subnormals;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
@@ -28,6 +29,10 @@ pub(super) fn first_within<K: Kind>(
     query: &Query<K>,
     d: Separation,
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
+    // The bounds assume gradual underflow.
+    if flushes_subnormals() {
+        return None;
+    }
     let corners = Corners::new(query);
     if corners.are_beyond_axis(d.get()) {
         return Some((None, SeparationStage::BoundingBox));
