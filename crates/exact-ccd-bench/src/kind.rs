@@ -33,7 +33,7 @@ pub trait DataKind: Kind + Send + Sync {
     fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4];
 
     /// The candidates of this kind.
-    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]];
+    fn candidates(candidates: &Candidates) -> &[[u32; 2]];
 
     /// What a method says of a query of this kind.
     fn ask(method: &(impl Method + ?Sized), query: &Query<Self>) -> Answer;
@@ -65,7 +65,7 @@ impl DataKind for VertexFace {
         <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
-    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]] {
+    fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
         candidates.vertex_face()
     }
 
@@ -96,7 +96,7 @@ impl DataKind for EdgeEdge {
         <Self as PairKind>::vertices(mesh, indices).expect("the mesh has both")
     }
 
-    fn candidates<'a>(candidates: &'a Candidates) -> &'a [[u32; 2]] {
+    fn candidates(candidates: &Candidates) -> &[[u32; 2]] {
         candidates.edge_edge()
     }
 
