@@ -60,9 +60,27 @@ impl NarrowPhase {
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
+        found: impl FnMut([u32; 2], Collision<'_, K>),
+    ) {
+        // Two copies of the loop: the usual one has no call of a predicate.
+        if self.can_collide.is_all() {
+            self.collisions_if(mesh, pairs, K::are_apart, found);
+        } else {
+            let can_collide = |four: &[u32; 4]| {
+                let (a, b) = four.split_at(K::FIRST);
+                K::are_apart(four) && self.can_collide.allows(a, b)
+            };
+            self.collisions_if(mesh, pairs, can_collide, found);
+        }
+    }
+
+    fn collisions_if<K: PairKind>(
+        &self,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+        can_collide: impl Fn(&[u32; 4]) -> bool,
         mut found: impl FnMut([u32; 2], Collision<'_, K>),
     ) {
-        let all_can_collide = self.can_collide.is_all();
         let (mut kept, mut vertices) = ([[0; 2]; CHUNK], [[0; 4]; CHUNK]);
         for pairs in pairs.chunks(CHUNK) {
             let mut count = 0;
@@ -71,11 +89,7 @@ impl NarrowPhase {
                     // Without a branch: about half of all pairs from a broad phase are neighbours
                     // in the mesh.
                     (kept[count % CHUNK], vertices[count % CHUNK]) = (ids, four);
-                    let can_collide = all_can_collide || {
-                        let (a, b) = four.split_at(K::FIRST);
-                        self.can_collide.allows(a, b)
-                    };
-                    count += usize::from(K::are_apart(&four) & can_collide);
+                    count += usize::from(can_collide(&four));
                 }
             }
             self.trajectories

@@ -57,8 +57,13 @@ impl<'a, const T: usize> Overlaps<'a, T> {
         of_vertex: impl Fn(Point, Point) -> [Aabb; T] + Sync,
     ) -> Self {
         let [x0, x1] = step.positions();
-        let inflated = |(&a, &b)| of_vertex(a, b).map(|aabb| aabb.inflated(margin));
-        let vertices: Vec<[Aabb; T]> = x0.par_iter().zip(x1).map(inflated).collect();
+        let ends = x0.par_iter().zip(x1);
+        let vertices: Vec<[Aabb; T]> = if margin == 0.0 {
+            ends.map(|(&a, &b)| of_vertex(a, b)).collect()
+        } else {
+            ends.map(|(&a, &b)| of_vertex(a, b).map(|aabb| aabb.inflated(margin)))
+                .collect()
+        };
         let mesh = step.mesh();
         let mut boxes = StepBoxes::new(margin);
         boxes.begin(&step, can_collide);
@@ -80,9 +85,10 @@ impl<'a, const T: usize> Overlaps<'a, T> {
 
     fn around<const N: usize>(&self, primitives: &[[u32; N]]) -> Vec<[Aabb; T]> {
         let around = |vertices: &[u32; N]| {
-            vertices.iter().fold([Aabb::EMPTY; T], |all, &vertex| {
-                let of_vertex = &self.vertices[vertex as usize];
-                core::array::from_fn(|time| all[time].union(&of_vertex[time]))
+            core::array::from_fn(|time| {
+                vertices.iter().fold(Aabb::EMPTY, |all, &vertex| {
+                    all.union(&self.vertices[vertex as usize][time])
+                })
             })
         };
         primitives.par_iter().map(around).collect()

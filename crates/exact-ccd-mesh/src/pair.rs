@@ -79,15 +79,7 @@ pub trait PairKind: Kind<Points = [Point; 4]> + Send + Sync {
     fn pair(ids: [u32; 2]) -> Pair;
 
     /// Returns true if the two primitives have no vertex in common.
-    #[must_use]
-    #[inline]
-    fn are_apart(vertices: &[u32; 4]) -> bool {
-        let (a, b) = vertices.split_at(Self::FIRST);
-        // Without short circuit: neighbours in the mesh are too frequent among the pairs for a
-        // branch.
-        a.iter()
-            .fold(true, |all, v| b.iter().fold(all, |all, w| all & (v != w)))
-    }
+    fn are_apart(vertices: &[u32; 4]) -> bool;
 }
 
 impl PairKind for VertexFace {
@@ -97,6 +89,11 @@ impl PairKind for VertexFace {
     fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> Option<[u32; 4]> {
         let &[a, b, c] = mesh.faces().get(face as usize)?;
         ((vertex as usize) < mesh.vertex_count()).then_some([vertex, a, b, c])
+    }
+
+    #[inline]
+    fn are_apart([vertex, a, b, c]: &[u32; 4]) -> bool {
+        (vertex != a) & (vertex != b) & (vertex != c)
     }
 
     fn pair([vertex, face]: [u32; 2]) -> Pair {
@@ -112,6 +109,11 @@ impl PairKind for EdgeEdge {
         let edge = |index: u32| mesh.edges().get(index as usize).copied();
         let ([a0, a1], [b0, b1]) = (edge(a)?, edge(b)?);
         Some([a0, a1, b0, b1])
+    }
+
+    #[inline]
+    fn are_apart([a0, a1, b0, b1]: &[u32; 4]) -> bool {
+        (a0 != b0) & (a0 != b1) & (a1 != b0) & (a1 != b1)
     }
 
     fn pair([a, b]: [u32; 2]) -> Pair {

@@ -109,14 +109,19 @@ impl<const T: usize> StepBoxes<T> {
         self.time = time;
         let [x0, x1] = step.positions();
         let (origin, margin) = (self.origin, self.margin);
-        x0.par_iter()
-            .zip(x1)
-            .with_min_len(512)
-            .map(|(&x0, &x1)| {
+        let ends = x0.par_iter().zip(x1).with_min_len(512);
+        let moving = &mut self.moving;
+        // Two copies of the loop: the usual one does not inflate.
+        if margin == 0.0 {
+            ends.map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+                .collect_into_vec(moving);
+        } else {
+            ends.map(|(&x0, &x1)| {
                 let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
                 MovingBox::new(places, origin)
             })
-            .collect_into_vec(&mut self.moving);
+            .collect_into_vec(moving);
+        }
     }
 }
 
