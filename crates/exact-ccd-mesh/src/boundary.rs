@@ -33,7 +33,7 @@ impl Side {
 /// use exact_ccd_mesh::TetFaces;
 ///
 /// let faces = TetFaces::of([[0, 1, 2, 3], [1, 2, 3, 4]]);
-/// assert!(faces.contain([3, 2, 1]) && !faces.contain([0, 1, 4]));
+/// assert!(faces.contains([3, 2, 1]) && !faces.contains([0, 1, 4]));
 /// assert_eq!(faces.boundary()[..3], [[0, 2, 1], [0, 1, 3], [0, 3, 2]]);
 /// ```
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! The methods of `exact-ccd queries`.
 
 use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{Ccd as _, EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -154,10 +154,10 @@ fn any_registered_method_answers_by_its_name_in_any_case() {
     for name in exact_ccd_methods::names() {
         let expected = answers(&name);
         assert_eq!(answers(&name.to_lowercase()), expected);
-        assert!(
-            expected.contains("\n0,0,") && expected.contains("\n1,1,"),
-            "{name}: {expected}"
-        );
+        // Both queries are far from degenerate. Only methods with false positives may report the miss.
+        let guarantees = exact_ccd_methods::by_name(&name).unwrap().guarantees();
+        let is_right = expected.contains("\n0,0,") || guarantees.false_positives;
+        assert!(is_right && expected.contains("\n1,1,"), "{name}: {expected}");
     }
     assert_eq!(answers("bsc"), format!("{HEADER}0,0,,\n1,1,,\n"));
     let tight_inclusion = answers("ti");

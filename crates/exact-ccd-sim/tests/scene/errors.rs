@@ -212,8 +212,7 @@ fn numbers_out_of_range_are_reported_at_their_field() {
     let meeting = error_with("translate = [0.0, 0.0, 3.0]", "translate = [0.2, 0.1, 0.6]");
     assert!(
         meeting.contains("of body[1] and ")
-            && meeting.contains("of body[0], near [")
-            && meeting.contains("intersect or touch at the start"),
+            && meeting.contains("of body[0] intersect or touch at the start, near ["),
         "{meeting}"
     );
     let empty = parse("duration = 1.0").err().unwrap();
