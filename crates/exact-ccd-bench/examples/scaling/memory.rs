@@ -22,7 +22,7 @@ impl Memory {
     }
 }
 
-/// The largest number of resident bytes of the process so far. Known on Linux only.
+/// The peak of the resident memory of the process, in bytes. Available on Linux only.
 pub(crate) fn peak() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -127,11 +127,11 @@ impl Comparison {
 }
 
 impl Standing {
-    /// Adds the answers to `asked` queries, or to the first of them if the time was up before the last.
-    fn spend(&mut self, answers: &[Timed], asked: usize) {
+    /// Adds the answers to the first of `requested` queries. Fewer answers than queries use up the time.
+    fn spend(&mut self, answers: &[Timed], requested: usize) {
         let spent: f64 = answers.iter().map(|timed| timed.nanoseconds).sum();
         self.left = self.left.saturating_sub(Duration::from_nanos(spent as u64));
-        if answers.len() < asked {
+        if answers.len() < requested {
             self.left = Duration::ZERO;
         }
         self.answers.extend(answers);

@@ -100,8 +100,8 @@ fn misses_two_contacts() {
     assert_eq!(found.collect::<Vec<_>>(), expected);
 }
 
-/// Degenerate queries do not survive rounding: so many are collisions only once they are shifted,
-/// or no longer.
+/// Rounding changes the parity of degenerate queries. The two counts of each kind are those that
+/// collide only after the shift and only before it.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn depends_on_rounding_where_queries_are_degenerate() {

@@ -72,8 +72,8 @@ fn steps_of_crumpling_sheets_are_free() {
     assert!(blocked > 30 && nearly > 3, "{blocked} {nearly}");
 }
 
-/// Sheets so far from the origin that their motion is a few units in the last place: there,
-/// positions at the exact time are often in contact.
+/// Sheets at such a distance from the origin that their motion is a few units in the last place.
+/// Rounded positions at the exact time of impact are often in contact there.
 #[test]
 fn rounding_makes_a_step_smaller_where_it_has_to() {
     let mut random = Rng::with_seed(21);
