@@ -120,7 +120,7 @@ fn start(role: &str) -> Result<Vec<Peer>, PeerError> {
     Peer::start(&shell_words::join([program.to_str().unwrap(), role]), grace(role))
 }
 
-/// Short for the roles that are silent, and longer than any test for the others.
+/// The limit is short for the roles that do not answer, and longer than any test for the others.
 fn grace(role: &str) -> Duration {
     match role {
         "silent" => Duration::from_millis(10),

@@ -1,4 +1,4 @@
-//! A data folder in miniature, sound or not.
+//! A small data folder, valid or with an error.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

@@ -119,7 +119,7 @@ fn small_motion() -> impl Strategy<Value = Motion> {
         .prop_map(|(x0, x1, faces)| motion(x0, x1, faces))
 }
 
-/// Triangles that fly through each other, far from the origin, at speeds between powers of 2.
+/// Triangles that pass through each other, far from the origin, at speeds between powers of 2.
 fn soup(speeds: RangeInclusive<i32>) -> impl Strategy<Value = Motion> {
     let triangle = move || {
         let vector = || prop::array::uniform3(-1.0..1.0);
@@ -244,7 +244,7 @@ fn sheet(n: u32, height: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
     (positions.collect(), faces.collect())
 }
 
-/// A sheet that falls flat through another, so that everything touches at the same time.
+/// A sheet that falls through a parallel one, so that all pairs touch at the same time.
 fn falling_sheet() -> Motion {
     let (lower, mut faces) = sheet(24, 0.0);
     let count = lower.len() as u32;

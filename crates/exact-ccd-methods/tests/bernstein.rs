@@ -32,8 +32,8 @@ fn near_degenerate(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Poi
     })
 }
 
-/// Two primitives, of which the one with the first `moving` points translates, at coordinates that hit
-/// nothing by chance.
+/// Two primitives, of which the one with the first `moving` points translates, at coordinates without
+/// accidental coincidences.
 fn translation(moving: usize) -> impl Strategy<Value = Points> {
     let coordinate = -1_000_000..=1_000_000i32;
     let velocity = uniform3(-2_000_000..=2_000_000i32);
@@ -139,7 +139,7 @@ fn tight_ccd_invents_a_contact_where_the_cubic_is_linear() {
     let query = against_face([5.0, 5.0, 1.0], [5.0, 5.0, -1.0]);
     assert!(TightCcd.collides(&query));
     assert!(!BernsteinSignClassification::default().collides(&query));
-    // The first coefficient alone has a sign of its own.
+    // Only the first coefficient has its sign.
     let query = against_face([5.0, 5.0, 1.0], [5.0, 5.0, -4.0]);
     assert!(!TightCcd.collides(&query));
 }

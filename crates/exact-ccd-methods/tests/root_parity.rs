@@ -66,7 +66,7 @@ proptest! {
         ..ProptestConfig::default()
     })]
 
-    /// The kernel counts in integers, with code of its own.
+    /// The kernel counts in integers, with independent code.
     #[test]
     fn rational_numbers_tell_the_parity_and_the_published_method_misses_no_odd_one(points in points(0..1)) {
         agree(points)?;
@@ -93,7 +93,7 @@ fn contacts(query: &Query<VertexFace>) -> [bool; 3] {
     [published, rational, query.collides()]
 }
 
-/// Edge b slides along edge a, which tilts like a see-saw: they meet where (2t − 1)² = −height.
+/// Edge b slides along edge a, which rotates about its midpoint: they meet where (2t − 1)² = −height.
 fn see_saw(height: f64) -> Query<EdgeEdge> {
     let b = |x: f64| [[x, -1.0, height], [x, 1.0, height]];
     let a = |z: f64| [[-1.0, 0.0, z], [1.0, 0.0, -z]];
@@ -110,7 +110,7 @@ fn two_contacts_and_a_double_one_are_missed() {
     }
 }
 
-/// A vertex comes near to a face, but not quite: the published method rounds what is left.
+/// A vertex comes near to a face without touching it. The published method rounds the small distance.
 #[test]
 fn less_than_the_roundoff_of_a_long_ray_is_nothing() {
     let face = [[2.0, -1.0, -1.0], [-2.0, 1.0, -1.0], [0.0, 0.0, 1.0]];
@@ -138,7 +138,7 @@ fn the_hull_of_a_flat_face_is_more_than_it_covers() {
     assert_eq!(contacts(&with([0.0, 2.0, 0.0])), [true; 3]);
 }
 
-/// The vertex is level with corners of the face that surround it, and all else is above.
+/// The vertex has the height of the corners of the face that surround it. All other points are above.
 #[test]
 fn level_edges_around_the_vertex_stop_all_rays() {
     let top = [0.0, 0.0, 1.0];
@@ -152,7 +152,7 @@ fn level_edges_around_the_vertex_stop_all_rays() {
     assert_eq!(contacts(&with([0.0, 0.0, -1.0])), [false, false, false]);
 }
 
-/// Nothing moves, or all moves alike.
+/// No point moves, or all points have the same displacement.
 #[test]
 fn contact_at_rest_is_found() {
     let frame = |z: f64| [[1.0, 1.0, z], [0.0, 0.0, z], [4.0, 0.0, z], [0.0, 4.0, z]];

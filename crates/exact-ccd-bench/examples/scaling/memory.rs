@@ -10,8 +10,8 @@ pub(crate) struct Memory {
 
 impl Memory {
     pub(crate) fn now() -> Self {
-        // Linux resets the peak to the resident memory. Where that is not allowed, the earlier peak
-        // hides as much of what comes after.
+        // Linux resets the peak to the resident memory. Without that permission, a rise below the
+        // earlier peak is not measured.
         let _ = fs::write("/proc/self/clear_refs", "5");
         Self { before: peak() }
     }

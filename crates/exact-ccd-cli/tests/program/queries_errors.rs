@@ -15,7 +15,8 @@ fn lines() -> Vec<String> {
 
 const ANSWER: &str = "query,contact,count,toi\n0,1,1,0.5\n";
 
-/// A sound query is answered, the one after it is replaced by these lines and leads to this error.
+/// The first query is valid and is answered. The second is replaced by these lines, which lead to
+/// this error.
 #[track_caller]
 fn assert_error(second: &[String], expected: &str) {
     let folder = Folder::new();

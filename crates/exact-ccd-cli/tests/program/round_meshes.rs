@@ -50,7 +50,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
     folder.write("start.ply", ply(&start));
     folder.write("middle.off", off(&middle));
     folder.write("end.obj", obj(&end));
-    // The folder is made.
+    // The folder is created.
     let run = folder.run(&[
         "round",
         "start.ply",
@@ -62,7 +62,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
     let report = Report::of(&run);
     report.assert_counts(&errors(&[&start, &middle, &end], &report));
     let read = |name: &str| read_frame(folder.path("new/rounded").join(name)).unwrap();
-    // The box of the ends is that of all three.
+    // The box of the first and the last frame is that of all three.
     let motion = Motion::new(start, end).unwrap();
     let displacement = motion.displacement();
     assert_eq!(

@@ -47,7 +47,7 @@ fn check(
     assert!(is_free(mesh, x0, &found.positions));
 }
 
-/// Sheets that crumple, step after step, each from where the last one ended: nearly everything is
+/// Sheets that crumple in successive steps, each from the end of the one before. Nearly all pairs are
 /// close to contact.
 #[test]
 fn steps_of_crumpling_sheets_are_free() {
