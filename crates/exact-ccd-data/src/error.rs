@@ -140,7 +140,7 @@ pub enum Problem {
     #[error("expected a number of contacts, or -1 for infinitely many, found \"{0}\"")]
     Count(String),
     /// The ground truth differs between the rows of a query.
-    #[error("the ground truth is {found}, but {expected} in the rows of the same query before")]
+    #[error("the ground truth is {found}, expected {expected} as in the first row of the query")]
     TruthDiffers {
         /// The truth in the first row of the query: 0 or 1, or a number of contacts.
         expected: i64,

@@ -286,7 +286,7 @@ fn a_collection_that_is_missing_is_an_error() {
 
 proptest! {
     #[test]
-    fn any_change_is_an_error_or_sound(
+    fn any_change_is_an_error_or_valid(
         at in any::<prop::sample::Index>(),
         removed in 0..30_usize,
         inserted in prop::sample::select(

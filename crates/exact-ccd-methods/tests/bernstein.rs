@@ -77,12 +77,12 @@ proptest! {
     #![proptest_config(config(20_000))]
 
     #[test]
-    fn tight_ccd_misses_nothing(points in near_degenerate(-60..60)) {
+    fn tight_ccd_has_no_false_negatives(points in near_degenerate(-60..60)) {
         assert_tight_ccd_misses_nothing(points)?;
     }
 
     #[test]
-    fn tight_ccd_misses_nothing_where_products_underflow_or_overflow(points in near_degenerate(-1020..1020)) {
+    fn tight_ccd_has_no_false_negatives_where_products_underflow_or_overflow(points in near_degenerate(-1020..1020)) {
         assert_tight_ccd_misses_nothing(points)?;
     }
 
@@ -180,7 +180,7 @@ fn sign_classification_gives_up_on_an_inflection_point() {
 }
 
 #[test]
-fn sign_classification_misses_what_is_always_coplanar() {
+fn sign_classification_misses_contacts_of_coplanar_motion() {
     let method = BernsteinSignClassification::default();
     let slides_in = against_face([2.0, 0.25, 0.0], [0.25, 0.25, 0.0]);
     assert!(slides_in.collides());

@@ -147,7 +147,7 @@ fn a_contact_that_rounding_would_open_is_not_missed() {
 }
 
 #[test]
-fn what_stays_apart_is_free() {
+fn separated_primitives_are_free() {
     let query = above_a_face([0.25, 0.25, 1.0], [0.25, 0.25, 1e-7]);
     for method in methods(1_000_000) {
         assert_eq!(method.time_of_impact(&query), None, "{}", method.name());
@@ -156,7 +156,7 @@ fn what_stays_apart_is_free() {
 
 /// The longest edge of the face runs across boxes of u and v, which end at the tolerance.
 #[test]
-fn what_passes_closer_than_the_tolerance_is_a_contact() {
+fn a_pass_closer_than_the_tolerance_is_a_contact() {
     let query = above_a_face([0.5 + 1e-7, 0.5, 1.0], [0.5 + 1e-7, 0.5, -1.0]);
     assert!(!query.collides());
     assert!(TightInclusion::default().collides(&query));

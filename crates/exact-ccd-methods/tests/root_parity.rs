@@ -68,7 +68,7 @@ proptest! {
 
     /// The kernel counts in integers, with independent code.
     #[test]
-    fn rational_numbers_tell_the_parity_and_the_published_method_misses_no_odd_one(points in points(0..1)) {
+    fn rational_numbers_give_the_parity_and_the_published_method_misses_no_odd_one(points in points(0..1)) {
         agree(points)?;
     }
 
@@ -79,7 +79,7 @@ proptest! {
     }
 
     #[test]
-    fn rational_numbers_invent_nothing(points in points(0..1)) {
+    fn rational_numbers_give_no_false_positives(points in points(0..1)) {
         let [vertex_face, edge_edge] = both(&RationalRootParity, points);
         prop_assert!(!vertex_face || query::<VertexFace>(points).collides());
         prop_assert!(!edge_edge || query::<EdgeEdge>(points).collides());
@@ -112,7 +112,7 @@ fn two_contacts_and_a_double_one_are_missed() {
 
 /// A vertex comes near to a face without touching it. The published method rounds the small distance.
 #[test]
-fn less_than_the_roundoff_of_a_long_ray_is_nothing() {
+fn a_distance_below_the_roundoff_of_a_long_ray_is_lost() {
     let face = [[2.0, -1.0, -1.0], [-2.0, 1.0, -1.0], [0.0, 0.0, 1.0]];
     let falls_to = |distance: f64| {
         let frame = |p: f64| [[p, 2.0 * p, 0.0], face[0], face[1], face[2]];

@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_crossings_that_are_drawn_tell_the_parity() {
+    fn the_parity_is_that_of_the_drawn_crossings() {
         for (vertex, parity) in [(MEETS, Parity::Odd), (PASSES, Parity::Even)] {
             assert_eq!(Rounded::check(query(vertex).unwrap()).unwrap().parity(), parity);
             assert_eq!(crossings(vertex).len() % 2 == 1, parity == Parity::Odd);

@@ -156,7 +156,7 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
 /// both compare with these.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
-fn contacts_and_their_times_have_the_bits_that_they_always_had() {
+fn contacts_and_times_have_the_recorded_bits() {
     let digests = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
         let step = motion.step().unwrap();

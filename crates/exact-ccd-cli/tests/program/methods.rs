@@ -27,7 +27,7 @@ fn far(axis: usize) -> Query<VertexFace> {
 }
 
 #[test]
-fn parity_does_not_tell_two_contacts_from_none() {
+fn parity_does_not_distinguish_two_contacts_from_none() {
     let folder = Folder::new();
     let queries = [
         (miss(), ",0"),

@@ -60,7 +60,7 @@ fn each_query_has_its_row() {
 }
 
 #[test]
-fn edges_are_a_kind_of_their_own() {
+fn edges_are_a_separate_kind() {
     let folder = Folder::new();
     folder.write("ee.csv", rows(&crossing_edges(), ""));
     let run = folder.run(&["queries", "--kind", "ee", "ee.csv"]);

@@ -110,7 +110,7 @@ fn a_row_with_other_columns() {
 }
 
 #[test]
-fn a_ground_truth_that_is_none() {
+fn an_invalid_ground_truth() {
     assert_error_with(
         1,
         "0,8,0,8,0,8,yes",
@@ -119,12 +119,12 @@ fn a_ground_truth_that_is_none() {
     assert_error_with(
         1,
         "0,8,0,8,0,8,0",
-        "vf.csv, line 10: the ground truth is 0, but 1 in the rows of the same query before",
+        "vf.csv, line 10: the ground truth is 0, expected 1 as in the first row of the query",
     );
 }
 
 #[test]
-fn a_missing_file_after_a_sound_one() {
+fn a_missing_file_after_a_valid_one() {
     let folder = Folder::new();
     folder.write("vf.csv", lines().join("\n"));
     let run = folder.run(&["queries", "--kind", "vf", "vf.csv", "missing.csv", "vf.csv"]);

@@ -73,7 +73,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
 }
 
 #[test]
-fn stl_stays_a_soup() {
+fn stl_has_no_shared_vertices() {
     let folder = Folder::new();
     folder.write("mesh.stl", stl(&tip_above_square(-0.5)));
     let soup = read_frame(folder.path("mesh.stl")).unwrap();

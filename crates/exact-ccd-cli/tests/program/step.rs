@@ -78,7 +78,7 @@ fn the_earliest_contact_alone_is_that_of_the_report() {
 }
 
 #[test]
-fn a_yes_or_no_says_nothing_else() {
+fn the_report_of_a_decision_has_no_counts() {
     for (end, status, answer) in [(-2.0, 1, "contact\n"), (0.5, 0, "free of contact\n")] {
         let folder = fall(1.0, end);
         let run = folder.run(&["step", "start.ply", "end.ply", "--any"]);

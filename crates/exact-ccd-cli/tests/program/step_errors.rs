@@ -47,7 +47,7 @@ fn a_folder_in_place_of_a_file() {
 }
 
 #[test]
-fn an_extension_that_tells_no_format() {
+fn an_extension_without_a_format() {
     assert_error("mesh.txt", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
     assert_error("mesh", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
 }

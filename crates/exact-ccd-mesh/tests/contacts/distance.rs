@@ -76,7 +76,7 @@ fn assert_has_all(candidates: &Candidates, expected: &Candidates, what: &str) {
 /// The candidates include all pairs that are near, or that collide before, at any end of a line
 /// search.
 #[test]
-fn all_that_comes_near_in_a_step_is_among_its_candidates() {
+fn candidates_contain_all_pairs_that_come_near() {
     let mut random = Rng::with_seed(11);
     let (mut apart, mut near, mut colliding) = (0, 0, 0);
     for case in 0..200 {

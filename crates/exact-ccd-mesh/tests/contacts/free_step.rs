@@ -75,7 +75,7 @@ fn steps_of_crumpling_sheets_are_free() {
 /// Sheets at such a distance from the origin that their motion is a few units in the last place.
 /// Rounded positions at the exact time of impact are often in contact there.
 #[test]
-fn rounding_makes_a_step_smaller_where_it_has_to() {
+fn rounding_reduces_a_step_where_necessary() {
     let mut random = Rng::with_seed(21);
     let mut smaller = 0;
     for case in 0..60 {
