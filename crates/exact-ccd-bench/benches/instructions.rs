@@ -53,7 +53,7 @@ impl<K: Kind> Batch<K> {
         }
     }
 
-    /// A thousand of its queries, from all over the mesh.
+    /// A thousand of its queries, evenly spread over the mesh.
     fn sampled(self) -> Self {
         let stride = self.queries.len() / QUERIES;
         Self {

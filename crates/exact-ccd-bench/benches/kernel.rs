@@ -62,9 +62,9 @@ struct Batch<'a> {
     vertices: Vec<[u32; 4]>,
     /// The mean over all candidates, round by round.
     means: Vec<f64>,
-    /// The same as a batch.
+    /// The mean over all candidates as a batch, round by round.
     batch_means: Vec<f64>,
-    /// The same with the count and all contact times of those that collide.
+    /// The mean as a batch, with the count and all contact times of the colliding candidates.
     batch_times_means: Vec<f64>,
     /// The same for the parity of the rounded query.
     parity_means: Vec<f64>,
@@ -93,7 +93,7 @@ struct Colliding {
     exact: Vec<f64>,
 }
 
-/// The two kinds of query behind one face: what is measured is inlined in each.
+/// The common interface of the two kinds of query. The measured code is inlined for each.
 #[derive(Clone, Copy)]
 struct Functions {
     count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
@@ -147,7 +147,7 @@ impl<'a> Batch<'a> {
         } = self.functions;
         let (step, pairs) = (&self.step, &self.pairs[..]);
         let (trajectories, vertices) = (&self.trajectories, &self.vertices[..]);
-        // Small batches are repeated until the clock and the caches do not matter.
+        // Small batches are repeated until the effects of the clock and the caches are negligible.
         let repetitions = LARGE.div_ceil(pairs.len().max(1));
         let mean = |count: &dyn Fn() -> usize| {
             let clock = Instant::now();

@@ -46,7 +46,7 @@ fn print_rows(name: &str, motion: &Motion) {
     print_row(name, "yes or no, free", &Question::Free, free);
 }
 
-/// Positions of the mesh before its earliest contact.
+/// Positions of the mesh before the earliest contact of the step.
 fn free_end(motion: &Motion, step: &Step<'_>) -> Vec<Point> {
     let time = step
         .earliest_contact(&Bvh)

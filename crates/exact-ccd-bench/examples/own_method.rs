@@ -1,5 +1,5 @@
-//! A user-defined method against two of this project, on random queries:
-//! `cargo run --release -p exact-ccd-bench --example own_method`.
+//! Comparison of a user-defined method with two of this project, on random queries: `cargo run
+//! --release -p exact-ccd-bench --example own_method`.
 //!
 //! `Source::all` finds the data sets in a folder: see `exact-ccd bench`.
 

@@ -1,4 +1,4 @@
-//! Methods against each other on queries that are made here.
+//! Comparisons of methods on generated queries.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -97,7 +97,7 @@ fn answers_are_judged_by_the_truth() {
     assert_eq!([exact.false_positives, exact.false_negatives], [0, 0]);
     assert_eq!(exact.time_error.unwrap().worst, 0.0);
     assert_eq!([liar.false_positives, liar.false_negatives], [free, colliding]);
-    // Times of false positives have no error: there is no true time.
+    // False positives have no time error, because there is no true time.
     assert_eq!(liar.time_error, None);
 }
 
@@ -184,7 +184,8 @@ fn run_all(folder: &Path) -> Vec<Table> {
     tables
 }
 
-/// Scenes side by side are one data set, as they are and rounded, wherever they are in the folder.
+/// Query folders side by side are one data set as they are and one rounded, at any depth in the
+/// folder.
 #[test]
 fn query_files_are_found_as_the_published_sets_lie() {
     let folder = tempfile::tempdir().unwrap();

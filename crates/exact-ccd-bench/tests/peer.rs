@@ -1,9 +1,9 @@
-//! Methods of another program: this one, started again as a peer.
+//! Methods of a peer: the test program starts itself as the other program.
 //!
-//! It has a main function of its own, because the output of a peer must be its answers alone.
+//! It has its own main function, because a peer must write nothing but its answers.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-#![expect(clippy::print_stdout, reason = "what tests say, and what a peer answers")]
+#![expect(clippy::print_stdout, reason = "the output of the tests and of a peer")]
 
 use std::io::{self, BufRead, Read, Write};
 use std::time::{Duration, Instant};
@@ -14,7 +14,7 @@ use exact_ccd_bench::comparison::{
 };
 
 fn main() {
-    // Libtest's arguments, of which there may be some, do not matter here.
+    // Other arguments, such as those of libtest, run the tests.
     match std::env::args().nth(1).as_deref() {
         Some("peer") => answer_all(None),
         Some("mute") => {}
@@ -27,7 +27,7 @@ fn main() {
     }
 }
 
-/// The peer: the exact method by two names, of which one stops after the first query.
+/// The peer: the exact method under two names, one of which stops after the first query.
 fn answer_all(fault: Option<&str>) {
     let (mut reader, mut writer) = (io::stdin().lock(), io::stdout().lock());
     let describe = |name: &str, time: &str| {
@@ -58,11 +58,11 @@ fn answer_all(fault: Option<&str>) {
                 "vf" => time_of_impact::<VertexFace>(points),
                 _ => time_of_impact::<EdgeEdge>(points),
             };
-            let told = if request["method"] == "lazy" { None } else { time };
+            let reported = if request["method"] == "lazy" { None } else { time };
             let answer = [
                 clock.elapsed().as_nanos() as f64,
                 f64::from(u8::from(time.is_some())),
-                told.unwrap_or(f64::NAN),
+                reported.unwrap_or(f64::NAN),
             ];
             let answer = match fault {
                 None => answer,
@@ -120,7 +120,7 @@ fn start(role: &str) -> Result<Vec<Peer>, PeerError> {
     Peer::start(&shell_words::join([program.to_str().unwrap(), role]), grace(role))
 }
 
-/// Short for the roles that are silent, and longer than any test for the others.
+/// The limit is short for the roles that do not answer, and longer than any test for the others.
 fn grace(role: &str) -> Duration {
     match role {
         "silent" => Duration::from_millis(10),

@@ -38,7 +38,7 @@ const BATCH: usize = 4096;
 /// Two methods count the parity of the number of contacts, as in the paper
 /// "Fast and Exact Root Parity for Continuous Collision Detection" (2022):
 /// parity shifts and rounds each query, parity-rational computes in integers.
-/// To them, two contacts look like none. Their toi is empty, and
+/// They do not distinguish two contacts from none. Their toi is empty, and
 ///   contact  is 0 for even, 1 for odd and boundary
 ///   count    is even, odd, or boundary for a contact at t = 0 or t = 1, with
 ///            an edge of the face, or with an end of an edge

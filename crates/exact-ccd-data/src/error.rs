@@ -57,7 +57,7 @@ pub enum DataError {
     Json {
         /// The file.
         file: PathBuf,
-        /// The right contents.
+        /// The expected contents.
         expected: &'static str,
         /// The error of the parser.
         source: serde_json::Error,
@@ -102,7 +102,7 @@ pub enum DataError {
     Folder {
         /// The folder.
         folder: PathBuf,
-        /// The right contents.
+        /// The expected contents.
         expected: String,
         /// The number of such files.
         found: usize,
@@ -113,10 +113,10 @@ pub enum DataError {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Problem {
-    /// The line has another number of fields than the file's format or its first line.
+    /// The number of fields in the line is not that of the format, or not that of the first line.
     #[error("expected {expected}, found {found}")]
     Fields {
-        /// The right numbers.
+        /// The expected numbers.
         expected: &'static str,
         /// The number in this line.
         found: usize,
@@ -140,7 +140,7 @@ pub enum Problem {
     #[error("expected a number of contacts, or -1 for infinitely many, found \"{0}\"")]
     Count(String),
     /// The ground truth differs between the rows of a query.
-    #[error("the ground truth is {found}, but {expected} in the rows of the same query before")]
+    #[error("the ground truth is {found}, expected {expected} as in the first row of the query")]
     TruthDiffers {
         /// The truth in the first row of the query: 0 or 1, or a number of contacts.
         expected: i64,
@@ -155,9 +155,9 @@ pub enum Problem {
     Field {
         /// The name of the column.
         column: &'static str,
-        /// The right contents.
+        /// The expected contents.
         expected: &'static str,
-        /// The contents.
+        /// The contents found.
         found: String,
     },
 }
@@ -174,9 +174,9 @@ pub enum ColumnProblem {
     Column {
         /// The name of the column.
         column: &'static str,
-        /// The right type.
+        /// The expected type.
         expected: &'static str,
-        /// The contents.
+        /// The contents found.
         found: String,
     },
     /// The compression is not supported.
@@ -193,9 +193,9 @@ pub enum RecordProblem {
     Field {
         /// The name of the column.
         column: &'static str,
-        /// The right contents.
+        /// The expected contents.
         expected: &'static str,
-        /// The contents.
+        /// The contents found.
         found: String,
     },
     /// A coordinate is infinite or not a number.

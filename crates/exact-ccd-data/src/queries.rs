@@ -209,7 +209,7 @@ mod tests {
         );
         assert_eq!(
             message(&query(",1\n").replace("3,1,3,2,-1,1,1", "3,1,3,2,-1,1,0")),
-            "some.csv, line 4: the ground truth is 0, but 1 in the rows of the same query before"
+            "some.csv, line 4: the ground truth is 0, expected 1 as in the first row of the query"
         );
         assert_eq!(
             message(&query(",2\n")),

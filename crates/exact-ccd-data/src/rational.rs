@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_f64_is_refused_or_rounded() {
+    fn a_number_that_is_no_f64_is_refused_or_rounded() {
         assert_eq!(exactly("1", "3"), Err(CoordinateError::Inexact("1/3".into())));
         assert_eq!(nearest("1", "3"), Ok(1.0 / 3.0));
         assert_eq!(
@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_fraction_is_an_error() {
+    fn a_field_that_is_no_fraction_is_an_error() {
         for text in ["", "-", "+-1", "1.5", "1e3", "1_000", "0x1", "nan", "1 2", "١"] {
             assert!(
                 matches!(nearest(text, "1"), Err(CoordinateError::NotAnInteger(_))),

@@ -128,8 +128,8 @@ impl Scene {
     /// The queries of [`samples`](Self::samples) with all data of the scene: its name, the ids of
     /// the pair, and, if they were published, the count and the time of impact.
     ///
-    /// The published count of an interval of contact is 1. Here it is −1; the exact method tells
-    /// the cases apart.
+    /// The published count of an interval of contact is 1. Here it is −1, computed by the exact
+    /// method.
     ///
     /// # Errors
     /// Those of [`samples`](Self::samples), and if the file with the contact times is wrong.

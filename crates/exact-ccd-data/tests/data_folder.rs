@@ -1,4 +1,4 @@
-//! A data folder in miniature, sound or not.
+//! A small data folder, valid or with an error.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -114,7 +114,7 @@ fn roots_are_read_row_by_row() {
 }
 
 #[test]
-fn what_was_not_published_is_no_error() {
+fn missing_published_data_are_no_error() {
     let folder = folder();
     let scene = scene(&folder);
     assert_eq!(scene.queries::<VertexFace>().unwrap(), None);

@@ -180,7 +180,7 @@ fn the_extension_determines_the_format_in_any_case() {
     assert_eq!(format("b.vtk"), None);
 }
 
-/// Finite numbers, most of them ordinary, some at the ends of the range.
+/// Finite numbers, most of them of common magnitude, some at the ends of the range.
 fn coordinate() -> impl Strategy<Value = f64> {
     use proptest::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     prop_oneof![

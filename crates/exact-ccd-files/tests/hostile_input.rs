@@ -48,7 +48,7 @@ fn assert_sound_or_error(bytes: &[u8], format: Format) {
 }
 
 #[test]
-fn every_beginning_of_a_file_is_an_error_or_sound() {
+fn every_beginning_of_a_file_is_an_error_or_valid() {
     for (name, format, bytes) in samples() {
         let whole = parse_frame(&bytes, format).unwrap();
         for length in 0..bytes.len() {
@@ -200,7 +200,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn any_edit_of_any_file_is_an_error_or_sound(edits in prop::collection::vec(edit(), 1..6)) {
+    fn any_edit_of_any_file_is_an_error_or_valid(edits in prop::collection::vec(edit(), 1..6)) {
         for (_, format, mut bytes) in samples() {
             edits.iter().for_each(|edit| edit.apply(&mut bytes));
             assert_sound_or_error(&bytes, format);
@@ -208,7 +208,7 @@ proptest! {
     }
 
     #[test]
-    fn any_bytes_are_an_error_or_sound(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+    fn any_bytes_are_an_error_or_valid(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
         for format in FORMATS {
             assert_sound_or_error(&bytes, format);
         }

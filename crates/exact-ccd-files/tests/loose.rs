@@ -1,4 +1,4 @@
-//! Rods and points in every format that has them.
+//! Rods and points in every format that supports them.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -263,7 +263,7 @@ fn msh(elements: &[&str]) -> String {
 #[test]
 fn gmsh_lines_are_rods_unless_they_are_edges() {
     let read = |elements: &[&str]| parse_frame(msh(elements).as_bytes(), Format::Msh).unwrap();
-    // Of a surface, a line along its boundary is no rod.
+    // A line along the boundary of a surface is not a rod.
     assert_eq!(
         read(&["15 0 1", "1 0 1 2", "1 2 7 7 4 5", "2 0 1 2 3"]),
         frame(&[[0, 1, 2]], &[[3, 4]])

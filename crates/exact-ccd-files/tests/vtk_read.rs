@@ -64,7 +64,7 @@ fn tetrahedra_read_as_their_surface() {
 
 #[test]
 fn the_surface_does_not_depend_on_positions() {
-    // An octahedron of eight tetrahedra around vertex 0, which may be outside of it.
+    // An octahedron of eight tetrahedra around vertex 0, which may lie outside the octahedron.
     let sphere = |z: f64| -> Vec<[f64; 3]> {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let around = axes.into_iter().chain(axes.map(|axis| axis.map(|x: f64| -x)));
@@ -286,7 +286,7 @@ fn a_collection_that_is_missing_is_an_error() {
 
 proptest! {
     #[test]
-    fn any_change_is_an_error_or_sound(
+    fn any_change_is_an_error_or_valid(
         at in any::<prop::sample::Index>(),
         removed in 0..30_usize,
         inserted in prop::sample::select(

@@ -20,7 +20,7 @@ use crate::step::Step;
 ///
 /// Pairs that share a vertex are never among them. The pairs of a step hold for every step of the
 /// same mesh from the same start to positions in between, such as [`Step::at`] returns: so one
-/// broad phase serves a whole line search.
+/// broad phase suffices for a whole line search.
 ///
 /// ```
 /// use exact_ccd::Exact;
@@ -102,7 +102,7 @@ impl Candidates {
         overlaps::stream(step, broad_phase, options, vertex_face, edge_edge)
     }
 
-    /// Candidates that are known otherwise: pairs of a vertex and a face, and pairs of two edges.
+    /// Candidates from another source: pairs of a vertex and a face, and pairs of two edges.
     ///
     /// They are sorted, and each is kept once. Pairs that a mesh does not have are no contacts.
     #[must_use]

@@ -14,11 +14,11 @@ use crate::step::Step;
 
 /// A collector of contacts: receives batches of candidates in any order, on any thread.
 pub(crate) trait Collect: Sync {
-    /// True if contacts that are found early leave less to examine, and if it does no harm to
-    /// examine a pair twice.
+    /// True if contacts that are found early shorten the search, and if a pair may be examined
+    /// twice.
     const PROFITS_FROM_SAMPLE: bool;
 
-    /// Contacts after this time make no difference.
+    /// The time after which contacts are irrelevant.
     fn until(&self) -> f64;
 
     /// Examines candidates of one kind. `Break` ends the search.
@@ -30,7 +30,7 @@ pub(crate) trait Collect: Sync {
     ) -> ControlFlow<()>;
 }
 
-/// Is there any contact?
+/// The existence of a contact.
 #[derive(Default)]
 pub(crate) struct AnyContact(AtomicBool);
 
@@ -65,7 +65,7 @@ impl Collect for AnyContact {
 /// The earliest contact that any thread has found.
 pub(crate) struct Earliest {
     /// The bits of the least f64 that is not below its time. Written under the lock, so that it
-    /// only falls.
+    /// never increases.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
 }

@@ -13,7 +13,7 @@ use crate::narrow_phase::NarrowPhase;
 use crate::step::Step;
 use crate::step_boxes::StepBoxes;
 
-/// The memory of a search in step after step of one mesh.
+/// The memory of a search in successive steps of one mesh.
 #[derive(Clone, Debug)]
 pub(crate) struct CulledSearch<B> {
     broad_phase: B,
@@ -26,8 +26,8 @@ pub(crate) struct CulledSearch<B> {
 /// many.
 const SAMPLE_STRIDE: usize = 64;
 
-/// Displacements below this fraction of the mean edge length count as short: then a box around the
-/// whole path is hardly larger than a box that moves along it, and cheaper.
+/// Displacements below this fraction of the mean edge length count as short. The box around a short
+/// path is hardly larger than a box that moves along it, and its tests are cheaper.
 const SHORT_DISPLACEMENT: f64 = 0.25;
 
 /// Boxes are placed anew if the time until which contacts matter has shrunk to this fraction.
@@ -63,8 +63,8 @@ impl<B: BroadPhase> CulledSearch<B> {
         !contact.is_found()
     }
 
-    /// Passes all candidates until the collector's time on to it, and perhaps others, or not all if
-    /// it breaks.
+    /// Passes all candidates until the collector's time to the collector, possibly with others. The
+    /// search ends early if the collector breaks.
     pub(crate) fn run(&mut self, step: &Step<'_>, collector: &impl Collect) {
         let Self {
             broad_phase,

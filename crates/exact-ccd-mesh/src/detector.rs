@@ -1,4 +1,4 @@
-//! Contact in step after step of one mesh.
+//! Contact in successive steps of one mesh.
 
 use std::sync::Arc;
 
@@ -12,11 +12,11 @@ use crate::culled_search::CulledSearch;
 use crate::mesh::TriangleMesh;
 use crate::step::{Step, StepError};
 
-/// Finds contact in step after step of one mesh.
+/// Finds contact in successive steps of one mesh.
 ///
 /// The detector shares the mesh and borrows nothing, so that a simulator can own both. No answer
-/// depends on earlier steps. What is kept from step to step is the memory of boxes and
-/// trajectories, and the order of the primitives in space, as long as it is good.
+/// depends on earlier steps. The detector keeps the memory of boxes and trajectories from step to
+/// step, and the order of the primitives in space until neighbours in it have moved apart.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -66,7 +66,7 @@ impl<B: BroadPhase> Detector<B> {
         }
     }
 
-    /// The same detector for those pairs alone that can collide.
+    /// The same detector, restricted to the pairs that can collide.
     #[must_use]
     pub fn with_can_collide(self, can_collide: CanCollide) -> Self {
         Self {

@@ -1,4 +1,4 @@
-//! Pairs of primitives of a mesh, and the vertices that they stand for.
+//! Pairs of primitives of a mesh, and their vertices.
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 

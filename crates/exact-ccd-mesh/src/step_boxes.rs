@@ -9,7 +9,7 @@ use crate::can_collide::CanCollide;
 use crate::mesh::TriangleMesh;
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges, in step after step of one mesh: boxes that move (T =
+/// The boxes of the vertices, faces and edges, in successive steps of one mesh: boxes that move (T =
 /// 2), or boxes at rest, each around the whole path of a primitive (T = 1).
 ///
 /// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come

@@ -155,7 +155,7 @@ fn boxes_that_touch_in_a_face_an_edge_a_corner() {
 }
 
 #[test]
-fn boxes_that_pass_each_other_may_meet_and_boxes_that_move_alike_do_not() {
+fn boxes_that_pass_each_other_may_meet_and_boxes_with_equal_motion_do_not() {
     let at = |x: f64| around([x, 0.0, 0.0], [x + 1.0, 1.0, 1.0]);
     let swaps = Boxes::new(&[[at(0.0), at(5.0)], [at(5.0), at(0.0)]]).unwrap();
     let follows = Boxes::new(&[[at(0.0), at(5.0)], [at(2.0), at(7.0)]]).unwrap();

@@ -116,7 +116,7 @@ proptest! {
             if violation.is_some() {
                 return Ok(());
             }
-            // This frame has been certified without an examination at rest.
+            // This frame was certified by the step alone, without an examination at rest.
             prop_assert!(!touches(&mesh, x));
         }
     }

@@ -82,7 +82,7 @@ fn a_free_step_is_taken_in_full() {
 /// An edge that passes through another edge at t = 1/3 and back at t = 1/2: parity finds no
 /// contact.
 #[test]
-fn parity_goes_through_two_contacts() {
+fn parity_misses_two_contacts_in_a_line_search() {
     let flat = vec![[0, 1, 1], [2, 3, 3]];
     let motion = Motion {
         mesh: TriangleMesh::new(4, flat).expect("indices are in range"),

@@ -119,7 +119,7 @@ fn small_motion() -> impl Strategy<Value = Motion> {
         .prop_map(|(x0, x1, faces)| motion(x0, x1, faces))
 }
 
-/// Triangles that fly through each other, far from the origin, at speeds between powers of 2.
+/// Triangles that pass through each other, far from the origin, at speeds between powers of 2.
 fn soup(speeds: RangeInclusive<i32>) -> impl Strategy<Value = Motion> {
     let triangle = move || {
         let vector = || prop::array::uniform3(-1.0..1.0);
@@ -204,7 +204,7 @@ proptest! {
     }
 
     #[test]
-    fn a_detector_answers_each_step_as_if_it_were_the_first((mesh, steps) in steps()) {
+    fn answers_of_a_detector_do_not_depend_on_earlier_steps((mesh, steps) in steps()) {
         let mut detector = Detector::new(mesh.clone());
         for [x0, x1] in &steps {
             let step = Step::new(&mesh, x0, x1).unwrap();
@@ -244,7 +244,7 @@ fn sheet(n: u32, height: f64) -> (Vec<Point>, Vec<[u32; 3]>) {
     (positions.collect(), faces.collect())
 }
 
-/// A sheet that falls flat through another, so that everything touches at the same time.
+/// A sheet that falls through a parallel one, so that all pairs touch at the same time.
 fn falling_sheet() -> Motion {
     let (lower, mut faces) = sheet(24, 0.0);
     let count = lower.len() as u32;
@@ -360,7 +360,7 @@ fn positions_that_do_not_fit_are_errors() {
 }
 
 #[test]
-fn primitives_that_a_mesh_does_not_have_make_no_query() {
+fn primitives_that_a_mesh_does_not_have_have_no_query() {
     let motion = falling_sheet();
     let step = motion.step().unwrap();
     let [vertices, faces, edges] = [
@@ -412,7 +412,7 @@ impl BroadPhase for Counted {
 
 /// Coordinates are relative to the other vertices, so that single precision suffices for these.
 #[test]
-fn a_vertex_far_away_makes_no_more_pairs() {
+fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
     let pairs = |stray: Point| {
         let (mut x0, faces) = sheet(40, 0.0);
         x0.push(stray);

@@ -113,7 +113,7 @@ impl Mul for Interval {
 
     #[inline]
     fn mul(self, other: Self) -> Self {
-        // Half as many products, for a factor like t, u or v.
+        // Two products instead of four if a factor is not negative, like t, u or v.
         if other.lower >= 0.0 {
             let of_lower = if self.lower < 0.0 {
                 other.upper

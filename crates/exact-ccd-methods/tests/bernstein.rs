@@ -32,8 +32,8 @@ fn near_degenerate(exponents: std::ops::Range<i32>) -> impl Strategy<Value = Poi
     })
 }
 
-/// Two primitives, of which the one with the first `moving` points translates, at coordinates that hit
-/// nothing by chance.
+/// Two primitives, of which the one with the first `moving` points translates, at coordinates without
+/// accidental coincidences.
 fn translation(moving: usize) -> impl Strategy<Value = Points> {
     let coordinate = -1_000_000..=1_000_000i32;
     let velocity = uniform3(-2_000_000..=2_000_000i32);
@@ -77,12 +77,12 @@ proptest! {
     #![proptest_config(config(20_000))]
 
     #[test]
-    fn tight_ccd_misses_nothing(points in near_degenerate(-60..60)) {
+    fn tight_ccd_has_no_false_negatives(points in near_degenerate(-60..60)) {
         assert_tight_ccd_misses_nothing(points)?;
     }
 
     #[test]
-    fn tight_ccd_misses_nothing_where_products_underflow_or_overflow(points in near_degenerate(-1020..1020)) {
+    fn tight_ccd_has_no_false_negatives_where_products_underflow_or_overflow(points in near_degenerate(-1020..1020)) {
         assert_tight_ccd_misses_nothing(points)?;
     }
 
@@ -139,7 +139,7 @@ fn tight_ccd_invents_a_contact_where_the_cubic_is_linear() {
     let query = against_face([5.0, 5.0, 1.0], [5.0, 5.0, -1.0]);
     assert!(TightCcd.collides(&query));
     assert!(!BernsteinSignClassification::default().collides(&query));
-    // The first coefficient alone has a sign of its own.
+    // Only the first coefficient has its sign.
     let query = against_face([5.0, 5.0, 1.0], [5.0, 5.0, -4.0]);
     assert!(!TightCcd.collides(&query));
 }
@@ -180,7 +180,7 @@ fn sign_classification_gives_up_on_an_inflection_point() {
 }
 
 #[test]
-fn sign_classification_misses_what_is_always_coplanar() {
+fn sign_classification_misses_contacts_of_coplanar_motion() {
     let method = BernsteinSignClassification::default();
     let slides_in = against_face([2.0, 0.25, 0.0], [0.25, 0.25, 0.0]);
     assert!(slides_in.collides());

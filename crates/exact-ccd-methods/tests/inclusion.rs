@@ -69,12 +69,12 @@ fn grid() -> impl Strategy<Value = f64> + Clone {
     (-2..=2i8).prop_map(f64::from)
 }
 
-/// A small integer, or almost.
+/// A small integer, or a number close to one.
 fn nudged() -> impl Strategy<Value = f64> + Clone {
     (grid(), -1..=1i8, 10..60i32).prop_map(|(x, sign, exponent)| x + f64::from(sign) * 2f64.powi(-exponent))
 }
 
-/// Anything finite, from subnormal numbers to those whose products overflow.
+/// Finite numbers, from subnormal ones to those whose products overflow.
 fn finite() -> impl Strategy<Value = f64> + Clone {
     use prop::num::f64::{NEGATIVE, NORMAL, POSITIVE, SUBNORMAL, ZERO};
     prop_oneof![NORMAL | SUBNORMAL | ZERO | POSITIVE | NEGATIVE, grid()]
@@ -134,7 +134,7 @@ fn times_are_early_by_no_more_than_the_tolerance() {
     }
 }
 
-/// (0.3 − 1) + 1 > 0.3 in f64: where the vertex has come down to the face, it seems to be above.
+/// (0.3 − 1) + 1 > 0.3 in f64: when the vertex has reached the face, the computed point is above it.
 #[test]
 fn a_contact_that_rounding_would_open_is_not_missed() {
     let [v1, v2, v3] = FACE.map(|[x, y, _]| [x, y, 0.3]);
@@ -147,7 +147,7 @@ fn a_contact_that_rounding_would_open_is_not_missed() {
 }
 
 #[test]
-fn what_stays_apart_is_free() {
+fn separated_primitives_are_free() {
     let query = above_a_face([0.25, 0.25, 1.0], [0.25, 0.25, 1e-7]);
     for method in methods(1_000_000) {
         assert_eq!(method.time_of_impact(&query), None, "{}", method.name());
@@ -156,14 +156,14 @@ fn what_stays_apart_is_free() {
 
 /// The longest edge of the face runs across boxes of u and v, which end at the tolerance.
 #[test]
-fn what_passes_closer_than_the_tolerance_is_a_contact() {
+fn a_pass_closer_than_the_tolerance_is_a_contact() {
     let query = above_a_face([0.5 + 1e-7, 0.5, 1.0], [0.5 + 1e-7, 0.5, -1.0]);
     assert!(!query.collides());
     assert!(TightInclusion::default().collides(&query));
     assert!(IntervalRootFinder::default().collides(&query));
 }
 
-/// u + v ≤ 1: a vertex that passes the face's longest edge is in the square of u and v all the same.
+/// u + v ≤ 1: a vertex that passes the face's longest edge is still in the square of u and v.
 #[test]
 fn the_domain_of_a_face_is_a_triangle() {
     let query = above_a_face([0.6, 0.6, 1.0], [0.6, 0.6, -1.0]);
@@ -219,7 +219,7 @@ fn tight_inclusion_bounds_rounding_by_the_size_of_the_scene() {
     assert_eq!(in_a_scene(1e5).time_of_impact(&query), Some(0.0));
 }
 
-/// Collinear edges span no plane, so that every time passes for coplanar, and every position for inside.
+/// Collinear edges span no plane, so that every time counts as coplanar, and every position as inside.
 #[test]
 fn only_the_univariate_finder_takes_edges_in_line_for_edges_that_touch() {
     let edges = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]];

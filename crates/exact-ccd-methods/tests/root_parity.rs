@@ -66,9 +66,9 @@ proptest! {
         ..ProptestConfig::default()
     })]
 
-    /// The kernel counts in integers, with code of its own.
+    /// The kernel counts in integers, with independent code.
     #[test]
-    fn rational_numbers_tell_the_parity_and_the_published_method_misses_no_odd_one(points in points(0..1)) {
+    fn rational_numbers_give_the_parity_and_the_published_method_misses_no_odd_one(points in points(0..1)) {
         agree(points)?;
     }
 
@@ -79,7 +79,7 @@ proptest! {
     }
 
     #[test]
-    fn rational_numbers_invent_nothing(points in points(0..1)) {
+    fn rational_numbers_give_no_false_positives(points in points(0..1)) {
         let [vertex_face, edge_edge] = both(&RationalRootParity, points);
         prop_assert!(!vertex_face || query::<VertexFace>(points).collides());
         prop_assert!(!edge_edge || query::<EdgeEdge>(points).collides());
@@ -93,7 +93,7 @@ fn contacts(query: &Query<VertexFace>) -> [bool; 3] {
     [published, rational, query.collides()]
 }
 
-/// Edge b slides along edge a, which tilts like a see-saw: they meet where (2t − 1)² = −height.
+/// Edge b slides along edge a, which rotates about its midpoint: they meet where (2t − 1)² = −height.
 fn see_saw(height: f64) -> Query<EdgeEdge> {
     let b = |x: f64| [[x, -1.0, height], [x, 1.0, height]];
     let a = |z: f64| [[-1.0, 0.0, z], [1.0, 0.0, -z]];
@@ -110,9 +110,9 @@ fn two_contacts_and_a_double_one_are_missed() {
     }
 }
 
-/// A vertex comes near to a face, but not quite: the published method rounds what is left.
+/// A vertex comes near to a face without touching it. The published method rounds the small distance.
 #[test]
-fn less_than_the_roundoff_of_a_long_ray_is_nothing() {
+fn a_distance_below_the_roundoff_of_a_long_ray_is_lost() {
     let face = [[2.0, -1.0, -1.0], [-2.0, 1.0, -1.0], [0.0, 0.0, 1.0]];
     let falls_to = |distance: f64| {
         let frame = |p: f64| [[p, 2.0 * p, 0.0], face[0], face[1], face[2]];
@@ -138,7 +138,7 @@ fn the_hull_of_a_flat_face_is_more_than_it_covers() {
     assert_eq!(contacts(&with([0.0, 2.0, 0.0])), [true; 3]);
 }
 
-/// The vertex is level with corners of the face that surround it, and all else is above.
+/// The vertex has the height of the corners of the face that surround it. All other points are above.
 #[test]
 fn level_edges_around_the_vertex_stop_all_rays() {
     let top = [0.0, 0.0, 1.0];
@@ -152,7 +152,7 @@ fn level_edges_around_the_vertex_stop_all_rays() {
     assert_eq!(contacts(&with([0.0, 0.0, -1.0])), [false, false, false]);
 }
 
-/// Nothing moves, or all moves alike.
+/// No point moves, or all points have the same displacement.
 #[test]
 fn contact_at_rest_is_found() {
     let frame = |z: f64| [[1.0, 1.0, z], [0.0, 0.0, z], [4.0, 0.0, z], [0.0, 4.0, z]];

@@ -4,7 +4,7 @@ use core::fmt;
 
 /// An axis of space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[expect(missing_docs, reason = "the names say everything")]
+#[expect(missing_docs, reason = "the names are self-explanatory")]
 pub enum Axis {
     X,
     Y,

@@ -40,7 +40,7 @@ pub struct Features {
     pub inner: Option<[usize; 2]>,
 }
 
-/// The tables, in a private module: this seals [`Kind`].
+/// The tables of the kinds. The module is private, which seals [`Kind`].
 pub(crate) mod tables {
     use super::{Difference, Features, Side};
 
@@ -61,7 +61,7 @@ pub(crate) mod tables {
         /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
         /// `along`.
         const PARAMETERS: [usize; 2];
-        /// For each of x₀ … x₃, the index of the point that it is among those of the query.
+        /// For each of x₀ … x₃, its index among the points of the query.
         const LAYOUT: [usize; 4];
         /// The pairs of features among whose distances the least is that of the primitives.
         const FEATURES: Features;

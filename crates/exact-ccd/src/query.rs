@@ -84,7 +84,7 @@ impl<K: Kind> Query<K> {
         })
     }
 
-    /// The query of the four points x₀ … x₃, which stand as the kind lays them out.
+    /// The query of the four points x₀ … x₃, in the order of the tables of the kind.
     #[inline]
     pub(crate) fn checked(points: [[Point; 4]; 2]) -> Result<Self, NonFinite> {
         // Without a branch for each coordinate, which would cost more than most queries.
@@ -108,7 +108,7 @@ impl<K: Kind> Query<K> {
         }
     }
 
-    /// The four points at t = 0 and at t = 1: a vertex that is an edge of length zero stands twice.
+    /// The four points at t = 0 and at t = 1. A vertex in place of an edge occurs twice.
     #[must_use]
     #[inline]
     pub fn points(&self) -> &[[Point; 4]; 2] {

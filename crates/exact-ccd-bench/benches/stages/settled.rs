@@ -5,7 +5,7 @@ use fastrand::Rng;
 
 /// The largest number of different queries.
 const DIFFERENT: usize = 64;
-/// The number of queries that are tried.
+/// The number of random queries from which those of a stage are selected.
 const TRIES: usize = 20_000;
 
 /// Queries whose decision is settled at `stage`.
@@ -24,7 +24,7 @@ pub(crate) fn timed<K: Kind<Points = [Point; 4]>>(stage: Stage) -> Vec<Query<K>>
     }
 }
 
-/// The same for the same condition, on every machine.
+/// Random queries that meet a condition. The seed is fixed, so that they are the same on every machine.
 fn found<K: Kind<Points = [Point; 4]>>(is_wanted: impl Fn(&Query<K>) -> bool) -> Vec<Query<K>> {
     let mut random = Rng::with_seed(1);
     (0..TRIES)
@@ -36,7 +36,8 @@ fn found<K: Kind<Points = [Point; 4]>>(is_wanted: impl Fn(&Query<K>) -> bool) ->
 
 type Points = [[Point; 4]; 2];
 
-/// Of the filters, some settle what most queries are like, and some what few are.
+/// Families of random queries. Late stages settle only few of the queries at arbitrary positions, but
+/// more of those in special ones.
 const FAMILIES: [fn(&mut Rng) -> Points; 4] = [anywhere, near, planar, integers];
 
 fn query<K: Kind<Points = [Point; 4]>>(random: &mut Rng, family: fn(&mut Rng) -> Points) -> Query<K> {
@@ -48,7 +49,7 @@ fn points(mut coordinate: impl FnMut() -> f64) -> Points {
     [(); 2].map(|()| [(); 4].map(|()| [(); 3].map(|()| coordinate())))
 }
 
-/// From −1 to 1.
+/// A random number from −1 to 1.
 fn centred(random: &mut Rng) -> f64 {
     2.0 * random.f64() - 1.0
 }
@@ -57,7 +58,7 @@ fn anywhere(random: &mut Rng) -> Points {
     points(|| centred(random))
 }
 
-/// The primitives move little, as in a simulation.
+/// Displacements are small, as in a simulation.
 fn near(random: &mut Rng) -> Points {
     let [t0, motion] = points(|| centred(random));
     let end = |i: usize, axis: usize| t0[i][axis] + 0.25 * motion[i][axis];
@@ -70,7 +71,7 @@ fn planar(random: &mut Rng) -> Points {
     anywhere(random).map(|now| now.map(|[x, y, _]| [x, y, 0.0]))
 }
 
-/// Small integers: every special position comes up by chance.
+/// Small integers, among which special positions are frequent.
 fn integers(random: &mut Rng) -> Points {
     points(|| f64::from(random.i8(-2..=2)))
 }

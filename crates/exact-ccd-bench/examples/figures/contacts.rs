@@ -1,4 +1,5 @@
-//! Two edges that pass through each other and back, touch for a moment, or miss: all even.
+//! Two edges that pass through each other and back, graze, or do not touch. The parity is even in all
+//! cases.
 
 use std::error::Error;
 
@@ -9,7 +10,8 @@ use crate::drawing::Drawing;
 use crate::space::View;
 use crate::vectors::{between, cross, dot, minus};
 
-/// An edge a that tilts like a see-saw, its middle at a height, and an edge b that slides along under it.
+/// An edge a that rotates about its midpoint, which is at a fixed height, and an edge b that slides along
+/// below it.
 fn query(height: f64) -> Result<Query<EdgeEdge>, Box<dyn Error>> {
     let [high, low] = [height + 1.0, height - 1.0];
     Ok(Query::<EdgeEdge>::new(

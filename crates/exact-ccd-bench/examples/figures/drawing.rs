@@ -48,7 +48,7 @@ impl Drawing {
         self.element("polygon", class, &format!("points=\"{}\"", list(points)));
     }
 
-    /// A cell of a surface, of an opacity from 0 to 1.
+    /// A cell of a surface, with an opacity from 0 to 1.
     pub(crate) fn shaded(&mut self, class: &str, opacity: f64, points: &[Pixel]) {
         let points = list(points);
         self.element(

@@ -1,4 +1,4 @@
-//! Flat patches of all shapes: the two triangles of either pair cover the same region, mod 2.
+//! Flat patches of all shapes. Both pairs of triangles cover each region equally often modulo 2.
 
 use crate::drawing::{Drawing, Pixel};
 use crate::patch::Patch;
@@ -6,11 +6,11 @@ use crate::tetrahedron::{AROUND_02, AROUND_13, Pair};
 
 type Place = [f64; 2];
 
-/// A shape of the closed line through the corners.
+/// A shape of the closed polygon through the corners.
 struct Shape {
     name: &'static str,
     corners: [Place; 4],
-    /// One in each region that the triangles leave or cover.
+    /// One point in each region that the edges of the triangles bound.
     places: &'static [Place],
 }
 
@@ -83,8 +83,8 @@ fn draw_shape(drawing: &mut Drawing, [left, top]: Pixel, shape: &Shape) {
     }
 }
 
-/// The outline of the patch, the region that an odd number of the triangles covers, and how many
-/// cover each region.
+/// Draws the outline of the patch, the region that an odd number of triangles cover, and, in each
+/// region, the number of triangles that cover it.
 fn draw_pair(drawing: &mut Drawing, centre: Pixel, shape: &Shape, pair: Pair) {
     let see = |[x, y]: Place| [centre[0] + 18.0 * x, centre[1] - 18.0 * y];
     let triangles = pair.map(|triangle| triangle.map(|corner| shape.corners[corner]));
@@ -102,7 +102,8 @@ fn draw_pair(drawing: &mut Drawing, centre: Pixel, shape: &Shape, pair: Pair) {
     draw_names(drawing, shape, see);
 }
 
-/// The names of the corners, away from their middle, or above the line if there is no region.
+/// Draws the names of the corners, away from the mean of the corners, or above the line if there is
+/// no region.
 fn draw_names(drawing: &mut Drawing, shape: &Shape, see: impl Fn(Place) -> Pixel) {
     let corners = shape.corners;
     let middle = [0, 1].map(|axis: usize| corners.iter().map(|corner| corner[axis]).sum::<f64>() / 4.0);
@@ -143,7 +144,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn either_pair_covers_a_place_as_often_mod_2() {
+    fn both_pairs_cover_a_place_equally_often_modulo_2() {
         for shape in &SHAPES {
             let corners = |triangle: [usize; 3]| triangle.map(|corner| shape.corners[corner]);
             for &place in shape.places {

@@ -1,4 +1,5 @@
-//! Flat patches that cover more than their outline winds around: what an edge sweeps in its plane.
+//! Flat patches, swept by an edge in its plane, that cover points around which their outline does not
+//! wind.
 
 use std::error::Error;
 
@@ -81,7 +82,7 @@ fn draw_panel(
     Ok(())
 }
 
-/// The parity of a query whose one edge stands on a point of the plane, while the other sweeps the patch.
+/// The parity of a query in which one edge ends at a point of the plane, and the other sweeps the patch.
 fn parity(place: Point, [q0, q1, q2, q3]: [Point; 4]) -> Result<Parity, Box<dyn Error>> {
     let above = [place[0], place[1], 1.0];
     let query = Query::<EdgeEdge>::new([place, above, q0, q1], [place, above, q3, q2])?;

@@ -1,4 +1,4 @@
-//! Draws the figures of docs/parity.md, from queries and patches that this program decides as it draws them.
+//! Draws the figures of docs/parity.md. The contacts and signs in them are computed, not prescribed.
 //!
 //! ```sh
 //! cargo run --release -p exact-ccd-bench --example figures -- [FOLDER]
@@ -29,9 +29,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The files: names and contents.
+/// The names and contents of the files.
 ///
-/// Made by + − × ÷ and √ alone, whose results are the same on every machine.
+/// The contents are the same on every machine: coordinates are computed by +, −, ×, ÷ and √ only.
 fn figures() -> Result<[(&'static str, String); 6], Box<dyn Error>> {
     Ok([
         ("prism.svg", prism::figure()?),
@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_committed_files_are_what_is_drawn_here() {
+    fn the_committed_files_equal_the_figures() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/figures");
         let figures = figures().unwrap();
         for (name, figure) in &figures {

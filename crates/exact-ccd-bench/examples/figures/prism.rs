@@ -34,7 +34,7 @@ fn query([start, end]: [Point; 2]) -> Result<Query<VertexFace>, Box<dyn Error>> 
     Ok(Query::<VertexFace>::new([start, a, b, c], [end, d, e, f])?)
 }
 
-/// The face at both ends of the step and when p meets it, and the ways of both vertices.
+/// Draws the face at both ends of the step and when p meets it, and the paths of both vertices.
 fn draw_motion(drawing: &mut Drawing) -> Result<(), Box<dyn Error>> {
     let view = View {
         centre: [125.0, 165.0],
@@ -93,7 +93,7 @@ fn crossings(vertex: [Point; 2]) -> Vec<f64> {
         .collect()
 }
 
-/// The image of the prism for a vertex; where the origin is in the drawing, and how long its ray.
+/// Draws the image of the prism for a vertex, with the place of the origin and the length of its ray.
 fn draw_image(
     drawing: &mut Drawing,
     name: &str,
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_crossings_that_are_drawn_tell_the_parity() {
+    fn the_parity_is_that_of_the_drawn_crossings() {
         for (vertex, parity) in [(MEETS, Parity::Odd), (PASSES, Parity::Even)] {
             assert_eq!(Rounded::check(query(vertex).unwrap()).unwrap().parity(), parity);
             assert_eq!(crossings(vertex).len() % 2 == 1, parity == Parity::Odd);

@@ -40,7 +40,7 @@ fn draw_key(drawing: &mut Drawing) {
         drawing.line(class, &[[362.0, top - 4.0], [378.0, top - 4.0]]);
         drawing.text("small", [388.0, top], text);
     }
-    let dots = [("covered", "rejected: in such a plane"), ("crossing", "serves")];
+    let dots = [("covered", "rejected: in such a plane"), ("crossing", "valid")];
     for (top, (class, text)) in [90.0, 115.0].into_iter().zip(dots) {
         drawing.dot(class, [370.0, top - 4.0]);
         drawing.text("small", [388.0, top], text);
@@ -66,7 +66,7 @@ fn planes() -> Vec<Point> {
     planes
 }
 
-/// Where a plane through the origin cuts the frame in the plane x = 1.
+/// The intersection of a plane through the origin with the frame in the plane x = 1.
 fn cut([a, b, c]: &Point) -> [[f64; 2]; 2] {
     let [[left, right], [bottom, top]] = FRAME;
     let at_y = |y: f64| [y, -(a + b * y) / c];

@@ -30,8 +30,8 @@ impl View {
         points.map(|point| self.see(point))
     }
 
-    /// Draws patches of the stated classes, cut into n × n, what is behind first, and the fainter
-    /// the more their side is turned away from the light.
+    /// Draws patches of the stated classes, cut into n × n cells, from back to front. A cell is
+    /// fainter the more it is turned away from the light.
     pub(crate) fn draw_patches(&self, drawing: &mut Drawing, n: u32, patches: &[(&str, Patch)]) {
         let mut cells: Vec<_> = patches
             .iter()
@@ -45,7 +45,7 @@ impl View {
     }
 
     /// Draws the origin and the ray from it along x, to a length, with its crossings; in the class
-    /// `odd` where an odd number of them is ahead.
+    /// `odd` where an odd number of crossings follows.
     pub(crate) fn draw_ray(&self, drawing: &mut Drawing, odd: &str, length: f64, mut crossings: Vec<f64>) {
         crossings.sort_by(f64::total_cmp);
         let at = |x: f64| self.see([x, 0.0, 0.0]);

@@ -1,5 +1,5 @@
-//! A bilinear patch in its tetrahedron, four places of the origin, and the two triangles that stand
-//! for the patch.
+//! A bilinear patch in its tetrahedron, four positions of the origin, and the two triangles that
+//! replace the patch.
 
 use exact_ccd::Point;
 
@@ -22,7 +22,7 @@ pub(crate) type Pair = [[usize; 3]; 2];
 pub(crate) const AROUND_02: Pair = [[0, 2, 3], [0, 1, 2]];
 pub(crate) const AROUND_13: Pair = [[1, 2, 3], [0, 1, 3]];
 
-/// Where the origin is, and a pair that stands for the patch.
+/// Positions of the origin, each with a pair of triangles that replaces the patch.
 const PANELS: [(&str, Point, Pair, &str); 4] = [
     ("outside, even", [-5.0, 0.0, 0.5], AROUND_02, "either pair"),
     ("outside, odd", [-5.0, -1.0, 0.5], AROUND_13, "either pair"),
@@ -64,7 +64,7 @@ fn draw_panel(drawing: &mut Drawing, left: f64, (name, origin, pair, which): (&s
         (330.0, 1, triangles.to_vec(), which),
     ];
     for (top, cuts, patches, name) in rows {
-        // The tetrahedron stays where it is, the origin does not.
+        // All panels have the same tetrahedron and different origins.
         let fixed = View {
             centre: [left + 128.0, top],
             scale: 22.0,

@@ -1,4 +1,4 @@
-//! The cost of one question on growing meshes.
+//! The cost of one question on meshes of increasing size.
 
 use crate::measurement::Measurement;
 use crate::memory::mebibytes;

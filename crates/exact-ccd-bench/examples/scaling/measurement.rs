@@ -15,7 +15,7 @@ use crate::question::Question;
 /// The number of repetitions. The median time counts, and the peak memory of the first run.
 const ROUNDS: usize = 3;
 
-/// The argument that makes this program measure, in a process of its own.
+/// The argument with which this program runs a single measurement, in a separate process.
 pub(crate) const MEASURE: &str = "--measure";
 
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -58,7 +58,7 @@ impl Measurement {
         }
     }
 
-    /// Measures in a process of its own, whose peak is that of this question.
+    /// Measures in a separate process, so that the peak memory is that of this question.
     pub(crate) fn apart(question: Question, side: usize) -> Result<Self, Box<dyn Error>> {
         let output = Command::new(env::current_exe()?)
             .args([MEASURE, question.word(), &side.to_string()])

@@ -10,8 +10,8 @@ pub(crate) struct Memory {
 
 impl Memory {
     pub(crate) fn now() -> Self {
-        // Linux resets the peak to the resident memory. Where that is not allowed, the earlier peak
-        // hides as much of what comes after.
+        // Linux resets the peak to the resident memory. Without that permission, a rise below the
+        // earlier peak is not measured.
         let _ = fs::write("/proc/self/clear_refs", "5");
         Self { before: peak() }
     }
@@ -22,7 +22,7 @@ impl Memory {
     }
 }
 
-/// The largest number of resident bytes of the process so far. Known on Linux only.
+/// The peak of the resident memory of the process, in bytes. Available on Linux only.
 pub(crate) fn peak() -> Option<u64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -8,7 +8,7 @@ use crate::curve::{Cost, Curve};
 
 const SIZE: (u32, u32) = (1200, 560);
 
-/// Room for the names above the panels.
+/// The height of the names above the panels, in pixels.
 const LEGEND: u32 = 50;
 
 /// An SVG file.
@@ -42,7 +42,7 @@ fn draw_panel<'a>(curves: &[Curve], cost: Cost, area: &Area<'a>) -> Drawn<'a> {
         legend: 30,
     };
     let mut chart = frame.draw(area, logarithmic(first, last), logarithmic(least, most))?;
-    // Through the largest of the first curve, as far down as the panel goes.
+    // The line through the largest point of the first curve, down to the border of the panel.
     if let Some((x, y)) = curves.first().and_then(|curve| curve.places(cost).last()) {
         let start = first.max(x * least / y);
         let line = [(start, y * start / x), (x, y)];

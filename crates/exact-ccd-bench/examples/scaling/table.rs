@@ -1,4 +1,4 @@
-//! The measurements as text.
+//! The measurements as a table in text.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! The methods of a comparison, and how their answers are timed.
+//! The methods of a comparison, and the timing of their answers.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -43,7 +43,7 @@ impl Contestant {
         }
     }
 
-    /// Answers queries in order, the first at least, until the time is up.
+    /// Answers queries in order until the time limit, but at least the first.
     pub(super) fn answer<K: DataKind>(
         &mut self,
         queries: &[Query<K>],

@@ -1,4 +1,4 @@
-//! Methods against each other, on the same queries and in the same run: the paper's table 1.
+//! Comparison of methods on the same queries in the same run: table 1 of the paper.
 
 mod contestant;
 mod peer;

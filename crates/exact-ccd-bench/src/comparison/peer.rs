@@ -45,11 +45,11 @@ pub struct Peer {
 struct Program {
     command: String,
     process: Process,
-    /// The time that it has for an answer, beyond that for the queries.
+    /// The time limit of an answer, in addition to that of its queries.
     grace: Duration,
 }
 
-/// A program that should answer queries fails.
+/// The failure of a program that should answer queries.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PeerError {
@@ -67,19 +67,19 @@ pub enum PeerError {
         /// The error of the system.
         source: io::Error,
     },
-    /// The answer has another form.
+    /// The answer does not have the expected form.
     #[error("{command}: expected {expected}, found {found:?}")]
     Answer {
         /// The command.
         command: String,
-        /// The right form.
+        /// The expected form.
         expected: &'static str,
         /// The beginning of the answer.
         found: String,
     },
 }
 
-/// A day.
+/// The longest time of an answer that is accepted: one day.
 const MAX_NANOSECONDS: f64 = 24.0 * 3600.0 * 1e9;
 
 /// The length of an excerpt of a wrong answer, in characters.
@@ -177,7 +177,7 @@ impl Peer {
         self.call_nanoseconds
     }
 
-    /// Answers queries in order, the first at least, until the time is up. After an error the
+    /// Answers queries in order until the time limit, but at least the first. After an error, the
     /// program is ended.
     pub(super) fn answer<K: DataKind>(
         &mut self,

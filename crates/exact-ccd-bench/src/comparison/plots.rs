@@ -8,7 +8,7 @@ use super::table::{Row, Table};
 
 const SIZE: (u32, u32) = (1000, 640);
 
-/// Room for the names beside the drawing.
+/// The width of the names beside the drawing, in pixels.
 const LEGEND: i32 = 150;
 
 /// An SVG file: for each method, the share of the queries that take longer than a time. Both axes
@@ -59,7 +59,7 @@ fn duration(time: &f64) -> String {
     exact_ccd_plot::seconds(&(1e-6 * time))
 }
 
-/// Over times, with room for the names of the methods.
+/// The frame of a plot over times, with space for the names of the methods.
 fn frame<'a, Y>(title: &'a str, times: &'a str, y: Axis<'a, Y>) -> Frame<'a, f64, Y> {
     let x = Axis {
         title: times,

@@ -11,11 +11,11 @@ use super::sampling::{Subject, Subjects};
 use super::table::Table;
 use super::timed::Timed;
 
-/// Contestants, and the time that each of them has.
+/// A comparison of contestants with the same time budget.
 pub struct Comparison {
     contestants: Vec<Contestant>,
     budget: Duration,
-    /// The contestants that have failed: they answer no more.
+    /// The contestants that have failed. They receive no more queries.
     failures: Vec<(usize, PeerError)>,
 }
 
@@ -53,11 +53,11 @@ impl Comparison {
             .map(|(index, error)| (self.contestants[*index].name(), error))
     }
 
-    /// Lets all contestants answer the sample of a data set. They take turns, so that the load of
-    /// the machine is the same for all of them. `progress` is called from time to time with the
-    /// part of the work that is done.
+    /// Runs all contestants on the sample of a data set. They take turns, so that the load of the
+    /// machine is the same for all of them. `progress` is called from time to time with the part of
+    /// the work that is done.
     ///
-    /// A peer that [fails](Self::failures) answers no more, in this data set and in later ones.
+    /// A peer that [fails](Self::failures) receives no more queries, in this data set and later ones.
     pub fn run<K: DataKind>(
         &mut self,
         data_set: &str,
@@ -81,7 +81,7 @@ impl Comparison {
         for (turn, chunk) in sample.chunks(TURN).enumerate() {
             let queries: Vec<Query<K>> = chunk.iter().map(|subject| subject.query).collect();
             for place in 0..standings.len() {
-                // The first finds the queries out of the cache, so that each contestant is first in its turn.
+                // For the first contestant of a turn the queries are not in the cache, so the order rotates.
                 let index = (turn + place) % standings.len();
                 let standing = &mut standings[index];
                 if standing.answers.len() == turn * TURN && !self.has_failed(index) {
@@ -127,11 +127,11 @@ impl Comparison {
 }
 
 impl Standing {
-    /// Adds the answers to `asked` queries, or to the first of them if the time was up before the last.
-    fn spend(&mut self, answers: &[Timed], asked: usize) {
+    /// Adds the answers to the first of `requested` queries. Fewer answers than queries use up the time.
+    fn spend(&mut self, answers: &[Timed], requested: usize) {
         let spent: f64 = answers.iter().map(|timed| timed.nanoseconds).sum();
         self.left = self.left.saturating_sub(Duration::from_nanos(spent as u64));
-        if answers.len() < asked {
+        if answers.len() < requested {
             self.left = Duration::ZERO;
         }
         self.answers.extend(answers);

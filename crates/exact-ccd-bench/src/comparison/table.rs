@@ -41,7 +41,7 @@ pub struct Sizes {
 pub struct Row {
     /// The name of the method.
     pub method: String,
-    /// The number of queries that it answered before its time was up.
+    /// The number of queries that it answered within its time limit.
     pub answered: Sizes,
     /// The mean time, each class weighted by its share of the data set; the paper's T.
     pub mean: Option<f64>,
@@ -55,9 +55,9 @@ pub struct Row {
     pub percentile_99: Option<f64>,
     /// The longest time.
     pub worst: Option<f64>,
-    /// The number of queries that do not collide, but do according to the method.
+    /// The number of free queries that the method reports as colliding.
     pub false_positives: usize,
-    /// The number of queries that collide, but do not according to the method.
+    /// The number of colliding queries that the method reports as free.
     pub false_negatives: usize,
     /// The errors of its times of impact, if it has times.
     pub time_error: Option<TimeError>,

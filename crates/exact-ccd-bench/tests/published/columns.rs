@@ -1,4 +1,4 @@
-//! The published query files to Parquet and back.
+//! The published query files converted to Parquet and back.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ use exact_ccd_data::{
 use crate::{data, scenes};
 
 /// A query file after a round trip through Parquet.
-fn there_and_back<K: DataKind>(file: &Path) -> Vec<u8> {
+fn round_trip<K: DataKind>(file: &Path) -> Vec<u8> {
     let parquet = tempfile::Builder::new().suffix(".parquet").tempfile().unwrap();
     let mut columns = ColumnWriter::<K, _>::new(parquet.as_file()).unwrap();
     for record in QueryReader::open(file, Rounding::Refuse).unwrap().records() {
@@ -27,11 +27,11 @@ fn there_and_back<K: DataKind>(file: &Path) -> Vec<u8> {
 
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
-fn handcrafted_files_come_back_byte_for_byte() {
+fn a_round_trip_keeps_all_bytes_of_handcrafted_files() {
     fn check<K: DataKind>() {
         for file in data().handcrafted::<K>().unwrap() {
             assert!(
-                there_and_back::<K>(&file) == fs::read(&file).unwrap(),
+                round_trip::<K>(&file) == fs::read(&file).unwrap(),
                 "{}",
                 file.display()
             );
@@ -44,32 +44,25 @@ fn handcrafted_files_come_back_byte_for_byte() {
 /// The query files of the scenes lack the last line break.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
-fn query_files_of_scenes_come_back_with_a_last_line_break() {
+fn a_round_trip_adds_the_last_line_break_to_files_of_scenes() {
     let mut files = 0;
     for scene in scenes() {
         if let Some(file) = scene.queries::<VertexFace>().unwrap() {
             let expected = [fs::read(&file).unwrap().as_slice(), b"\n"].concat();
-            assert!(
-                there_and_back::<VertexFace>(&file) == expected,
-                "{}",
-                file.display()
-            );
+            assert!(round_trip::<VertexFace>(&file) == expected, "{}", file.display());
             files += 1;
         }
         if let Some(file) = scene.queries::<EdgeEdge>().unwrap() {
             let expected = [fs::read(&file).unwrap().as_slice(), b"\n"].concat();
-            assert!(
-                there_and_back::<EdgeEdge>(&file) == expected,
-                "{}",
-                file.display()
-            );
+            assert!(round_trip::<EdgeEdge>(&file) == expected, "{}", file.display());
             files += 1;
         }
     }
     assert_eq!(files, 4);
 }
 
-/// 13 queries of one scene are in contact for an interval of time, for which the published count is 1.
+/// The published count of an interval of contact is 1, the exact one −1. 13 queries of one scene have
+/// such an interval.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn counts_and_times_of_scenes_are_those_of_the_exact_method() {

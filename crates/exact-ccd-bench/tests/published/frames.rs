@@ -4,7 +4,7 @@ use crate::scenes;
 
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
-fn frames_have_their_vertices_and_faces_and_move() {
+fn frames_have_the_published_size_and_move() {
     let counts = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
         assert_ne!(motion.x0, motion.x1, "{}", scene.name());

@@ -8,7 +8,7 @@ use exact_ccd_mesh::Step;
 
 use crate::{data, scenes};
 
-/// Where the decision differs from the truth.
+/// The queries whose decision differs from the truth.
 fn mismatches<K: DataKind>(samples: &[Sample<K>], decide: impl Fn(&Query<K>) -> bool) -> Vec<usize> {
     let differs = |index: &usize| Some(decide(&samples[*index].query)) != samples[*index].truth;
     (0..samples.len()).filter(differs).collect()

@@ -1,6 +1,6 @@
-//! The published data sets, with symbolic ground truth from outside of this project.
+//! Tests on the published data sets, whose symbolic ground truth is independent of this project.
 //!
-//! Without the data folder these tests are ignored.
+//! These tests are ignored if the data folder is missing.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

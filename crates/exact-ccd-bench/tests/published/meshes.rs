@@ -1,4 +1,4 @@
-//! Meshes of tetrahedra, some of which come with their surface.
+//! Tetrahedral meshes. Some of the files also list the surface.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,15 +15,15 @@ fn meshes() -> Vec<PathBuf> {
     files
 }
 
-/// A triangle with its least vertex first, turning as before.
+/// The same triangle in the same orientation, with its least vertex first.
 fn turned(mut triangle: [u32; 3]) -> [u32; 3] {
     let least = (0..3).min_by_key(|&k| triangle[k]).unwrap();
     triangle.rotate_left(least);
     triangle
 }
 
-/// The section `$Surface` that some of the files have: a count, and the triangles by the tags of
-/// their nodes, from 1.
+/// The triangles of the section `$Surface`, which only some of the files have: a count, then three
+/// node tags, from 1, for each triangle.
 fn listed_surface(file: &Path) -> Option<Vec<[u32; 3]>> {
     let text = fs::read_to_string(file).unwrap();
     let (_, section) = text.split_once("$Surface\n")?;
@@ -37,6 +37,7 @@ fn listed_surface(file: &Path) -> Option<Vec<[u32; 3]>> {
     Some(triangles.iter().copied().map(turned).collect())
 }
 
+/// Six times the signed volume of the tetrahedron with these corners and the origin.
 fn six_volumes([a, b, c]: [Point; 3]) -> f64 {
     let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
     a[0] * minor(1, 2) + a[1] * minor(2, 0) + a[2] * minor(0, 1)
@@ -62,7 +63,7 @@ fn the_surface_is_the_one_in_the_file() {
 
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
-fn the_surface_encloses_the_tetrahedra_and_does_not_meet_itself() {
+fn the_surface_encloses_the_tetrahedra_and_does_not_intersect_itself() {
     for file in meshes() {
         let mesh = read_tet_mesh(&file).unwrap();
         let at = |vertex: u32| mesh.positions()[vertex as usize];

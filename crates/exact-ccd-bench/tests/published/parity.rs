@@ -13,8 +13,7 @@ fn rounded<K: DataKind>(query: &Query<K>) -> Rounded<K> {
     Rounded::shift(query).unwrap()
 }
 
-/// Queries whose parity, once they are rounded, is not that in integers, or not what the definition
-/// of contact makes it.
+/// The rounded queries whose parity differs from that in integers or from that of the exact contacts.
 fn exceptions<K: DataKind + Rim>(samples: &[Sample<K>]) -> Vec<usize> {
     let is_exception = |index: &usize| {
         let rounded = rounded(&samples[*index].query);
@@ -55,11 +54,11 @@ fn of_all_pairs_of_the_scenes_is_as_defined() {
     assert_eq!(counts.sum::<usize>(), 119_385);
 }
 
-/// The number of queries that collide, and the numbers of those that do not according to parity and
-/// to the exact decision.
+/// The number of colliding queries, and the numbers of those that parity and the exact decision
+/// report as free.
 type Misses = [usize; 3];
 
-/// The shift rounds so little here that it changes no parity.
+/// The rounding of the shift changes no parity here.
 fn misses<K: DataKind>(scene: &Scene, step: &Step<'_>) -> Misses {
     let mut misses = [0; 3];
     for Sample { query, truth } in scene.samples::<K>(step).unwrap() {
@@ -100,8 +99,8 @@ fn misses_two_contacts() {
     assert_eq!(found.collect::<Vec<_>>(), expected);
 }
 
-/// Degenerate queries do not survive rounding: so many are collisions only once they are shifted,
-/// or no longer.
+/// Rounding changes the parity of degenerate queries. The two counts of each kind are those that
+/// collide only after the shift and only before it.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn depends_on_rounding_where_queries_are_degenerate() {

@@ -1,4 +1,4 @@
-//! The steps of the scenes against a plain loop over all candidates.
+//! The steps of the scenes, compared with a plain loop over all candidates.
 
 use exact_ccd::{EdgeEdge, VertexFace, exact};
 use exact_ccd_data::DataKind;
@@ -107,7 +107,7 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
     }
 }
 
-/// Until just before the earliest contact each step is free, and no search finds one.
+/// The step that ends just before the earliest contact is free by every search.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn a_step_until_before_the_earliest_contact_is_free() {
@@ -132,7 +132,7 @@ fn difference(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// All candidates of the small scene, and of the others one in many.
+/// All candidates of the small scene, and a fraction of those of the others.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
 fn candidates_have_the_contact_times_of_the_exact_path() {
@@ -156,7 +156,7 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
 /// both compare with these.
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
-fn contacts_and_their_times_have_the_bits_that_they_always_had() {
+fn contacts_and_times_have_the_recorded_bits() {
     let digests = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
         let step = motion.step().unwrap();

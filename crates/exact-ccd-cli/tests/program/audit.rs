@@ -61,7 +61,7 @@ fn a_single_frame_is_examined_at_rest() {
         "free of contact\nframes: 1 of 1 examined\n",
     );
     let run = folder.run(&["audit", "1.ply"]);
-    // The tip lies in the face, and so does the end of an edge.
+    // The tip lies in the face. It is also the end of an edge.
     let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
                   frames: 1 of 1 examined\n";
     assert_report(&run, 1, report);

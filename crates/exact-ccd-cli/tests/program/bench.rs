@@ -58,7 +58,7 @@ fn methods_are_chosen_by_name_and_a_report_is_written() {
 }
 
 #[test]
-fn what_is_wrong_is_told() {
+fn every_fault_is_reported() {
     let folder = folder();
     fs::create_dir_all(folder.path("empty")).unwrap();
     let error = |arguments: &[&str]| folder.run(&[&["bench"], arguments].concat()).error().to_owned();
@@ -81,7 +81,7 @@ fn what_is_wrong_is_told() {
 
 /// The peer writes its greeting and ends.
 #[test]
-fn the_run_goes_on_without_a_peer_that_has_failed() {
+fn the_run_continues_without_a_peer_that_has_failed() {
     let folder = folder();
     let greeting = r#"{"methods": [{"name": "mute", "false_negatives": true, "false_positives": true, "time": "absent", "call_ns": 1}]}"#;
     folder.write("peer.sh", format!("echo '{greeting}'\n"));

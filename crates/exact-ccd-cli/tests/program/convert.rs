@@ -11,7 +11,7 @@ use crate::folder::Folder;
 use crate::queries::{HEADER, miss, pass, slide};
 use crate::query_rows::{file, rows};
 
-/// A file as this program writes it, with this in the seventh column of each query.
+/// A query file with this text in the seventh column of each query.
 fn canonical(queries: &[Query<VertexFace>], seventh: &[&str]) -> String {
     let text = String::from_utf8(file(queries)).unwrap();
     let ending = |index: usize| {
@@ -165,7 +165,7 @@ fn scenes_fill_in_all_columns() {
     assert!(run.error().ends_with("there is no query 2 among 2"), "{run:?}");
 }
 
-/// After an error, the file is as it was, and there is no other.
+/// After an error, the file is unchanged, and there is no other file.
 #[test]
 fn errors_leave_the_output_as_it_was() {
     let folder = Folder::new();

@@ -1,4 +1,4 @@
-//! Runs of the program in a folder of their own.
+//! Runs of the program, each in a separate folder.
 
 use std::fs;
 use std::io::Write;
@@ -46,7 +46,7 @@ impl Folder {
         self.program(arguments).output().unwrap().into()
     }
 
-    /// A run with this on standard input, which has to fit into a pipe.
+    /// A run with this text on standard input. The text must fit into a pipe.
     pub(crate) fn run_with_input(&self, arguments: &[&str], input: &str) -> Run {
         let (reader, mut writer) = std::io::pipe().unwrap();
         writer.write_all(input.as_bytes()).unwrap();
@@ -59,7 +59,7 @@ impl From<Output> for Run {
     fn from(output: Output) -> Self {
         let text = |bytes| String::from_utf8(bytes).unwrap();
         Self {
-            // A program that a signal ended has none.
+            // A program that was ended by a signal has no status.
             status: output.status.code().unwrap(),
             stdout: text(output.stdout),
             stderr: text(output.stderr),
@@ -68,8 +68,8 @@ impl From<Output> for Run {
 }
 
 impl Run {
-    /// The run failed as it should: status 2 and one line on standard error, which is returned without its
-    /// beginning.
+    /// Checks that the run failed with status 2 and one line on standard error. Returns that line without
+    /// its prefix.
     #[track_caller]
     pub(crate) fn error(&self) -> &str {
         assert_eq!(self.status, 2, "{self:?}");

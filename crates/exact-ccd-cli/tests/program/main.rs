@@ -1,4 +1,5 @@
-//! The program from outside: arguments and files in; status, standard output and standard error out.
+//! Tests of the program through its arguments and files, its exit status, standard output and
+//! standard error.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

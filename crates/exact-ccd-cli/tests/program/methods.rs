@@ -8,8 +8,8 @@ use crate::folder::Folder;
 use crate::queries::{HEADER, grid_points, miss, pass, slide};
 use crate::query_rows::{file, rows};
 
-/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at y = z = 1/8: t (1
-/// − t) = 1/8, twice.
+/// The face rotates upward, in the plane z = t x, while the vertex moves along x = 1 − t at y = z =
+/// 1/8: t (1 − t) = 1/8, twice.
 fn pass_twice() -> Query<VertexFace> {
     Query::<VertexFace>::new(
         [[1.0, 0.125, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
@@ -18,7 +18,7 @@ fn pass_twice() -> Query<VertexFace> {
     .unwrap()
 }
 
-/// Coordinates from 1 to 2 and, on one axis of the last point, one that is as far as it can be.
+/// Coordinates from 1 to 2 and, on one axis of the last point, one that is as far away as possible.
 fn far(axis: usize) -> Query<VertexFace> {
     let t0 = [[1.0, 1.0, 1.5], [1.0; 3], [2.0, 1.0, 1.0], [1.0, 2.0, 1.0]];
     let mut t1 = t0;
@@ -27,7 +27,7 @@ fn far(axis: usize) -> Query<VertexFace> {
 }
 
 #[test]
-fn parity_does_not_tell_two_contacts_from_none() {
+fn parity_does_not_distinguish_two_contacts_from_none() {
     let folder = Folder::new();
     let queries = [
         (miss(), ",0"),

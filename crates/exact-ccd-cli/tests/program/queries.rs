@@ -8,7 +8,7 @@ use crate::query_rows::rows;
 
 pub(crate) const HEADER: &str = "query,contact,count,toi\n";
 
-/// A vertex that moves against the face (0, 0, 0), (1, 0, 0), (0, 1, 0), which stays where it is.
+/// A vertex that moves towards the resting face (0, 0, 0), (1, 0, 0), (0, 1, 0).
 fn against_resting_face(from: Point, to: Point) -> Query<VertexFace> {
     let with_face = |point| [point, [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     Query::<VertexFace>::new(with_face(from), with_face(to)).unwrap()
@@ -22,13 +22,13 @@ pub(crate) fn pass() -> Query<VertexFace> {
     against_resting_face([0.25, 0.25, 1.0], [0.25, 0.25, -2.0])
 }
 
-/// Comes in over the edge x = 0 at t = 1/2 and stays.
+/// The vertex crosses the edge x = 0 at t = 1/2 and stays in the face.
 pub(crate) fn slide() -> Query<VertexFace> {
     against_resting_face([-0.25, 0.25, 0.0], [0.25, 0.25, 0.0])
 }
 
-/// The face tips up, its plane z = t x, while the vertex moves along x = 1 − t at z = 1/8: t (1 −
-/// t) = 1/8, twice.
+/// The face rotates upward, in the plane z = t x, while the vertex moves along x = 1 − t at z = 1/8:
+/// t (1 − t) = 1/8, twice.
 fn pass_twice() -> Query<VertexFace> {
     Query::<VertexFace>::new(
         [[1.0, 0.0, 0.125], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
@@ -60,7 +60,7 @@ fn each_query_has_its_row() {
 }
 
 #[test]
-fn edges_are_a_kind_of_their_own() {
+fn edges_are_a_separate_kind() {
     let folder = Folder::new();
     folder.write("ee.csv", rows(&crossing_edges(), ""));
     let run = folder.run(&["queries", "--kind", "ee", "ee.csv"]);
@@ -187,7 +187,7 @@ fn assert_answers<K: Kind<Points = [Point; 4]>>(kind: &str, points: &[[[Point; 4
 }
 
 prop_compose! {
-    /// Points on a coarse grid, among which everything degenerate is common.
+    /// Points on a coarse grid, on which degenerate queries are frequent.
     pub(crate) fn grid_points()(
         eighths in prop::array::uniform2(prop::array::uniform4(prop::array::uniform3(-3i8..=3)))
     ) -> [[Point; 4]; 2] {

@@ -15,7 +15,8 @@ fn lines() -> Vec<String> {
 
 const ANSWER: &str = "query,contact,count,toi\n0,1,1,0.5\n";
 
-/// A sound query is answered, the one after it is replaced by these lines and leads to this error.
+/// The first query is valid and is answered. The second is replaced by these lines, which lead to
+/// this error.
 #[track_caller]
 fn assert_error(second: &[String], expected: &str) {
     let folder = Folder::new();
@@ -109,7 +110,7 @@ fn a_row_with_other_columns() {
 }
 
 #[test]
-fn a_ground_truth_that_is_none() {
+fn an_invalid_ground_truth() {
     assert_error_with(
         1,
         "0,8,0,8,0,8,yes",
@@ -118,12 +119,12 @@ fn a_ground_truth_that_is_none() {
     assert_error_with(
         1,
         "0,8,0,8,0,8,0",
-        "vf.csv, line 10: the ground truth is 0, but 1 in the rows of the same query before",
+        "vf.csv, line 10: the ground truth is 0, expected 1 as in the first row of the query",
     );
 }
 
 #[test]
-fn a_missing_file_after_a_sound_one() {
+fn a_missing_file_after_a_valid_one() {
     let folder = Folder::new();
     folder.write("vf.csv", lines().join("\n"));
     let run = folder.run(&["queries", "--kind", "vf", "vf.csv", "missing.csv", "vf.csv"]);

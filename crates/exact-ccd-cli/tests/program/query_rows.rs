@@ -5,7 +5,7 @@ use exact_ccd_data::{DataKind, QueryReader, Rounding, write_query};
 
 use crate::folder::Folder;
 
-/// The rows of a query whose coordinates are all multiples of 1/8. Each row has this at its end.
+/// The rows of a query whose coordinates are all multiples of 1/8. Each row ends with this text.
 pub(crate) fn rows<K: Kind>(query: &Query<K>, ending: &str) -> String {
     let points = query.points().as_flattened();
     points.iter().map(|point| row(point) + ending + "\n").collect()
@@ -29,7 +29,7 @@ pub(crate) fn file<K: Kind>(queries: &[Query<K>]) -> Vec<u8> {
     bytes
 }
 
-/// The points of the queries in a file, which is to have no ground truth.
+/// The points of the queries in a file, which must have no ground truth.
 pub(crate) fn points_in<K: DataKind>(folder: &Folder, name: &str) -> Vec<[[Point; 4]; 2]> {
     QueryReader::<K, _>::open(&folder.path(name), Rounding::Refuse)
         .unwrap()

@@ -18,7 +18,7 @@ fn assert_error(folder: &Folder, arguments: &[&str], expected: &str) {
 }
 
 #[test]
-fn files_that_are_neither_meshes_nor_said_to_be_queries() {
+fn files_that_are_not_meshes_without_a_kind() {
     let folder = Folder::new();
     folder.write("vf.csv", rows(&pass(), ""));
     assert_error(
@@ -102,7 +102,7 @@ fn two_meshes_of_one_name() {
 }
 
 #[test]
-fn what_cannot_be_written() {
+fn data_that_cannot_be_written() {
     let folder = Folder::new();
     folder.write("vf.csv", rows(&pass(), ""));
     folder.write("mesh.ply", ply(&Frame::new(vec![[0.0; 3]], vec![]).unwrap()));

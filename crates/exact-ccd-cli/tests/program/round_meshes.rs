@@ -50,7 +50,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
     folder.write("start.ply", ply(&start));
     folder.write("middle.off", off(&middle));
     folder.write("end.obj", obj(&end));
-    // The folder is made.
+    // The folder is created.
     let run = folder.run(&[
         "round",
         "start.ply",
@@ -62,7 +62,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
     let report = Report::of(&run);
     report.assert_counts(&errors(&[&start, &middle, &end], &report));
     let read = |name: &str| read_frame(folder.path("new/rounded").join(name)).unwrap();
-    // The box of the ends is that of all three.
+    // The box of the first and the last frame is that of all three.
     let motion = Motion::new(start, end).unwrap();
     let displacement = motion.displacement();
     assert_eq!(
@@ -73,7 +73,7 @@ fn several_frames_are_moved_by_the_displacement_of_the_box_around_them() {
 }
 
 #[test]
-fn stl_stays_a_soup() {
+fn stl_has_no_shared_vertices() {
     let folder = Folder::new();
     folder.write("mesh.stl", stl(&tip_above_square(-0.5)));
     let soup = read_frame(folder.path("mesh.stl")).unwrap();

@@ -26,7 +26,7 @@ fn errors(displacement: Displacement, points: &[[Point; 4]; 2]) -> Vec<f64> {
 }
 
 #[test]
-fn the_report_tells_displacement_and_errors() {
+fn the_report_has_displacement_and_errors() {
     let mut points = *pass().points();
     // 1 is added to x: 2⁻⁵⁴ and 2⁻⁶⁰ are lost.
     points[0][0][0] = 2f64.powi(-54);

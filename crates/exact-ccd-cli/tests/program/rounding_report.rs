@@ -2,7 +2,7 @@
 
 use crate::folder::Run;
 
-/// A report, taken apart.
+/// The parts of a report.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Report {
     /// The name of the displacement in the first line.

@@ -1,4 +1,4 @@
-//! The program of `docs/solver.md`, a workspace of its own.
+//! The program of `docs/solver.md`, which is a separate workspace.
 
 use std::path::Path;
 use std::process::Command;

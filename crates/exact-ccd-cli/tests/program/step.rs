@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::folder::{Folder, Run};
 use crate::meshes::{fall, obj, off, ply, stl, text_ply, tip_above_square};
 
-/// A report without the seconds, which are the end of it in either form.
+/// A report without the seconds, which are at its end in both forms.
 #[track_caller]
 pub(crate) fn without_seconds(run: &Run) -> &str {
     assert_eq!(run.stderr, "");
@@ -78,7 +78,7 @@ fn the_earliest_contact_alone_is_that_of_the_report() {
 }
 
 #[test]
-fn a_yes_or_no_says_nothing_else() {
+fn the_report_of_a_decision_has_no_counts() {
     for (end, status, answer) in [(-2.0, 1, "contact\n"), (0.5, 0, "free of contact\n")] {
         let folder = fall(1.0, end);
         let run = folder.run(&["step", "start.ply", "end.ply", "--any"]);
@@ -210,7 +210,7 @@ fn all_formats_give_the_same_answer() {
 }
 
 prop_compose! {
-    /// Triangles without shared vertices, most of which meet on their way.
+    /// Triangles without shared vertices, most of which touch during the step.
     fn triangles(count: usize)(
         points in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 3 * count)
     ) -> Vec<Point> {

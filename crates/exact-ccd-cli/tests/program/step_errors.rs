@@ -5,9 +5,10 @@ use exact_ccd_mesh::Frame;
 use crate::folder::Folder;
 use crate::meshes::{fall, obj, off, ply, tip_above_square};
 
-/// Runs the step with this file as its end. The error names the file and says all this about it.
+/// Runs the step with this file as its end. The error must contain the name of the file and all of
+/// `expected`.
 #[track_caller]
-fn assert_error(file: &str, contents: impl AsRef<[u8]>, says: &[&str]) {
+fn assert_error(file: &str, contents: impl AsRef<[u8]>, expected: &[&str]) {
     let folder = fall(1.0, -2.0);
     folder.write(file, contents);
     for arguments in [
@@ -18,7 +19,7 @@ fn assert_error(file: &str, contents: impl AsRef<[u8]>, says: &[&str]) {
         assert_eq!(run.stdout, "");
         let error = run.error();
         assert!(error.contains(file), "{error}");
-        for word in says {
+        for word in expected {
             assert!(error.contains(word), "{word} in {error}");
         }
     }
@@ -46,7 +47,7 @@ fn a_folder_in_place_of_a_file() {
 }
 
 #[test]
-fn an_extension_that_tells_no_format() {
+fn an_extension_without_a_format() {
     assert_error("mesh.txt", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
     assert_error("mesh", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
 }

@@ -52,13 +52,13 @@ fn a_closed_pipe_is_no_error() {
 }
 
 #[test]
-fn a_report_that_nobody_reads_is_no_error() {
+fn a_closed_pipe_for_a_report_is_no_error() {
     let run = run_unread(&fall(1.0, -2.0), &["round", "start.ply"]);
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
 }
 
 #[test]
-fn the_status_of_a_step_is_the_answer_even_if_nobody_reads_the_report() {
+fn the_status_of_a_step_is_the_answer_even_if_the_pipe_is_closed() {
     for (to, status) in [(-2.0, 1), (0.5, 0)] {
         let run = run_unread(&fall(1.0, to), &["step", "start.ply", "end.ply"]);
         assert_eq!((run.status, run.stderr.as_str()), (status, ""));

@@ -51,7 +51,7 @@ fn wrong_usage_has_status_2() {
 }
 
 #[test]
-fn help_tells_the_exit_status() {
+fn help_documents_the_exit_status() {
     for command in ["step", "audit", "queries", "round", "convert"] {
         let run = Folder::new().run(&[command, "--help"]);
         assert_eq!((run.status, run.stderr.as_str()), (0, ""));

@@ -39,11 +39,7 @@ pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
     CAUGHT.set(true);
     let answer = panic::catch_unwind(AssertUnwindSafe(call));
     CAUGHT.set(false);
-    answer.unwrap_or_else(|_| {
-        Err(ParquetError::General(
-            "what it says of itself is contradictory".into(),
-        ))
-    })
+    answer.unwrap_or_else(|_| Err(ParquetError::General("its metadata contradict each other".into())))
 }
 
 /// The bytes of a file, without pages that are too large.

@@ -39,7 +39,7 @@ fn damage_is_an_error_or_does_not_matter() {
     assert!(errors > 2 * sound.len(), "{errors}");
 }
 
-/// The header of a page announces 2³⁰ bytes.
+/// The header of a page states a size of 2³⁰ bytes.
 #[test]
 fn pages_that_are_too_large_are_refused() {
     let mut bytes = written(&[full(0)]);

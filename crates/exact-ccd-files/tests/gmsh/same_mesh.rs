@@ -51,7 +51,7 @@ fn triangles_without_tetrahedra_are_a_frame_as_they_are() {
 }
 
 #[test]
-fn no_elements_are_a_sound_file() {
+fn a_file_without_elements_is_valid() {
     for (name, bytes) in all(&Contents::default()) {
         assert!(parse_tet_mesh(&bytes).unwrap().tetrahedra().is_empty(), "{name}");
     }

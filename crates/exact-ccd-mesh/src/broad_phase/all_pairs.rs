@@ -1,4 +1,4 @@
-//! Every box against every other.
+//! All pairs of boxes.
 
 use core::ops::ControlFlow;
 
@@ -9,7 +9,7 @@ use super::boxes::Boxes;
 use super::pairs::Pairs;
 use super::{BroadPhase, PairSink};
 
-/// Every box against every other: the reference for the tests of the others.
+/// Tests all pairs of boxes: the reference in tests of the other broad phases.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct AllPairs;
 

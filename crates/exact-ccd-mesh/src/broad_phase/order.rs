@@ -14,7 +14,7 @@ const SMALL: usize = 8;
 /// The indices of some points along a curve that fills their box: D. Hilbert, *Über die stetige
 /// Abbildung einer Linie auf ein Flächenstück*, 1891.
 ///
-/// If many points fall into one cell of the curve, they are ordered along a curve of their own. So
+/// If many points fall into one cell of the curve, these are ordered along another curve. So
 /// points that are far away from all others cost a few more rounds, each with cells 2¹² times as
 /// small.
 pub(crate) fn order(points: &[Point], ids: Vec<u32>) -> Vec<u32> {

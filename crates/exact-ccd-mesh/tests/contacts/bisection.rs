@@ -1,4 +1,4 @@
-//! The bisection against its two definitions.
+//! The bisection, compared with its two definitions.
 
 use exact_ccd_mesh::{Tolerance, bisect};
 use fastrand::Rng;
@@ -63,7 +63,7 @@ fn a_relative_tolerance_bounds_the_interval_by_its_free_part() {
     }
 }
 
-/// No tolerance makes it run for ever.
+/// The bisection terminates for every tolerance.
 #[test]
 fn a_bisection_ends() {
     for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {

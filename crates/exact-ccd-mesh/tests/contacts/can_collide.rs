@@ -1,4 +1,4 @@
-//! Every search restricts itself to the pairs that can collide.
+//! Every search examines only the pairs that can collide.
 
 use exact_ccd_mesh::{BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, StepReport};
 use fastrand::Rng;

@@ -1,4 +1,4 @@
-//! Questions to candidates against loops over all pairs.
+//! The searches among candidates, compared with loops over all pairs.
 
 use std::ops::ControlFlow;
 
@@ -143,7 +143,7 @@ fn distances_that_are_no_distances_are_errors() {
         let DistanceError(found) = Candidates::with_options(scene.step(), &Bvh, &options).unwrap_err();
         assert_eq!(found.to_bits(), distance.to_bits());
     }
-    // Everything is within an infinite distance.
+    // All pairs are within an infinite distance.
     let options = CandidateOptions::default().with_distance(f64::INFINITY);
     for boxes in [BoxKind::Swept, BoxKind::Moving] {
         let options = options.clone().with_boxes(boxes);

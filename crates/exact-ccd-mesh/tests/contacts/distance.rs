@@ -1,4 +1,4 @@
-//! Candidates with a distance against distances of sampled points at sampled times.
+//! Candidates within a distance, compared with distances of sampled points at sampled times.
 
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_mesh::{
@@ -73,9 +73,10 @@ fn assert_has_all(candidates: &Candidates, expected: &Candidates, what: &str) {
     }
 }
 
-/// Wherever a line search stops, no pair that is near, or that collides until there, is forgotten.
+/// The candidates include all pairs that are near, or that collide before, at any end of a line
+/// search.
 #[test]
-fn all_that_comes_near_in_a_step_is_among_its_candidates() {
+fn candidates_contain_all_pairs_that_come_near() {
     let mut random = Rng::with_seed(11);
     let (mut apart, mut near, mut colliding) = (0, 0, 0);
     for case in 0..200 {

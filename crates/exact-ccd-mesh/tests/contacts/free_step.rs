@@ -47,7 +47,7 @@ fn check(
     assert!(is_free(mesh, x0, &found.positions));
 }
 
-/// Sheets that crumple, step after step, each from where the last one ended: nearly everything is
+/// Sheets that crumple in successive steps, each from the end of the one before. Nearly all pairs are
 /// close to contact.
 #[test]
 fn steps_of_crumpling_sheets_are_free() {
@@ -72,10 +72,10 @@ fn steps_of_crumpling_sheets_are_free() {
     assert!(blocked > 30 && nearly > 3, "{blocked} {nearly}");
 }
 
-/// Sheets so far from the origin that their motion is a few units in the last place: there,
-/// positions at the exact time are often in contact.
+/// Sheets at such a distance from the origin that their motion is a few units in the last place.
+/// Rounded positions at the exact time of impact are often in contact there.
 #[test]
-fn rounding_makes_a_step_smaller_where_it_has_to() {
+fn rounding_reduces_a_step_where_necessary() {
     let mut random = Rng::with_seed(21);
     let mut smaller = 0;
     for case in 0..60 {

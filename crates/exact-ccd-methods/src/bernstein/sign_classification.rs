@@ -26,8 +26,8 @@ use crate::interval::Interval;
 /// intervals leave them open. The method has no times.
 ///
 /// # When it fails
-/// - It gives up on a cubic with an inflection point within the step, unless the first or the last
-///   Bernstein coefficient alone has a sign of its own. The paper cuts the cubic there, but the
+/// - It fails on a cubic with an inflection point within the step, unless the only Bernstein
+///   coefficient of its sign is the first or the last. The paper cuts the cubic there, but the
 ///   authors' program never computes the place of the cut, and does not terminate: such a query
 ///   counts as a contact here, as every query on which a method fails does in the comparison. Of the
 ///   5,171 queries of a twisted rod 190 are of this kind, 6 of which do not touch; of vertices and

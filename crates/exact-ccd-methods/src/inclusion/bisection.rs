@@ -8,14 +8,15 @@ use super::cell::Cell;
 pub(crate) struct Bisection<const N: usize> {
     /// A box that is not wider than this is not divided.
     pub(crate) tolerances: [f64; N],
-    /// The number of boxes that are tested before the search gives up.
+    /// The largest number of boxes that are tested.
     pub(crate) max_iterations: usize,
 }
 
 impl<const N: usize> Bisection<N> {
     /// The beginning of the earliest undivided box that may contain a root and is accepted.
     ///
-    /// The axes take turns. If the search gives up, all remaining boxes may contain roots.
+    /// Boxes are divided along the axes in rotation. At the limit of iterations, all remaining boxes
+    /// count as boxes that may contain roots.
     pub(crate) fn earliest(
         &self,
         may_contain_root: impl Fn(&Cell<N>) -> bool,

@@ -190,8 +190,8 @@ impl<'a> Search<'a> {
     /// A time not after the earliest contact, if there may be one.
     ///
     /// The boxes of a level have the same size and come in the order of time. A box over which F is
-    /// zero ends its level, and all later ones before the first box that begins no earlier. Where
-    /// the search gives up, no contact is earlier than the first box of that level over which F may
+    /// zero ends its level, and all later ones before the first box that begins no earlier. At
+    /// the limit of iterations, no contact is earlier than the first box of that level over which F may
     /// be zero.
     fn earliest<K: Gap>(&self) -> Option<f64> {
         let tolerances = self.tolerances::<K>();

@@ -15,7 +15,7 @@ use super::ray::cast;
 ///
 /// It is the reference that B. Wang, Z. Ferguson, X. Jiang, M. Attene, D. Panozzo and T. Schneider
 /// compare with in *Fast and Exact Root Parity for Continuous Collision Detection*, Computer
-/// Graphics Forum 41(2), 2022. Their code gives up after eight random rays, reports no contact if
+/// Graphics Forum 41(2), 2022. Their code fails after eight random rays, reports no contact if
 /// all points have the same displacement, and splits a flat face into triangles that may differ
 /// from it. Here, at least one of 49 fixed rays is valid, and a flat face covers exactly its
 /// points.

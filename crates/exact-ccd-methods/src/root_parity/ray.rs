@@ -1,4 +1,4 @@
-//! A ray from the origin, and what it crosses.
+//! A ray from the origin, and its crossings with triangles.
 
 use std::cmp::Ordering;
 
@@ -25,7 +25,8 @@ pub(super) fn cast(image: &impl Image, faces: &[[usize; 4]]) -> Option<bool> {
 
 /// True if the ray crosses a triangle that does not contain the origin; `None` if it meets the boundary.
 ///
-/// It does if it passes the lines of all edges on the side on which the origin sees the third corner.
+/// The ray crosses the triangle if its volumes with the three edges have the sign of the volume of the
+/// triangle.
 fn crosses(image: &impl Image, [a, b, c]: [usize; 3]) -> Option<bool> {
     let edges = [[a, b], [b, c], [c, a]];
     let mut side = Ordering::Equal;

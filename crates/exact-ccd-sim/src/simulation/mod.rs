@@ -46,8 +46,7 @@ impl Simulation {
     ///
     /// # Errors
     /// [`SimulationError`] names the setting that is out of range, or two primitives that intersect or touch
-    /// at the start. A body that lies entirely inside another one has no such pair: this is no error, and
-    /// the body stays inside.
+    /// at the start. A body entirely inside another one has no such pair: it is accepted and stays inside.
     pub fn new(system: System, settings: Settings) -> Result<Self, SimulationError> {
         let state = State {
             step: 0,
@@ -127,7 +126,7 @@ impl Simulation {
         })
     }
 
-    /// The same simulation with another filter, whose name becomes that of the settings and of checkpoints.
+    /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
     #[must_use]
     pub fn with_filter(mut self, filter: StepFilter) -> Self {
         filter.name().clone_into(&mut self.settings.ccd);
@@ -159,8 +158,8 @@ impl Simulation {
         &self.state
     }
 
-    /// A checkpoint of the current state, from which [`Checkpoint::resume`] continues after it has compared
-    /// settings and system.
+    /// A checkpoint of the current state. [`Checkpoint::resume`] compares settings and system with those of
+    /// the checkpoint, then continues from this state.
     #[must_use]
     pub fn checkpoint(&self) -> Checkpoint {
         Checkpoint {

@@ -46,8 +46,8 @@ impl<K: Kind> FirstContact<K> {
                 continue;
             }
             times.push(instant.round());
-            // Contact that lasts begins at an event and holds until the next one: the primitives
-            // are closed.
+            // Contact over an interval begins at an event and includes the next one, because the
+            // primitives are closed.
             let lasts = |next| motion.touches(&Instant::Dyadic(instant.before(next)));
             if motion.is_always_coplanar() && instants.get(i + 1).is_some_and(lasts) {
                 return ContactTimes::Interval { first: times[0] };

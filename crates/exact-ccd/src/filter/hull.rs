@@ -1,14 +1,14 @@
-//! Separating directions: F(t, u, v) stays in the convex hull of its values at the corners of the
-//! domain, so that a plane through the origin with all corners strictly on one side proves that F
-//! has no root.
+//! Separating directions: F(t, u, v) lies in the convex hull of its values at the corners of the
+//! domain. So F has no root if all these values lie strictly on one side of a plane through the
+//! origin.
 
 use super::number::{Lanes, Points, subtract};
 use super::roundoff::{LARGEST, UNDERFLOW, UNIT};
 use crate::kind::Kind;
 use crate::query::Point;
 
-/// The eight values of F at the corners of its domain, by axis. (A vertex-face query has six; two
-/// are repeated.)
+/// The eight values of F at the corners of its domain, by axis. A vertex-face query has six
+/// corners, two of which are repeated.
 pub(super) struct Hull<T> {
     corners: [[T; 8]; 3],
     low: [T; 3],
@@ -59,8 +59,8 @@ impl<T: Lanes> Hull<T> {
         along
     }
 
-    /// The error of a scalar product: a corner is rounded once, then there are one product and two
-    /// sums, n = 4.
+    /// The error bound of a scalar product. Its roundings are that of the corner, one product and two
+    /// sums: n = 4.
     #[inline(always)]
     fn error_along(&self, direction: [T; 3]) -> T {
         let [x, y, z] = direction.map(Lanes::abs);
@@ -92,8 +92,8 @@ impl Hull<f64> {
     }
 
     /// Returns true if all corners are strictly on one side of a plane x = ±y, y = ±z or z = ±x.
-    /// Exact: rounding is monotone, so that a rounded difference less than another one implies the
-    /// same of the exact ones.
+    /// Exact: rounding is monotone, so that the exact differences are in strict order if the rounded
+    /// ones are.
     #[inline]
     pub(super) fn diagonal_separates(&self) -> bool {
         [[0, 1], [1, 2], [2, 0]]
@@ -101,14 +101,14 @@ impl Hull<f64> {
             .any(|[i, j]| diagonal_separates(self.corners[i].into_iter().zip(self.corners[j])))
     }
 
-    /// The mean of the corners. It serves as a direction, and needs no accuracy.
+    /// The mean of the corners, a direction that need not be accurate.
     fn centroid(&self) -> Point {
         [0, 1, 2].map(|axis: usize| self.corners[axis].iter().sum::<f64>() / 8.0)
     }
 
     /// Returns true if Gilbert's iteration (An iterative procedure for computing the minimum of a
-    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps from the
-    /// centroid towards the point of the hull next to the origin.
+    /// quadratic form on a convex set, 1966) finds a separating direction in a few steps. It
+    /// starts at the centroid and approaches the point of the hull nearest to the origin.
     pub(super) fn some_direction_separates(&self) -> bool {
         const STEPS: usize = 6;
         let mut nearest = self.centroid();
@@ -118,7 +118,7 @@ impl Hull<f64> {
             }
             let values = self.along(nearest);
             let lowest = (1..8).fold(0, |best, i| if values[i] < values[best] { i } else { best });
-            // The point next to the origin on the segment from here to the lowest corner.
+            // The point nearest to the origin on the segment from `nearest` to the corner `lowest`.
             let back = [0, 1, 2].map(|axis: usize| nearest[axis] - self.corners[axis][lowest]);
             let squared_length = dot(back, back);
             let step = dot(back, nearest) / squared_length;

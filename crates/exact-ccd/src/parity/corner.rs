@@ -112,7 +112,7 @@ impl Corner for Point {
     ///
     /// The underflow in a product is at most 2⁻¹⁰⁷⁵, and only a coordinate of `a` can enlarge it:
     /// to far less than 2⁻¹⁰⁰⁰ times one plus their sum. An overflow makes the bound infinite, and
-    /// nothing certain.
+    /// no sign certain.
     #[inline(always)]
     fn orientation(a: &Self, b: &Self, c: &Self) -> Ordering {
         const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);

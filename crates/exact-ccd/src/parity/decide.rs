@@ -12,9 +12,9 @@ use crate::query::Query;
 /// axes on which its corner differences are exact.
 ///
 /// # False negatives and false positives
-/// An even number of contacts looks like none. The answer is right for the rounded query: the query itself
-/// may be in contact where the rounded one is not, and the other way round. A query that is too large to be
-/// rounded counts as a collision.
+/// An even number of contacts is not distinguished from none. The answer is right for the rounded query:
+/// the query itself may be in contact where the rounded one is not, and vice versa. A query that is too
+/// large to be rounded counts as a collision.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RootParity {
     displacement: Displacement,

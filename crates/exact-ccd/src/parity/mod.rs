@@ -94,10 +94,10 @@ fn parity<K: Kind, C: Corner>(corners: &[C; 8]) -> Parity {
     if signs.exclude_origin(u8::MAX) || C::certainly_exclude_origin(corners) {
         return Parity::Even;
     }
-    // One of these rays serves; see `ray`.
+    // At least one of these rays is valid, as `ray` proves.
     let parity = (0..ray::COUNT).find_map(|k| cast::<K, C>(&Ray::new(k), corners, &signs));
-    debug_assert!(parity.is_some(), "no ray serves");
-    // The conservative answer to a case that does not exist.
+    debug_assert!(parity.is_some(), "no ray is valid");
+    // The conservative answer, for a case that cannot occur.
     parity.unwrap_or(Parity::Boundary)
 }
 
@@ -184,7 +184,7 @@ mod tests {
     const LINES_OF_PRISM: u32 = 9 + 6;
     const LINES_OF_HEXAHEDRON: u32 = 12 + 12;
 
-    /// The number of rays that are rejected before one serves.
+    /// The number of rays that are rejected before the first valid one.
     fn rejected<K: Kind>(corners: &[Point; 8]) -> u32 {
         let signs = Signs::new(corners);
         if signs.exclude_origin(u8::MAX) {

@@ -1,12 +1,12 @@
 //! Rays from the origin, and the triangles that they cross (appendix A of the paper).
 //!
-//! A ray serves if it meets no triangle at its boundary. The paper casts another random one if it
-//! does; here, the directions are (1, k, k²), k = 0, 1, 2, …, and one of the first 49 serves. For
-//! each direction that is rejected, there are two corners of one face such that it lies in the
-//! plane through them and the origin, or, if they are on a line through the origin, along that
-//! line. The faces have at most 24 such pairs: their edges and their diagonals. No plane through
-//! the origin contains more than two of the directions, and no two of these are parallel: each pair
-//! rejects two at most.
+//! A ray is valid if it meets no triangle at its boundary. Where it is not, the paper casts another
+//! random one. Here, the directions are (1, k, k²), k = 0, 1, 2, …, and at least one of the first 49
+//! is valid. A ray is rejected because of two corners of one face: it lies in the plane through them
+//! and the origin or, if they are on a line through the origin, along that line. The faces have at
+//! most 24 such pairs of corners: their edges and their diagonals. No plane through the origin
+//! contains more than two of the directions, and no two directions are parallel. So each pair
+//! rejects at most two of them.
 
 use core::cmp::Ordering;
 
@@ -33,8 +33,8 @@ pub(super) struct Passage {
 impl Passage {
     /// The passage of a line; `None` if it misses the hull of the corners.
     ///
-    /// It does if, as seen along the line, one corner is the outermost in a sense of rotation: all
-    /// others are strictly on one side of it, or in the same direction as seen from the line.
+    /// The line misses the hull if one corner is the outermost in a sense of rotation about the line:
+    /// all others are strictly on one side of it, or in the same direction from the line.
     #[inline]
     pub(super) fn new<C>(
         corners: [&C; 4],

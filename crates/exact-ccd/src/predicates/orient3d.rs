@@ -32,7 +32,7 @@ pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
 ///
 /// The filter: the differences are rounded once, and the operations on them make it n = 8
 /// roundings. The underflow in a product is at most 2⁻¹⁰⁷⁵, which only a coordinate of b − a can
-/// enlarge; differences do not underflow. An overflow makes the bound infinite, and nothing
+/// enlarge; differences do not underflow. An overflow makes the bound infinite, and no sign
 /// certain.
 pub(crate) fn sign_of_volume(points: &[Point; 4]) -> Ordering {
     const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);

@@ -136,7 +136,7 @@ fn of_a_box_brings_all_its_points_near() {
 
 /// |x + e − x′|.
 #[test]
-fn knows_its_error() {
+fn the_error_is_exact() {
     let pairs = points().prop_map(|[[a, b, c, _], _]| ([a, b], c));
     for_all(20_000, pairs, |(pair, point)| {
         let displacement = Displacement::of_pairs(&[pair]);
@@ -155,7 +155,7 @@ fn knows_its_error() {
 
 /// The sum x + e and its rounding error are in range, though an intermediate x + e − x is not.
 #[test]
-fn knows_its_error_at_the_end_of_the_range() {
+fn the_error_is_exact_at_the_end_of_the_range() {
     let displacement = Displacement::of_pairs(&[[[-f64::MAX / 2.0; 3], [0.0; 3]]]);
     assert_eq!(displacement.along_axes(), [f64::MAX; 3]);
     let half_unit = 2f64.powi(970);

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
 
 /// Panics with the smallest value found on which the check panics. The values are the same in every
-/// run; the fuzzer tries others.
+/// run. The fuzz targets generate others.
 pub(crate) fn for_all<T: Debug>(cases: u32, values: impl Strategy<Value = T>, check: impl Fn(T)) {
     let config = ProptestConfig {
         failure_persistence: None,

@@ -1,4 +1,4 @@
-//! The fast path answers as the exact path does, bit for bit.
+//! The answers of the fast path are those of the exact path, bit for bit.
 
 use std::cell::RefCell;
 
@@ -31,7 +31,7 @@ for_each_kind! {
     on_extreme_points => extreme_points;
 }
 
-/// Otherwise agreement would mean little.
+/// Every stage must occur, so that the comparison covers all filters.
 #[test]
 fn every_stage_settles_some_queries() {
     let stages = RefCell::new(Vec::new());

@@ -1,4 +1,4 @@
-//! The distance at a time, against a search, and against the times within it.
+//! The distance at a time, compared with a search, and with the times within that distance.
 
 use exact_ccd::separation::DistanceBounds;
 use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexEdge, VertexFace, VertexVertex};

@@ -40,7 +40,7 @@ impl Rule {
     }
 }
 
-/// Distances at which the primitives are at some time, and others.
+/// Distances that the primitives have at some time, and other distances.
 pub(crate) fn rule() -> impl Strategy<Value = Rule> + Clone {
     let t = prop_oneof![prop::sample::select(vec![0.0, 0.25, 0.5, 0.75, 1.0]), 0.0..1.0,];
     let reached = (t, any::<bool>(), -2..=2i8).prop_map(|(t, up, steps)| Rule::Reached { t, up, steps });

@@ -1,4 +1,4 @@
-//! The closest points at the first time, against their definition.
+//! The closest points at the first time, compared with their definition.
 
 use exact_ccd::{EdgeEdge, VertexFace};
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! The answers do not depend on names, axes, the unit, or the direction of time.
+//! The answers do not depend on the order of points, the axes, the unit, or the direction of time.
 
 use exact_ccd::ContactTime;
 use exact_ccd::separation::{Separation, TimeInterval};
@@ -32,7 +32,7 @@ fn symmetry() -> impl Strategy<Value = Symmetry> {
 }
 
 impl Symmetry {
-    /// The image of points and a distance; the unit stays where a number would be rounded.
+    /// The image of points and a distance; the unit is unchanged if a number would be rounded.
     fn apply<K: FromFour>(&self, points: &Points, d: Separation) -> (Points, Separation) {
         let power = 2f64.powi(self.exponent);
         let is_exact = |x: f64| (x * power).is_finite() && x * power / power == x;

@@ -1,4 +1,4 @@
-//! All kinds of query, made from four points.
+//! Queries of all kinds from four points.
 
 use exact_ccd::{EdgeEdge, Kind, Query, VertexEdge, VertexFace, VertexVertex};
 

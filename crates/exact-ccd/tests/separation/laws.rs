@@ -3,8 +3,8 @@
 use exact_ccd::separation::{Separation, TimeInterval};
 use exact_ccd::{ContactTime, Kind, Query, exact};
 
-/// The times within d, checked to be sound in themselves, the same as those of the exact path bit
-/// for bit, and in accord with the other answers.
+/// The times within d. They are checked to be ordered times of the step, bit for bit those of the
+/// exact path, and consistent with the other answers.
 pub(crate) fn checked_intervals<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInterval> {
     let intervals = query.intervals_within(d);
     assert_eq!(
@@ -63,7 +63,7 @@ fn assert_sound(intervals: &[TimeInterval]) {
     }
     for pair in intervals.windows(2) {
         let (end, start) = (pair[0].end, pair[1].start);
-        // Two times that are no f64 may lie in one gap.
+        // Two times that are not f64 may lie between the same two f64.
         assert!(end < start || (end == start && !end.is_exact()), "{intervals:?}");
     }
 }

@@ -1,4 +1,5 @@
-//! A larger distance is reached no later, and for as long at least.
+//! With a larger distance, the first time is not later, and the intervals contain those of the
+//! smaller distance.
 
 use exact_ccd::separation::TimeInterval;
 

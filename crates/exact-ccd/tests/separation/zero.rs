@@ -1,4 +1,4 @@
-//! Within the distance 0 means in contact.
+//! Primitives are within the distance 0 if and only if they are in contact.
 
 use exact_ccd::separation::{Separation, TimeInterval};
 use exact_ccd::{ContactTime, ContactTimes, exact};

@@ -17,7 +17,8 @@ type Closest = ([f64; 2], Option<Point>);
 /// The closest points at the first instant within d.
 pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Option<Impact> {
     let time = first.round();
-    // In a bracket narrower than the ratios are accurate, nearly all of their signs are plain.
+    // In a bracket narrower than the resolution of the ratios, Descartes' rule proves nearly all of
+    // their signs.
     let instant = first.clone().narrowed_by(64);
     let within = features.iter().filter(|feature| feature.is_within(&instant));
     let closest = within.min_by(|one, other| one.compare(other, &instant))?;

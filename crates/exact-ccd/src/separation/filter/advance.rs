@@ -17,10 +17,10 @@ pub(super) enum Advance {
     Until(f64),
 }
 
-/// Advances as far as directions prove it.
+/// Advances from t = 0 in steps, each with one direction.
 ///
-/// The direction at a time is that of the closest points then. It proves D > d for as long as all
-/// corners are beyond d along it, which move at constant speed. Few steps settle most queries; a
+/// The direction of a step is that between the closest points at its start. It proves D > d as long as
+/// all corners, which move at constant speed, are beyond d along it. Few steps settle most queries. A
 /// crossing needs directions that turn.
 pub(super) fn from_start<K: Kind>(scaled: &Scaled) -> Advance {
     const STEPS: usize = 4;
@@ -38,7 +38,7 @@ pub(super) fn from_start<K: Kind>(scaled: &Scaled) -> Advance {
             _ => break,
         }
     }
-    // Nothing may be proved even at t = 0; then 0 is only a guess.
+    // Without any proof, even at t = 0, the result is 0. `Until` is a guess then.
     free.map_or(Advance::Until(0.0), Advance::Until)
 }
 

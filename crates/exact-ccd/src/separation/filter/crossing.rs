@@ -63,7 +63,7 @@ impl Stretch<'_> {
         if proved || depth == 0 || middle <= start || middle >= end {
             return proved;
         }
-        // The end of a stretch is what fails first.
+        // The later part first: it is nearer to the distance d, so its proof fails more often.
         self.is_beyond::<K>([middle, end], is_last, depth - 1)
             && self.is_beyond::<K>([start, middle], false, depth - 1)
     }
@@ -86,7 +86,7 @@ fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, guess]: [f64; 2]) ->
             let step = -now.excess().value() * distance / ((distance + moving.separation()) * slope);
             down(floor, step).clamp(free, 1.0)
         } else {
-            // Past the closest approach.
+            // D no longer decreases here: the time of d is earlier.
             0.5 * (floor + approaching?)
         };
         if (next - floor).abs() <= T::SETTLED {

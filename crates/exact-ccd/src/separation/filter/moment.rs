@@ -80,12 +80,12 @@ impl<T: Precision> Moving<T> {
 /// The corners of F at one time, with a guess of the closest points and the direction from one to
 /// the other.
 ///
-/// With ε for [`Precision::ROUNDOFF`]: a component of a corner, of magnitude at most 1, comes in
-/// four operations on terms of at most 1, 1, 2 and 3. It is off by at most 8 ε.
+/// Let ε be [`Precision::ROUNDOFF`]. A component of a corner, of magnitude at most 1, results from four
+/// operations on terms of at most 1, 1, 2 and 3. Its error is at most 8 ε.
 pub(super) struct Moment<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
-    /// Any vector proves something; this one, of a length of about 1, proves the most.
+    /// The bounds hold for any vector. They are sharpest for this one, whose length is about 1.
     direction: Vector<T>,
     count: usize,
     d: f64,

@@ -24,7 +24,7 @@ use exact_ccd::{EdgeEdge, Point, Query, Stage, VertexFace};
 /// The smallest subnormal number.
 const TINY: f64 = f64::from_bits(1);
 
-/// Hands out memory from a fixed block, and takes none back.
+/// Allocates memory from a fixed block, and frees none.
 struct Bump {
     used: AtomicUsize,
 }

@@ -63,13 +63,13 @@ fn within_the_distance_from_the_start_it_is_that_of_the_start() {
 }
 
 #[test]
-fn in_contact_from_the_start_there_is_no_direction() {
+fn a_contact_at_the_start_has_no_direction() {
     let query = vertex_against(FACE, [0.25, 0.5, 0.0], [0.25, 0.5, -1.0]);
     comes_near(&query, 1.0, 0.0, [0.25, 0.5], None);
 }
 
 #[test]
-fn there_is_none_out_of_reach() {
+fn no_impact_out_of_reach() {
     let query = vertex_against(FACE, [0.25, 0.5, 3.0], [0.25, 0.5, 2.0]);
     assert_eq!(query.impact_within(within(1.0)), None);
 }

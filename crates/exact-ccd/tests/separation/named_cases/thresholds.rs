@@ -1,4 +1,4 @@
-//! Distances that are none.
+//! Numbers that are not valid distances.
 
 use exact_ccd::separation::Separation;
 use exact_ccd::{NonFinite, Query, VertexEdge, VertexVertex};

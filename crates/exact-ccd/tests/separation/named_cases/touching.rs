@@ -1,4 +1,4 @@
-//! Primitives that reach the distance and come no closer.
+//! Primitives that reach the distance d and do not come closer.
 
 use exact_ccd::{EdgeEdge, Point, Query, VertexEdge, VertexVertex};
 
