@@ -144,26 +144,18 @@ impl<K: Kind> Contact<'_, K> {
     /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of 2⁻⁵².
     fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
-        let reaches = |n: u64| {
-            self.instant
-                .sign(&(&scaled - &(&Polynomial::constant(n) * b)))
-                .is_ge()
-        };
-        let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
-        // The quotient at an end of the bracket is most likely next to it.
-        let guess = scaled.quotient_at(b, self.instant.bounds().0).unwrap_or_default();
-        let window = [guess.saturating_sub(1), guess.saturating_add(2)].map(|n| n.clamp(low, high));
-        if reaches(window[0]) && !reaches(window[1]) {
-            [low, high] = window;
-        }
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            if reaches(middle) {
-                low = middle;
-            } else {
-                high = middle;
+        let mut instant = self.instant.clone();
+        loop {
+            // The quotient at an end of the bracket comes as close to this one as the bracket is narrow.
+            if let Some(guess) = scaled.quotient_at(b, instant.bounds().0) {
+                let reaches = |n: u64| instant.sign(&(&scaled - &(&Polynomial::constant(n) * b))).is_ge();
+                let (low, high) = (guess.saturating_sub(1), guess.saturating_add(2));
+                if reaches(low) && !reaches(high) {
+                    let floor = (low + 1..high).take_while(|&n| reaches(n)).last().unwrap_or(low);
+                    return floor as f64 / (1_u64 << BITS) as f64;
+                }
             }
+            instant = instant.narrowed_by(64);
         }
-        low as f64 / (1_u64 << BITS) as f64
     }
 }

@@ -1,12 +1,12 @@
 //! Times in [0, 1] at which an integer polynomial vanishes, and the signs of other polynomials there.
 
-use alloc::rc::Rc;
+use alloc::sync::Arc;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::dyadic::Dyadic;
+use super::guess;
 use super::polynomial::Polynomial;
-use super::sturm::SturmChain;
 use crate::time::ContactTime;
 
 /// A time in [0, 1].
@@ -16,63 +16,126 @@ pub(crate) enum Instant {
     Dyadic(Dyadic),
     /// The only root of a square-free polynomial between two dyadic rationals, which are not roots themselves.
     Root {
-        of: Rc<Polynomial>,
+        of: Arc<Polynomial>,
         low: Dyadic,
         high: Dyadic,
+        /// The precision of the next guess.
+        bits: usize,
     },
 }
 
 impl Instant {
-    /// The sign of a polynomial at this time: Tarski's query over the only root of `of` in the bracket, unless the
-    /// polynomial plainly has one sign in all of it.
+    /// The sign of a polynomial at this time: zero if the polynomial and `of` have a common root in the bracket, otherwise
+    /// the one sign that the polynomial has in a bracket that is narrow enough.
     pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
-        match self {
-            Self::Dyadic(t) => polynomial.sign_at(t),
-            Self::Root { of, low, high } => polynomial
-                .sign_between(low, high)
-                .unwrap_or_else(|| SturmChain::new(of, polynomial).sum_of_signs(low, high).cmp(&0)),
+        if let Some(sign) = self.plain_sign(polynomial) {
+            return sign;
+        }
+        if self.is_root_of(polynomial) {
+            return Ordering::Equal;
+        }
+        let mut instant = self.clone();
+        loop {
+            instant = instant.narrowed();
+            if let Some(sign) = instant.plain_sign(polynomial) {
+                return sign;
+            }
         }
     }
 
-    /// The same time in a narrower bracket.
+    /// The sign of a polynomial at this time, if it plainly has one sign in all of the bracket.
+    fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
+        match self {
+            Self::Dyadic(t) => Some(polynomial.sign_at(t)),
+            Self::Root { low, high, .. } => polynomial.sign_between(low, high),
+        }
+    }
+
+    /// True if a polynomial vanishes at this time.
+    ///
+    /// Common roots are those of the greatest common divisor. Of all the roots of `of`, it can only have the one in the
+    /// bracket, a simple one, at which it changes its sign.
+    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+        match self {
+            Self::Dyadic(t) => polynomial.sign_at(t).is_eq(),
+            Self::Root { of, low, high, .. } => {
+                let common = (**of).clone().gcd(polynomial.clone());
+                common.sign_at(low) != common.sign_at(high)
+            }
+        }
+    }
+
+    /// The same time in a narrower bracket: a cell of a grid if the guess is right, otherwise about one half.
     fn narrowed(self) -> Self {
-        let Self::Root { of, low, high } = self else {
+        let Self::Root {
+            of,
+            mut low,
+            mut high,
+            bits,
+        } = self
+        else {
             return self;
         };
-        let middle = Dyadic::between(&low, &high);
+        let (guess, start) = guess::secant(&of, &low, &high, bits);
         // A simple root: the polynomial has one sign below it in the bracket and the other above.
-        match of.sign_at(&middle) {
-            Ordering::Equal => Self::Dyadic(middle),
-            sign if sign == of.sign_at(&low) => Self::Root {
-                of,
-                low: middle,
-                high,
-            },
-            _ => Self::Root {
-                of,
-                low,
-                high: middle,
-            },
+        let cut = |low: &mut Dyadic, high: &mut Dyadic, t: &Dyadic| {
+            let sign = of.sign_at(t);
+            *(if sign == start { low } else { high }) = t.clone();
+            sign.is_eq()
+        };
+        for t in &guess {
+            if *t > low && *t < high && cut(&mut low, &mut high, t) {
+                return Self::Dyadic(high);
+            }
+        }
+        let is_right = low == guess[0] && high == guess[1];
+        if !is_right {
+            let middle = Dyadic::between(&low, &high);
+            if cut(&mut low, &mut high, &middle) {
+                return Self::Dyadic(middle);
+            }
+        }
+        Self::Root {
+            of,
+            low,
+            high,
+            bits: if is_right { 2 * bits } else { (bits / 2).max(2) },
         }
     }
 
-    /// The same time in a bracket that has been narrowed this many times.
-    pub(crate) fn narrowed_by(self, steps: usize) -> Self {
-        (0..steps).fold(self, |instant, _| instant.narrowed())
+    /// The width of the bracket.
+    fn width(&self) -> Dyadic {
+        let (low, high) = self.bounds();
+        Dyadic::difference(high, low)
+    }
+
+    /// The same time in a bracket whose width is smaller by a factor of at least 2ᵏ.
+    pub(crate) fn narrowed_by(self, bits: usize) -> Self {
+        let enough = self.width().halved(bits);
+        let mut instant = self;
+        while instant.width() > enough {
+            instant = instant.narrowed();
+        }
+        instant
+    }
+
+    /// This time and another one, which must not be the same, in brackets that do not even have a common end.
+    fn apart(&self, other: &Self) -> (Self, Self) {
+        let (mut this, mut other) = (self.clone(), other.clone());
+        while this.bounds().1 >= other.bounds().0 && other.bounds().1 >= this.bounds().0 {
+            if this.width() > other.width() {
+                this = this.narrowed();
+            } else {
+                other = other.narrowed();
+            }
+        }
+        (this, other)
     }
 
     /// Whether this time is earlier than another one, which must not be the same.
     fn is_before(&self, other: &Self) -> bool {
-        let (mut this, mut other) = (self.clone(), other.clone());
-        loop {
-            if this.bounds().1 <= other.bounds().0 {
-                return true;
-            }
-            if other.bounds().1 <= this.bounds().0 {
-                return false;
-            }
-            (this, other) = (this.narrowed(), other.narrowed());
-        }
+        let (this, other) = self.apart(other);
+        this.bounds().1 < other.bounds().0
     }
 
     /// How this time compares with t.
@@ -99,17 +162,8 @@ impl Instant {
 
     /// A number strictly between this time and a later one.
     pub(crate) fn before(&self, later: &Self) -> Dyadic {
-        let (mut low, mut high) = (self.bounds().0.clone(), later.bounds().1.clone());
-        loop {
-            let middle = Dyadic::between(&low, &high);
-            if self.compare(&middle).is_ge() {
-                low = middle;
-            } else if later.compare(&middle).is_le() {
-                high = middle;
-            } else {
-                return middle;
-            }
-        }
+        let (this, later) = self.apart(later);
+        Dyadic::between(this.bounds().1, later.bounds().0)
     }
 
     /// The time between two adjacent f64, by bisection over the bit patterns, which are ordered like the numbers.
@@ -152,25 +206,42 @@ pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
     all
 }
 
-/// Appends the roots of a square-free polynomial between two numbers that are no roots. Recursion is only as deep as
-/// there are roots.
+/// Appends the roots of a square-free polynomial between two numbers that are no roots, by Descartes' rule. Recursion is
+/// only as deep as there are roots.
 fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mut Vec<Instant>) {
-    let chain = SturmChain::new(&polynomial, &Polynomial::one());
+    let mut bits = 0;
     loop {
-        let count = chain.sum_of_signs(&low, &high);
-        if count == 0 {
+        let changes = polynomial.sign_changes(&low, &high).0;
+        if changes == 0 {
             return;
         }
-        if count == 1 {
-            // In a narrow bracket, most signs are plain.
+        if changes == 1 {
             let root = Instant::Root {
-                of: Rc::new(polynomial),
+                of: Arc::new(polynomial),
                 low,
                 high,
+                bits: 4,
             };
+            // In a narrow bracket, most signs are plain.
             roots.push(root.narrowed_by(16));
             return;
         }
+        // Sign changes of disjoint intervals are no more than those of all: none are left outside of such a cell.
+        let holds_all = |[left, right]: &[Dyadic; 2]| {
+            polynomial.sign_changes(left, right).0 == changes
+                && polynomial.sign_at(left).is_ne()
+                && polynomial.sign_at(right).is_ne()
+        };
+        if bits >= 4 {
+            let cell = guess::newton(&polynomial, changes, &low, &high, bits).find(holds_all);
+            if let Some(cell) = cell {
+                [low, high] = cell;
+                bits *= 2;
+                continue;
+            }
+            bits /= 2;
+        }
+        bits += 1;
         let middle = Dyadic::between(&low, &high);
         if polynomial.sign_at(&middle).is_eq() {
             let others = polynomial.without_root(&middle);
@@ -178,12 +249,12 @@ fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mu
             roots.push(Instant::Dyadic(middle.clone()));
             return isolate(others, middle, high, roots);
         }
-        match chain.sum_of_signs(&low, &middle) {
+        match polynomial.sign_changes(&low, &middle).0 {
             0 => low = middle,
-            left if left == count => high = middle,
+            left if left == changes => high = middle,
             _ => {
                 isolate(polynomial.clone(), low, middle.clone(), roots);
-                low = middle;
+                (low, bits) = (middle, 0);
             }
         }
     }

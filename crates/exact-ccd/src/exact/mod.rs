@@ -6,11 +6,12 @@
 //! is the one given here; the functions below give it without asking any filter, for audits.
 
 mod dyadic;
+mod guess;
 mod impact;
 mod instant;
+mod modular;
 mod motion;
 mod polynomial;
-mod sturm;
 
 pub(crate) use dyadic::to_integers;
 pub(crate) use instant::roots;

@@ -9,6 +9,7 @@ use dashu_int::ops::{Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
 use super::dyadic::Dyadic;
+use super::modular::are_coprime;
 
 /// The coefficients from the constant one up; the last is not zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -55,14 +56,14 @@ impl Polynomial {
 
     /// The sign of the value at t.
     pub(crate) fn sign_at(&self, t: &Dyadic) -> Ordering {
-        self.scaled_value(t).cmp(&IBig::ZERO)
+        self.scaled_value(&t.numerator, t.exponent).cmp(&IBig::ZERO)
     }
 
     /// The value at t = n / 2ᵏ, times 2ᵏ to the power of the degree.
-    fn scaled_value(&self, t: &Dyadic) -> IBig {
+    pub(super) fn scaled_value(&self, numerator: &IBig, exponent: usize) -> IBig {
         let mut sum = IBig::ZERO;
         for (power, coefficient) in self.0.iter().rev().enumerate() {
-            sum = sum * &t.numerator + (coefficient << (t.exponent * power));
+            sum = sum * numerator + (coefficient << (exponent * power));
         }
         sum
     }
@@ -70,7 +71,7 @@ impl Polynomial {
     /// The quotient of the values of two polynomials at t, without its fraction, if there is one in range.
     pub(crate) fn quotient_at(&self, divisor: &Self, t: &Dyadic) -> Option<u64> {
         let lifted = |p: &Self, other: &Self| {
-            p.scaled_value(t) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
+            p.scaled_value(&t.numerator, t.exponent) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
         };
         let (value, by) = (lifted(self, divisor), lifted(divisor, self));
         if by.is_zero() {
@@ -79,22 +80,36 @@ impl Polynomial {
         u64::try_from(value / by).ok()
     }
 
-    /// The sign in all of (low, high), if it is plain from Descartes' rule: the coefficients of
-    /// (1 + s)ᵈ q((low + high s) / (1 + s)), s > 0, have one sign.
+    /// The sign in all of (low, high), if it is plain from [`sign_changes`](Self::sign_changes).
     pub(crate) fn sign_between(&self, low: &Dyadic, high: &Dyadic) -> Option<Ordering> {
-        let exponent = low.exponent.max(high.exponent);
-        let [low, high] = [low, high].map(|t| &t.numerator << (exponent - t.exponent));
+        let (changes, sign) = self.sign_changes(low, high);
+        (changes == 0).then_some(sign)
+    }
+
+    /// The number of sign changes in the coefficients of (1 + s)ᵈ q((low + high s) / (1 + s)), and the first sign.
+    ///
+    /// By Descartes' rule, the number of roots of q in (low, high) is as large as the number of sign changes, or less by
+    /// an even number; roots count as often as they are multiple.
+    pub(crate) fn sign_changes(&self, low: &Dyadic, high: &Dyadic) -> (usize, Ordering) {
+        let ([low, high], exponent) = Dyadic::align(low, high);
         let from_unit = Self(vec![low.clone(), high - low]);
         let mut inner = self.compose(&from_unit, exponent);
         inner.resize(self.0.len(), IBig::ZERO);
         inner.reverse();
         let outer = Self(inner).compose(&Self(vec![IBig::ONE, IBig::ONE]), 0);
-        let mut signs = outer
+        let (mut first, mut last, mut changes) = (Ordering::Equal, Ordering::Equal, 0);
+        for sign in outer
             .iter()
             .map(|c| c.cmp(&IBig::ZERO))
-            .filter(|sign| sign.is_ne());
-        let first = signs.next().unwrap_or(Ordering::Equal);
-        signs.all(|sign| sign == first).then_some(first)
+            .filter(|sign| sign.is_ne())
+        {
+            if first.is_eq() {
+                first = sign;
+            }
+            changes += usize::from(last == sign.reverse());
+            last = sign;
+        }
+        (changes, first)
     }
 
     /// The coefficients of 2ᵏᵈ q(inner / 2ᵏ), from the constant one up.
@@ -108,7 +123,8 @@ impl Polynomial {
 
     /// A polynomial with the same roots, all simple.
     pub(crate) fn square_free(&self) -> Self {
-        self.quotient(&self.clone().gcd(self.derivative()))
+        let repeated = self.clone().gcd(self.derivative());
+        self.quotient(&repeated)
     }
 
     pub(crate) fn derivative(&self) -> Self {
@@ -174,11 +190,17 @@ impl Polynomial {
 
     /// A multiple of the quotient of a division that leaves no remainder.
     pub(crate) fn quotient(&self, divisor: &Self) -> Self {
+        if divisor.0.len() == 1 {
+            return self.clone();
+        }
         self.divide(divisor).0.primitive()
     }
 
     /// A greatest common divisor; that of a polynomial and zero is the polynomial.
     pub(crate) fn gcd(self, other: Self) -> Self {
+        if are_coprime(&self.0, &other.0) {
+            return Self::one();
+        }
         let (mut a, mut b) = (self, other);
         while !b.is_zero() {
             (a, b) = (b.clone(), a.remainder(&b));
