@@ -2,6 +2,7 @@
 
 use super::instant::Instant;
 use super::motion::{Motion, Vector, cross};
+use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::impact::{Impact, unit};
 use crate::kind::{Kind, Side};
@@ -13,7 +14,7 @@ const BITS: usize = 52;
 /// What the primitives do at an instant of contact.
 struct Contact<'a, K> {
     motion: &'a Motion<K>,
-    instant: Instant,
+    instant: Narrowing,
 }
 
 impl<K: Kind> Motion<K> {
@@ -21,7 +22,8 @@ impl<K: Kind> Motion<K> {
     pub(super) fn impact(&self, instant: &Instant) -> Impact {
         let time = instant.round();
         // In a bracket narrower than the ratios are accurate, nearly all of their signs are plain.
-        let instant = instant.clone().narrowed_by(64);
+        let instant = Narrowing::new(instant);
+        instant.narrow_by(64);
         let contact = Contact {
             motion: self,
             instant,
@@ -144,18 +146,21 @@ impl<K: Kind> Contact<'_, K> {
     /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at the instant, rounded down to a multiple of 2⁻⁵².
     fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
-        let mut instant = self.instant.clone();
         loop {
             // The quotient at an end of the bracket comes as close to this one as the bracket is narrow.
-            if let Some(guess) = scaled.quotient_at(b, instant.bounds().0) {
-                let reaches = |n: u64| instant.sign(&(&scaled - &(&Polynomial::constant(n) * b))).is_ge();
+            if let Some(guess) = scaled.quotient_at(b, &self.instant.lower_bound()) {
+                let reaches = |n: u64| {
+                    self.instant
+                        .sign(&(&scaled - &(&Polynomial::constant(n) * b)))
+                        .is_ge()
+                };
                 let (low, high) = (guess.saturating_sub(1), guess.saturating_add(2));
                 if reaches(low) && !reaches(high) {
                     let floor = (low + 1..high).take_while(|&n| reaches(n)).last().unwrap_or(low);
                     return floor as f64 / (1_u64 << BITS) as f64;
                 }
             }
-            instant = instant.narrowed_by(64);
+            self.instant.narrow_by(64);
         }
     }
 }

@@ -25,19 +25,23 @@ pub(crate) enum Instant {
 }
 
 impl Instant {
-    /// The sign of a polynomial at this time: zero if the polynomial and `of` have a common root in the bracket, otherwise
-    /// the one sign that the polynomial has in a bracket that is narrow enough.
+    /// The sign of a polynomial at this time.
     pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
+        self.clone().narrow_to_sign(polynomial)
+    }
+
+    /// The sign of a polynomial at this time: zero if the polynomial and `of` have a common root in the bracket, otherwise
+    /// the one sign that the polynomial has in a bracket that is narrow enough, which stays.
+    pub(super) fn narrow_to_sign(&mut self, polynomial: &Polynomial) -> Ordering {
         if let Some(sign) = self.plain_sign(polynomial) {
             return sign;
         }
         if self.is_root_of(polynomial) {
             return Ordering::Equal;
         }
-        let mut instant = self.clone();
         loop {
-            instant = instant.narrowed();
-            if let Some(sign) = instant.plain_sign(polynomial) {
+            *self = self.clone().narrowed();
+            if let Some(sign) = self.plain_sign(polynomial) {
                 return sign;
             }
         }

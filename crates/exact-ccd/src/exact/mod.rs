@@ -11,6 +11,7 @@ mod impact;
 mod instant;
 mod modular;
 mod motion;
+mod narrowing;
 mod polynomial;
 
 pub(crate) use dyadic::to_integers;
