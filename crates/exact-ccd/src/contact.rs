@@ -20,6 +20,8 @@ pub enum Stage {
     Coplanarity,
     /// The roots of the coplanarity cubic, and the position of the primitives at each.
     Roots,
+    /// Vertices in one place, or all points on one line along an axis: comparisons prove contact.
+    Coincident,
     /// A direction found by iteration separates.
     Direction,
     /// All points move in one plane across an axis, and the sides of the edges' lines on which the vertices are decide.
@@ -30,12 +32,13 @@ pub enum Stage {
 
 impl Stage {
     /// All stages, in order.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::BoundingBox,
         Self::Diagonals,
         Self::Normals,
         Self::Coplanarity,
         Self::Roots,
+        Self::Coincident,
         Self::Direction,
         Self::Planar,
         Self::Exact,

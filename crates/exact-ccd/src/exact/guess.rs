@@ -1,6 +1,7 @@
-//! Guesses of the place of roots, each a cell of a grid over a bracket. A guess may be wrong: those who make one check it.
+//! Guesses of the place of roots, each a cell of a grid over a bracket. A guess may be wrong, and is checked by the
+//! signs at the ends of the cell.
 //!
-//! They make the precision grow by a factor, where bisection adds one bit: the grid of 2ᵇ cells is chosen finer after
+//! Guesses make the precision grow by a factor, where bisection adds one bit: the grid of 2ᵇ cells is chosen finer after
 //! each guess that was right, and coarser after each that was wrong. (Abbott, Quadratic interval refinement for real
 //! roots, 2014; Sagraloff, When Newton meets Descartes, 2012.)
 

@@ -8,10 +8,10 @@ use crate::impact::{Impact, unit};
 use crate::kind::{Kind, Side};
 use crate::query::Point;
 
-/// How many bits after the point are computed of a ratio.
+/// The number of bits after the point in a ratio.
 const BITS: usize = 52;
 
-/// What the primitives do at an instant of contact.
+/// The primitives at an instant of contact.
 struct Contact<'a, K> {
     motion: &'a Motion<K>,
     instant: Narrowing,

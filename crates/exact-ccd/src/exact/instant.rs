@@ -136,13 +136,13 @@ impl Instant {
         (this, other)
     }
 
-    /// Whether this time is earlier than another one, which must not be the same.
+    /// True if this time is earlier than another one, which must not be the same.
     fn is_before(&self, other: &Self) -> bool {
         let (this, other) = self.apart(other);
         this.bounds().1 < other.bounds().0
     }
 
-    /// How this time compares with t.
+    /// The order of this time and t.
     pub(crate) fn compare(&self, t: &Dyadic) -> Ordering {
         match self {
             Self::Dyadic(time) => time.cmp(t),

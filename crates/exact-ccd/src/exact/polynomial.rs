@@ -168,7 +168,7 @@ impl Polynomial {
         let steps = (self.0.len() + 1).saturating_sub(divisor.0.len());
         let mut quotient = vec![IBig::ZERO; steps];
         let mut remainder = self.0.clone();
-        // |leading| keeps the multiplier positive, and the signs of Sturm's theorem right.
+        // |leading| keeps the multiplier positive.
         let (magnitude, sign) = (IBig::from(leading.clone().unsigned_abs()), leading.signum());
         for step in (0..steps).rev() {
             let top = remainder.pop().unwrap_or_default() * &sign;

@@ -12,6 +12,7 @@
 //! which later factors of at most (2 · LARGEST)² may enlarge; [`UNDERFLOW`] bounds the sum of hundreds of these. All
 //! comparisons are written so that a NaN would prove nothing.
 
+mod coincident;
 mod coplanarity;
 mod cubic;
 mod double_double;
@@ -29,6 +30,7 @@ pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
 pub(crate) use hull::are_beyond_diagonal;
 pub(crate) use number::{Lanes, Number, Points};
 
+use coincident::{Coincidence, coincidence};
 use coplanarity::Coplanarity;
 use cubic::Root;
 use hull::Hull;
@@ -39,7 +41,7 @@ use crate::contact::Stage;
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::{ContactTimes, Times};
+use crate::time::{ContactTime, ContactTimes, Times};
 
 /// The unit roundoff u.
 pub(crate) const UNIT: f64 = f64::EPSILON / 2.0;
@@ -58,6 +60,8 @@ enum Screening {
     Coplanar(ArrayVec<Root, 3>),
     /// The primitives are coplanar at all times, and in contact for an interval that begins like this.
     Sliding(Beginning),
+    /// The primitives touch, because of coordinates that are equal.
+    Coincident(Coincidence),
     Unknown,
 }
 
@@ -73,6 +77,7 @@ fn decide<K: Kind>(query: &Query<K>, screening: Screening) -> Option<(bool, Stag
         Screening::Free(stage) => Some((false, stage)),
         Screening::Coplanar(roots) => touches_at_any(query, &roots),
         Screening::Sliding(_) => Some((true, Stage::Planar)),
+        Screening::Coincident(_) => Some((true, Stage::Coincident)),
         Screening::Unknown => None,
     }
 }
@@ -139,6 +144,9 @@ fn screen_rest<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Screening {
     if let Some(roots) = cubic.roots() {
         return Screening::Coplanar(roots);
     }
+    if let Some(coincidence) = coincidence(query, cubic) {
+        return Screening::Coincident(coincidence);
+    }
     if Hull::new::<K>(query.points()).is_beyond_some_direction() {
         return Screening::Free(Stage::Direction);
     }
@@ -170,7 +178,15 @@ pub(crate) fn contact_times<K: Kind>(query: &Query<K>) -> Option<(ContactTimes, 
             let first = Planar::new(query)?.round(&beginning)?;
             (ContactTimes::Interval { first }, Stage::Planar)
         }
-        Screening::Unknown => return None,
+        Screening::Coincident(Coincidence::FromStart) => {
+            let first = ContactTime::exactly(0.0);
+            (ContactTimes::Interval { first }, Stage::Coincident)
+        }
+        Screening::Coincident(Coincidence::Only(time)) => {
+            let times = Times([time].into_iter().collect());
+            (ContactTimes::Finite(times), Stage::Coincident)
+        }
+        Screening::Coincident(Coincidence::SomeTime) | Screening::Unknown => return None,
     };
     Some((times, stage))
 }
@@ -195,6 +211,7 @@ pub(crate) fn impact<K: Kind>(query: &Query<K>) -> Option<Option<Impact>> {
     let roots = match screen(query) {
         Screening::Free(_) => return Some(None),
         Screening::Coplanar(roots) => roots,
+        Screening::Coincident(_) => return coincident::impact(query).map(Some),
         Screening::Sliding(_) | Screening::Unknown => return None,
     };
     for root in &roots {

@@ -39,7 +39,10 @@ pub(crate) fn families<K: Primitives>() -> [(&'static str, Family); 19] {
     [
         ("an exponent for each coordinate", any_exponent),
         ("an exponent for each point and end", exponent_per_point),
-        ("an exponent for each axis, near-double root", stretched_graze::<K>),
+        (
+            "an exponent for each axis, near-double root",
+            stretched_graze::<K>,
+        ),
         ("the least and the largest numbers", ends_of_the_range),
         ("small integers, two extreme coordinates", two_extremes),
         ("a few special values", few_values),
@@ -81,7 +84,7 @@ impl Random {
     }
 
     /// An integer of magnitude at most `radius`.
-    fn integer(&mut self, radius: usize) -> f64 {
+    pub(crate) fn integer(&mut self, radius: usize) -> f64 {
         self.below(2 * radius + 1) as f64 - radius as f64
     }
 
@@ -97,12 +100,19 @@ impl Random {
 
     /// One of the least and the largest numbers.
     fn extreme(&mut self) -> f64 {
-        let magnitudes = [5e-324, 1.5e-323, f64::MIN_POSITIVE, f64::MAX / 4.0, 1e308, f64::MAX];
+        let magnitudes = [
+            5e-324,
+            1.5e-323,
+            f64::MIN_POSITIVE,
+            f64::MAX / 4.0,
+            1e308,
+            f64::MAX,
+        ];
         let magnitude = magnitudes[self.below(magnitudes.len())];
         if self.below(2) == 0 { magnitude } else { -magnitude }
     }
 
-    fn points(&mut self, mut coordinate: impl FnMut(&mut Self) -> f64) -> Points {
+    pub(crate) fn points(&mut self, mut coordinate: impl FnMut(&mut Self) -> f64) -> Points {
         let mut points = Points::default();
         for x in points.as_flattened_mut().as_flattened_mut() {
             *x = coordinate(self);
@@ -230,7 +240,13 @@ fn touching_at_end<K: Primitives>(random: &mut Random) -> Points {
 fn split_graze<K: Primitives>(random: &mut Random) -> Points {
     let (place, velocity) = (random.place(), [random.integer(2), random.integer(2)]);
     // Zeros, to which the least number can be added without rounding.
-    let points = random.points(|random| if random.below(2) == 0 { 0.0 } else { random.integer(4) });
+    let points = random.points(|random| {
+        if random.below(2) == 0 {
+            0.0
+        } else {
+            random.integer(4)
+        }
+    });
     let mut points = graze::<K>(points, place, velocity);
     for x in points.as_flattened_mut().as_flattened_mut() {
         if *x == 0.0 && random.below(3) == 0 {
@@ -304,7 +320,10 @@ fn all_equal(random: &mut Random) -> Points {
 }
 
 fn equal_at_each_end(random: &mut Random) -> Points {
-    [[[random.any(), random.any(), random.any()]; 4], [[random.any(), random.any(), random.any()]; 4]]
+    [
+        [[random.any(), random.any(), random.any()]; 4],
+        [[random.any(), random.any(), random.any()]; 4],
+    ]
 }
 
 fn subnormal(random: &mut Random) -> Points {
