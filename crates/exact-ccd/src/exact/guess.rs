@@ -53,7 +53,7 @@ pub(super) fn newton(
 
 /// 2ᵇ a / b, rounded.
 fn quotient(a: IBig, b: IBig, bits: usize) -> IBig {
-    (a << (bits + 1)).div_euclid(b) + IBig::ONE >> 1
+    ((a << (bits + 1)).div_euclid(b) + IBig::ONE) >> 1
 }
 
 /// The two cells of the grid of 2ᵇ next to its point of this index, as far as they are inside.
