@@ -52,7 +52,11 @@ fn is_kept(method: &dyn Ccd, answer: Option<f64>, truth: &ContactTimes) -> bool 
     }
 }
 
-fn check<K: Kind + std::fmt::Debug>(method: &dyn Ccd, decide: &dyn Decide<K>, [start, end]: [[Point; 4]; 2]) {
+fn check<K: Kind<Points = [Point; 4]> + std::fmt::Debug>(
+    method: &dyn Ccd,
+    decide: &dyn Decide<K>,
+    [start, end]: [[Point; 4]; 2],
+) {
     let query = Query::<K>::new(start, end).unwrap();
     let answer = decide.time_of_impact(&query);
     assert_eq!(

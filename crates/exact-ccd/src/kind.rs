@@ -30,8 +30,8 @@ pub struct Side {
 /// The pairs of features, one of each primitive, whose closest points can be those of the primitives.
 #[derive(Clone, Copy)]
 pub struct Features {
-    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference. They are the
-    /// first of `CORNERS`.
+    /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference. They
+    /// are the first of `CORNERS`.
     pub vertices: &'static [(Difference, [f64; 2])],
     /// The number of sides, from the first, that are a vertex and an edge in the sense of the kind.
     pub sides: usize,
