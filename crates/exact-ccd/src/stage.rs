@@ -14,6 +14,9 @@ pub enum Stage {
     Coplanarity,
     /// The roots of the coplanarity cubic, and the position of the primitives at each.
     Roots,
+    /// A vertex of each primitive in one place, or all points on one line along an axis: comparisons
+    /// prove contact.
+    Coincident,
     /// A direction found by iteration separates.
     Direction,
     /// All points move in one plane across an axis, and the sides of the edges' lines on which the
@@ -31,6 +34,7 @@ impl Stage {
         Self::Normals,
         Self::Coplanarity,
         Self::Roots,
+        Self::Coincident,
         Self::Direction,
         Self::Planar,
         Self::Exact,

@@ -54,11 +54,34 @@ impl Dyadic {
                 Self::power_of_half((below + above.unwrap_or(0)) / 2)
             }
             Some(_) => {
-                let exponent = low.exponent.max(high.exponent);
-                let scaled = |x: &Self| &x.numerator << (exponent - x.exponent);
-                Self::new(scaled(low) + scaled(high), exponent + 1)
+                let ([low, high], exponent) = Self::align(low, high);
+                Self::new(low + high, exponent + 1)
             }
         }
+    }
+
+    /// The numerators of two numbers over their larger denominator 2ᵏ, and k.
+    pub(super) fn align(a: &Self, b: &Self) -> ([IBig; 2], usize) {
+        let exponent = a.exponent.max(b.exponent);
+        let scaled = |x: &Self| &x.numerator << (exponent - x.exponent);
+        ([scaled(a), scaled(b)], exponent)
+    }
+
+    /// a − b for b ≤ a.
+    pub(super) fn difference(a: &Self, b: &Self) -> Self {
+        let ([a, b], exponent) = Self::align(a, b);
+        Self::new(a - b, exponent)
+    }
+
+    /// This number divided by 2ᵏ.
+    pub(super) fn halved(self, times: usize) -> Self {
+        Self::new(self.numerator, self.exponent + times)
+    }
+
+    /// low + (high − low) index / 2ᵇ.
+    pub(super) fn on_grid(low: &Self, high: &Self, index: &IBig, bits: usize) -> Self {
+        let ([low, high], exponent) = Self::align(low, high);
+        Self::new((&low << bits) + (high - low) * index, exponent + bits)
     }
 
     /// The k with 2⁻ᵏ ≤ x < 2¹⁻ᵏ for a number in (0, 1], `None` for 0.
@@ -69,7 +92,8 @@ impl Dyadic {
 
 impl Ord for Dyadic {
     fn cmp(&self, other: &Self) -> Ordering {
-        (&self.numerator << other.exponent).cmp(&(&other.numerator << self.exponent))
+        let ([this, other], _) = Self::align(self, other);
+        this.cmp(&other)
     }
 }
 

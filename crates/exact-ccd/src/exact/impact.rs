@@ -2,6 +2,7 @@
 
 use super::instant::Instant;
 use super::motion::{Motion, Vector, cross};
+use super::narrowing::Narrowing;
 use crate::impact::Impact;
 use crate::kind::{Kind, Side};
 use crate::query::Point;
@@ -9,7 +10,7 @@ use crate::query::Point;
 /// The primitives at an instant of contact.
 struct Contact<'a, K> {
     motion: &'a Motion<K>,
-    instant: Instant,
+    instant: Narrowing,
 }
 
 impl<K: Kind> Motion<K> {
@@ -18,7 +19,8 @@ impl<K: Kind> Motion<K> {
         let time = instant.round();
         // In a bracket narrower than the resolution of the ratios, Descartes' rule proves nearly
         // all of their signs.
-        let instant = instant.clone().narrowed_by(64);
+        let instant = Narrowing::new(instant);
+        instant.narrow_by(64);
         let contact = Contact {
             motion: self,
             instant,

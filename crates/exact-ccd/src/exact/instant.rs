@@ -5,8 +5,8 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use super::dyadic::Dyadic;
+use super::guess;
 use super::polynomial::Polynomial;
-use super::sturm::SturmChain;
 use crate::time::ContactTime;
 
 /// A time in [0, 1].
@@ -20,60 +20,129 @@ pub(crate) enum Instant {
         of: Arc<Polynomial>,
         low: Dyadic,
         high: Dyadic,
+        /// The precision of the next guess.
+        bits: usize,
     },
 }
 
 impl Instant {
-    /// The sign of a polynomial at this time: Tarski's query over the only root of `of` in the
-    /// bracket, unless Descartes' rule proves one sign in the whole bracket.
+    /// The sign of a polynomial at this time.
     pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
-        match self {
-            Self::Dyadic(t) => polynomial.sign_at(t),
-            Self::Root { of, low, high } => polynomial
-                .sign_between(low, high)
-                .unwrap_or_else(|| SturmChain::new(of, polynomial).sum_of_signs(low, high).cmp(&0)),
+        self.clone().narrow_to_sign(polynomial)
+    }
+
+    /// The sign of a polynomial at this time: zero if the polynomial and `of` have a common root in
+    /// the bracket, otherwise its sign in the whole of a bracket that is narrow enough. This instant
+    /// keeps that bracket.
+    pub(super) fn narrow_to_sign(&mut self, polynomial: &Polynomial) -> Ordering {
+        if let Some(sign) = self.plain_sign(polynomial) {
+            return sign;
+        }
+        if self.is_root_of(polynomial) {
+            return Ordering::Equal;
+        }
+        loop {
+            *self = self.clone().narrowed();
+            if let Some(sign) = self.plain_sign(polynomial) {
+                return sign;
+            }
         }
     }
 
-    /// The same time in a narrower bracket.
+    /// The sign of a polynomial at this time, if Descartes' rule proves one sign in the whole bracket.
+    fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
+        match self {
+            Self::Dyadic(t) => Some(polynomial.sign_at(t)),
+            Self::Root { low, high, .. } => polynomial.sign_between(low, high),
+        }
+    }
+
+    /// Returns true if a polynomial vanishes at this time.
+    ///
+    /// The common roots are those of the greatest common divisor. In the bracket, it has at most the
+    /// root of `of`, which is simple, so that it changes its sign there.
+    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+        match self {
+            Self::Dyadic(t) => polynomial.sign_at(t).is_eq(),
+            Self::Root { of, low, high, .. } => {
+                let common = (**of).clone().gcd(polynomial.clone());
+                common.sign_at(low) != common.sign_at(high)
+            }
+        }
+    }
+
+    /// The same time in a narrower bracket: a cell of a grid if the guess is right, otherwise at most
+    /// about one half of this one.
     fn narrowed(self) -> Self {
-        let Self::Root { of, low, high } = self else {
+        let Self::Root {
+            of,
+            mut low,
+            mut high,
+            bits,
+        } = self
+        else {
             return self;
         };
-        let middle = Dyadic::between(&low, &high);
+        let (guess, start) = guess::secant(&of, &low, &high, bits);
         // A simple root: the polynomial has one sign below it in the bracket and the other above.
-        match of.sign_at(&middle) {
-            Ordering::Equal => Self::Dyadic(middle),
-            sign if sign == of.sign_at(&low) => Self::Root {
-                of,
-                low: middle,
-                high,
-            },
-            _ => Self::Root {
-                of,
-                low,
-                high: middle,
-            },
+        let cut = |low: &mut Dyadic, high: &mut Dyadic, t: &Dyadic| {
+            let sign = of.sign_at(t);
+            *(if sign == start { low } else { high }) = t.clone();
+            sign.is_eq()
+        };
+        for t in &guess {
+            if *t > low && *t < high && cut(&mut low, &mut high, t) {
+                return Self::Dyadic(high);
+            }
+        }
+        let is_right = low == guess[0] && high == guess[1];
+        if !is_right {
+            let middle = Dyadic::between(&low, &high);
+            if cut(&mut low, &mut high, &middle) {
+                return Self::Dyadic(middle);
+            }
+        }
+        Self::Root {
+            of,
+            low,
+            high,
+            bits: if is_right { 2 * bits } else { (bits / 2).max(2) },
         }
     }
 
-    /// The same time in a bracket narrowed by this number of bisections.
-    pub(crate) fn narrowed_by(self, steps: usize) -> Self {
-        (0..steps).fold(self, |instant, _| instant.narrowed())
+    /// The width of the bracket.
+    fn width(&self) -> Dyadic {
+        let (low, high) = self.bounds();
+        Dyadic::difference(high, low)
+    }
+
+    /// The same time in a bracket that is narrower by a factor of at least 2ᵏ.
+    pub(crate) fn narrowed_by(self, bits: usize) -> Self {
+        let enough = self.width().halved(bits);
+        let mut instant = self;
+        while instant.width() > enough {
+            instant = instant.narrowed();
+        }
+        instant
+    }
+
+    /// This time and another one in disjoint closed brackets. It does not terminate for equal times.
+    fn apart(&self, other: &Self) -> (Self, Self) {
+        let (mut this, mut other) = (self.clone(), other.clone());
+        while this.bounds().1 >= other.bounds().0 && other.bounds().1 >= this.bounds().0 {
+            if this.width() > other.width() {
+                this = this.narrowed();
+            } else {
+                other = other.narrowed();
+            }
+        }
+        (this, other)
     }
 
     /// Returns true if this time is earlier than another one. It does not terminate for equal times.
     fn is_before(&self, other: &Self) -> bool {
-        let (mut this, mut other) = (self.clone(), other.clone());
-        loop {
-            if this.bounds().1 <= other.bounds().0 {
-                return true;
-            }
-            if other.bounds().1 <= this.bounds().0 {
-                return false;
-            }
-            (this, other) = (this.narrowed(), other.narrowed());
-        }
+        let (this, other) = self.apart(other);
+        this.bounds().1 < other.bounds().0
     }
 
     /// The comparison of this time with t.
@@ -100,17 +169,8 @@ impl Instant {
 
     /// A number strictly between this time and a later one.
     pub(crate) fn before(&self, later: &Self) -> Dyadic {
-        let (mut low, mut high) = (self.bounds().0.clone(), later.bounds().1.clone());
-        loop {
-            let middle = Dyadic::between(&low, &high);
-            if self.compare(&middle).is_ge() {
-                low = middle;
-            } else if later.compare(&middle).is_le() {
-                high = middle;
-            } else {
-                return middle;
-            }
-        }
+        let (this, later) = self.apart(later);
+        Dyadic::between(this.bounds().1, later.bounds().0)
     }
 
     /// The time as an f64 or between two adjacent ones, by bisection over bit patterns, which are
@@ -155,7 +215,7 @@ pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
 }
 
 /// Square-free polynomials without common roots, whose roots are those of the given ones; zero ones
-/// are left out. On these, the bisections below terminate.
+/// are left out. On these, the iterations above and below terminate.
 fn coprime(polynomials: Vec<Polynomial>) -> Vec<Polynomial> {
     let mut factors: Vec<Polynomial> = Vec::new();
     for polynomial in polynomials.into_iter().filter(|p| !p.is_zero()) {
@@ -165,25 +225,43 @@ fn coprime(polynomials: Vec<Polynomial>) -> Vec<Polynomial> {
     factors
 }
 
-/// Appends the roots of a square-free polynomial between two numbers that are not roots. The depth
-/// of recursion is at most the number of roots.
+/// Appends the roots of a square-free polynomial between two numbers that are not roots, by
+/// Descartes' rule. The depth of recursion is at most the number of roots.
 fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mut Vec<Instant>) {
-    let chain = SturmChain::new(&polynomial, &Polynomial::one());
+    let mut bits = 0;
     loop {
-        let count = chain.sum_of_signs(&low, &high);
-        if count == 0 {
+        let changes = polynomial.sign_changes(&low, &high).0;
+        if changes == 0 {
             return;
         }
-        if count == 1 {
-            // In a narrow bracket, Descartes' rule proves most signs.
+        if changes == 1 {
             let root = Instant::Root {
                 of: Arc::new(polynomial),
                 low,
                 high,
+                bits: 4,
             };
+            // In a narrow bracket, Descartes' rule proves most signs.
             roots.push(root.narrowed_by(16));
             return;
         }
+        // The sign changes of disjoint intervals add up to at most those of an interval that contains
+        // them: if a cell has all of them, none are left outside it.
+        let holds_all = |[left, right]: &[Dyadic; 2]| {
+            polynomial.sign_changes(left, right).0 == changes
+                && polynomial.sign_at(left).is_ne()
+                && polynomial.sign_at(right).is_ne()
+        };
+        if bits >= 4 {
+            let cell = guess::newton(&polynomial, changes, &low, &high, bits).find(holds_all);
+            if let Some(cell) = cell {
+                [low, high] = cell;
+                bits *= 2;
+                continue;
+            }
+            bits /= 2;
+        }
+        bits += 1;
         let middle = Dyadic::between(&low, &high);
         if polynomial.sign_at(&middle).is_eq() {
             let others = polynomial.without_root(&middle);
@@ -191,12 +269,12 @@ fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mu
             roots.push(Instant::Dyadic(middle.clone()));
             return isolate(others, middle, high, roots);
         }
-        match chain.sum_of_signs(&low, &middle) {
+        match polynomial.sign_changes(&low, &middle).0 {
             0 => low = middle,
-            left if left == count => high = middle,
+            left if left == changes => high = middle,
             _ => {
                 isolate(polynomial.clone(), low, middle.clone(), roots);
-                low = middle;
+                (low, bits) = (middle, 0);
             }
         }
     }

@@ -9,13 +9,15 @@
 
 mod dyadic;
 mod first_contact;
+mod guess;
 mod impact;
 mod instant;
+mod modular;
 mod motion;
+mod narrowing;
 mod polynomial;
 mod ratio;
 pub mod separation;
-mod sturm;
 
 pub(crate) use dyadic::to_integers;
 pub(crate) use first_contact::FirstContact;

@@ -7,6 +7,7 @@ use core::marker::PhantomData;
 
 use super::dyadic::to_integers;
 use super::instant::Instant;
+use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
@@ -62,6 +63,7 @@ impl<K: Kind> Motion<K> {
 
     /// Returns true if the primitives touch at an instant at which the four points are coplanar.
     pub(crate) fn touches(&self, instant: &Instant) -> bool {
+        let instant = &Narrowing::new(instant);
         let Some((axis, facing)) = self.facing(instant) else {
             // Parallel edges touch if and only if an end of one lies on the other. A flat face is
             // the union of its edges.
@@ -75,7 +77,7 @@ impl<K: Kind> Motion<K> {
 
     /// A component of the normal that is not zero at an instant, and its sign; `None` if the normal
     /// vanishes.
-    pub(super) fn facing(&self, instant: &Instant) -> Option<(usize, Ordering)> {
+    pub(super) fn facing(&self, instant: &Narrowing) -> Option<(usize, Ordering)> {
         (0..3)
             .map(|axis| (axis, instant.sign(&self.normal[axis])))
             .find(|(_, sign)| sign.is_ne())
@@ -117,7 +119,7 @@ impl<K: Kind> Motion<K> {
     }
 
     /// Returns true if a vertex lies on an edge: on its line and between its ends.
-    pub(super) fn lies_on(&self, side: &Side, instant: &Instant) -> bool {
+    pub(super) fn lies_on(&self, side: &Side, instant: &Narrowing) -> bool {
         let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
         cross(&x, &y)
             .iter()

@@ -9,6 +9,7 @@ use dashu_int::ops::{Gcd, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
 use super::dyadic::Dyadic;
+use super::modular::are_coprime;
 
 /// The coefficients from the constant one up; the last is not zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,14 +61,14 @@ impl Polynomial {
 
     /// The sign of the value at t.
     pub(crate) fn sign_at(&self, t: &Dyadic) -> Ordering {
-        self.scaled_value(t).cmp(&IBig::ZERO)
+        self.scaled_value(&t.numerator, t.exponent).cmp(&IBig::ZERO)
     }
 
     /// The value at t = n / 2ᵏ, times 2ᵏ to the power of the degree.
-    fn scaled_value(&self, t: &Dyadic) -> IBig {
+    pub(super) fn scaled_value(&self, numerator: &IBig, exponent: usize) -> IBig {
         let mut sum = IBig::ZERO;
         for (power, coefficient) in self.0.iter().rev().enumerate() {
-            sum = sum * &t.numerator + (coefficient << (t.exponent * power));
+            sum = sum * numerator + (coefficient << (exponent * power));
         }
         sum
     }
@@ -76,7 +77,7 @@ impl Polynomial {
     /// range of u64.
     pub(crate) fn quotient_at(&self, divisor: &Self, t: &Dyadic) -> Option<u64> {
         let lifted = |p: &Self, other: &Self| {
-            p.scaled_value(t) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
+            p.scaled_value(&t.numerator, t.exponent) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
         };
         let (value, by) = (lifted(self, divisor), lifted(divisor, self));
         if by.is_zero() {
@@ -85,22 +86,38 @@ impl Polynomial {
         u64::try_from(value / by).ok()
     }
 
-    /// The sign in the whole interval (low, high), if Descartes' rule proves it: the coefficients of
-    /// (1 + s)ᵈ q((low + high s) / (1 + s)), s > 0, have one sign.
+    /// The sign in the whole interval (low, high), if Descartes' rule proves it: no
+    /// [`sign_changes`](Self::sign_changes).
     pub(crate) fn sign_between(&self, low: &Dyadic, high: &Dyadic) -> Option<Ordering> {
-        let exponent = low.exponent.max(high.exponent);
-        let [low, high] = [low, high].map(|t| &t.numerator << (exponent - t.exponent));
+        let (changes, sign) = self.sign_changes(low, high);
+        (changes == 0).then_some(sign)
+    }
+
+    /// The number of sign changes in the coefficients of (1 + s)ᵈ q((low + high s) / (1 + s)), and
+    /// the first sign that is not zero.
+    ///
+    /// By Descartes' rule, the number of roots of q in (low, high), counted with multiplicity, is
+    /// the number of sign changes or less than that by an even number.
+    pub(crate) fn sign_changes(&self, low: &Dyadic, high: &Dyadic) -> (usize, Ordering) {
+        let ([low, high], exponent) = Dyadic::align(low, high);
         let from_unit = Self(vec![low.clone(), high - low]);
         let mut inner = self.compose(&from_unit, exponent);
         inner.resize(self.0.len(), IBig::ZERO);
         inner.reverse();
         let outer = Self(inner).compose(&Self(vec![IBig::ONE, IBig::ONE]), 0);
-        let mut signs = outer
+        let (mut first, mut last, mut changes) = (Ordering::Equal, Ordering::Equal, 0);
+        for sign in outer
             .iter()
             .map(|c| c.cmp(&IBig::ZERO))
-            .filter(|sign| sign.is_ne());
-        let first = signs.next().unwrap_or(Ordering::Equal);
-        signs.all(|sign| sign == first).then_some(first)
+            .filter(|sign| sign.is_ne())
+        {
+            if first.is_eq() {
+                first = sign;
+            }
+            changes += usize::from(last == sign.reverse());
+            last = sign;
+        }
+        (changes, first)
     }
 
     /// The coefficients of 2ᵏᵈ q(inner / 2ᵏ), from the constant one up.
@@ -114,7 +131,8 @@ impl Polynomial {
 
     /// A polynomial with the same roots, all simple.
     pub(crate) fn square_free(&self) -> Self {
-        self.quotient(&self.clone().gcd(self.derivative()))
+        let repeated = self.clone().gcd(self.derivative());
+        self.quotient(&repeated)
     }
 
     pub(crate) fn derivative(&self) -> Self {
@@ -159,7 +177,7 @@ impl Polynomial {
         let steps = (self.0.len() + 1).saturating_sub(divisor.0.len());
         let mut quotient = vec![IBig::ZERO; steps];
         let mut remainder = self.0.clone();
-        // With |leading| the multiplier is positive, as Sturm's theorem requires.
+        // |leading| keeps the multiplier positive.
         let (magnitude, sign) = (IBig::from(leading.clone().unsigned_abs()), leading.signum());
         for step in (0..steps).rev() {
             let top = remainder.pop().unwrap_or_default() * &sign;
@@ -181,11 +199,17 @@ impl Polynomial {
 
     /// A multiple of the quotient of a division that leaves no remainder.
     pub(crate) fn quotient(&self, divisor: &Self) -> Self {
+        if divisor.0.len() == 1 {
+            return self.clone();
+        }
         self.divide(divisor).0.primitive()
     }
 
     /// A greatest common divisor; that of a polynomial and zero is the polynomial.
     pub(crate) fn gcd(self, other: Self) -> Self {
+        if are_coprime(&self.0, &other.0) {
+            return Self::one();
+        }
         let (mut a, mut b) = (self, other);
         while !b.is_zero() {
             (a, b) = (b.clone(), a.remainder(&b));

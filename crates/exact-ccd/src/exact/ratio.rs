@@ -1,7 +1,7 @@
 //! Ratios of polynomials and directions of vectors at an instant, by signs.
 
-use super::instant::Instant;
 use super::motion::Vector;
+use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::impact::unit;
 use crate::query::Point;
@@ -9,7 +9,7 @@ use crate::query::Point;
 /// The number of bits of a ratio after the point.
 const BITS: usize = 52;
 
-impl Instant {
+impl Narrowing {
     /// The direction of a vector at this time, unless it vanishes then.
     pub(crate) fn direction(&self, vector: Vector) -> Option<Point> {
         let signs = [0, 1, 2].map(|axis: usize| self.sign(&vector[axis]));
@@ -32,24 +32,21 @@ impl Instant {
 
     /// The quotient of two numbers 0 ≤ a ≤ b, b > 0, at this time, rounded down to a multiple of
     /// 2⁻⁵².
+    ///
+    /// The quotient at an end of the bracket is a guess, which signs prove or refute. It is right
+    /// once the bracket is narrow enough.
     pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
         let reaches = |n: u64| self.sign(&(&scaled - &(&Polynomial::constant(n) * b))).is_ge();
-        let (mut low, mut high) = (0, (1_u64 << BITS) + 1);
-        // The quotient at an end of the bracket is most likely next to it.
-        let guess = scaled.quotient_at(b, self.bounds().0).unwrap_or_default();
-        let window = [guess.saturating_sub(1), guess.saturating_add(2)].map(|n| n.clamp(low, high));
-        if reaches(window[0]) && !reaches(window[1]) {
-            [low, high] = window;
-        }
-        while high - low > 1 {
-            let middle = low + (high - low) / 2;
-            if reaches(middle) {
-                low = middle;
-            } else {
-                high = middle;
+        loop {
+            if let Some(guess) = scaled.quotient_at(b, &self.lower_bound()) {
+                let (low, high) = (guess.saturating_sub(1), guess.saturating_add(2));
+                if reaches(low) && !reaches(high) {
+                    let floor = (low + 1..high).take_while(|&n| reaches(n)).last().unwrap_or(low);
+                    return floor as f64 / (1_u64 << BITS) as f64;
+                }
             }
+            self.narrow_by(64);
         }
-        low as f64 / (1_u64 << BITS) as f64
     }
 }

@@ -2,6 +2,7 @@
 
 use arrayvec::ArrayVec;
 
+use super::coincident::{self, Coincidence};
 use super::coplanarity;
 use super::cubic::Root;
 use super::impact::parameters_and_normal;
@@ -28,6 +29,8 @@ pub(crate) enum Contact {
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
     Sliding(Beginning),
+    /// The primitives touch because coordinates are equal.
+    Coincident(Coincidence),
 }
 
 impl Contact {
@@ -61,6 +64,7 @@ impl Contact {
         match self {
             Self::AtRoot { .. } => Stage::Roots,
             Self::Sliding(_) => Stage::Planar,
+            Self::Coincident(_) => Stage::Coincident,
         }
     }
 
@@ -74,6 +78,7 @@ impl Contact {
             } => coplanarity::precise(query).round(&roots[*touching]),
             Self::AtRoot { is_first: false, .. } => None,
             Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
+            Self::Coincident(coincidence) => coincidence.first(),
         }
     }
 
@@ -102,13 +107,16 @@ impl Contact {
             Self::Sliding(_) => Some(ContactTimes::Interval {
                 first: self.first(query)?,
             }),
+            Self::Coincident(coincidence) => coincidence.times(),
         }
     }
 
     /// The earliest contact, if the filters determine it.
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
-        let Self::AtRoot { roots, touching, .. } = self else {
-            return None;
+        let (roots, touching) = match self {
+            Self::AtRoot { roots, touching, .. } => (roots, touching),
+            Self::Sliding(_) => return None,
+            Self::Coincident(_) => return coincident::impact(query),
         };
         let time = self.first(query)?;
         let (parameters, normal) = parameters_and_normal(query, &roots[*touching].at(time))?;

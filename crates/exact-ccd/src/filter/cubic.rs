@@ -79,6 +79,11 @@ impl Cubic<f64> {
         self.bernstein[0] > 0.0
     }
 
+    /// Returns true if c is certainly not zero at t = 0 (`end` 0) or at t = 1 (`end` 1).
+    pub(super) fn is_certain_at(&self, end: usize) -> bool {
+        self.bernstein[3 * end].abs() > self.coefficient_error()
+    }
+
     /// The error of a blossom value: three interpolations of coefficients, each (1 − t) x + t y
     /// with three roundings one after another, n = 11 + 9.
     fn blossom_error(&self) -> f64 {

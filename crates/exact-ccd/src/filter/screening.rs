@@ -1,6 +1,7 @@
 //! The ladder of the filters, from the cheapest to the costliest, for one query or for several side
 //! by side.
 
+use super::coincident::coincidence;
 use super::contact::{Contact, Unknown};
 use super::coplanarity::Coplanarity;
 use super::cubic::Cubic;
@@ -83,6 +84,9 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
             Ok(None) => Decision::Free(Stage::Roots),
             Err(Unknown) => Decision::Unknown,
         };
+    }
+    if let Some(coincidence) = coincidence(query, cubic) {
+        return Decision::Contact(Contact::Coincident(coincidence));
     }
     if Hull::new::<K>(query.points()).some_direction_separates() {
         return Decision::Free(Stage::Direction);

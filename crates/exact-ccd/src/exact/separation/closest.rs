@@ -6,6 +6,7 @@ use super::approach::Approach;
 use super::feature::{Feature, Pair};
 use crate::exact::instant::Instant;
 use crate::exact::motion::{Vector, cross, dot};
+use crate::exact::narrowing::Narrowing;
 use crate::impact::Impact;
 use crate::kind::{Kind, Side};
 use crate::query::Point;
@@ -19,7 +20,8 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
     let time = first.round();
     // In a bracket narrower than the resolution of the ratios, Descartes' rule proves nearly all of
     // their signs.
-    let instant = first.clone().narrowed_by(64);
+    let instant = Narrowing::new(first);
+    instant.narrow_by(64);
     let within = features.iter().filter(|feature| feature.is_within(&instant));
     let closest = within.min_by(|one, other| one.compare(other, &instant))?;
     let (parameters, normal) = match closest.pair {
@@ -38,7 +40,7 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
 
 /// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the
 /// direction from it to the vertex that of (e · e) x − (e · x) e.
-fn vertex_edge(approach: &Approach, side: &Side, instant: &Instant) -> Closest {
+fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> Closest {
     let [a, b] = side.edge;
     let (x, e) = (approach.difference((side.vertex, a)), approach.difference((b, a)));
     let (along, squared_length) = (dot(&e, &x), dot(&e, &e));
@@ -60,7 +62,7 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Instant) -> Closest {
 
 /// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
 /// w.
-fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Instant) -> Closest {
+fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> Closest {
     let [w, e1, e2] = K::SPAN.map(|difference| approach.difference(difference));
     let n = cross(&e1, &e2);
     let squared_length = dot(&n, &n);

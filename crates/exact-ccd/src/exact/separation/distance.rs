@@ -7,6 +7,7 @@ use dashu_int::IBig;
 use super::approach::Approach;
 use crate::exact::dyadic::{Dyadic, decompose};
 use crate::exact::instant::Instant;
+use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::kind::Kind;
 use crate::query::Query;
@@ -17,7 +18,7 @@ use crate::separation::DistanceBounds;
 pub(super) fn bounds<K: Kind>(query: &Query<K>, t: &Dyadic) -> DistanceBounds {
     let approach = Approach::at(query, t);
     // All polynomials are constant.
-    let now = Instant::Dyadic(Dyadic::ZERO);
+    let now = Narrowing::new(&Instant::Dyadic(Dyadic::ZERO));
     let closest = approach
         .features::<K>()
         .into_iter()

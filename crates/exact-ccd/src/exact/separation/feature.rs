@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use crate::exact::dyadic::Dyadic;
-use crate::exact::instant::Instant;
+use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::kind::{Difference, Side};
 
@@ -68,17 +68,17 @@ impl Feature {
     }
 
     /// True if the quotient is the squared distance of two points of the primitives.
-    pub(super) fn exists(&self, instant: &Instant) -> bool {
+    pub(super) fn exists(&self, instant: &Narrowing) -> bool {
         instant.sign(&self.denominator).is_gt() && self.guards.iter().all(|guard| instant.sign(guard).is_ge())
     }
 
     /// True if two points of these features are at most d apart.
-    pub(super) fn is_within(&self, instant: &Instant) -> bool {
+    pub(super) fn is_within(&self, instant: &Narrowing) -> bool {
         instant.sign(&self.excess).is_le() && self.exists(instant)
     }
 
     /// Compares the distances of two pairs of features that exist.
-    pub(super) fn compare(&self, other: &Self, instant: &Instant) -> Ordering {
+    pub(super) fn compare(&self, other: &Self, instant: &Narrowing) -> Ordering {
         instant.sign(&(&(&self.numerator * &other.denominator) - &(&other.numerator * &self.denominator)))
     }
 }

@@ -15,6 +15,7 @@ use alloc::vec::Vec;
 
 use super::dyadic::Dyadic;
 use super::instant::{Instant, roots};
+use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::impact::Impact;
 use crate::kind::Kind;
@@ -98,7 +99,7 @@ fn first_instant(features: &[Feature]) -> Option<Instant> {
 /// Times within d, among which is the first if it is not 0: roots of single excesses, and t = 1.
 fn crossings(features: &[Feature]) -> impl Iterator<Item = Instant> {
     let of_feature = |feature: &Feature| {
-        let roots = roots(vec![feature.excess().square_free()]);
+        let roots = roots(vec![feature.excess().clone()]);
         roots.into_iter().find(|root| is_within(features, root))
     };
     let inside = features
@@ -111,16 +112,14 @@ fn crossings(features: &[Feature]) -> impl Iterator<Item = Instant> {
 
 /// True if the distance is at most d at an instant.
 fn is_within(features: &[Feature], instant: &Instant) -> bool {
+    let instant = &Narrowing::new(instant);
     features.iter().any(|feature| feature.is_within(instant))
 }
 
-/// Square-free polynomials without common roots, among whose roots are all times at which the
-/// primitives come within d or leave, and the ends of the step.
+/// Polynomials, not zero, among whose roots are all times at which the primitives come within d or
+/// leave, and the ends of the step.
 fn events(features: &[Feature]) -> Vec<Polynomial> {
-    let mut factors = vec![Polynomial::ends()];
-    for feature in features.iter().filter(|feature| feature.may_cross()) {
-        let divide = |rest: Polynomial, factor: &Polynomial| rest.quotient(&rest.clone().gcd(factor.clone()));
-        factors.push(factors.iter().fold(feature.excess().square_free(), divide));
-    }
-    factors
+    let crossing = features.iter().filter(|feature| feature.may_cross());
+    let excesses = crossing.map(|feature| feature.excess().clone());
+    [Polynomial::ends()].into_iter().chain(excesses).collect()
 }

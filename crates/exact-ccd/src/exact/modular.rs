@@ -1,0 +1,55 @@
+//! A cheap proof that two polynomials have no common root: they have none modulo a prime.
+
+use alloc::vec::Vec;
+
+use dashu_int::IBig;
+
+/// 2⁶¹ − 1.
+const PRIME: i64 = (1 << 61) - 1;
+
+/// Returns true if two polynomials, given by their coefficients from the constant one up, certainly
+/// have no common factor.
+///
+/// Let g be their greatest common divisor over the integers. Its leading coefficient divides both of
+/// theirs. If one of these is not a multiple of the prime, neither is that of g, so that g keeps its
+/// degree modulo the prime. There, g divides both polynomials, and hence their greatest common
+/// divisor modulo the prime. If that is a constant, so is g. (The converse fails for about one prime
+/// of this size in 2⁶¹.)
+pub(super) fn are_coprime(a: &[IBig], b: &[IBig]) -> bool {
+    let [mut a, mut b] = [a, b].map(reduced);
+    let keeps_degree = a.last().is_some_and(|&leading| leading != 0);
+    while b.pop_if(|leading| *leading == 0).is_some() {}
+    while b.len() > 1 {
+        let rest = remainder(a, &b);
+        (a, b) = (b, rest);
+    }
+    keeps_degree && b.len() == 1
+}
+
+fn reduced(coefficients: &[IBig]) -> Vec<i64> {
+    let modulo = |coefficient: &IBig| (coefficient % PRIME).rem_euclid(PRIME);
+    coefficients.iter().map(modulo).collect()
+}
+
+/// The remainder of a division, times a number that is not zero.
+fn remainder(mut a: Vec<i64>, b: &[i64]) -> Vec<i64> {
+    let Some((&leading, rest)) = b.split_last() else {
+        return a;
+    };
+    let modulo = |x: i128| (x % i128::from(PRIME)) as i64;
+    let product = |x: i64, y: i64| i128::from(x) * i128::from(y);
+    while a.len() > rest.len() {
+        let top = a.pop().unwrap_or_default();
+        let shift = a.len() - rest.len();
+        for (i, x) in a.iter_mut().enumerate() {
+            let subtrahend = if i < shift {
+                0
+            } else {
+                product(top, rest[i - shift])
+            };
+            *x = modulo(product(*x, leading) - subtrahend).rem_euclid(PRIME);
+        }
+    }
+    while a.pop_if(|leading| *leading == 0).is_some() {}
+    a
+}

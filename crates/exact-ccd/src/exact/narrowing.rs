@@ -1,0 +1,33 @@
+//! A time whose bracket becomes narrower as signs require it. The bracket stays narrow for the signs
+//! that follow.
+
+use core::cell::RefCell;
+use core::cmp::Ordering;
+
+use super::dyadic::Dyadic;
+use super::instant::Instant;
+use super::polynomial::Polynomial;
+
+/// A time with a bracket that each sign may make narrower.
+pub(crate) struct Narrowing(RefCell<Instant>);
+
+impl Narrowing {
+    pub(crate) fn new(instant: &Instant) -> Self {
+        Self(RefCell::new(instant.clone()))
+    }
+
+    /// The sign of a polynomial at this time.
+    pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
+        self.0.borrow_mut().narrow_to_sign(polynomial)
+    }
+
+    /// A number not above this time, at most as far from it as the bracket is wide.
+    pub(super) fn lower_bound(&self) -> Dyadic {
+        self.0.borrow().bounds().0.clone()
+    }
+
+    /// Makes the bracket narrower by a factor of at least 2ᵏ.
+    pub(crate) fn narrow_by(&self, bits: usize) {
+        self.0.replace_with(|instant| instant.clone().narrowed_by(bits));
+    }
+}

@@ -1,0 +1,109 @@
+//! Vertices in one place, and motion along a line: contact proved by comparisons of coordinates,
+//! without any rounding.
+//!
+//! A faulty recording has frames in which many vertices or all of them are equal. The coplanarity
+//! cubics of its queries are zero or have a root at an end of the step, which no error bound can
+//! prove.
+
+use super::cubic::Cubic;
+use crate::impact::Impact;
+use crate::kind::{Difference, Kind};
+use crate::query::Query;
+use crate::time::{ContactTime, ContactTimes, Times};
+
+/// Contact that is certain because coordinates are equal.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Coincidence {
+    /// An interval of contact begins at t = 0.
+    FromStart,
+    /// This is the only contact time.
+    Only(ContactTime),
+    /// There is contact at some time.
+    SomeTime,
+}
+
+impl Coincidence {
+    /// The earliest contact time, if it is certain.
+    pub(super) fn first(self) -> Option<ContactTime> {
+        match self {
+            Self::FromStart => Some(ContactTime::exactly(0.0)),
+            Self::Only(time) => Some(time),
+            Self::SomeTime => None,
+        }
+    }
+
+    /// All contact times, if they are certain.
+    pub(super) fn times(self) -> Option<ContactTimes> {
+        let first = self.first()?;
+        if matches!(self, Self::FromStart) {
+            return Some(ContactTimes::Interval { first });
+        }
+        let mut times = Times::default();
+        times.push(first);
+        Some(ContactTimes::Finite(times))
+    }
+}
+
+/// The coincidence of a query with this coplanarity cubic whose bounding box contains the origin.
+///
+/// - *A vertex of each primitive, with the same trajectory.* F vanishes at that corner at all times.
+/// - *A vertex of each primitive, in one place at t = 0 or t = 1.* F vanishes there. If all four
+///   points are in one place, for example at t = 1, their differences are those of t = 0 times
+///   1 − t, so that c(t) = (1 − t)³ c(0). If c(0) is not zero, c has no other root.
+/// - *All points on a line along an axis, at both ends of the step.* The primitives are segments of
+///   the line. If they are apart at t = 0 and at t = 1, they change places on it in between, as
+///   otherwise the bounding box would exclude the origin. Hence they touch at some time. If at t = 0
+///   some point of each is strictly before some point of the other, that remains true for a while,
+///   during which the segments overlap.
+pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Option<Coincidence> {
+    let meets = |time: usize, &(i, j): &Difference| query.points()[time][i] == query.points()[time][j];
+    let all_meet = |time| K::CORNERS.iter().all(|corner| meets(time, corner));
+    if K::CORNERS
+        .iter()
+        .any(|corner| meets(0, corner) && meets(1, corner))
+    {
+        return Some(Coincidence::FromStart);
+    }
+    for (end, time) in [0.0, 1.0].into_iter().enumerate() {
+        if all_meet(end) && cubic.is_certain_at(1 - end) {
+            return Some(Coincidence::Only(ContactTime::exactly(time)));
+        }
+        if K::CORNERS.iter().any(|corner| meets(end, corner)) {
+            return Some(Coincidence::SomeTime);
+        }
+    }
+    let axis = line(query)?;
+    let [start, _] = query.points();
+    let [is_before, is_behind] = [
+        K::CORNERS.iter().any(|&(i, j)| start[i][axis] < start[j][axis]),
+        K::CORNERS.iter().any(|&(i, j)| start[i][axis] > start[j][axis]),
+    ];
+    Some(if is_before && is_behind {
+        Coincidence::FromStart
+    } else {
+        Coincidence::SomeTime
+    })
+}
+
+/// The axis of a line that contains all points, at both ends of the step.
+fn line<K: Kind>(query: &Query<K>) -> Option<usize> {
+    let is_flat = |axis: usize| {
+        query
+            .points()
+            .iter()
+            .all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
+    };
+    (0..3).find(|&axis| is_flat((axis + 1) % 3) && is_flat((axis + 2) % 3))
+}
+
+/// The impact of four points that are in one place at both ends of the step, and hence always: the
+/// first vertex lies on the first edge, which has length zero, and they do not move relative to each
+/// other.
+pub(super) fn impact<K: Kind>(query: &Query<K>) -> Option<Impact> {
+    let is_point = |[a, rest @ ..]: &[_; 4]| rest.iter().all(|b| a == b);
+    query.points().iter().all(is_point).then(|| Impact {
+        time: ContactTime::exactly(0.0),
+        parameters: K::SIDES[0].domain[0],
+        normal: None,
+    })
+}
