@@ -43,7 +43,7 @@ fn check_scene<K: DataKind>(step: &Step<'_>, candidates: &Candidates, name: &str
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn all_candidates_of_the_scenes() {
     for scene in scenes() {
         let motion = scene.motion().unwrap();
@@ -56,7 +56,7 @@ fn all_candidates_of_the_scenes() {
 
 /// Each query has four vertices of its own.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn all_handcrafted_queries() {
     fn check<K: DataKind>() {
         let mut queries = Vec::new();

@@ -6,7 +6,7 @@ use exact_ccd_mesh::{Bvh, Candidates};
 use crate::scenes;
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn there_are_as_many_candidates_as_overlapping_boxes() {
     let counts = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
@@ -23,7 +23,7 @@ fn there_are_as_many_candidates_as_overlapping_boxes() {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn the_published_pairs_are_candidates() {
     fn others(published: Vec<[u32; 2]>, candidates: &[[u32; 2]]) -> Vec<[u32; 2]> {
         let is_other = |pair: &[u32; 2]| candidates.binary_search(pair).is_err();

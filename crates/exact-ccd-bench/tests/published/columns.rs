@@ -26,7 +26,7 @@ fn round_trip<K: DataKind>(file: &Path) -> Vec<u8> {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn a_round_trip_keeps_all_bytes_of_handcrafted_files() {
     fn check<K: DataKind>() {
         for file in data().handcrafted::<K>().unwrap() {
@@ -43,7 +43,7 @@ fn a_round_trip_keeps_all_bytes_of_handcrafted_files() {
 
 /// The query files of the scenes lack the last line break.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn a_round_trip_adds_the_last_line_break_to_files_of_scenes() {
     let mut files = 0;
     for scene in scenes() {
@@ -64,7 +64,7 @@ fn a_round_trip_adds_the_last_line_break_to_files_of_scenes() {
 /// The published count of an interval of contact is 1, the exact one −1. 13 queries of one scene have
 /// such an interval.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn counts_and_times_of_scenes_are_those_of_the_exact_method() {
     let mut intervals = 0;
     for scene in scenes() {

@@ -3,7 +3,7 @@
 use crate::scenes;
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn frames_have_the_published_size_and_move() {
     let counts = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();

@@ -43,19 +43,19 @@ fn handcrafted<K: DataKind>(queries: usize) {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn handcrafted_vertex_face_queries_agree() {
     handcrafted::<VertexFace>(1750);
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn handcrafted_edge_edge_queries_agree() {
     handcrafted::<EdgeEdge>(1574);
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn all_pairs_of_the_scenes_agree() {
     fn check<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
         let samples = scene.samples::<K>(step).unwrap();
@@ -72,7 +72,7 @@ fn all_pairs_of_the_scenes_agree() {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn published_coordinates_equal_the_rebuilt_ones() {
     fn compare<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
         let Some(file) = scene.queries::<K>().unwrap() else {
@@ -93,7 +93,7 @@ fn published_coordinates_equal_the_rebuilt_ones() {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn contact_times_equal_the_symbolic_roots_bit_for_bit() {
     fn compare<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
         let Some(file) = scene.roots::<K>().unwrap() else {

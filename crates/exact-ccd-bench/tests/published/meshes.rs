@@ -44,7 +44,7 @@ fn six_volumes([a, b, c]: [Point; 3]) -> f64 {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn the_surface_is_the_one_in_the_file() {
     let mut with_surface = 0;
     for file in meshes() {
@@ -62,7 +62,7 @@ fn the_surface_is_the_one_in_the_file() {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn the_surface_encloses_the_tetrahedra_and_does_not_intersect_itself() {
     for file in meshes() {
         let mesh = read_tet_mesh(&file).unwrap();

@@ -30,7 +30,7 @@ fn handcrafted<K: DataKind>() -> Vec<Sample<K>> {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn of_handcrafted_queries_is_as_defined() {
     let (faces, edges) = (handcrafted::<VertexFace>(), handcrafted::<EdgeEdge>());
     assert_eq!((faces.len(), edges.len()), (1750, 1574));
@@ -39,7 +39,7 @@ fn of_handcrafted_queries_is_as_defined() {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn of_all_pairs_of_the_scenes_is_as_defined() {
     fn check<K: DataKind + Rim>(scene: &Scene, step: &Step<'_>) -> usize {
         let samples = scene.samples::<K>(step).unwrap();
@@ -82,7 +82,7 @@ fn misses<K: DataKind>(scene: &Scene, step: &Step<'_>) -> Misses {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn misses_two_contacts() {
     let found = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
@@ -102,7 +102,7 @@ fn misses_two_contacts() {
 /// Rounding changes the parity of degenerate queries. The two counts of each kind are those that
 /// collide only after the shift and only before it.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn depends_on_rounding_where_queries_are_degenerate() {
     fn count<K: DataKind>() -> [usize; 2] {
         let mut counts = [0; 2];

@@ -148,25 +148,25 @@ where
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn vertex_face_queries_within_a_distance_agree() {
     check::<VertexFace, 4>("vf", 1172);
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn edge_edge_queries_within_a_distance_agree() {
     check::<EdgeEdge, 4>("ee", 1240);
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn vertex_edge_queries_within_a_distance_agree() {
     check::<VertexEdge, 3>("ve", 1240);
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn vertex_vertex_queries_within_a_distance_agree() {
     check::<VertexVertex, 2>("vv", 1240);
 }

@@ -49,7 +49,7 @@ fn earliest(report: &StepReport) -> Option<Contact> {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn a_step_reports_what_a_loop_over_all_candidates_finds() {
     for scene in scenes() {
         let name = scene.name();
@@ -82,7 +82,7 @@ fn a_step_reports_what_a_loop_over_all_candidates_finds() {
 }
 
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn a_step_reports_the_same_on_any_number_of_threads() {
     for scene in scenes() {
         let motion = scene.motion().unwrap();
@@ -109,7 +109,7 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
 
 /// The step that ends just before the earliest contact is free by every search.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn a_step_until_before_the_earliest_contact_is_free() {
     for scene in scenes() {
         let motion = scene.motion().unwrap();
@@ -134,7 +134,7 @@ fn difference(a: Point, b: Point) -> Point {
 
 /// All candidates of the small scene, and a fraction of those of the others.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn candidates_have_the_contact_times_of_the_exact_path() {
     fn check<K: DataKind>(step: &Step<'_>, candidates: &[[u32; 2]]) {
         let stride = if candidates.len() < 50_000 { 1 } else { 211 };
@@ -155,7 +155,7 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
 /// The same bits at any optimisation level, on any machine: `cargo test` and `cargo test --release`
 /// both compare with these.
 #[test]
-#[cfg_attr(no_data, ignore = "the published data sets are not there: set EXACT_CCD_DATA")]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn contacts_and_times_have_the_recorded_bits() {
     let digests = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();

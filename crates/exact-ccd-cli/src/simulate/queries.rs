@@ -119,8 +119,8 @@ impl QueryFolder {
 
     /// The numbers of queries of all time steps, as a line of text.
     pub(super) fn summary(&self) -> String {
-        let text = |name: &str, [asked, in_contact, kept]: [usize; 3]| {
-            format!("{kept} of {asked} {name} queries, {in_contact} in contact")
+        let text = |name: &str, [total, in_contact, kept]: [usize; 3]| {
+            format!("{kept} of {total} {name} queries, {in_contact} in contact")
         };
         let Counts {
             vertex_face,

@@ -62,7 +62,7 @@ fn queries_are_a_data_set_with_ground_truth() {
         )
     );
 
-    for (kind, name, asked, in_contact) in [
+    for (kind, name, count, in_contact) in [
         ("vf", "vertex-face", vf, vf_in_contact),
         ("ee", "edge-edge", ee, ee_in_contact),
     ] {
@@ -72,18 +72,18 @@ fn queries_are_a_data_set_with_ground_truth() {
             .chain(files.iter().map(String::as_str))
             .collect();
         let run = folder.run(&arguments);
-        assert_eq!((run.status, run.stdout.lines().count()), (0, asked + 1));
+        assert_eq!((run.status, run.stdout.lines().count()), (0, count + 1));
         assert_eq!(
             run.stderr,
             format!(
-                "{asked} queries, {in_contact} in contact; against the ground truth: \
+                "{count} queries, {in_contact} in contact; against the ground truth: \
                  0 false positives, 0 false negatives\n"
             )
         );
     }
     let bench = folder.run(&["bench", "queries", "--methods", "exact", "--budget", "0.01"]);
-    let asked = format!("### queries, vertex-face\n\n{vf} queries, {vf_in_contact} in contact");
-    assert!(bench.status == 0 && bench.stdout.contains(&asked), "{bench:?}");
+    let heading = format!("### queries, vertex-face\n\n{vf} queries, {vf_in_contact} in contact");
+    assert!(bench.status == 0 && bench.stdout.contains(&heading), "{bench:?}");
 }
 
 #[test]

@@ -36,7 +36,7 @@ fn the_balancing_stiffness_minimises_the_remaining_force() {
             .sum()
     };
     for (wanted, expected) in [(-1.0, 1.0), (0.3, 1.0), (1.5, 1.5), (60.0, 60.0), (1e3, 100.0)] {
-        // Forces that the wanted κ balances, and forces orthogonal to them.
+        // Forces that are balanced by κ = `wanted`, and forces orthogonal to them.
         let energy: Vec<_> = (barriers.iter().zip(&across))
             .map(|(barrier, across)| (across - barrier * wanted) * range.least)
             .collect();
