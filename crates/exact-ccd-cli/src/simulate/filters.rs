@@ -61,8 +61,6 @@ fn room(system: &System) -> Aabb {
 
 #[cfg(test)]
 mod tests {
-    #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
     use exact_ccd_mesh::{Bvh, Candidates, Step, TriangleMesh};
 
     use super::*;

@@ -1,7 +1,7 @@
 //! The methods of `exact-ccd queries`.
 
 use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{Ccd as _, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
