@@ -1,6 +1,6 @@
 //! The earliest contact: time, parameters and normal, as contact solvers need them.
 
-use crate::query::Point;
+use crate::point::Point;
 use crate::time::ContactTime;
 
 /// The earliest contact of a query: time, parameters and normal.

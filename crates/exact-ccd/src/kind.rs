@@ -5,7 +5,7 @@
 //! algorithms in this crate are written once, over these tables. A vertex against an edge or a vertex
 //! is a query of two edges, of which one or both have length zero: a point is repeated.
 
-use crate::query::Point;
+use crate::point::Point;
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
 pub(crate) type Difference = (usize, usize);

@@ -72,6 +72,7 @@ mod filter;
 mod impact;
 mod kind;
 pub mod parity;
+mod point;
 pub mod predicates;
 mod query;
 pub mod separation;
@@ -83,7 +84,8 @@ pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use collision::Collision;
 pub use impact::Impact;
 pub use kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
-pub use query::{NonFinite, Point, Query};
+pub use point::Point;
+pub use query::{NonFinite, Query};
 pub use stage::Stage;
 pub use time::{ContactTime, ContactTimes, Times};
 

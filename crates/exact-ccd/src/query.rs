@@ -5,9 +5,7 @@ use core::marker::PhantomData;
 
 use crate::axis::Axis;
 use crate::kind::Kind;
-
-/// A point in space.
-pub type Point = [f64; 3];
+use crate::point::Point;
 
 /// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and
 /// [`EdgeEdge`](crate::EdgeEdge).

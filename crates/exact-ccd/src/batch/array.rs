@@ -7,7 +7,8 @@ use super::instructions::Instructions;
 use super::row::Row;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::query::{NonFinite, Point};
+use crate::point::Point;
+use crate::query::NonFinite;
 
 /// A coordinate of a query in an array is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

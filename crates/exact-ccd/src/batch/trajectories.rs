@@ -8,7 +8,8 @@ use super::row::Row;
 use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::query::{NonFinite, Point, Query};
+use crate::point::Point;
+use crate::query::{NonFinite, Query};
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries.

@@ -5,7 +5,7 @@ use super::motion::{Motion, Vector, cross};
 use super::narrowing::Narrowing;
 use crate::impact::Impact;
 use crate::kind::{Kind, Side};
-use crate::query::Point;
+use crate::point::Point;
 
 /// The primitives at an instant of contact.
 struct Contact<'a, K> {

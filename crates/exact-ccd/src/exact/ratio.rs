@@ -4,7 +4,7 @@ use super::motion::Vector;
 use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::impact::unit;
-use crate::query::Point;
+use crate::point::Point;
 
 /// The number of bits of a ratio after the point.
 const BITS: usize = 52;

@@ -5,7 +5,7 @@
 use super::number::{Lanes, Points, subtract};
 use super::roundoff::{LARGEST, UNDERFLOW, UNIT};
 use crate::kind::Kind;
-use crate::query::Point;
+use crate::point::Point;
 
 /// The eight values of F at the corners of its domain, by axis. A vertex-face query has six
 /// corners, two of which are repeated.

@@ -4,7 +4,8 @@ use super::cubic::Root;
 use super::position::{Bracket, longest};
 use crate::impact::unit;
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::point::Point;
+use crate::query::Query;
 
 /// 2⁻³³: the largest error of the parameters and the normal. It is half of the documented one,
 /// which leaves room for the roundings that are not counted here.

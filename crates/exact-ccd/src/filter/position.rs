@@ -5,7 +5,8 @@ use core::cmp::Ordering;
 use super::cubic::Root;
 use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
 use crate::kind::{Difference, Kind};
-use crate::query::{Point, Query};
+use crate::point::Point;
+use crate::query::Query;
 
 /// The position of two coplanar primitives.
 #[derive(Clone, Copy, PartialEq)]

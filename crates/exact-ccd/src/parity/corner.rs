@@ -6,8 +6,8 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 
 use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, certain_sign, diagonal_separates};
+use crate::point::Point;
 use crate::predicates::{Integers, determinant, integers, permanent, sign_of_determinant, volume};
-use crate::query::Point;
 
 /// A vector from the origin to a corner, in exact coordinates.
 pub(super) trait Corner: Sized {

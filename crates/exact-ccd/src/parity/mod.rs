@@ -177,7 +177,7 @@ mod tests {
     use proptest::test_runner::RngSeed;
 
     use super::*;
-    use crate::query::Point;
+    use crate::point::Point;
     use crate::{EdgeEdge, VertexFace};
 
     /// The edges of the domain and the diagonals of its faces. Each rejects two rays at most.

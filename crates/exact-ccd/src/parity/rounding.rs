@@ -8,7 +8,8 @@
 
 use crate::axis::Axis;
 use crate::kind::Kind;
-use crate::query::{NonFinite, Point, Query};
+use crate::point::Point;
+use crate::query::{NonFinite, Query};
 
 /// The shift of all points along each axis that makes their differences exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

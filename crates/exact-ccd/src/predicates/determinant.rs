@@ -7,7 +7,7 @@ use dashu_int::IBig;
 
 use crate::exact::to_integers;
 use crate::filter::Number;
-use crate::query::Point;
+use crate::point::Point;
 
 /// A vector in integers.
 pub(crate) type Integers = [IBig; 3];

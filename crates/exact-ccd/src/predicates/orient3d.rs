@@ -5,7 +5,8 @@ use core::cmp::Ordering;
 use super::determinant::{determinant, permanent, sign_in_integers, sign_of_determinant};
 use crate::environment::flushes_subnormals;
 use crate::filter::{UNIT, certain_sign};
-use crate::query::{NonFinite, Point};
+use crate::point::Point;
+use crate::query::NonFinite;
 
 /// The sign of the volume of the tetrahedron a b c d, exactly: that of (b − a) · ((c − a) × (d − a)).
 ///

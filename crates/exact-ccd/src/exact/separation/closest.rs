@@ -9,7 +9,7 @@ use crate::exact::motion::{Vector, cross, dot};
 use crate::exact::narrowing::Narrowing;
 use crate::impact::Impact;
 use crate::kind::{Kind, Side};
-use crate::query::Point;
+use crate::point::Point;
 
 /// The parameters of two points, and the direction from that on the second primitive to that on the
 /// first.

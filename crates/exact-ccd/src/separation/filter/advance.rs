@@ -5,7 +5,7 @@ use super::closest::{Closest, dot};
 use super::corners::Scaled;
 use crate::filter::{UNDERFLOW, UNIT};
 use crate::kind::Kind;
-use crate::query::Point;
+use crate::point::Point;
 
 /// The outcome of advancement.
 pub(super) enum Advance {

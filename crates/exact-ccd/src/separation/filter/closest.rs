@@ -1,7 +1,7 @@
 //! A guess of the closest points at one time, without bound.
 
 use crate::kind::Kind;
-use crate::query::Point;
+use crate::point::Point;
 
 /// F at the closest points, as an affine combination of its corners.
 #[derive(Clone, Copy, Debug)]

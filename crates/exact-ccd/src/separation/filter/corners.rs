@@ -4,7 +4,8 @@ use core::f64::consts::SQRT_2;
 
 use crate::filter::UNIT;
 use crate::kind::Kind;
-use crate::query::{Point, Query};
+use crate::point::Point;
+use crate::query::Query;
 
 /// 2⁻²⁰⁰: the least scaled distance that the filters compute with.
 const LEAST: f64 = f64::from_bits((1023 - 200) << 52);

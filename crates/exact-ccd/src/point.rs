@@ -1,0 +1,4 @@
+//! Points.
+
+/// A point in space.
+pub type Point = [f64; 3];
