@@ -43,13 +43,7 @@ impl Checkpoint {
             return Err(different);
         }
         match self.system.difference(&system.fingerprint()) {
-            None => {
-                let settings = Settings {
-                    ccd: StepFilter::default().name().to_owned(),
-                    ..settings
-                };
-                Ok(Simulation::resume(system, settings, self.state)?.with_filter(filter))
-            }
+            None => Simulation::resume_with(system, settings, self.state, filter),
             Some(what) => Err(SimulationError::OtherSystem { what }),
         }
     }

@@ -64,6 +64,21 @@ impl Simulation {
     /// [`SimulationError`] names the setting that is out of range, the part of the state that does not match
     /// the system, or two primitives that intersect or touch, as in [`Simulation::new`].
     pub fn resume(system: System, settings: Settings, state: State) -> Result<Self, SimulationError> {
+        let filter = StepFilter::default();
+        if settings.ccd != filter.name() {
+            return Err(SimulationError::Method { name: settings.ccd });
+        }
+        Self::resume_with(system, settings, state, filter)
+    }
+
+    /// [`Simulation::resume`] with a filter, whose name becomes that of the settings.
+    pub(crate) fn resume_with(
+        system: System,
+        mut settings: Settings,
+        state: State,
+        filter: StepFilter,
+    ) -> Result<Self, SimulationError> {
+        filter.name().clone_into(&mut settings.ccd);
         settings.check(system.size())?;
         if state.step >= 1 << f64::MANTISSA_DIGITS {
             return Err(SimulationError::Late { step: state.step });
@@ -101,10 +116,6 @@ impl Simulation {
             return Err(SimulationError::NotFinite { what: "stiffness" });
         }
         start::check(&system, &state)?;
-        let filter = StepFilter::default();
-        if settings.ccd != filter.name() {
-            return Err(SimulationError::Method { name: settings.ccd });
-        }
         let distance = settings.contact_distance.meters(system.size());
         let barrier = Barrier::new(distance);
         if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_valid() {
