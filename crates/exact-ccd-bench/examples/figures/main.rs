@@ -1,4 +1,5 @@
-//! Draws the figures of docs/parity.md and docs/separation.md. The contacts and signs in them are computed, not prescribed.
+//! Draws the figures of docs/parity.md and docs/separation.md. The contacts, signs and closest features in
+//! them are computed, not prescribed.
 //!
 //! ```sh
 //! cargo run --release -p exact-ccd-bench --example figures -- [FOLDER]
