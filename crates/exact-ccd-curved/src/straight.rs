@@ -1,0 +1,86 @@
+//! A query of chords, near the query of curves.
+
+use exact_ccd::separation::Separation;
+use exact_ccd::{NonFinite, Query};
+
+use crate::error::SearchError;
+use crate::kind::CurvedKind;
+use crate::rounding::add_up;
+use crate::trajectory::Chord;
+
+/// A query of two primitives whose points move along chords, for an interval of times.
+///
+/// A point of a primitive is a convex combination of its vertices, with the same weights on the curves
+/// and on the chords. So it deviates by at most the largest deviation of a vertex. With Δ, the sum of
+/// the largest deviations of both primitives:
+///
+/// - F on the curves differs from F on the chords by at most Δ, at each (t, u, v).
+/// - The distance of the curved primitives differs from that on the chords by at most Δ, at each time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Straight<K> {
+    pub(crate) query: Query<K>,
+    /// Δ; infinite if nothing is known.
+    pub(crate) deviation: f64,
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+}
+
+impl<K: CurvedKind> Straight<K> {
+    /// The query of some chords.
+    pub(crate) fn new(chords: &[Chord], start: f64, end: f64) -> Result<Self, SearchError> {
+        let [t0, t1] = [0, 1].map(|time: usize| K::points(|point| chords[point].ends[time]));
+        let query = Query::new(t0, t1);
+        let query = query.map_err(|source: NonFinite| SearchError::Position { start, end, source })?;
+        if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
+            return Err(SearchError::Bound { point, start, end });
+        }
+        let largest = |chords: &[Chord]| chords.iter().fold(0.0_f64, |m, chord| m.max(chord.deviation));
+        let (first, second) = chords.split_at(K::FIRST);
+        Ok(Self {
+            query,
+            deviation: add_up(largest(first), largest(second)),
+            start,
+            end,
+        })
+    }
+
+    /// Before this time, the curved primitives are certainly more than d apart; `None` if they are at
+    /// all times from the start to the end, both included.
+    ///
+    /// Where they are within d, the chords are within d + Δ.
+    pub(crate) fn free_until(&self, d: Separation) -> Option<f64> {
+        let Ok(threshold) = Separation::new(add_up(d.get(), self.deviation)) else {
+            return Some(self.start);
+        };
+        let first = self.query.first_within(threshold)?.lower();
+        if self.is_whole() {
+            return Some(first);
+        }
+        // The product of two lower bounds, and its sum with the start: each below the real value.
+        let elapsed = (first * (self.end - self.start).next_down()).next_down();
+        Some((self.start + elapsed).next_down().clamp(self.start, self.end))
+    }
+
+    /// At a time not after this one, the curved primitives are certainly at most d apart; `None` if
+    /// this does not follow from the chords.
+    ///
+    /// They are where the chords are within d − Δ.
+    pub(crate) fn within_by(&self, d: Separation) -> Option<f64> {
+        let threshold = if self.deviation == 0.0 {
+            d
+        } else {
+            Separation::new((d.get() - self.deviation).next_down()).ok()?
+        };
+        let first = self.query.first_within(threshold)?.upper();
+        if self.is_whole() {
+            return Some(first);
+        }
+        let elapsed = (first * (self.end - self.start).next_up()).next_up();
+        Some((self.start + elapsed).next_up().clamp(self.start, self.end))
+    }
+
+    /// Returns true for the whole step: its times are those of the query.
+    fn is_whole(&self) -> bool {
+        self.start == 0.0 && self.end == 1.0
+    }
+}
