@@ -26,9 +26,6 @@ pub(crate) fn is_certain<K: CurvedKind>(straight: &Straight<K>) -> bool {
     let Ok(rounded) = Rounded::shift(query) else {
         return false;
     };
-    if rounded.parity() != Parity::Odd {
-        return false;
-    }
     // |F′| > Δ + ρ if |F| on the chords is above Δ + 2 ρ. Two points are rounded.
     let displacement = Displacement::of_query(query);
     let points = query.points();
@@ -48,5 +45,5 @@ pub(crate) fn is_certain<K: CurvedKind>(straight: &Straight<K>) -> bool {
         let at = |time: usize| side.map(|point| points[time][point]);
         Query::<VertexEdge>::new(at(0), at(1)).is_ok_and(|query| !query.comes_within(margin))
     };
-    [0, 1].into_iter().all(is_apart_at) && sides.iter().all(is_apart_on)
+    [0, 1].into_iter().all(is_apart_at) && rounded.parity() == Parity::Odd && sides.iter().all(is_apart_on)
 }

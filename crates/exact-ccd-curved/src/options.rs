@@ -9,8 +9,8 @@ use crate::error::SearchError;
 #[non_exhaustive]
 pub struct SearchOptions {
     /// The search ends when the gap between the time until which the distance is certainly above d and
-    /// the time by which it is certainly at most d + ε is at most this. The default is 0, at which ε
-    /// decides.
+    /// the time by which it is certainly at most d + ε is at most this. Less than 2⁻⁵⁰ counts as 2⁻⁵⁰. The
+    /// default is 0.
     pub time_tolerance: f64,
     /// ε. The default is 0: contact itself has to be proved. That is not possible where the primitives
     /// only touch, and for contact (d = 0) of a vertex with an edge or a vertex.

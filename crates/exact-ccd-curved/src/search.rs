@@ -2,14 +2,19 @@
 
 use exact_ccd::separation::Separation;
 
-use crate::answer::{Answer, End, Proximity, Within};
-use crate::crossing;
+use crate::answer::{Answer, End, Within};
 use crate::error::SearchError;
 use crate::kind::CurvedKind;
 use crate::options::SearchOptions;
-use crate::rounding::{add_up, flushes_subnormals};
+use crate::rounding::flushes_subnormals;
 use crate::straight::Straight;
-use crate::trajectory::{Chord, Trajectory};
+use crate::trajectory::Trajectory;
+
+/// The length of a chord in units of the one before it, if that was free.
+const GROWTH: f64 = 2.0;
+
+/// The least tolerance of times: above the rounding of the bounds of a time.
+const RESOLUTION: f64 = 4.0 * f64::EPSILON;
 
 /// The shortest chord that is cut.
 const SHORTEST: f64 = f64::EPSILON / 2.0;
@@ -59,7 +64,7 @@ pub fn first_within<K: CurvedKind, T: Trajectory>(
     search::<K, _>(trajectories.as_ref(), d, options, [0.0, 1.0])
 }
 
-/// The search in an interval of times that begins at the given time: before, all is free.
+/// The search in an interval of times, before which all is free.
 pub(crate) fn search<K: CurvedKind, T: Trajectory>(
     trajectories: &[T],
     d: Separation,
@@ -72,13 +77,13 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
         end: End::Free,
         chords: 0,
     };
-    // The ends of the chords to come, the next one last.
-    let mut ends = vec![end];
-    while let Some(&end) = ends.last() {
+    let tolerance = options.time_tolerance.max(RESOLUTION);
+    // All after this time is of no importance: at first the end, then a time of proved proximity.
+    let mut limit = end;
+    let mut end = limit;
+    loop {
         let start = answer.free_until;
-        if let Some(within) = answer.within
-            && within.by - start <= options.time_tolerance
-        {
+        if answer.within.is_some_and(|within| within.by - start <= tolerance) {
             answer.end = End::Tolerance;
             return Ok(answer);
         }
@@ -87,60 +92,51 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
             return Ok(answer);
         }
         answer.chords += 1;
-        let chords: Vec<Chord> = trajectories.iter().map(|x| Chord::of(x, start, end)).collect();
-        let straight = Straight::<K>::new(&chords, start, end)?;
+        let straight = Straight::<K>::of(trajectories, start, end)?;
         let Some(free_until) = straight.free_until(d) else {
             answer.free_until = end;
-            ends.pop();
+            if end >= limit {
+                break;
+            }
+            end = limit.min(end + GROWTH * (end - start));
             continue;
         };
         answer.free_until = free_until;
-        if let Some(within) = proximity(&straight, d, options.distance_tolerance)
-            && answer.within.is_none_or(|known| within.by < known.by)
-        {
-            let by = within.by.max(free_until);
-            answer.within = Some(Within { by, ..within });
-            // Chords after this time are not needed.
-            while ends.last().is_some_and(|&end| end >= by) {
-                ends.pop();
+        let within = match straight.proximity(d, options.distance_tolerance) {
+            None if answer.chords < options.chord_limit => {
+                answer.chords += 1;
+                around::<K, _>(trajectories, free_until, end)?.proximity(d, options.distance_tolerance)
             }
-            ends.push(by);
-            continue;
+            within => within,
+        };
+        if let Some(within) = within {
+            let by = within.by.max(free_until);
+            if answer.within.is_none_or(|known| by < known.by) {
+                answer.within = Some(Within { by, ..within });
+            }
+            limit = limit.min(by);
         }
         if end - free_until <= SHORTEST {
             answer.end = End::Precision;
             return Ok(answer);
         }
-        ends.push(free_until + 0.5 * (end - free_until));
+        end = limit.min(straight.cut(d, free_until));
     }
+    // Proximity that was proved only for times after the end is left to the search there.
+    answer.within = answer.within.filter(|within| within.by <= limit);
     if answer.within.is_some() {
-        // All is free until the proved proximity, of at most d + ε.
         answer.end = End::Tolerance;
     }
     Ok(answer)
 }
 
-/// The earliest time by which the chords prove proximity.
-fn proximity<K: CurvedKind>(straight: &Straight<K>, d: Separation, tolerance: Separation) -> Option<Within> {
-    let contact = straight.within_by(d);
-    if let Some(by) = contact {
-        return Some(Within {
-            by,
-            proximity: Proximity::Contact,
-        });
-    }
-    let wider = Separation::new(add_up(d.get(), tolerance.get()).next_down()).unwrap_or(d);
-    if tolerance > Separation::default()
-        && let Some(by) = straight.within_by(wider)
-    {
-        return Some(Within {
-            by,
-            proximity: Proximity::Near,
-        });
-    }
-    let is_crossing = d == Separation::default() && crossing::is_certain(straight);
-    is_crossing.then_some(Within {
-        by: straight.end,
-        proximity: Proximity::Contact,
-    })
+/// The chord around a time and the next ones, from before the start to after the end: contact at one of them
+/// is inside.
+fn around<K: CurvedKind, T: Trajectory>(
+    trajectories: &[T],
+    start: f64,
+    end: f64,
+) -> Result<Straight<K>, SearchError> {
+    let margin = (end - start).max(RESOLUTION);
+    Straight::of(trajectories, (start - margin).max(0.0), (end + margin).min(1.0))
 }

@@ -3,10 +3,12 @@
 use exact_ccd::separation::Separation;
 use exact_ccd::{NonFinite, Query};
 
+use crate::answer::{Proximity, Within};
+use crate::crossing;
 use crate::error::SearchError;
 use crate::kind::CurvedKind;
 use crate::rounding::add_up;
-use crate::trajectory::Chord;
+use crate::trajectory::{Chord, Trajectory};
 
 /// A query of two primitives whose points move along chords, for an interval of times.
 ///
@@ -44,6 +46,12 @@ impl<K: CurvedKind> Straight<K> {
         })
     }
 
+    /// The query of the chords of some trajectories.
+    pub(crate) fn of<T: Trajectory>(trajectories: &[T], start: f64, end: f64) -> Result<Self, SearchError> {
+        let chords: Vec<Chord> = trajectories.iter().map(|x| Chord::of(x, start, end)).collect();
+        Self::new(&chords, start, end)
+    }
+
     /// Before this time, the curved primitives are certainly more than d apart; `None` if they are at
     /// all times from the start to the end, both included.
     ///
@@ -61,22 +69,50 @@ impl<K: CurvedKind> Straight<K> {
         Some((self.start + elapsed).next_down().clamp(self.start, self.end))
     }
 
+    /// The earliest time by which the chords prove a distance of at most d or else d + ε, or contact.
+    pub(crate) fn proximity(&self, d: Separation, tolerance: Separation) -> Option<Within> {
+        let wider = Separation::new((d.get() + tolerance.get()).next_down()).unwrap_or(d);
+        let is_zero = d == Separation::default();
+        let crossing = || (is_zero && crossing::is_certain(self)).then_some(self.end);
+        let contact = self.within_by(d).or_else(crossing);
+        let near = || if wider > d { self.within_by(wider) } else { None };
+        let within = |by, proximity| Within { by, proximity };
+        contact
+            .map(|by| within(by, Proximity::Contact))
+            .or_else(|| near().map(|by| within(by, Proximity::Near)))
+    }
+
     /// At a time not after this one, the curved primitives are certainly at most d apart; `None` if
     /// this does not follow from the chords.
     ///
     /// They are where the chords are within d − Δ.
-    pub(crate) fn within_by(&self, d: Separation) -> Option<f64> {
+    fn within_by(&self, d: Separation) -> Option<f64> {
         let threshold = if self.deviation == 0.0 {
             d
         } else {
             Separation::new((d.get() - self.deviation).next_down()).ok()?
         };
         let first = self.query.first_within(threshold)?.upper();
-        if self.is_whole() {
-            return Some(first);
-        }
-        let elapsed = (first * (self.end - self.start).next_up()).next_up();
-        Some((self.start + elapsed).next_up().clamp(self.start, self.end))
+        Some(if self.is_whole() { first } else { self.after(first) })
+    }
+
+    /// The end of the next chord, which begins at `start`: twice as far as the time at which this chord
+    /// comes within d, at most in the middle.
+    ///
+    /// The error of the time at which it does is that of the free times, and is quadratic in the length
+    /// of the chord. So the chords shrink quadratically where the distance is not stationary.
+    pub(crate) fn cut(&self, d: Separation, start: f64) -> f64 {
+        let middle = start + 0.5 * (self.end - start);
+        let guess = self.query.first_within(d).map(|first| self.after(first.lower()));
+        guess.map_or(middle, |guess| {
+            middle.min(guess + (guess - start).max(f64::EPSILON))
+        })
+    }
+
+    /// An upper bound of the time at a relative time.
+    fn after(&self, relative: f64) -> f64 {
+        let elapsed = (relative * (self.end - self.start).next_up()).next_up();
+        (self.start + elapsed).next_up().clamp(self.start, self.end)
     }
 
     /// Returns true for the whole step: its times are those of the query.
