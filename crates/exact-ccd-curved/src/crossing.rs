@@ -4,7 +4,7 @@ use exact_ccd::parity::{Displacement, Parity, Rounded};
 use exact_ccd::separation::Separation;
 use exact_ccd::{Query, VertexEdge};
 
-use crate::kind::CurvedKind;
+use crate::kind::{CurvedKind, points};
 use crate::rounding::{above, length};
 use crate::straight::Straight;
 
@@ -28,8 +28,8 @@ pub(crate) fn is_certain<K: CurvedKind>(straight: &Straight<K>) -> bool {
     };
     // |F′| > Δ + ρ if |F| on the chords is above Δ + 2 ρ. Two points are rounded.
     let displacement = Displacement::of_query(query);
-    let points = query.points();
-    let errors = points
+    let four = query.points();
+    let errors = four
         .iter()
         .flatten()
         .map(|&point| length(displacement.error(point)));
@@ -38,11 +38,11 @@ pub(crate) fn is_certain<K: CurvedKind>(straight: &Straight<K>) -> bool {
         return false;
     };
     let is_apart_at = |time: usize| {
-        let at_rest = K::points(|point| points[time][point]);
+        let at_rest = points::<K>(|point| four[time][point]);
         Query::<K>::new(at_rest, at_rest).is_ok_and(|query| !query.comes_within(margin))
     };
     let is_apart_on = |side: &[usize; 3]| {
-        let at = |time: usize| side.map(|point| points[time][point]);
+        let at = |time: usize| side.map(|point| four[time][point]);
         Query::<VertexEdge>::new(at(0), at(1)).is_ok_and(|query| !query.comes_within(margin))
     };
     [0, 1].into_iter().all(is_apart_at) && rounded.parity() == Parity::Odd && sides.iter().all(is_apart_on)

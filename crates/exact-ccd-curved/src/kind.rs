@@ -2,59 +2,42 @@
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexEdge, VertexFace, VertexVertex};
 
-/// A kind of query between curved primitives. Sealed, as [`Kind`] is.
+/// A kind of query between curved primitives.
 pub trait CurvedKind: Kind {
     /// The trajectories of the points, in the order of the kind: an array.
     type Trajectories<T>: AsRef<[T]>;
 
-    /// The number of points of the first primitive.
-    const FIRST: usize;
-
-    /// The vertices and edges, as triples of points, whose contacts are the roots of F on the sides of
-    /// its domain, those at the ends of the interval of time excepted. `None` if F maps into three
-    /// dimensions from fewer: then contact is not stable.
+    /// The vertices and edges, as triples of points, whose contacts are the roots of F on the boundary of
+    /// the domain of (u, v). `None` if that domain has less than two dimensions: then small changes of
+    /// the motion can undo any contact.
     const BOUNDARY: Option<&'static [[usize; 3]]>;
-
-    /// The points of a query at one time, by their index.
-    fn points(at: impl FnMut(usize) -> Point) -> Self::Points;
 }
 
 impl CurvedKind for VertexFace {
     type Trajectories<T> = [T; 4];
-    const FIRST: usize = 1;
     const BOUNDARY: Option<&'static [[usize; 3]]> = Some(&[[0, 1, 2], [0, 2, 3], [0, 3, 1]]);
-
-    fn points(at: impl FnMut(usize) -> Point) -> [Point; 4] {
-        std::array::from_fn(at)
-    }
 }
 
 impl CurvedKind for EdgeEdge {
     type Trajectories<T> = [T; 4];
-    const FIRST: usize = 2;
     const BOUNDARY: Option<&'static [[usize; 3]]> = Some(&[[0, 2, 3], [1, 2, 3], [2, 0, 1], [3, 0, 1]]);
-
-    fn points(at: impl FnMut(usize) -> Point) -> [Point; 4] {
-        std::array::from_fn(at)
-    }
 }
 
 impl CurvedKind for VertexEdge {
     type Trajectories<T> = [T; 3];
-    const FIRST: usize = 1;
     const BOUNDARY: Option<&'static [[usize; 3]]> = None;
-
-    fn points(at: impl FnMut(usize) -> Point) -> [Point; 3] {
-        std::array::from_fn(at)
-    }
 }
 
 impl CurvedKind for VertexVertex {
     type Trajectories<T> = [T; 2];
-    const FIRST: usize = 1;
     const BOUNDARY: Option<&'static [[usize; 3]]> = None;
+}
 
-    fn points(at: impl FnMut(usize) -> Point) -> [Point; 2] {
-        std::array::from_fn(at)
+/// The points of a query at one time, by their index.
+pub(crate) fn points<K: Kind>(at: impl Fn(usize) -> Point) -> K::Points {
+    let mut points = K::Points::default();
+    for (index, point) in points.as_mut().iter_mut().enumerate() {
+        *point = at(index);
     }
+    points
 }

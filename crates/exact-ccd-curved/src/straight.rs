@@ -6,7 +6,7 @@ use exact_ccd::{NonFinite, Query};
 use crate::answer::{Proximity, Within};
 use crate::crossing;
 use crate::error::SearchError;
-use crate::kind::CurvedKind;
+use crate::kind::{CurvedKind, points};
 use crate::rounding::add_up;
 use crate::trajectory::{Chord, Trajectory};
 
@@ -30,7 +30,7 @@ pub(crate) struct Straight<K> {
 impl<K: CurvedKind> Straight<K> {
     /// The query of some chords.
     pub(crate) fn new(chords: &[Chord], start: f64, end: f64) -> Result<Self, SearchError> {
-        let [t0, t1] = [0, 1].map(|time: usize| K::points(|point| chords[point].ends[time]));
+        let [t0, t1] = [0, 1].map(|time: usize| points::<K>(|point| chords[point].ends[time]));
         let query = Query::new(t0, t1);
         let query = query.map_err(|source: NonFinite| SearchError::Position { start, end, source })?;
         if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
@@ -61,12 +61,7 @@ impl<K: CurvedKind> Straight<K> {
             return Some(self.start);
         };
         let first = self.query.first_within(threshold)?.lower();
-        if self.is_whole() {
-            return Some(first);
-        }
-        // The product of two lower bounds, and its sum with the start: each below the real value.
-        let elapsed = (first * (self.end - self.start).next_down()).next_down();
-        Some((self.start + elapsed).next_down().clamp(self.start, self.end))
+        Some(time_before(first, self.start, self.end))
     }
 
     /// The earliest time by which the chords prove a distance of at most d or else d + ε, or contact.
@@ -93,7 +88,7 @@ impl<K: CurvedKind> Straight<K> {
             Separation::new((d.get() - self.deviation).next_down()).ok()?
         };
         let first = self.query.first_within(threshold)?.upper();
-        Some(if self.is_whole() { first } else { self.after(first) })
+        Some(self.after(first))
     }
 
     /// The end of the next chord, which begins at `start`: twice as far as the time at which this chord
@@ -109,14 +104,28 @@ impl<K: CurvedKind> Straight<K> {
         })
     }
 
-    /// An upper bound of the time at a relative time.
+    /// An upper bound of the time at a relative time; that itself in the whole step.
     fn after(&self, relative: f64) -> f64 {
+        if is_whole(self.start, self.end) {
+            return relative;
+        }
         let elapsed = (relative * (self.end - self.start).next_up()).next_up();
         (self.start + elapsed).next_up().clamp(self.start, self.end)
     }
+}
 
-    /// Returns true for the whole step: its times are those of the query.
-    fn is_whole(&self) -> bool {
-        self.start == 0.0 && self.end == 1.0
+/// A lower bound of the time at a relative time; that itself in the whole step.
+///
+/// The difference, the product and the sum of lower bounds are each below the real value.
+pub(crate) fn time_before(relative: f64, start: f64, end: f64) -> f64 {
+    if is_whole(start, end) {
+        return relative;
     }
+    let elapsed = (relative * (end - start).next_down()).next_down();
+    (start + elapsed).next_down().clamp(start, end)
+}
+
+/// Returns true for the whole step: its times are the relative ones.
+fn is_whole(start: f64, end: f64) -> bool {
+    start == 0.0 && end == 1.0
 }

@@ -7,8 +7,8 @@ mod extremes;
 mod sampled;
 mod straight;
 
-use exact_ccd::Point;
 use exact_ccd::separation::Separation;
+use exact_ccd::{Kind, Point};
 use exact_ccd_curved::{Polynomial, SearchOptions};
 
 fn within(d: f64) -> Separation {
@@ -27,4 +27,13 @@ fn timed(time: f64) -> SearchOptions {
 /// The distance proved, to within `epsilon`.
 fn close(epsilon: f64) -> SearchOptions {
     SearchOptions::default().with_distance_tolerance(within(epsilon))
+}
+
+/// The points of a query at one time, by their index.
+fn points<K: Kind>(mut at: impl FnMut(usize) -> Point) -> K::Points {
+    let mut points = K::Points::default();
+    for (index, point) in points.as_mut().iter_mut().enumerate() {
+        *point = at(index);
+    }
+    points
 }

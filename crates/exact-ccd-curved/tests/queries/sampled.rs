@@ -4,7 +4,7 @@ use exact_ccd::separation::Separation;
 use exact_ccd::{EdgeEdge, Point, Query, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_curved::{Answer, CurvedKind, End, RigidMotion, SearchOptions, first_within};
 
-use crate::within;
+use crate::{points, within};
 
 /// A body that turns about an axis, by its matrix (Rodrigues 1840).
 struct Body {
@@ -65,17 +65,17 @@ fn agrees_with_samples<K: CurvedKind>(
     for case in 0..count {
         let turns = [0.01, 0.3, 8.0][case % 3];
         let bodies = [0; 2].map(|_| Body::random(&mut random, turns));
-        let points = K::points(|_| [0; 3].map(|_| 3.0 * (random.f64() - 0.5)));
+        let corners = points::<K>(|_| [0; 3].map(|_| 3.0 * (random.f64() - 0.5)));
         let body = |point: usize| &bodies[usize::from(point >= K::FIRST)];
         let d = [0.0, 0.1, 0.8][random.usize(0..3)];
         let options = SearchOptions::default()
             .with_time_tolerance(TOLERANCE)
             .with_distance_tolerance(within(TOLERANCE))
             .with_chord_limit(100_000);
-        let answer = search(&points, &|point| body(point).motion(), within(d), &options);
+        let answer = search(&corners, &|point| body(point).motion(), within(d), &options);
 
         let is_within = |time: f64, d: f64| {
-            let places = K::points(|point| body(point).place(points.as_ref()[point], time));
+            let places = points::<K>(|point| body(point).place(corners.as_ref()[point], time));
             Query::<K>::new(places, places).unwrap().comes_within(within(d))
         };
         // Before the end of the certain part, no sample is within d by more than rounding.

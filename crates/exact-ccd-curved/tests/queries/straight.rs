@@ -6,7 +6,7 @@ use exact_ccd_curved::{
     CurvedKind, End, Polynomial, Proximity, RigidMotion, SearchOptions, Trajectory, first_within,
 };
 
-use crate::within;
+use crate::{points, within};
 
 /// Small integers, whose sums are exact.
 fn point(random: &mut fastrand::Rng) -> Point {
@@ -34,14 +34,14 @@ macro_rules! straight_motion_is_one_exact_query {
             let mut random = fastrand::Rng::with_seed(3);
             let mut near = 0;
             for _ in 0..20_000 {
-                let start = <$kind>::points(|_| point(&mut random));
-                let moves = <$kind>::points(|_| point(&mut random));
+                let start = points::<$kind>(|_| point(&mut random));
+                let moves = points::<$kind>(|_| point(&mut random));
                 let end: Vec<Point> = start
                     .iter()
                     .zip(moves)
                     .map(|(p, v)| [0, 1, 2].map(|k: usize| p[k] + v[k]))
                     .collect();
-                let end = <$kind>::points(|i| end[i]);
+                let end = points::<$kind>(|i| end[i]);
                 let query = Query::<$kind>::new(start, end).unwrap();
                 let d = within([0.0, 1.0, 0.3][random.usize(0..3)]);
                 near += usize::from(query.comes_within(d));

@@ -12,18 +12,18 @@ use crate::{options, within};
 const TEETH: usize = 12;
 
 /// A gear about the z axis: a prism over a star, with a phase in teeth.
-fn gear(phase: f64) -> Frame {
+fn gear(phase: f64, height: f64) -> Frame {
     let corner = |i: usize, z: f64| {
         let angle = TAU * (0.5 * i as f64 + phase) / TEETH as f64;
         let radius = if i % 2 == 0 { 1.25 } else { 1.0 };
         [radius * angle.cos(), radius * angle.sin(), z]
     };
     let count = 2 * TEETH;
-    let mut positions: Vec<Point> = [-0.25, 0.25]
+    let mut positions: Vec<Point> = [-height, height]
         .iter()
         .flat_map(|&z| (0..count).map(move |i| corner(i, z)))
         .collect();
-    positions.extend([[0.0, 0.0, -0.25], [0.0, 0.0, 0.25]]);
+    positions.extend([[0.0, 0.0, -height], [0.0, 0.0, height]]);
     let faces = (0..count).flat_map(|i| {
         let j = (i + 1) % count;
         let [a, b, c, d] = [i, j, i + count, j + count].map(|v| v as u32);
@@ -46,8 +46,9 @@ impl Gears {
     fn new(angle: f64, ratio: f64) -> Self {
         let (mut positions, mut faces, mut trajectories, mut bodies) = (vec![], vec![], vec![], vec![]);
         for (body, (centre, angle)) in CENTRES.into_iter().zip([angle, -ratio * angle]).enumerate() {
-            // A tooth of one between two of the other.
-            let gear = gear(if body == 0 { 0.0 } else { 0.5 + 0.5 * TEETH as f64 });
+            // A tooth of one between two of the other, which is thicker: the corners of teeth meet faces.
+            let (phase, height) = [(0.0, 0.25), (0.5 + 0.5 * TEETH as f64, 0.5)][body];
+            let gear = gear(phase, height);
             let motion = RigidMotion::new(centre, [0.0, 0.0, 1.0], angle, [0.0; 3]).unwrap();
             let first = positions.len() as u32;
             faces.extend(gear.mesh.faces().iter().map(|face| face.map(|v| v + first)));
