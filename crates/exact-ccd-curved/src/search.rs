@@ -78,12 +78,16 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
         chords: 0,
     };
     let tolerance = options.time_tolerance.max(RESOLUTION);
+    let is_reached = |answer: &Answer| {
+        let within = answer.within;
+        within.is_some_and(|within| within.by - answer.free_until <= tolerance)
+    };
     // All after this time is of no importance: at first the end, then a time of proved proximity.
     let mut limit = end;
     let mut end = limit;
     loop {
         let start = answer.free_until;
-        if answer.within.is_some_and(|within| within.by - start <= tolerance) {
+        if is_reached(&answer) {
             answer.end = End::Tolerance;
             return Ok(answer);
         }
@@ -116,7 +120,7 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
             }
             limit = limit.min(by);
         }
-        if end - free_until <= SHORTEST {
+        if end - free_until <= SHORTEST && !is_reached(&answer) {
             answer.end = End::Precision;
             return Ok(answer);
         }
@@ -130,8 +134,8 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
     Ok(answer)
 }
 
-/// The chord around a time and the next ones, from before the start to after the end: contact at one of them
-/// is inside.
+/// The chord from before the start to after the end of an interval: contact in the interval is not at an
+/// end of the chord, where it could not be proved.
 fn around<K: CurvedKind, T: Trajectory>(
     trajectories: &[T],
     start: f64,

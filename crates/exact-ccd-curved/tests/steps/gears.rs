@@ -3,11 +3,13 @@
 use std::f64::consts::{PI, TAU};
 
 use exact_ccd::Point;
-use exact_ccd_curved::{CurvedStep, End, Instances, RigidMotion, Trajectory, curved_step};
+use exact_ccd_curved::{
+    CurvedStep, CurvedStepOptions, End, Instances, RigidMotion, SearchOptions, Trajectory, curved_step,
+};
 use exact_ccd_mesh::{Frame, IntersectionsError, TriangleMesh, intersections};
 use rayon::ThreadPoolBuilder;
 
-use crate::{options, within};
+use crate::within;
 
 const TEETH: usize = 12;
 
@@ -72,7 +74,13 @@ impl Gears {
     }
 
     fn step(&self) -> CurvedStep {
-        let options = options(&self.instances, 1e-9);
+        // The edges of teeth are parallel, and may meet face to face: contact that cannot be proved.
+        let search = SearchOptions::default()
+            .with_time_tolerance(1e-9)
+            .with_distance_tolerance(within(1e-9));
+        let options = CurvedStepOptions::default()
+            .with_can_collide(self.instances.can_collide())
+            .with_search(search);
         curved_step(
             &self.instances.mesh,
             &self.instances.trajectories,

@@ -14,13 +14,9 @@ fn within(d: f64) -> Separation {
     Separation::new(d).unwrap()
 }
 
-fn options(instances: &Instances, tolerance: f64) -> CurvedStepOptions {
-    CurvedStepOptions::default()
-        .with_can_collide(instances.can_collide())
-        .with_search(SearchOptions::default().with_time_tolerance(tolerance))
-}
-
 fn step(instances: &Instances, d: f64, tolerance: f64) -> CurvedStep {
-    let options = options(instances, tolerance);
+    let options = CurvedStepOptions::default()
+        .with_can_collide(instances.can_collide())
+        .with_search(SearchOptions::default().with_time_tolerance(tolerance));
     curved_step(&instances.mesh, &instances.trajectories, within(d), &options).unwrap()
 }
