@@ -4,6 +4,8 @@
 //! cargo run -p exact-ccd-curved --example bar
 //! ```
 
+#![expect(clippy::print_stdout, reason = "the result is a table")]
+
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 use std::time::Instant;

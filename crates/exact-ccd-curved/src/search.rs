@@ -69,7 +69,7 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
     trajectories: &[T],
     d: Separation,
     options: &SearchOptions,
-    [start, end]: [f64; 2],
+    [start, mut limit]: [f64; 2],
 ) -> Result<Answer, SearchError> {
     let mut answer = Answer {
         free_until: start,
@@ -82,8 +82,7 @@ pub(crate) fn search<K: CurvedKind, T: Trajectory>(
         let within = answer.within;
         within.is_some_and(|within| within.by - answer.free_until <= tolerance)
     };
-    // All after this time is of no importance: at first the end, then a time of proved proximity.
-    let mut limit = end;
+    // All after the limit is of no importance: at first the end, then a time of proved proximity.
     let mut end = limit;
     loop {
         let start = answer.free_until;

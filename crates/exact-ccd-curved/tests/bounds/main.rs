@@ -1,7 +1,5 @@
 //! Positions, deviations and sines against integers of 400 and more bits.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 mod fixed;
 mod polynomials;
 mod rigid;
