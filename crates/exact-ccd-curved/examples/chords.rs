@@ -1,8 +1,8 @@
-//! Draws the chords of the search in [`docs/curved-motion.md`]: the path of the tip of a bar, the chord of
+//! Draws the chords of the search in docs/curved-motion.md: the path of the tip of a bar, the chord of
 //! each interval of time, and the band of its deviation.
 //!
 //! ```sh
-//! cargo run -p exact-ccd-curved --example chords > docs/figures/chords.svg
+//! cargo run -p exact-ccd-curved --example chords > docs/curved-motion/chords.svg
 //! ```
 #![expect(clippy::print_stdout, reason = "the result is a drawing")]
 
@@ -12,17 +12,17 @@ use std::fmt::Write;
 use exact_ccd_curved::{RigidMotion, Trajectory};
 
 /// Pixels for one unit.
-const SCALE: f64 = 180.0;
+const SCALE: f64 = 125.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     // A quarter turn of a point at the distance 1, cut into one, two and four chords.
     let tip = RigidMotion::new([0.0; 3], [0.0, 0.0, 1.0], 2.0, [0.0; 3])?.point([1.0, 0.0, 0.0]);
     let mut svg = String::from(concat!(
-        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 960 290" font-family="sans-serif" font-size="14">"#,
-        "\n<rect width=\"960\" height=\"290\" fill=\"white\"/>\n",
+        r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 960 300" font-family="sans-serif" font-size="14">"#,
+        "\n<rect width=\"960\" height=\"300\" fill=\"white\"/>\n",
     ));
     for (column, count) in [1, 2, 4].into_iter().enumerate() {
-        let place = |[x, y, _]: [f64; 3]| (130.0 + 320.0 * column as f64 + SCALE * x, 235.0 - SCALE * y);
+        let place = |[x, y, _]: [f64; 3]| (125.0 + 325.0 * column as f64 + SCALE * x, 195.0 - SCALE * y);
         let time = |i: usize, n: usize| i as f64 / n as f64;
         let mut largest = 0.0_f64;
         for i in 0..count {
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             format!("{x:.1},{y:.1}")
         });
         let points = arc.collect::<Vec<_>>().join(" ");
-        let (x, y) = place([-0.1, -0.2, 0.0]);
+        let (x, y) = place([0.3, -0.76, 0.0]);
         writeln!(
             svg,
             r##"<polyline points="{points}" fill="none" stroke="#d94801" stroke-width="2"/>
@@ -50,6 +50,6 @@ fn main() -> Result<(), Box<dyn Error>> {
             if count == 1 { "" } else { "s" }
         )?;
     }
-    print!("{svg}</svg>\n");
+    println!("{svg}</svg>");
     Ok(())
 }
