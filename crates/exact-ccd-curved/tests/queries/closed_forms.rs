@@ -23,7 +23,7 @@ fn search<K: CurvedKind>(
 
 /// Checks a bracket of a time of contact, with a proof of contact.
 fn assert_bracket(answer: &Answer, time: f64, tolerance: f64) {
-    let reached = answer.within.expect(&format!("{answer:?}"));
+    let reached = answer.within.unwrap();
     assert_eq!(
         (answer.end, reached.proximity),
         (End::Tolerance, Proximity::Contact),

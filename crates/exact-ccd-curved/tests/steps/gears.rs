@@ -17,7 +17,7 @@ const TEETH: usize = 12;
 fn gear(phase: f64, height: f64) -> Frame {
     let corner = |i: usize, z: f64| {
         let angle = TAU * (0.5 * i as f64 + phase) / TEETH as f64;
-        let radius = if i % 2 == 0 { 1.25 } else { 1.0 };
+        let radius = if i.is_multiple_of(2) { 1.25 } else { 1.0 };
         [radius * angle.cos(), radius * angle.sin(), z]
     };
     let count = 2 * TEETH;
