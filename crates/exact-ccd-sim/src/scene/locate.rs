@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
-use super::description::Description;
+use super::description::{BodyDescription, Description};
 use super::document::{Document, Key, SceneError};
 use crate::body::Body;
 use crate::simulation::{Primitive, SimulationError};
@@ -29,9 +29,14 @@ pub(super) fn of_system(
             let path = [Name("body"), Index(*body)];
             return document.error_of(&path, &without_body(*body, error));
         }
+        SystemError::Offset { body, .. } => {
+            let path = [Name("body"), Index(*body), Name("offset")];
+            return document.error_of(&path, &without_body(*body, error));
+        }
         SystemError::Index { body, .. }
         | SystemError::Empty { body }
         | SystemError::Solid { body, .. }
+        | SystemError::Folded { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
         SystemError::Script { .. } | SystemError::Motion { .. } | SystemError::Mesh(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
@@ -44,8 +49,7 @@ pub(super) fn of_system(
         let source = if has_shape { "shape" } else { "mesh" };
         return document.error_of(&[Name("body"), Index(body), Name(source)], &message);
     };
-    let is_solid = described.is_some_and(|described| described.solid.is_some());
-    let material = if is_solid { "solid" } else { "shell" };
+    let material = described.map_or("solid", BodyDescription::material);
     let path = [Name("body"), Index(body), Name(material), Name(field)];
     document.error_of(&path, &message)
 }

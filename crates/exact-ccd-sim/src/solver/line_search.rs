@@ -10,7 +10,6 @@ use super::potential::Potential;
 use crate::contact::Collisions;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
-use crate::system::System;
 
 /// The largest step size relative to the free part of a step. The barrier is infinite at contact.
 const SLACK: f64 = 0.9;
@@ -161,8 +160,7 @@ impl Newton<'_> {
     }
 
     fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
-        let System { surface, start, .. } = self.system;
-        Collisions::new(surface, candidates, points, start, self.barrier)
+        Collisions::new(self.system.contact_surface(), candidates, points, self.barrier)
     }
 }
 

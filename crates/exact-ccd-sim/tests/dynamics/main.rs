@@ -11,6 +11,7 @@ mod newton;
 mod pairs;
 mod rest;
 mod resume;
+mod rods;
 mod scripts;
 mod start;
 mod stiffness;

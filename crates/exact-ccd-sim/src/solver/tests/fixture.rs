@@ -88,16 +88,15 @@ impl Fixture {
     }
 
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
-        let System { surface, start, .. } = &self.system;
-        let step = Step::new(surface, points, points).unwrap();
+        let step = Step::new(self.system.surface(), points, points).unwrap();
         let candidates = self.system.near(step, &self.barrier);
-        Collisions::new(surface, &candidates, points, start, self.barrier)
+        Collisions::new(self.system.contact_surface(), &candidates, points, self.barrier)
     }
 
     /// The empty constraint set.
     pub(super) fn no_collisions(&self) -> Collisions {
-        let System { surface, start, .. } = &self.system;
-        Collisions::new(surface, &Candidates::default(), &self.points, start, self.barrier)
+        let surface = self.system.contact_surface();
+        Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
     /// Four of five free vertices are unknowns.
