@@ -3,11 +3,13 @@
 mod barrier;
 mod collision;
 mod collisions;
+mod near_pairs;
 mod stiffness;
 mod surface;
 
 pub use barrier::Barrier;
 pub use collision::Collision;
 pub use collisions::Collisions;
+pub use near_pairs::NearPairs;
 pub use stiffness::StiffnessRange;
 pub use surface::Surface;

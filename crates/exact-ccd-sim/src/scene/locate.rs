@@ -38,7 +38,10 @@ pub(super) fn of_system(
         | SystemError::Solid { body, .. }
         | SystemError::Folded { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
-        SystemError::Script { .. } | SystemError::Motion { .. } | SystemError::Mesh(_) => {
+        SystemError::Script { .. }
+        | SystemError::Motion { .. }
+        | SystemError::Mesh(_)
+        | SystemError::Thickness(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
         }
     };
@@ -64,9 +67,20 @@ fn without_body(body: usize, error: &SystemError) -> String {
 /// The error of a simulation, at the setting or at the second of two touching bodies.
 pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
     let field = match error {
-        SimulationError::Start { primitives, near } => return of_start(document, bodies, *primitives, *near),
+        SimulationError::Start { primitives, near } => {
+            let what = ["intersect or touch at the start", "a positive"];
+            return of_start(document, bodies, *primitives, *near, what);
+        }
+        SimulationError::Close {
+            primitives,
+            near,
+            thickness,
+        } => {
+            let what = format!("are within the sum of their offsets, {thickness} m, at the start");
+            return of_start(document, bodies, *primitives, *near, [&what, "a larger"]);
+        }
         SimulationError::Setting(setting) => setting.what,
-        SimulationError::Method { .. } => "ccd",
+        SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         SimulationError::State { .. }
         | SimulationError::NotFinite { .. }
         | SimulationError::Late { .. }
@@ -80,8 +94,14 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
     document.error_of(&path, &error.to_string())
 }
 
-/// The error of two primitives that intersect or touch, with the vertex indices of their bodies.
-fn of_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2], near: Point) -> SceneError {
+/// The error of two primitives that are too near, with the vertex indices of their bodies.
+fn of_start(
+    document: &Document<'_>,
+    bodies: &[Body],
+    primitives: [Primitive; 2],
+    near: Point,
+    [what, expected]: [&str; 2],
+) -> SceneError {
     let ranges = System::ranges(bodies);
     // A primitive has a vertex, and each vertex belongs to a body.
     let [(a, first), (b, second)] = primitives.map(|primitive| {
@@ -90,8 +110,8 @@ fn of_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2]
         (body, primitive.map(|vertex| vertex - ranges[body].start))
     });
     let message = format!(
-        "{second} of body[{b}] and {first} of body[{a}] intersect or touch at the start, near {near:?}, \
-         expected a positive distance between them"
+        "{second} of body[{b}] and {first} of body[{a}] {what}, near {near:?}, \
+         expected {expected} distance between them"
     );
     document.error_of(&[Name("body"), Index(b)], &message)
 }

@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use exact_ccd_mesh::{Audit, Pair, TriangleMesh, Violation};
+use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
 
 use super::SimulationError;
+use crate::contact::Barrier;
 use crate::state::State;
 use crate::system::System;
 
@@ -20,6 +21,15 @@ pub enum Primitive {
 }
 
 impl Primitive {
+    /// The primitive of one, two or three vertices.
+    fn of(vertices: Vec<u32>) -> Self {
+        match vertices[..] {
+            [a, b] => Self::Edge([a, b]),
+            [a, b, c] => Self::Face([a, b, c]),
+            _ => Self::Vertex(vertices.first().copied().unwrap_or_default()),
+        }
+    }
+
     /// Its vertices.
     #[must_use]
     pub fn vertices(&self) -> &[u32] {
@@ -51,21 +61,36 @@ impl fmt::Display for Primitive {
 }
 
 /// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
-/// recorded motion starts with the same check.
+/// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are
+/// farther apart than the sum of their offsets, and that particles touch nothing.
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {
     let not_finite = || SimulationError::NotFinite { what: "positions" };
     // The frame has no vertices in the interior of solids, which touch nothing.
     let frame = system.surface_frame(&state.positions).map_err(|_| not_finite())?;
     let mesh = frame.mesh.clone();
     let violation = Audit::default().examine(frame).map_err(|_| not_finite())?;
-    match violation {
-        None => Ok(()),
-        Some(violation) => {
-            let primitives = primitives(system, &mesh, &violation);
-            let near = state.positions[primitives[0].vertices()[0] as usize];
-            Err(SimulationError::Start { primitives, near })
-        }
+    if let Some(violation) = violation {
+        let primitives = primitives(system, &mesh, &violation);
+        let near = at(state, primitives[0]);
+        return Err(SimulationError::Start { primitives, near });
     }
+    let positions = &state.positions;
+    let step = Step::new(&system.surface, positions, positions).map_err(|_| not_finite())?;
+    let Some(pair) = system.near(step, &Barrier::new(0.0)).first_within(step) else {
+        return Ok(());
+    };
+    let primitives = pair.map(Primitive::of);
+    let [a, b] = primitives.each_ref().map(Primitive::vertices);
+    Err(SimulationError::Close {
+        thickness: system.contact_surface().thickness(a, b),
+        near: at(state, primitives[0]),
+        primitives,
+    })
+}
+
+/// The position of the first vertex of a primitive.
+fn at(state: &State, primitive: Primitive) -> Point {
+    state.positions[primitive.vertices()[0] as usize]
 }
 
 /// The two primitives of a violation, with the vertex indices of the system.

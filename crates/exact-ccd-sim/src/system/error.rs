@@ -1,5 +1,6 @@
 //! Errors of bodies and scripts.
 
+use exact_ccd::separation::InvalidThickness;
 use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
@@ -26,6 +27,9 @@ pub enum SystemError {
     /// The faces of all bodies together do not form a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// An offset is out of range. [`SystemError::Offset`] names the body instead.
+    #[error(transparent)]
+    Thickness(#[from] InvalidThickness),
     /// A body has no elements.
     #[error("body {body}: the mesh is empty, expected at least one element")]
     Empty {
@@ -84,7 +88,7 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
-    /// The offset of the contact surface is negative or not finite.
+    /// The offset of the contact surface is out of range.
     #[error("body {body}: the offset is {offset}, expected a number not below 0")]
     Offset {
         /// The body, from 0.

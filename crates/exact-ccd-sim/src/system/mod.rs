@@ -5,7 +5,9 @@ mod fingerprint;
 mod parts;
 
 use std::ops::Range;
+use std::sync::Arc;
 
+use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{
     Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, Point, PositionsError,
     Step, TriangleMesh,
@@ -13,7 +15,7 @@ use exact_ccd_mesh::{
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::{Barrier, Surface};
+use crate::contact::{Barrier, NearPairs, Surface};
 use crate::elasticity::Elastic;
 use crate::script::Script;
 use parts::Parts;
@@ -39,6 +41,8 @@ pub struct System {
     particles: Vec<u32>,
     /// The offset of the contact surface at each vertex, in m.
     pub(crate) offsets: Vec<f64>,
+    /// The same, if one of them is positive.
+    thickness: Option<Arc<Thickness>>,
     /// All pairs of surface primitives, except two of obstacles.
     pub(crate) can_collide: CanCollide,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
@@ -84,6 +88,9 @@ impl System {
         let surface_vertices: Vec<u32> = (0..vertex_count as u32)
             .filter(|&vertex| on_surface[vertex as usize])
             .collect();
+        let is_thick = parts.offsets.iter().any(|&offset| offset > 0.0);
+        let thickness = Thickness::new(&parts.offsets)?;
+        let thickness = is_thick.then(|| Arc::new(thickness));
         let compact_surface = compact(&mesh, &surface_vertices)?;
         Ok(Self {
             can_collide: CanCollide::not_two_obstacles(parts.obstacle).among(on_surface),
@@ -91,6 +98,7 @@ impl System {
             surface_vertices,
             compact_surface,
             particles: parts.particles,
+            thickness,
             offsets: parts.offsets,
             start: parts.start,
             velocities: parts.velocities,
@@ -115,13 +123,28 @@ impl System {
     }
 
     /// The pairs that come within the activation distance of a barrier in a step, and some more.
-    pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> Candidates {
+    pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> NearPairs {
+        let distance = barrier.activation_distance() + self.greatest_thickness();
+        // The rounded sum is at least the thickness, so that no contact is missed.
         let options = CandidateOptions::default()
-            .with_distance(barrier.activation_distance() + self.greatest_thickness())
+            .with_distance(distance)
             .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
         // The distance of a barrier is positive.
-        Candidates::with_options(step, &Bvh, &options).unwrap_or_default()
+        let candidates = Candidates::with_options(step, &Bvh, &options).unwrap_or_default();
+        NearPairs::new(
+            candidates,
+            step,
+            &self.particles,
+            distance,
+            self.thickness.clone(),
+        )
+    }
+
+    /// True if a body has an offset.
+    #[must_use]
+    pub fn is_thick(&self) -> bool {
+        self.thickness.is_some()
     }
 
     /// The surface on which contact acts.

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 
 use super::error::SystemError;
@@ -54,7 +55,7 @@ impl Parts {
                 expected,
             });
         }
-        if !(added.offset >= 0.0 && added.offset.is_finite()) {
+        if !(0.0..=Thickness::MAX).contains(&added.offset) {
             let offset = added.offset;
             return Err(SystemError::Offset { body, offset });
         }

@@ -15,4 +15,6 @@ mod rods;
 mod scripts;
 mod start;
 mod stiffness;
+mod thick_pairs;
+mod thickness;
 mod twist;
