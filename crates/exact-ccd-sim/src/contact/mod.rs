@@ -1,5 +1,6 @@
 //! Contact: the broad phase, the constraint set and the barrier.
 
+mod apart;
 mod barrier;
 mod collision;
 mod collisions;

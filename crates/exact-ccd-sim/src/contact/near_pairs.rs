@@ -8,6 +8,8 @@ use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, Candidates, PairCollector, PairKind, Step};
 use rayon::prelude::*;
 
+use super::apart::Apart;
+
 /// Pairs of primitives that come near each other in a step, and the distance that they keep.
 ///
 /// Beside the pairs of a vertex and a face and of two edges, they are those of a particle and a rod's edge and
@@ -35,17 +37,29 @@ impl From<Candidates> for NearPairs {
 }
 
 impl NearPairs {
-    /// The candidates of a step, the pairs of particles with the mesh's loose edges and with each other that
-    /// come within a distance (in m), and the offsets of the vertices, if there are any.
+    /// The pairs among the candidates of a step, and among particles, loose edges and particles, whose surfaces
+    /// come within a distance `reach` (in m). `thickness` has the offsets of the vertices, if there are any;
+    /// the candidates must be those within `reach` and the greatest sum of two offsets.
     #[must_use]
     pub fn new(
         candidates: Candidates,
         step: Step<'_>,
         particles: &[u32],
-        distance: f64,
+        reach: f64,
         thickness: Option<Arc<Thickness>>,
     ) -> Self {
-        let (vertex_edge, vertex_vertex) = of_particles(step, particles, distance);
+        let (candidates, greatest) = match &thickness {
+            None => (candidates, 0.0),
+            Some(thickness) => {
+                let apart = Apart::new(step, thickness, reach);
+                let kept = Candidates::from_ids(
+                    apart.kept::<VertexFace>(candidates.vertex_face()),
+                    apart.kept::<EdgeEdge>(candidates.edge_edge()),
+                );
+                (kept, apart.greatest)
+            }
+        };
+        let (vertex_edge, vertex_vertex) = of_particles(step, particles, reach + greatest);
         Self {
             candidates,
             vertex_edge,

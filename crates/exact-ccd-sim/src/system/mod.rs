@@ -124,21 +124,15 @@ impl System {
 
     /// The pairs that come within the activation distance of a barrier in a step, and some more.
     pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> NearPairs {
-        let distance = barrier.activation_distance() + self.greatest_thickness();
+        let reach = barrier.activation_distance();
         // The rounded sum is at least the thickness, so that no contact is missed.
         let options = CandidateOptions::default()
-            .with_distance(distance)
+            .with_distance(reach + self.greatest_thickness())
             .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
         // The distance of a barrier is positive.
         let candidates = Candidates::with_options(step, &Bvh, &options).unwrap_or_default();
-        NearPairs::new(
-            candidates,
-            step,
-            &self.particles,
-            distance,
-            self.thickness.clone(),
-        )
+        NearPairs::new(candidates, step, &self.particles, reach, self.thickness.clone())
     }
 
     /// True if a body has an offset.

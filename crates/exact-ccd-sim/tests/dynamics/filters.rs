@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex};
 use exact_ccd::Exact;
 use exact_ccd::parity::RootParity;
 use exact_ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
+use exact_ccd_sim::contact::NearPairs;
 use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, StepFilter, System};
 
 /// A vertex that passes through a triangle at t = ¾.
@@ -41,7 +42,7 @@ fn filters() -> [StepFilter; 3] {
 fn every_filter_stops_short_of_the_contact() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
-    let near = Candidates::new(step, &Bvh).into();
+    let near = NearPairs::from(Candidates::new(step, &Bvh));
     for filter in filters() {
         let name = filter.name();
         let size = filter.free_part(&near, step);
@@ -58,7 +59,7 @@ fn every_filter_stops_short_of_the_contact() {
 fn the_exact_filter_stops_at_the_time_of_impact() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
-    let near = Candidates::new(step, &Bvh).into();
+    let near = NearPairs::from(Candidates::new(step, &Bvh));
     assert_eq!(StepFilter::default().free_part(&near, step), 0.75);
 }
 
@@ -68,7 +69,7 @@ fn a_contact_at_the_end_counts() {
     for height in [0.0, -f64::MIN_POSITIVE] {
         let (mesh, [start, end]) = falling_to(height);
         let step = Step::new(&mesh, &start, &end).unwrap();
-        let near = Candidates::new(step, &Bvh).into();
+        let near = NearPairs::from(Candidates::new(step, &Bvh));
         for filter in filters() {
             let name = filter.name();
             let is_free = filter.is_free(&near, step);
@@ -84,7 +85,7 @@ fn a_contact_at_the_end_counts() {
 fn a_filter_is_observed() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
-    let near = Candidates::new(step, &Bvh).into();
+    let near = NearPairs::from(Candidates::new(step, &Bvh));
     let seen = Arc::new(Mutex::new(Vec::new()));
     let log = Arc::clone(&seen);
     let filter = StepFilter::default().observed(move |candidates, step| {
@@ -94,7 +95,7 @@ fn a_filter_is_observed() {
     });
     let _ = filter.free_part(&near, step);
     let _ = filter.is_free(&near, Step::new(&mesh, &start, &start).unwrap());
-    let count = candidates.counts().total();
+    let count = near.candidates().counts().total();
     assert_eq!(*seen.lock().unwrap(), [(count, end[3][2]), (count, start[3][2])]);
 }
 
