@@ -6,8 +6,6 @@ use std::sync::Arc;
 use exact_ccd::{Ccd, Exact, TimeGuarantee};
 use exact_ccd_mesh::{Candidates, Step, Tolerance, bisect};
 
-use crate::contact::NearPairs;
-
 /// The bound on each Newton step, by a method of continuous collision detection.
 ///
 /// The guarantees of a simulation are those of its method: a method with false negatives lets primitives
@@ -101,59 +99,59 @@ impl StepFilter {
     /// True if the method is the exact one, which alone decides when surfaces with offsets come too near.
     #[must_use]
     pub fn is_exact(&self) -> bool {
-        let guarantees = self.method.guarantees();
-        !guarantees.false_positives && !guarantees.false_negatives
+        self.method.guarantees().time == TimeGuarantee::Exact
     }
 
     /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if
-    /// all of the step is free. `near` has all pairs that can touch in the step.
+    /// all of the step is free. `candidates` has all pairs that can touch in the step.
     ///
-    /// The exact method decides the pairs of particles, and all pairs of surfaces with offsets: they touch if
-    /// their distance is at most the sum of their offsets.
+    /// The exact method decides for the minimum distance of the candidates, which is the sum of the offsets of
+    /// two surfaces. Other methods decide contact, whatever the minimum distance.
     #[must_use]
-    pub fn free_part(&self, near: &NearPairs, step: Step<'_>) -> f64 {
-        self.observe(near, step);
+    pub fn free_part(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
+        self.observe(candidates, step);
         if let Search::Bisection = self.search {
-            return self.bisect(near, step);
+            return self.bisect(candidates, step);
         }
-        let of_particles = near
-            .earliest_time(step)
-            .map_or(1.0, |time| time.min(LARGEST_BLOCKED));
-        if near.is_thick() || of_particles <= 0.0 {
-            return of_particles;
-        }
-        let is_exact = self.method.guarantees().time == TimeGuarantee::Exact;
-        let of_surfaces = match near.candidates().earliest_time_by(step, &*self.method) {
-            None => 1.0,
-            Some(time) if time > 0.0 || is_exact => time.min(LARGEST_BLOCKED),
-            // A conservative time of 0 proves no contact at the start.
-            Some(_) => self.bisect(near, step),
+        let earliest = if self.is_exact() {
+            let contact = candidates.earliest_contact(step);
+            contact.map(|contact| contact.impact.time.lower())
+        } else {
+            candidates.earliest_time_by(step, &*self.method)
         };
-        of_surfaces.min(of_particles)
+        match earliest {
+            None => 1.0,
+            Some(time) if time > 0.0 || self.is_exact() => time.min(LARGEST_BLOCKED),
+            // A conservative time of 0 proves no contact at the start.
+            Some(_) => self.bisect(candidates, step),
+        }
     }
 
     /// Returns true if a step is free of contact, as for [`free_part`](Self::free_part).
     #[must_use]
-    pub fn is_free(&self, near: &NearPairs, step: Step<'_>) -> bool {
-        self.observe(near, step);
-        self.decide(near, step)
+    pub fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+        self.observe(candidates, step);
+        self.decide(candidates, step)
     }
 
-    fn decide(&self, near: &NearPairs, step: Step<'_>) -> bool {
-        near.earliest_time(step).is_none()
-            && (near.is_thick() || near.candidates().is_free_by(step, &*self.method))
+    fn decide(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+        if self.is_exact() {
+            candidates.is_free(step)
+        } else {
+            candidates.is_free_by(step, &*self.method)
+        }
     }
 
-    fn bisect(&self, near: &NearPairs, step: Step<'_>) -> f64 {
+    fn bisect(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
         bisect(TOLERANCE, |part| {
             let end = step.at(part);
-            Step::new(step.mesh(), step.positions()[0], &end).is_ok_and(|step| self.decide(near, step))
+            Step::new(step.mesh(), step.positions()[0], &end).is_ok_and(|step| self.decide(candidates, step))
         })
     }
 
-    fn observe(&self, near: &NearPairs, step: Step<'_>) {
+    fn observe(&self, candidates: &Candidates, step: Step<'_>) {
         if let Some(observer) = &self.observer {
-            observer(near.candidates(), step);
+            observer(candidates, step);
         }
     }
 }

@@ -81,7 +81,7 @@ mod tests {
         };
         let (start, end) = (at(3.0), at(-1.0));
         let step = Step::new(&mesh, &start, &end).unwrap();
-        let near = Candidates::new(step, &Bvh).into();
+        let candidates = Candidates::new(step, &Bvh);
         let system = System::new(&[], &[]).unwrap();
         let names = names();
         assert_eq!(names[..3], ["exact", "bisection", "parity"]);
@@ -89,13 +89,13 @@ mod tests {
         for name in names {
             let filter = by_name(&name.to_uppercase(), &system).unwrap();
             assert_eq!(filter.name(), name);
-            let size = filter.free_part(&near, step);
+            let size = filter.free_part(&candidates, step);
             assert!((0.5..=0.75).contains(&size), "{name}: {size}");
-            assert!(!filter.is_free(&near, step), "{name}");
+            assert!(!filter.is_free(&candidates, step), "{name}");
             let middle = step.at(0.5);
             let half = Step::new(&mesh, &start, &middle).unwrap();
-            assert!(filter.is_free(&near, half), "{name}");
-            assert_eq!(filter.free_part(&near, half), 1.0, "{name}");
+            assert!(filter.is_free(&candidates, half), "{name}");
+            assert_eq!(filter.free_part(&candidates, half), 1.0, "{name}");
         }
         let error = by_name("luck", &system).unwrap_err();
         assert_eq!(error.known[..2], ["exact", "bisection"]);

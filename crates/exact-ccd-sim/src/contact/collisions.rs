@@ -2,14 +2,13 @@
 
 use std::ops::Range;
 
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_mesh::{PairKind, Point, TriangleMesh};
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
+use exact_ccd_mesh::{Candidates, PairKind, Point, TriangleMesh};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::barrier::Barrier;
 use super::collision::Collision;
-use super::near_pairs::NearPairs;
 use super::surface::Surface;
 use crate::distance::{Feature, Mollifier, edge_edge, point_edge, point_triangle};
 use crate::gather::{gather, gather_some};
@@ -23,7 +22,7 @@ pub struct Collisions {
 }
 
 impl Collisions {
-    /// The collisions among the near pairs of a surface, with the vertices at `points`. `barrier` is that
+    /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is that
     /// of surfaces without thickness.
     ///
     /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
@@ -33,8 +32,8 @@ impl Collisions {
     /// # Panics
     /// If a vertex of a pair has no position.
     #[must_use]
-    pub fn new(surface: Surface<'_>, pairs: &NearPairs, points: &[Point], barrier: Barrier) -> Self {
-        let (mesh, candidates) = (surface.mesh, pairs.candidates());
+    pub fn new(surface: Surface<'_>, candidates: &Candidates, points: &[Point], barrier: Barrier) -> Self {
+        let mesh = surface.mesh;
         let near = Near {
             surface,
             points,
@@ -48,7 +47,7 @@ impl Collisions {
             let vertices = EdgeEdge::vertices(mesh, pair)?;
             near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))
         });
-        let ends = vertices_and_edges(mesh, pairs);
+        let ends = vertices_and_edges(mesh, candidates);
         let ends = ends.par_iter().filter_map(|&[vertex, a, b]| {
             let vertices = [vertex, a, b, vertex];
             near.collision(vertices, 1..3, |points| point_edge(points, 0, 1, 2), None)
@@ -57,7 +56,7 @@ impl Collisions {
         all.par_extend(edges);
         all.par_extend(ends);
         all.par_extend(
-            pairs.vertex_vertex().par_iter().filter_map(|&[a, b]| {
+            candidates.vertex_vertex().par_iter().filter_map(|&[a, b]| {
                 near.collision([a, b, a, a], 1..2, |_| Feature::point_point(0, 1), None)
             }),
         );
@@ -173,10 +172,11 @@ impl Near<'_> {
 
 /// The pairs of a particle and an edge, and those of an end and the other edge of all pairs of edges of which one
 /// is loose, by their vertices. Each occurs once.
-fn vertices_and_edges(mesh: &TriangleMesh, near: &NearPairs) -> Vec<[u32; 3]> {
+fn vertices_and_edges(mesh: &TriangleMesh, candidates: &Candidates) -> Vec<[u32; 3]> {
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
-    let mut pairs = near.vertex_edge().to_vec();
-    for &[a, b] in near.candidates().edge_edge() {
+    let of_particle = |&pair: &[u32; 2]| VertexEdge::vertices(mesh, pair);
+    let mut pairs: Vec<[u32; 3]> = candidates.vertex_edge().iter().filter_map(of_particle).collect();
+    for &[a, b] in candidates.edge_edge() {
         if a.max(b) >= first_loose
             && let Some([p, q, r, s]) = EdgeEdge::vertices(mesh, [a, b])
         {

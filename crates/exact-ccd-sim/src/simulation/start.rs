@@ -21,15 +21,6 @@ pub enum Primitive {
 }
 
 impl Primitive {
-    /// The primitive of one, two or three vertices.
-    fn of(vertices: Vec<u32>) -> Self {
-        match vertices[..] {
-            [a, b] => Self::Edge([a, b]),
-            [a, b, c] => Self::Face([a, b, c]),
-            _ => Self::Vertex(vertices.first().copied().unwrap_or_default()),
-        }
-    }
-
     /// Its vertices.
     #[must_use]
     pub fn vertices(&self) -> &[u32] {
@@ -76,10 +67,11 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     }
     let positions = &state.positions;
     let step = Step::new(&system.surface, positions, positions).map_err(|_| not_finite())?;
-    let Some(pair) = system.near(step, &Barrier::new(0.0)).first_within(step) else {
+    let near = system.near(step, &Barrier::new(0.0));
+    let Some(contact) = near.earliest_contact(step) else {
         return Ok(());
     };
-    let primitives = pair.map(Primitive::of);
+    let primitives = of_pair(&system.surface, contact.pair);
     let [a, b] = primitives.each_ref().map(Primitive::vertices);
     Err(SimulationError::Close {
         thickness: system.contact_surface().thickness(a, b),
@@ -95,16 +87,24 @@ fn at(state: &State, primitive: Primitive) -> Point {
 
 /// The two primitives of a violation, with the vertex indices of the system.
 fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [Primitive; 2] {
-    let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
-    let face = |face: u32| Primitive::Face(mesh.faces()[face as usize]);
     let primitives = match violation {
-        Violation::Intersection { intersection, .. } => [edge(intersection.edge), face(intersection.face)],
-        Violation::Contact { contact, .. } => match contact.pair {
-            Pair::VertexFace { vertex, face: f } => [Primitive::Vertex(vertex), face(f)],
-            Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
-            Pair::VertexEdge { vertex, edge: e } => [Primitive::Vertex(vertex), edge(e)],
-            Pair::VertexVertex { a, b } => [Primitive::Vertex(a), Primitive::Vertex(b)],
-        },
+        Violation::Intersection { intersection, .. } => [
+            Primitive::Edge(mesh.edges()[intersection.edge as usize]),
+            Primitive::Face(mesh.faces()[intersection.face as usize]),
+        ],
+        Violation::Contact { contact, .. } => of_pair(mesh, contact.pair),
     };
     primitives.map(|primitive| primitive.map(|vertex| system.surface_vertices[vertex as usize]))
+}
+
+/// The two primitives of a pair of a mesh.
+fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Primitive; 2] {
+    let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
+    let vertex = Primitive::Vertex;
+    match pair {
+        Pair::VertexFace { vertex: v, face } => [vertex(v), Primitive::Face(mesh.faces()[face as usize])],
+        Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
+        Pair::VertexEdge { vertex: v, edge: e } => [vertex(v), edge(e)],
+        Pair::VertexVertex { a, b } => [vertex(a), vertex(b)],
+    }
 }

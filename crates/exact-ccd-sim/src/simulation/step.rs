@@ -63,10 +63,10 @@ impl Simulation {
 
         let positions = self.state.positions.clone();
         let rest = Step::new(&system.surface, &positions, &positions);
-        let near = rest
+        let candidates = rest
             .map(|step| system.near(step, &self.barrier))
             .unwrap_or_default();
-        let collisions = Collisions::new(system.contact_surface(), &near, &positions, self.barrier);
+        let collisions = Collisions::new(system.contact_surface(), &candidates, &positions, self.barrier);
         let mut lagged = self.kept_stiffness(&scheme);
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),

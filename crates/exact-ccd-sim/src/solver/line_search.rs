@@ -2,12 +2,12 @@
 
 use std::time::Instant;
 
-use exact_ccd_mesh::{Point, Step};
+use exact_ccd_mesh::{Candidates, Point, Step};
 use nalgebra::Vector3;
 
 use super::newton::{Iterate, Newton};
 use super::potential::Potential;
-use crate::contact::{Collisions, NearPairs};
+use crate::contact::Collisions;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 
@@ -48,13 +48,13 @@ impl Newton<'_> {
             let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
                 continue;
             };
-            let near = self.system.near(step, &self.barrier);
-            let free = self.filter.is_free(&near, step);
+            let candidates = self.system.near(step, &self.barrier);
+            let free = self.filter.is_free(&candidates, step);
             statistics.seconds.ccd += clock.elapsed().as_secs_f64();
             if !free {
                 continue;
             }
-            let collisions = self.collisions(&near, &end);
+            let collisions = self.collisions(&candidates, &end);
             if potential.value(&end, &collisions).is_finite() {
                 now.positions = end;
                 now.collisions = collisions;
@@ -88,8 +88,8 @@ impl Newton<'_> {
         let surface = &self.system.surface;
         // A direction that is not finite is rejected like one into a contact.
         let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
-        let near = self.system.near(step, &self.barrier);
-        let free = self.filter.free_part(&near, step);
+        let candidates = self.system.near(step, &self.barrier);
+        let free = self.filter.free_part(&candidates, step);
         if free <= 0.0 {
             return Err(blocked());
         }
@@ -104,7 +104,7 @@ impl Newton<'_> {
             if size > 0.0 && positions == now.positions {
                 break;
             }
-            let collisions = self.collisions(&near, &positions);
+            let collisions = self.collisions(&candidates, &positions);
             let after = potential.value(&positions, &collisions);
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
             let falls = after <= before
@@ -115,7 +115,7 @@ impl Newton<'_> {
                 // A full step is taken only if all of it is free.
                 let free = part >= 1.0
                     || Step::new(surface, &now.positions, &positions)
-                        .is_ok_and(|step| self.filter.is_free(&near, step));
+                        .is_ok_and(|step| self.filter.is_free(&candidates, step));
                 statistics.seconds.ccd += clock.elapsed().as_secs_f64();
                 if free {
                     let least = [now.collisions.minimal_distance(), collisions.minimal_distance()];
@@ -155,8 +155,8 @@ impl Newton<'_> {
         slope(potential.gradient(positions, collisions)) <= -0.8 * before
     }
 
-    fn collisions(&self, near: &NearPairs, points: &[Point]) -> Collisions {
-        Collisions::new(self.system.contact_surface(), near, points, self.barrier)
+    fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
+        Collisions::new(self.system.contact_surface(), candidates, points, self.barrier)
     }
 }
 

@@ -5,17 +5,16 @@ mod fingerprint;
 mod parts;
 
 use std::ops::Range;
-use std::sync::Arc;
 
-use exact_ccd::separation::Thickness;
+use exact_ccd::separation::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
-    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, Point, PositionsError,
-    Step, TriangleMesh,
+    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, MinDistance, Point,
+    PositionsError, Step, TriangleMesh,
 };
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::{Barrier, NearPairs, Surface};
+use crate::contact::{Barrier, Surface};
 use crate::elasticity::Elastic;
 use crate::script::Script;
 use parts::Parts;
@@ -41,8 +40,7 @@ pub struct System {
     particles: Vec<u32>,
     /// The offset of the contact surface at each vertex, in m.
     pub(crate) offsets: Vec<f64>,
-    /// The same, if one of them is positive.
-    thickness: Option<Arc<Thickness>>,
+    min_distance: MinDistance,
     /// All pairs of surface primitives, except two of obstacles.
     pub(crate) can_collide: CanCollide,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
@@ -88,9 +86,7 @@ impl System {
         let surface_vertices: Vec<u32> = (0..vertex_count as u32)
             .filter(|&vertex| on_surface[vertex as usize])
             .collect();
-        let is_thick = parts.offsets.iter().any(|&offset| offset > 0.0);
-        let thickness = Thickness::new(&parts.offsets)?;
-        let thickness = is_thick.then(|| Arc::new(thickness));
+        let min_distance = min_distance(&parts.offsets)?;
         let compact_surface = compact(&mesh, &surface_vertices)?;
         Ok(Self {
             can_collide: CanCollide::not_two_obstacles(parts.obstacle).among(on_surface),
@@ -98,7 +94,7 @@ impl System {
             surface_vertices,
             compact_surface,
             particles: parts.particles,
-            thickness,
+            min_distance,
             offsets: parts.offsets,
             start: parts.start,
             velocities: parts.velocities,
@@ -122,23 +118,28 @@ impl System {
         bodies.iter().map(range).collect()
     }
 
-    /// The pairs that come within the activation distance of a barrier in a step, and some more.
-    pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> NearPairs {
-        let reach = barrier.activation_distance();
-        // The rounded sum is at least the thickness, so that no contact is missed.
+    /// The pairs whose surfaces come within the activation distance of a barrier in a step, and some more. They
+    /// touch where their distance is at most the sum of their offsets.
+    pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> Candidates {
         let options = CandidateOptions::default()
-            .with_distance(reach + self.greatest_thickness())
+            .with_distance(barrier.activation_distance())
+            .with_min_distance(self.min_distance.clone())
             .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
-        // The distance of a barrier is positive.
-        let candidates = Candidates::with_options(step, &Bvh, &options).unwrap_or_default();
-        NearPairs::new(candidates, step, &self.particles, reach, self.thickness.clone())
+        // The distance of a barrier is positive, and each vertex has an offset.
+        Candidates::with_options(step, &Bvh, &options).unwrap_or_default()
+    }
+
+    /// The distance within which two primitives touch: the sum of their offsets.
+    #[must_use]
+    pub fn min_distance(&self) -> &MinDistance {
+        &self.min_distance
     }
 
     /// True if a body has an offset.
     #[must_use]
     pub fn is_thick(&self) -> bool {
-        self.thickness.is_some()
+        self.offsets.iter().any(|&offset| offset > 0.0)
     }
 
     /// The surface on which contact acts.
@@ -148,11 +149,6 @@ impl System {
             rest: &self.start,
             offsets: &self.offsets,
         }
-    }
-
-    /// The greatest thickness of a pair of primitives, in m.
-    fn greatest_thickness(&self) -> f64 {
-        2.0 * self.offsets.iter().copied().fold(0.0, f64::max)
     }
 
     /// The faces and rods of all bodies. Its loose vertices are particles, and vertices in the interior of
@@ -260,4 +256,12 @@ fn compact(mesh: &TriangleMesh, vertices: &[u32]) -> Result<TriangleMesh, MeshEr
     let faces = mesh.faces().iter().map(|face| face.map(index)).collect();
     let edges: Vec<[u32; 2]> = mesh.loose_edges().iter().map(|edge| edge.map(index)).collect();
     TriangleMesh::with_edges(vertices.len(), faces, &edges)
+}
+
+/// The sum of two offsets. Without offsets it is the distance of contact, which is decided faster.
+fn min_distance(offsets: &[f64]) -> Result<MinDistance, InvalidThickness> {
+    if offsets.iter().all(|&offset| offset == 0.0) {
+        return Ok(MinDistance::default());
+    }
+    Ok(MinDistance::thickness(Thickness::new(offsets)?))
 }

@@ -70,7 +70,7 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
             rest: &rest,
             offsets: &[],
         };
-        let collisions = Collisions::new(surface, &candidates.into(), &points, barrier);
+        let collisions = Collisions::new(surface, &candidates, &points, barrier);
         let naive = Naive::new(&mesh, &obstacle, &points, &rest, barrier);
 
         let value = collisions.value(&points);

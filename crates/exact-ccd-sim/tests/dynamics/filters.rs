@@ -5,7 +5,6 @@ use std::sync::{Arc, Mutex};
 use exact_ccd::Exact;
 use exact_ccd::parity::RootParity;
 use exact_ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
-use exact_ccd_sim::contact::NearPairs;
 use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, StepFilter, System};
 
 /// A vertex that passes through a triangle at t = ¾.
@@ -42,16 +41,16 @@ fn filters() -> [StepFilter; 3] {
 fn every_filter_stops_short_of_the_contact() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
-    let near = NearPairs::from(Candidates::new(step, &Bvh));
+    let candidates = Candidates::new(step, &Bvh);
     for filter in filters() {
         let name = filter.name();
-        let size = filter.free_part(&near, step);
+        let size = filter.free_part(&candidates, step);
         assert!((0.5..=0.75).contains(&size), "{name}: {size}");
-        assert!(!filter.is_free(&near, step), "{name}");
+        assert!(!filter.is_free(&candidates, step), "{name}");
         let middle = step.at(0.5);
         let half = Step::new(&mesh, &start, &middle).unwrap();
-        assert!(filter.is_free(&near, half), "{name}");
-        assert_eq!(filter.free_part(&near, half), 1.0, "{name}");
+        assert!(filter.is_free(&candidates, half), "{name}");
+        assert_eq!(filter.free_part(&candidates, half), 1.0, "{name}");
     }
 }
 
@@ -59,8 +58,8 @@ fn every_filter_stops_short_of_the_contact() {
 fn the_exact_filter_stops_at_the_time_of_impact() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
-    let near = NearPairs::from(Candidates::new(step, &Bvh));
-    assert_eq!(StepFilter::default().free_part(&near, step), 0.75);
+    let candidates = Candidates::new(step, &Bvh);
+    assert_eq!(StepFilter::default().free_part(&candidates, step), 0.75);
 }
 
 /// A motion that ends in contact is not free, and its step size is below 1.
@@ -69,12 +68,12 @@ fn a_contact_at_the_end_counts() {
     for height in [0.0, -f64::MIN_POSITIVE] {
         let (mesh, [start, end]) = falling_to(height);
         let step = Step::new(&mesh, &start, &end).unwrap();
-        let near = NearPairs::from(Candidates::new(step, &Bvh));
+        let candidates = Candidates::new(step, &Bvh);
         for filter in filters() {
             let name = filter.name();
-            let is_free = filter.is_free(&near, step);
+            let is_free = filter.is_free(&candidates, step);
             // Parity may miss this contact. The step size and the decision of a filter agree.
-            assert_eq!(filter.free_part(&near, step) == 1.0, is_free, "{name}");
+            assert_eq!(filter.free_part(&candidates, step) == 1.0, is_free, "{name}");
             assert!(!is_free || name == "parity", "{name}");
         }
     }
@@ -85,7 +84,7 @@ fn a_contact_at_the_end_counts() {
 fn a_filter_is_observed() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
-    let near = NearPairs::from(Candidates::new(step, &Bvh));
+    let candidates = Candidates::new(step, &Bvh);
     let seen = Arc::new(Mutex::new(Vec::new()));
     let log = Arc::clone(&seen);
     let filter = StepFilter::default().observed(move |candidates, step| {
@@ -93,9 +92,9 @@ fn a_filter_is_observed() {
             .unwrap()
             .push((candidates.counts().total(), step.positions()[1][3][2]));
     });
-    let _ = filter.free_part(&near, step);
-    let _ = filter.is_free(&near, Step::new(&mesh, &start, &start).unwrap());
-    let count = near.candidates().counts().total();
+    let _ = filter.free_part(&candidates, step);
+    let _ = filter.is_free(&candidates, Step::new(&mesh, &start, &start).unwrap());
+    let count = candidates.counts().total();
     assert_eq!(*seen.lock().unwrap(), [(count, end[3][2]), (count, start[3][2])]);
 }
 

@@ -296,7 +296,7 @@ fn errors_name_the_first_pair_within_its_thickness() {
     // Edges that are shorter than the thickness are within it: two edges with one between them.
     let short = shapes::line(8, 1.0).with_offset(0.1);
     assert!(matches!(error(&[short]), Some(SimulationError::Close { .. })));
-    // Two particles at one place touch, with offsets or without.
+    // Two particles at one place touch, without offsets too.
     let thin = bead(0.0).with_offset(0.0);
     assert!(matches!(
         error(&[thin.clone(), thin]),

@@ -1,10 +1,10 @@
 //! A small system with all kinds of elements, for the tests of sums over them.
 
-use exact_ccd_mesh::{Point, Step};
+use exact_ccd_mesh::{Candidates, Point, Step};
 use fastrand::Rng;
 use nalgebra::{DMatrix, Vector3};
 
-use crate::contact::{Barrier, Collisions, NearPairs};
+use crate::contact::{Barrier, Collisions};
 use crate::element::Element;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
@@ -94,14 +94,14 @@ impl Fixture {
 
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
         let step = Step::new(self.system.surface(), points, points).unwrap();
-        let near = self.system.near(step, &self.barrier);
-        Collisions::new(self.system.contact_surface(), &near, points, self.barrier)
+        let candidates = self.system.near(step, &self.barrier);
+        Collisions::new(self.system.contact_surface(), &candidates, points, self.barrier)
     }
 
     /// The empty constraint set.
     pub(super) fn no_collisions(&self) -> Collisions {
         let surface = self.system.contact_surface();
-        Collisions::new(surface, &NearPairs::default(), &self.points, self.barrier)
+        Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
     /// Four of five free vertices are unknowns.
