@@ -298,8 +298,9 @@ fn errors_name_the_first_pair_within_its_thickness() {
     assert!(matches!(error(&[short]), Some(SimulationError::Close { .. })));
     // Two particles at one place touch, without offsets too.
     let thin = bead(0.0).with_offset(0.0);
-    assert!(matches!(
-        error(&[thin.clone(), thin]),
-        Some(SimulationError::Close { .. })
-    ));
+    let touching = error(&[thin.clone(), thin]);
+    assert!(
+        matches!(touching, Some(SimulationError::Start { .. })),
+        "{touching:?}"
+    );
 }
