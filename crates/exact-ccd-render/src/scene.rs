@@ -44,8 +44,8 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
 
 /// As [`render`], with rods as tubes and points as balls.
 ///
-/// `radii` has a radius for each vertex, in the unit of the positions; vertices without one have radius 0, and
-/// are lines and dots. Tubes and balls have the colour of their part. All points are one part.
+/// `radii` has a radius for each vertex, in the unit of the positions; vertices without one have radius 0,
+/// and are lines and dots. Tubes and balls have the colour of their part. All points are one part.
 #[must_use]
 pub fn render_thick(frame: &Frame, view: &View, marks: &Marks, radii: &[f64]) -> Picture {
     let samples = SAMPLES as f64;

@@ -105,8 +105,8 @@ impl StepFilter {
     /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if
     /// all of the step is free. `candidates` has all pairs that can touch in the step.
     ///
-    /// The exact method decides for the minimum distance of the candidates, which is the sum of the offsets of
-    /// two surfaces. Other methods decide contact, whatever the minimum distance.
+    /// The exact method decides for the minimum distance of the candidates, which is the sum of the offsets
+    /// of two surfaces. Other methods decide contact, whatever the minimum distance.
     #[must_use]
     pub fn free_part(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
         self.observe(candidates, step);

@@ -124,8 +124,8 @@ fn the_cloth_stays_outside_of_the_sphere() {
     }
 }
 
-/// The path keeps the sum of the offsets of both bodies, and so the least sum of two offsets, by audits with a
-/// minimum distance.
+/// The path keeps the sum of the offsets of both bodies, and so the least sum of two offsets, by audits
+/// with a minimum distance.
 #[test]
 fn cloth_knot_and_particles_keep_their_thickness() {
     let scene = scene("cloth-knot-particles.toml");

@@ -1,5 +1,5 @@
-//! The cells of a system for ParaView: tetrahedra of solids, triangles of shells and obstacles, lines of rods,
-//! and particles.
+//! The cells of a system for ParaView: tetrahedra of solids, triangles of shells and obstacles, lines of
+//! rods, and particles.
 
 use std::io;
 

@@ -14,8 +14,8 @@ use crate::progress::{self, during};
 /// Width and height in pixels.
 const SIZE: [u16; 2] = [640, 480];
 
-/// Draws all frames up to the current time step, each as a picture, and all as an animation in real time. Rods
-/// and particles have the radius of their contact surface.
+/// Draws all frames up to the current time step, each as a picture, and all as an animation in real time.
+/// Rods and particles have the radius of their contact surface.
 pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(), Failure> {
     let steps = 0..=simulation.state().step;
     let mut bounds = Aabb::EMPTY;

@@ -162,7 +162,10 @@ translate = [0.2, 0.5, 0.0]
     let summary = "7 vertices, 0 faces, 4 rod edges, 2 particles, ";
     assert!(run.stdout.starts_with(summary), "{run:?}");
     let grid = folder.read("result/vtu/000002.vtu");
-    assert!(grid.contains(r#"<Piece NumberOfPoints="7" NumberOfCells="6">"#), "{grid}");
+    assert!(
+        grid.contains(r#"<Piece NumberOfPoints="7" NumberOfCells="6">"#),
+        "{grid}"
+    );
     let frame = exact_ccd_files::read_frame(folder.path("result/frames/000002.ply")).unwrap();
     assert_eq!((frame.positions.len(), frame.mesh.loose_edges().len()), (7, 4));
     for motion in ["result/path", "result/motion.pvd"] {

@@ -2,18 +2,18 @@
 
 /// The smoothly clamped logarithmic barrier between two surfaces.
 ///
-/// Without thickness, it is b(D) = −(D − D̂)² ln(D/D̂) for D < D̂, else 0, with the squared distance D = d² and
-/// D̂ = d̂² of the activation distance d̂. Source: M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin,
-/// D. Panozzo, C. Jiang, D. Kaufman, *Incremental Potential Contact*, ACM Transactions on Graphics 39(4), 2020,
-/// equation 6, with squared distances as in the supplement of the paper.
+/// Without thickness, it is b(D) = −(D − D̂)² ln(D/D̂) for D < D̂, else 0, with the squared distance D = d²
+/// and D̂ = d̂² of the activation distance d̂. Source: M. Li, Z. Ferguson, T. Schneider, T. Langlois, D.
+/// Zorin, D. Panozzo, C. Jiang, D. Kaufman, *Incremental Potential Contact*, ACM Transactions on Graphics
+/// 39(4), 2020, equation 6, with squared distances as in the supplement of the paper.
 ///
-/// With a thickness ξ, which is the sum of the offsets of both surfaces, the barrier is (d̂²/D̂)² b(D) of
-/// D = d² − ξ² and D̂ = (ξ + d̂)² − ξ² = 2 ξ d̂ + d̂². D vanishes at d = ξ and equals D̂ at d = ξ + d̂, both
-/// with a positive slope 2 d, so that the barrier is infinite at the distance ξ, ends smoothly at ξ + d̂, and
-/// needs no square root. Source of D and D̂: M. Li, D. Kaufman, C. Jiang, *Codimensional Incremental Potential
-/// Contact*, ACM Transactions on Graphics 40(4), 2021. The factor is an addition: b grows as D̂², that is as
-/// (2 ξ d̂)² for ξ ≫ d̂. With the factor, the barrier is d̂⁴ times a function of D/D̂ ≈ (d − ξ)/d̂, and one
-/// stiffness serves pairs of any thickness.
+/// With a thickness ξ, which is the sum of the offsets of both surfaces, the barrier is (d̂²/D̂)² b(D) of D
+/// = d² − ξ² and D̂ = (ξ + d̂)² − ξ² = 2 ξ d̂ + d̂². D vanishes at d = ξ and equals D̂ at d = ξ + d̂, both
+/// with a positive slope 2 d, so that the barrier is infinite at the distance ξ, ends smoothly at ξ + d̂,
+/// and needs no square root. Source of D and D̂: M. Li, D. Kaufman, C. Jiang, *Codimensional Incremental
+/// Potential Contact*, ACM Transactions on Graphics 40(4), 2021. The factor is an addition: b grows as D̂²,
+/// that is as (2 ξ d̂)² for ξ ≫ d̂. With the factor, the barrier is d̂⁴ times a function of D/D̂ ≈ (d −
+/// ξ)/d̂, and one stiffness serves pairs of any thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Barrier {
     /// d̂, in m.

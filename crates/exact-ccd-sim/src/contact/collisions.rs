@@ -22,8 +22,8 @@ pub struct Collisions {
 }
 
 impl Collisions {
-    /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is that
-    /// of surfaces without thickness.
+    /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is
+    /// that of surfaces without thickness.
     ///
     /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
     /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two edges
@@ -170,8 +170,8 @@ impl Near<'_> {
     }
 }
 
-/// The pairs of a particle and an edge, and those of an end and the other edge of all pairs of edges of which one
-/// is loose, by their vertices. Each occurs once.
+/// The pairs of a particle and an edge, and those of an end and the other edge of all pairs of edges of
+/// which one is loose, by their vertices. Each occurs once.
 fn vertices_and_edges(mesh: &TriangleMesh, candidates: &Candidates) -> Vec<[u32; 3]> {
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
     let of_particle = |&pair: &[u32; 2]| VertexEdge::vertices(mesh, pair);

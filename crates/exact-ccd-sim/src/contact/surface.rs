@@ -14,7 +14,8 @@ pub struct Surface<'a> {
 }
 
 impl Surface<'_> {
-    /// ξ of two primitives: the sum of their offsets. The offset of a primitive is the largest of its vertices.
+    /// ξ of two primitives: the sum of their offsets. The offset of a primitive is the largest of its
+    /// vertices.
     pub(crate) fn thickness(&self, a: &[u32], b: &[u32]) -> f64 {
         let offset = |vertices: &[u32]| {
             let offsets = vertices

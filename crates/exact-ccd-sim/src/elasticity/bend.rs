@@ -5,9 +5,10 @@ use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use crate::element::{Element, Matrix12, Vector12};
 use crate::psd;
 
-/// A vertex of a rod between two edges, with the energy (E I / M) (κ − κ₀)² of the curvature κ = 2 tan(φ/2).
-/// φ is the angle by which the second edge deviates from the direction of the first, κ₀ the curvature at rest,
-/// I the second moment of area of the cross section, and M the sum of the lengths of both edges at rest.
+/// A vertex of a rod between two edges, with the energy (E I / M) (κ − κ₀)² of the curvature κ = 2
+/// tan(φ/2). φ is the angle by which the second edge deviates from the direction of the first, κ₀ the
+/// curvature at rest, I the second moment of area of the cross section, and M the sum of the lengths of
+/// both edges at rest.
 ///
 /// Source: M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete elastic rods*, ACM
 /// Transactions on Graphics 27(3), 2008, section 4.2, for an isotropic rod. κ is the length of their
@@ -24,8 +25,8 @@ pub struct Bend {
 }
 
 impl Bend {
-    /// The bending at the second of three vertices, with the rest shape and the flexural rigidity E I in N m².
-    /// `None` if an edge has no length at rest, or if the second edge returns along the first.
+    /// The bending at the second of three vertices, with the rest shape and the flexural rigidity E I in N
+    /// m². `None` if an edge has no length at rest, or if the second edge returns along the first.
     #[must_use]
     pub fn new(vertices: [u32; 3], rest: &[Vector3<f64>; 3], rigidity: f64) -> Option<Self> {
         let lengths = (rest[1] - rest[0]).norm() + (rest[2] - rest[1]).norm();

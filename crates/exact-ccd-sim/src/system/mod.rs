@@ -118,8 +118,8 @@ impl System {
         bodies.iter().map(range).collect()
     }
 
-    /// The pairs whose surfaces come within the activation distance of a barrier in a step, and some more. They
-    /// touch where their distance is at most the sum of their offsets.
+    /// The pairs whose surfaces come within the activation distance of a barrier in a step, and some more.
+    /// They touch where their distance is at most the sum of their offsets.
     pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> Candidates {
         let options = CandidateOptions::default()
             .with_distance(barrier.activation_distance())

@@ -62,8 +62,8 @@ fn no_thickness_is_the_plain_barrier() {
     }
 }
 
-/// At the same gap, the forces of thick and of thin surfaces are of the same magnitude: their ratio is from 1/2
-/// near contact to 1/8 near the activation distance.
+/// At the same gap, the forces of thick and of thin surfaces are of the same magnitude: their ratio is from
+/// 1/2 near contact to 1/8 near the activation distance.
 #[test]
 fn forces_hardly_depend_on_the_thickness() {
     for i in 1..100 {

@@ -95,8 +95,8 @@ fn the_surface_has_no_interior_vertices() {
     assert_eq!(system.surface_offsets(), vec![0.0; 30]);
 }
 
-/// Rods bend where exactly two edges meet: three rods of a star are hinged, and fall together when held only at
-/// the centre.
+/// Rods bend where exactly two edges meet: three rods of a star are hinged, and fall together when held
+/// only at the centre.
 #[test]
 fn more_than_two_edges_are_hinged() {
     let star = |rays: u32| {
@@ -116,7 +116,8 @@ fn more_than_two_edges_are_hinged() {
         (0..5).for_each(|_| assert!(simulation.step().unwrap().converged));
         simulation.state().positions[1][1]
     };
-    // Both halves of a rod that is held at its middle fall nearly as freely as the rays of a star: it is thin.
+    // Both halves of a rod that is held at its middle fall nearly as freely as the rays of a star: it is
+    // thin.
     let fall = 0.5 * 9.81 * 0.05 * 0.06;
     assert!((star(3) / -fall - 1.0).abs() < 0.02, "{}", star(3));
     assert!(star(2) > star(3));

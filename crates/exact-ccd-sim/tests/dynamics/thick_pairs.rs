@@ -15,8 +15,8 @@ pub(crate) struct Increment<'a> {
 }
 
 impl Increment<'_> {
-    /// Asserts that no two primitives come within the sum of their offsets, except those of two obstacles, and
-    /// those that share a vertex.
+    /// Asserts that no two primitives come within the sum of their offsets, except those of two obstacles,
+    /// and those that share a vertex.
     pub(crate) fn assert_thick(&self) {
         let mesh = self.system.surface();
         let corners = mesh.faces().as_flattened().iter();
@@ -51,7 +51,8 @@ impl Increment<'_> {
         if first.iter().any(|vertex| second.contains(vertex)) || vertices.as_ref().iter().all(is_fixed) {
             return;
         }
-        // Neighbours along a surface, whose common vertices are not among these primitives, are pairs as well.
+        // Neighbours along a surface, whose common vertices are not among these primitives, are pairs as
+        // well.
         let are_joined = |a: &u32, b: &u32| {
             let edge = [*a.min(b), *a.max(b)];
             self.system.surface().edges().contains(&edge)

@@ -23,8 +23,8 @@ const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
 /// The vertex with a spring.
 const SPRING_VERTEX: u32 = 9;
 
-/// A cloth between a floor and a box, with a rod and particles above: elements of all kinds, on vertices of all
-/// bodies.
+/// A cloth between a floor and a box, with a rod and particles above: elements of all kinds, on vertices of
+/// all bodies.
 pub(super) struct Fixture {
     pub(super) system: System,
     pub(super) scheme: Scheme,
