@@ -36,16 +36,23 @@
 //!
 //! No bytes make a reader panic. Memory stays proportional to the size of the file.
 
+mod contents;
 mod error;
 mod format;
+mod frame_order;
 mod read;
+mod unsupported;
 mod write;
 
+pub use contents::Contents;
 pub use error::{Fault, ParseError, Place, ReadError};
 pub use format::Format;
+pub use frame_order::{FrameOrder, Missing};
 pub use read::{
-    ReadMotionError, parse_frame, parse_tet_mesh, read_frame, read_motion, read_pvd, read_tet_mesh,
+    FrameSequence, MeshFile, Polygons, ReadMotionError, parse_frame, parse_tet_mesh, read_frame, read_motion,
+    read_pvd, read_series, read_tet_mesh,
 };
+pub use unsupported::Unsupported;
 pub use write::{UnstructuredGrid, write_obj, write_ply, write_pvd, write_vtu};
 
 /// The examples in the README of the repository, as tests.
