@@ -13,7 +13,8 @@ use exact_ccd_mesh::{Frame, TriangleMesh};
 /// let file = MeshFile::parse(obj, Format::Obj, Polygons::Triangulate)?;
 /// assert_eq!(
 ///     file.contents.to_string(),
-///     "5 vertices, 5 edges, 2 faces, 1 point, 2 parts; 1 polygon triangulated as a fan from its lowest vertex"
+///     "5 vertices, 5 edges, 2 faces, 1 point, 2 parts; \
+///      1 polygon triangulated as a fan from its lowest vertex"
 /// );
 /// # Ok::<(), exact_ccd_files::ParseError>(())
 /// ```

@@ -1,7 +1,5 @@
 //! Faces with more than three corners, and cells with volume: the same triangles in every format.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_files::{Format, MeshFile, Polygons, parse_frame, parse_tet_mesh};
 
 /// A square and a pentagon, with corner k of each first, in every text format.

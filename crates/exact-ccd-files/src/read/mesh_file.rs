@@ -40,9 +40,8 @@ impl MeshFile {
     ///
     /// Vertices and triangles keep their order in the file, and are counted from 0; polygons are
     /// triangulated in place. Each coordinate is the `f64` nearest to the decimal text, or exactly
-    /// the binary number; [`Format::Gltf`] has an own rule for transformed meshes, see
-    /// `docs/files.md`. An STL file has no shared vertices: it reads as three vertices for each
-    /// face.
+    /// the binary number; nodes of [`Format::Gltf`] place meshes in `f64` arithmetic. An STL file
+    /// has no shared vertices: it reads as three vertices for each face.
     ///
     /// Files of cells with volume (tetrahedra, hexahedra, wedges, pyramids) read as the surface:
     /// the sides that belong to one cell only. A .msh file reads as the surface and the loose

@@ -35,11 +35,14 @@ pub struct FrameSequence {
 
 enum Source {
     Files(Vec<(Option<f64>, PathBuf)>),
-    Arrays {
-        arrays: Arrays,
-        mesh: TriangleMesh,
-        contents: Contents,
-    },
+    Arrays(Box<Recording>),
+}
+
+/// Positions of all frames, and the mesh that they share.
+struct Recording {
+    arrays: Arrays,
+    mesh: TriangleMesh,
+    contents: Contents,
 }
 
 impl FrameSequence {
@@ -73,7 +76,7 @@ impl FrameSequence {
     pub fn len(&self) -> usize {
         match &self.source {
             Source::Files(files) => files.len(),
-            Source::Arrays { arrays, .. } => arrays.frame_count,
+            Source::Arrays(recording) => recording.arrays.frame_count,
         }
     }
 
@@ -88,7 +91,7 @@ impl FrameSequence {
     pub fn file(&self, frame: usize) -> &Path {
         match &self.source {
             Source::Files(files) => files.get(frame).map_or(&self.path, |(_, file)| file),
-            Source::Arrays { .. } => &self.path,
+            Source::Arrays(_) => &self.path,
         }
     }
 
@@ -99,7 +102,7 @@ impl FrameSequence {
         let file = self.file(frame).display();
         match &self.source {
             Source::Files(_) => file.to_string(),
-            Source::Arrays { .. } => format!("{file}, frame {frame}"),
+            Source::Arrays(_) => format!("{file}, frame {frame}"),
         }
     }
 
@@ -108,7 +111,7 @@ impl FrameSequence {
     pub fn time(&self, frame: usize) -> Option<f64> {
         match &self.source {
             Source::Files(files) => files.get(frame)?.0,
-            Source::Arrays { .. } => None,
+            Source::Arrays(_) => None,
         }
     }
 
@@ -130,18 +133,14 @@ impl FrameSequence {
         }
         match &self.source {
             Source::Files(_) => MeshFile::read(self.file(frame), self.polygons),
-            Source::Arrays {
-                arrays,
-                mesh,
-                contents,
-            } => {
+            Source::Arrays(recording) => {
                 let frame = Frame {
-                    mesh: mesh.clone(),
-                    positions: arrays.positions(frame),
+                    mesh: recording.mesh.clone(),
+                    positions: recording.arrays.positions(frame),
                 };
                 let checked = frame.check();
                 checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::File)))?;
-                let contents = *contents;
+                let contents = recording.contents;
                 Ok(MeshFile { frame, contents })
             }
         }
@@ -156,9 +155,9 @@ impl FrameSequence {
 /// Arrays with the mesh of their first frame, which is that of all.
 fn with_mesh(arrays: Arrays, polygons: Polygons) -> Result<Source, ParseError> {
     let first = MeshFile::assembled(assemble_cells(arrays.cells(0)?, Format::Npz)?, polygons)?;
-    Ok(Source::Arrays {
+    Ok(Source::Arrays(Box::new(Recording {
         arrays,
         mesh: first.frame.mesh,
         contents: first.contents,
-    })
+    })))
 }

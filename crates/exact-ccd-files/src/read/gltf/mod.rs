@@ -1,7 +1,7 @@
 //! glTF 2.0, as JSON and binary: the meshes of the scene at rest.
 //!
 //! Khronos Group, *glTF 2.0 Specification*. The crate `gltf` reads and checks the JSON; positions
-//! and indices are read here, because its reader of them panics where a buffer is too short.
+//! and indices are read here, with errors that name the accessor.
 
 mod accessor;
 mod buffers;
