@@ -5,6 +5,7 @@
 
 mod accessor;
 mod buffers;
+mod container;
 mod transform;
 
 use std::collections::HashMap;
@@ -21,18 +22,29 @@ use transform::Transform;
 
 /// Reads the default scene, or else the first one. Its other files are in `folder`.
 pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Result<Cells, ParseError> {
-    read_scene(bytes, folder).map_err(|fault| fault.at(Place::File))
+    let (json, blob) = container::split(bytes)?;
+    read_scene(json, blob, folder).map_err(|fault| fault.at(Place::File))
 }
 
-fn read_scene(bytes: &[u8], folder: Option<&Path>) -> Result<Cells, Fault> {
-    let Gltf { document, blob } = Gltf::from_slice(bytes).map_err(invalid)?;
+fn read_scene(json: &[u8], blob: Option<Vec<u8>>, folder: Option<&Path>) -> Result<Cells, Fault> {
+    let Gltf { document, .. } = Gltf::from_slice_without_validation(json).map_err(invalid)?;
+    let root = document.into_json();
+    // The validation of the crate panics for such an index.
+    let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
+    let accessors = primitives.flat_map(|primitive| primitive.attributes.values());
+    let mut indices = accessors.map(|accessor| accessor.value());
+    if let Some(index) = indices.find(|&index| index >= root.accessors.len()) {
+        let expected = format!("one of {} accessors", root.accessors.len());
+        return Err(Fault::expected(expected, format!("accessor {index}")));
+    }
+    let document = Document::from_json(root).map_err(invalid)?;
     let mut reader = Reader {
         data: Data::new(buffers::read(&document, blob, folder)?),
-        budget: Budget::of(bytes.len()),
+        budget: Budget::of(json.len()),
         visited: vec![false; document.nodes().len()],
         cells: Cells::default(),
     };
-    reader.budget = Budget::of(bytes.len().saturating_add(reader.data.size()));
+    reader.budget = Budget::of(json.len().saturating_add(reader.data.size()));
     reader.read_nodes(&document)?;
     Ok(reader.cells)
 }
