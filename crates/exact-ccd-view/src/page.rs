@@ -1,0 +1,195 @@
+//! A page under construction.
+
+use std::io::{self, Write};
+
+use exact_ccd::Query;
+use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
+
+use crate::block;
+use crate::contact::ShownContact;
+use crate::document::{self, Document, ShownFrame};
+use crate::error::PageError;
+use crate::query::{self, PageKind, ShownQuery};
+use crate::units::Units;
+
+/// The number of contacts that a page lists: the first ones that are added. The others are counted.
+pub const MOST_CONTACTS: usize = 10_000;
+
+/// A mesh in motion and its contacts, for a browser.
+///
+/// Frames are added in the order of time; between them, vertices move in straight lines. A contact
+/// is added after both frames of its step. The page opens at the first contact, with the camera on
+/// it, or at the first frame if there is none.
+#[derive(Clone, Debug)]
+pub struct Page {
+    mesh: TriangleMesh,
+    units: Units,
+    up: Point,
+    title: String,
+    summary: Vec<String>,
+    frames: Vec<ShownFrame>,
+    /// The first frame in the units of the page, from which the others are displaced.
+    first: Vec<[f32; 3]>,
+    /// The positions in the last two frames.
+    last: [Vec<Point>; 2],
+    contacts: Vec<ShownContact>,
+    contact_count: usize,
+    query: Option<ShownQuery>,
+}
+
+impl Page {
+    /// A page without frames and contacts.
+    ///
+    /// `bounds` is the box around the mesh in all frames, or in the first one if the others are not
+    /// known yet: the middle of the picture, and the unit of its positions.
+    #[must_use]
+    pub fn new(title: impl Into<String>, mesh: TriangleMesh, bounds: &Aabb) -> Self {
+        Self {
+            mesh,
+            units: Units::of(bounds),
+            up: [0.0, 0.0, 1.0],
+            title: title.into(),
+            summary: Vec::new(),
+            frames: Vec::new(),
+            first: Vec::new(),
+            last: [Vec::new(), Vec::new()],
+            contacts: Vec::new(),
+            contact_count: 0,
+            query: None,
+        }
+    }
+
+    /// The page of a step and its contacts, the earliest first.
+    ///
+    /// # Errors
+    /// [`PageError::NoSuchPair`] if a contact is not of this mesh.
+    pub fn of_step(
+        title: impl Into<String>,
+        step: Step<'_>,
+        contacts: &[Contact],
+    ) -> Result<Self, PageError> {
+        let bounds = step.positions().into_iter().flatten().copied().collect();
+        let mut page = Self::new(title, step.mesh().clone(), &bounds);
+        for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(step.positions()) {
+            page.add_frame(label, positions)?;
+        }
+        contacts
+            .iter()
+            .try_for_each(|contact| page.add_contact(contact))?;
+        Ok(page)
+    }
+
+    /// The page of a query: its primitives in motion, the coplanarity cubic and the distance over
+    /// time, the stage that decided it, and the image of the domain under F.
+    #[must_use]
+    pub fn of_query<K: PageKind>(title: impl Into<String>, query: &Query<K>) -> Self {
+        let [x0, x1] = query.points();
+        let mesh = TriangleMesh::with_edges(x0.len(), K::FACES.to_vec(), K::EDGES);
+        let mesh = mesh.unwrap_or_default();
+        let contacts = query::contact_of(query);
+        // All coordinates of a query are finite, and its contact is one of this mesh.
+        let page = Step::new(&mesh, x0, x1)
+            .ok()
+            .and_then(|step| Self::of_step(title, step, contacts.as_slice()).ok());
+        let mut page = page.unwrap_or_else(|| Self::new("", TriangleMesh::default(), &Aabb::EMPTY));
+        page.query = Some(ShownQuery::new(query));
+        page.summary = query::summary(query);
+        page
+    }
+
+    /// The same page with lines about the answer under its title.
+    #[must_use]
+    pub fn with_summary(self, lines: impl IntoIterator<Item = String>) -> Self {
+        let summary = lines.into_iter().collect();
+        Self { summary, ..self }
+    }
+
+    /// The same page with another direction upwards; it is the z axis by default.
+    ///
+    /// A direction that is zero or not finite is ignored.
+    #[must_use]
+    pub fn with_up(self, up: Point) -> Self {
+        let is_direction = up.iter().all(|x| x.is_finite()) && up.iter().any(|&x| x != 0.0);
+        let up = if is_direction { up } else { self.up };
+        Self { up, ..self }
+    }
+
+    /// Adds the next frame.
+    ///
+    /// # Errors
+    /// [`PageError::Positions`] if there is not one finite position for each vertex.
+    pub fn add_frame(&mut self, label: impl Into<String>, positions: &[Point]) -> Result<(), PageError> {
+        let frame = self.frames.len();
+        check_positions(self.mesh.vertex_count(), positions).map_err(|source| PageError::Positions { frame, source })?;
+        let here = positions.iter().map(|&position| self.units.convert(position));
+        let block = if frame == 0 {
+            self.first = here.collect();
+            block::encode_floats(self.first.as_flattened().iter().copied())
+        } else {
+            // Vertices that stay where they are take no room: zeros are deflated to nothing.
+            let displacement = |([a, b, c], [x, y, z]): (&[f32; 3], [f32; 3])| [x - a, y - b, z - c];
+            block::encode_floats(self.first.iter().zip(here).flat_map(displacement))
+        };
+        self.frames.push(ShownFrame::new(frame, label.into(), block));
+        self.last.swap(0, 1);
+        self.last[1] = positions.to_vec();
+        Ok(())
+    }
+
+    /// Adds a contact of the step from the last frame but one to the last, or of the only frame at
+    /// rest.
+    ///
+    /// # Errors
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchPair`] if the contact is not
+    /// of this mesh.
+    pub fn add_contact(&mut self, contact: &Contact) -> Result<(), PageError> {
+        let frame = self.frames.len().checked_sub(1).ok_or(PageError::NoFrame)?;
+        let [before, last] = &self.last;
+        let start = if frame == 0 { last } else { before };
+        let shown = ShownContact::new(&self.mesh, frame.saturating_sub(1), [start, last], contact);
+        self.push(shown.ok_or(PageError::NoSuchPair { pair: contact.pair })?);
+        Ok(())
+    }
+
+    /// Adds an intersection of an edge and a face in the last frame.
+    ///
+    /// # Errors
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchIntersection`] if it is not
+    /// of this mesh.
+    pub fn add_intersection(&mut self, intersection: Intersection) -> Result<(), PageError> {
+        let frame = self.frames.len().checked_sub(1).ok_or(PageError::NoFrame)?;
+        let shown = ShownContact::at_rest(&self.mesh, frame, &self.last[1], intersection);
+        self.push(shown.ok_or(PageError::NoSuchIntersection { intersection })?);
+        Ok(())
+    }
+
+    fn push(&mut self, contact: ShownContact) {
+        self.contact_count += 1;
+        if self.contacts.len() < MOST_CONTACTS {
+            self.contacts.push(contact);
+        }
+    }
+
+    /// Writes the page as an HTML file.
+    ///
+    /// # Errors
+    /// Those of `writer`.
+    pub fn write(&self, writer: &mut impl Write) -> io::Result<()> {
+        let document = Document {
+            format: document::FORMAT,
+            title: &self.title,
+            summary: &self.summary,
+            up: self.up,
+            vertices: self.first.len(),
+            faces: self.mesh.faces().len(),
+            edges: self.mesh.loose_edges().len(),
+            centre: self.units.centre,
+            scale: self.units.scale,
+            frames: &self.frames,
+            contacts: &self.contacts,
+            contact_count: self.contact_count,
+            query: self.query.as_ref(),
+        };
+        document.write(&self.mesh, writer)
+    }
+}

@@ -1,0 +1,30 @@
+/** Playing: time passes while the state says so. */
+
+import { momentAt } from "./frames";
+import { type Store } from "./state";
+
+/** The duration of a single step, and of a step of a longer motion, in seconds. */
+const [STEP, FRAME] = [4, 0.25];
+
+export function play(store: Store, frameCount: number): void {
+  const steps = frameCount - 1;
+  const duration = steps === 1 ? STEP : FRAME;
+  let last: number | null = null;
+  const tick = (now: number): void => {
+    if (!store.state.playing) {
+      last = null;
+      return;
+    }
+    const { frame, t } = store.state.moment;
+    const position = frame + t + (now - (last ?? now)) / 1000 / duration;
+    last = now;
+    store.set({ moment: momentAt(position, frameCount), playing: position < steps });
+    requestAnimationFrame(tick);
+  };
+  store.observe(({ playing, moment }, change) => {
+    if (change.playing !== true || last !== null || steps < 1) return;
+    last = performance.now();
+    if (playing && moment.frame + moment.t >= steps) store.set({ moment: { frame: 0, t: 0 } });
+    requestAnimationFrame(tick);
+  });
+}

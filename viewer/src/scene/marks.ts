@@ -1,0 +1,95 @@
+/** The marks of the selected contact: its two primitives, the paths of their vertices, the point and the normal. */
+
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Points, PointsMaterial } from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import { type MarkColours } from "../colours";
+import { type Point } from "../page";
+import { add, cross, length, mix, subtract, times, unit } from "../vector";
+import { disc } from "./disc";
+
+/** What is drawn: positions in units of the page. */
+export interface Marked {
+  /** The vertices of both primitives at both ends of the step. */
+  primitives: { start: Point[]; end: Point[] }[];
+  /** None for primitives that do not touch. */
+  point: Point | null;
+  normal: Point | null;
+}
+
+/** Marks around an origin near them, so that single precision suffices at any magnification. */
+export class Marks {
+  readonly group = new Group();
+
+  /** Draws marks at time t, in place of the ones before. */
+  draw({ primitives, point, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
+    this.clear();
+    const origin = point ?? primitives[0].start[0];
+    this.group.position.set(...origin);
+    const local = (p: Point): Point => subtract(p, origin);
+    const sides = [colours.first, colours.second];
+    let size = 0;
+    primitives.forEach(({ start, end }, side) => {
+      const at = start.map((vertex, i) => local(mix(vertex, end[i], t)));
+      size = Math.max(size, ...at.map((vertex) => length(subtract(vertex, at[0]))));
+      if (paths) {
+        this.lines(start.flatMap((vertex, i) => [local(vertex), local(end[i])]), colours.path, 2, size);
+        this.points(start.map(local), colours.path, 6);
+        this.points(end.map(local), colours.path, 6);
+      }
+      if (at.length === 3) this.face(at, sides[side]);
+      if (at.length > 1) this.lines(at.flatMap((vertex, i) => [vertex, at[(i + 1) % at.length]]), sides[side], 4);
+      this.points(at, sides[side], 13);
+    });
+    if (normal !== null && size > 0) this.arrow(times(0.6 * size, normal), colours.normal);
+    if (point !== null) this.points([[0, 0, 0]], colours.contact, 16);
+  }
+
+  clear(): void {
+    for (const child of [...this.group.children]) {
+      this.group.remove(child);
+      const { geometry, material } = child as Mesh<BufferGeometry, MeshBasicMaterial>;
+      geometry.dispose();
+      material.dispose();
+    }
+  }
+
+  private face(corners: Point[], color: string): void {
+    const material = new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, opacity: 0.55, depthWrite: false });
+    this.group.add(new Mesh(geometryOf(corners), material));
+  }
+
+  private points(at: Point[], color: string, size: number): void {
+    const material = new PointsMaterial({ color, size, sizeAttenuation: false, map: disc(), alphaTest: 0.4, transparent: true });
+    // In front of the lines and faces that meet at it.
+    material.depthTest = size < 12;
+    const points = new Points(geometryOf(at), material);
+    points.renderOrder = size;
+    this.group.add(points);
+  }
+
+  /** Segments between consecutive pairs of points; dashed, if a length in proportion to the dashes is given. */
+  private lines(ends: Point[], color: string, linewidth: number, dash = 0): void {
+    const geometry = new LineSegmentsGeometry();
+    geometry.setPositions(ends.flat());
+    const material = new LineMaterial({ color, linewidth, dashed: dash > 0, dashSize: 0.05 * dash, gapSize: 0.03 * dash });
+    const lines = new LineSegments2(geometry, material);
+    if (dash > 0) lines.computeLineDistances();
+    lines.frustumCulled = false;
+    this.group.add(lines);
+  }
+
+  private arrow(tip: Point, color: string): void {
+    const side = unit(cross(tip, Math.abs(tip[0]) < 0.7 * length(tip) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
+    const back = times(0.82, tip);
+    const wing = times(0.08 * length(tip), side);
+    this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3);
+  }
+}
+
+function geometryOf(points: Point[]): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points.flat()), 3));
+  return geometry;
+}

@@ -1,0 +1,51 @@
+/** The places of the camera. */
+
+import { type Point } from "../page";
+import { add, cross, dot, length, subtract, times, unit } from "../vector";
+
+export interface Pose {
+  target: Point;
+  position: Point;
+}
+
+/** The vertical angle of the camera, in degrees. */
+export const ANGLE = 35;
+
+/** The distance at which a ball of this radius fills this fraction of the height. */
+function distanceFor(radius: number, fraction: number): number {
+  return radius / fraction / Math.sin((ANGLE / 2) * (Math.PI / 180));
+}
+
+/** A view of everything: from the front, the right and above. */
+export function overview(centre: Point, radius: number, up: Point): Pose {
+  const right = unit(cross(Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], up), [0, 0, 1]);
+  const towards = unit(add(add(times(0.55, cross(right, up)), times(-1, right)), times(0.6, up)), [0, 0, 1]);
+  return { target: centre, position: add(centre, times(distanceFor(radius, 0.8), towards)) };
+}
+
+/**
+ * A view of a contact, with the contact point in the middle.
+ *
+ * The camera looks along the contact plane, from somewhat above it, so that the gap between the primitives can be
+ * seen as it closes. It is on the outer side of the mesh, as far as this leaves a choice.
+ */
+export function contactPose(
+  point: Point,
+  normal: Point | null,
+  vertices: Point[],
+  centre: Point,
+  radius: number,
+  up: Point,
+): Pose {
+  const outwards = unit(add(unit(subtract(point, centre), up), times(0.5, up)), up);
+  const n = unit(normal ?? outwards, up);
+  const sideways = subtract(outwards, times(dot(outwards, n), n));
+  const any = cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]);
+  // A direction straight outwards has no part along the plane.
+  const along = unit(length(sideways) > 0.2 ? sideways : any, any);
+  const above = dot(outwards, n) < 0 ? times(-1, n) : n;
+  // Away from the vertical, around which the camera turns.
+  const turned = add(add(along, times(0.35, cross(above, along))), times(0.75, above));
+  const size = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))), 1e-4 * radius);
+  return { target: point, position: add(point, times(distanceFor(size, 0.45), unit(turned, up))) };
+}
