@@ -13,7 +13,7 @@ export interface Primitive {
 
 /** Two primitives that touch. */
 export interface Contact {
-  /** The frame in which the step of the contact begins. */
+  /** The index among `frames` of the frame at which the step of the contact begins. */
   frame: number;
   /** The time in this step, rounded down: 0 at the frame, 1 at the next one. */
   time: number;
@@ -72,5 +72,8 @@ export function parsePage(text: string): Page {
   if (page.format !== 1) {
     throw new Error(`the data of this page has format ${String(page.format)}, expected 1`);
   }
+  // The program writes the number of a frame; its index is less if frames were left out.
+  const indices = new Map(page.frames.map(({ number }, index) => [number, index]));
+  for (const contact of page.contacts) contact.frame = indices.get(contact.frame) ?? 0;
   return page;
 }

@@ -44,3 +44,14 @@ export function looseVertices(vertexCount: number, faces: Uint32Array, edges: Ui
   for (const elements of [faces, edges]) for (const vertex of elements) used[vertex] = 1;
   return Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex).filter((vertex) => used[vertex] === 0);
 }
+
+/** The corners of the faces with all of these vertices and one more: those around a vertex or an edge. */
+export function facesAround(faces: Uint32Array, vertices: number[]): number[] {
+  const corners: number[] = [];
+  if (vertices.length > 2) return corners;
+  for (let i = 0; i < faces.length; i += 3) {
+    const [a, b, c] = [faces[i], faces[i + 1], faces[i + 2]];
+    if (vertices.every((vertex) => vertex === a || vertex === b || vertex === c)) corners.push(a, b, c);
+  }
+  return corners;
+}

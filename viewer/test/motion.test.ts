@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { Frames, momentAt, vertexAt } from "../src/frames";
 import { type Page } from "../src/page";
-import { looseVertices, partsOf } from "../src/parts";
+import { facesAround, looseVertices, partsOf } from "../src/parts";
 
 const page = (count: number): Page => ({
   format: 1,
@@ -72,5 +72,12 @@ describe("parts", () => {
   });
   it("may be loose vertices", () => {
     expect([...looseVertices(6, Uint32Array.of(0, 1, 2), Uint32Array.of(4, 1))]).toEqual([3, 5]);
+  });
+  it("have faces around a vertex and around an edge", () => {
+    const faces = Uint32Array.of(0, 1, 2, 2, 1, 3, 3, 4, 5);
+    expect(facesAround(faces, [1])).toEqual([0, 1, 2, 2, 1, 3]);
+    expect(facesAround(faces, [2, 1])).toEqual([0, 1, 2, 2, 1, 3]);
+    expect(facesAround(faces, [0, 3])).toEqual([]);
+    expect(facesAround(faces, [0, 1, 2])).toEqual([]);
   });
 });

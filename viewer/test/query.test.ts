@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { type Point, type Query } from "../src/page";
 import { bernstein, cubicOf, rootsOf } from "../src/query/cubic";
 import { DomainImage } from "../src/query/image";
-import { rangeOf, tickText } from "../src/query/plot";
+import { rangeOf, ticksOf, tickText } from "../src/query/plot";
 
 const query = (kind: Query["kind"], start: Point[], end: Point[]): Query => ({
   kind,
@@ -79,6 +79,11 @@ describe("plots", () => {
   it("leave a margin around the curve and zero", () => {
     expect(rangeOf([1, null, 2])).toEqual([-0.16, 2.16]);
     expect(rangeOf([0, 0])).toEqual([-1, 1]);
+  });
+  it("have ticks that do not overlap", () => {
+    expect(ticksOf([-0.13, 0.005])).toEqual([0, -0.13]);
+    expect(ticksOf([3, null, -2])).toEqual([0, -2, 3]);
+    expect(ticksOf([0, 0])).toEqual([0]);
   });
   it("write small and large numbers with exponents", () => {
     expect([0, 0.25, 1e-5, -123456].map(tickText)).toEqual(["0", "0.25", "1.0e-5", "-1.2e+5"]);

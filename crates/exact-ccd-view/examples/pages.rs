@@ -26,13 +26,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     write("audit.html", &audit()?)?;
 
+    // The cubic has two roots, of which one is a contact.
     let vertex_face = Query::<VertexFace>::new(
-        [[0.3, 0.3, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
         [
-            [0.2, 0.25, -1.2],
-            [0.0, 0.0, 0.3],
-            [1.0, 0.0, -0.4],
-            [0.0, 1.0, -0.1],
+            [1.5, -1.0, 0.25],
+            [1.5, 0.25, -1.5],
+            [0.5, -1.5, 0.0],
+            [-1.0, 0.25, 1.25],
+        ],
+        [
+            [0.375, 0.5, -0.875],
+            [2.4375, -0.5, -0.375],
+            [0.3125, -0.1875, 0.9375],
+            [-1.1875, -0.5, 0.5],
         ],
     )?;
     write(
@@ -41,11 +47,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     write(
         "edge-edge.html",
-        &Page::of_query("Two edges that meet twice", &turning_edges(0.2)?),
+        &Page::of_query("Two edges that meet twice", &sliding_edges(0.0)?),
     )?;
     write(
         "free.html",
-        &Page::of_query("Two edges apart", &turning_edges(2.0)?),
+        &Page::of_query("Two edges apart", &sliding_edges(2.0)?),
     )?;
     Ok(())
 }
@@ -88,7 +94,7 @@ fn sheets(n: u32) -> Result<Motion, Box<dyn Error>> {
 /// A rod that turns and falls onto a tetrahedron, in twelve frames, until the first violation.
 fn audit() -> Result<Page, Box<dyn Error>> {
     let frame = |i: u32| {
-        let (angle, z) = (0.2 * f64::from(i), 1.7 - 0.08 * f64::from(i));
+        let (angle, z) = (0.2 * f64::from(i), 1.5 - 0.13 * f64::from(i));
         let [x, y] = [angle.cos(), angle.sin()];
         let positions = vec![
             [0.0, 0.0, 1.0],
@@ -126,20 +132,11 @@ fn add(page: &mut Page, violation: Violation) -> Result<(), PageError> {
     }
 }
 
-/// An edge whose ends pass each other above another edge, `height` apart.
-fn turning_edges(height: f64) -> Result<Query<EdgeEdge>, exact_ccd::NonFinite> {
+/// An edge that slides along itself and tilts, above another edge at rest.
+fn sliding_edges(height: f64) -> Result<Query<EdgeEdge>, exact_ccd::NonFinite> {
+    let [b0, b1] = [[0.0, -1.0, 0.0], [0.0, 1.0, 0.0]];
     Query::new(
-        [
-            [-1.0, -0.6, height],
-            [1.0, 0.4, -height],
-            [0.0, -1.0, 0.1],
-            [0.0, 1.0, 0.1],
-        ],
-        [
-            [-1.0, 0.5, -0.3],
-            [1.0, -0.7, 0.8],
-            [0.0, -1.0, 0.1],
-            [0.2, 1.0, 0.1 + height],
-        ],
+        [[-0.2, 0.1, height + 0.5], [1.8, -0.3, height - 0.75], b0, b1],
+        [[-1.8, -0.2, height - 0.75], [0.2, 0.4, height + 0.5], b0, b1],
     )
 }

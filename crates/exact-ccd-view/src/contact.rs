@@ -6,7 +6,8 @@ use serde::Serialize;
 /// Two primitives that touch, in the shape of the JSON object.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct ShownContact {
-    frame: usize,
+    /// The number of the frame at which the step of the contact begins.
+    pub(crate) frame: usize,
     time: f64,
     primitives: [Primitive; 2],
     point: Point,
@@ -35,7 +36,7 @@ impl Primitive {
 }
 
 impl ShownContact {
-    /// A contact of the step between two frames, the first of which has this index; `None` if its
+    /// A contact of the step between two frames, the first of which has this number; `None` if its
     /// primitives are not those of the mesh.
     pub(crate) fn new(
         mesh: &TriangleMesh,
@@ -73,7 +74,7 @@ impl ShownContact {
         })
     }
 
-    /// An edge that meets a face in the frame with this index; `None` if they are not of the mesh.
+    /// An edge that meets a face in the frame with this number; `None` if they are not of the mesh.
     pub(crate) fn at_rest(
         mesh: &TriangleMesh,
         frame: usize,

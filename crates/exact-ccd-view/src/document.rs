@@ -40,7 +40,7 @@ pub(crate) struct Document<'a> {
 /// A frame, whose positions are written as a block of their own.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct ShownFrame {
-    number: usize,
+    pub(crate) number: usize,
     label: String,
     #[serde(skip)]
     block: String,
@@ -49,6 +49,11 @@ pub(crate) struct ShownFrame {
 impl ShownFrame {
     pub(crate) fn new(number: usize, label: String, block: String) -> Self {
         Self { number, label, block }
+    }
+
+    /// The size of the block in bytes.
+    pub(crate) fn size(&self) -> usize {
+        self.block.len()
     }
 }
 

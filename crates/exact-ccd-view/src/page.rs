@@ -15,11 +15,15 @@ use crate::units::Units;
 /// The number of contacts that a page lists: the first ones that are added. The others are counted.
 pub const MOST_CONTACTS: usize = 10_000;
 
+/// The size at which frames of a long motion are left out, in bytes of text.
+const MOST_TEXT: usize = 256 << 20;
+
 /// A mesh in motion and its contacts, for a browser.
 ///
 /// Frames are added in the order of time; between them, vertices move in straight lines. A contact
 /// is added after both frames of its step. The page opens at the first contact, with the camera on
-/// it, or at the first frame if there is none.
+/// it, or at the first frame if there is none. Of a motion that would take more than 256 MiB, every
+/// second frame is left out, as often as necessary; those of contacts are kept.
 #[derive(Clone, Debug)]
 pub struct Page {
     mesh: TriangleMesh,
@@ -28,6 +32,9 @@ pub struct Page {
     title: String,
     summary: Vec<String>,
     frames: Vec<ShownFrame>,
+    /// The number of all frames, of which some may have been left out.
+    frame_count: usize,
+    most_text: usize,
     /// The first frame in the units of the page, from which the others are displaced.
     first: Vec<[f32; 3]>,
     /// The positions in the last two frames.
@@ -51,6 +58,8 @@ impl Page {
             title: title.into(),
             summary: Vec::new(),
             frames: Vec::new(),
+            frame_count: 0,
+            most_text: MOST_TEXT,
             first: Vec::new(),
             last: [Vec::new(), Vec::new()],
             contacts: Vec::new(),
@@ -114,13 +123,20 @@ impl Page {
         Self { up, ..self }
     }
 
+    /// The same page with another size, in bytes, above which frames are left out.
+    #[must_use]
+    pub fn with_most_text(self, most_text: usize) -> Self {
+        Self { most_text, ..self }
+    }
+
     /// Adds the next frame.
     ///
     /// # Errors
     /// [`PageError::Positions`] if there is not one finite position for each vertex.
     pub fn add_frame(&mut self, label: impl Into<String>, positions: &[Point]) -> Result<(), PageError> {
-        let frame = self.frames.len();
-        check_positions(self.mesh.vertex_count(), positions).map_err(|source| PageError::Positions { frame, source })?;
+        let frame = self.frame_count;
+        check_positions(self.mesh.vertex_count(), positions)
+            .map_err(|source| PageError::Positions { frame, source })?;
         let here = positions.iter().map(|&position| self.units.convert(position));
         let block = if frame == 0 {
             self.first = here.collect();
@@ -131,6 +147,10 @@ impl Page {
             block::encode_floats(self.first.iter().zip(here).flat_map(displacement))
         };
         self.frames.push(ShownFrame::new(frame, label.into(), block));
+        self.frame_count += 1;
+        if self.frames.iter().map(ShownFrame::size).sum::<usize>() > self.most_text {
+            self.leave_out();
+        }
         self.last.swap(0, 1);
         self.last[1] = positions.to_vec();
         Ok(())
@@ -143,7 +163,7 @@ impl Page {
     /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchPair`] if the contact is not
     /// of this mesh.
     pub fn add_contact(&mut self, contact: &Contact) -> Result<(), PageError> {
-        let frame = self.frames.len().checked_sub(1).ok_or(PageError::NoFrame)?;
+        let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
         let [before, last] = &self.last;
         let start = if frame == 0 { last } else { before };
         let shown = ShownContact::new(&self.mesh, frame.saturating_sub(1), [start, last], contact);
@@ -157,10 +177,24 @@ impl Page {
     /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchIntersection`] if it is not
     /// of this mesh.
     pub fn add_intersection(&mut self, intersection: Intersection) -> Result<(), PageError> {
-        let frame = self.frames.len().checked_sub(1).ok_or(PageError::NoFrame)?;
+        let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
         let shown = ShownContact::at_rest(&self.mesh, frame, &self.last[1], intersection);
         self.push(shown.ok_or(PageError::NoSuchIntersection { intersection })?);
         Ok(())
+    }
+
+    /// Leaves out every second frame, but not the first, the last two, and those of contacts.
+    fn leave_out(&mut self) {
+        let count = self.frames.len();
+        let mut index = 0;
+        let contacts = &self.contacts;
+        self.frames.retain(|frame| {
+            let is_end = index == 0 || index + 2 >= count;
+            let is_kept =
+                |contact: &ShownContact| contact.frame == frame.number || contact.frame + 1 == frame.number;
+            index += 1;
+            is_end || index % 2 == 1 || contacts.iter().any(is_kept)
+        });
     }
 
     fn push(&mut self, contact: ShownContact) {

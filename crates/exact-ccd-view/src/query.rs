@@ -1,7 +1,7 @@
 //! The page of a single query.
 
 use exact_ccd::separation::Separation;
-use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
 use exact_ccd_mesh::{Contact, Pair};
 use serde::Serialize;
 
@@ -104,5 +104,23 @@ pub(crate) fn summary<K: PageKind>(query: &Query<K>) -> Vec<String> {
             }
         },
     };
-    vec![answer, format!("decided by the stage {stage:?}")]
+    vec![
+        answer,
+        format!("decided by the stage {stage:?}: {}", meaning(stage)),
+    ]
+}
+
+/// The reasons of a stage.
+fn meaning(stage: Stage) -> &'static str {
+    match stage {
+        Stage::BoundingBox => "the box around the image of the domain does not contain the origin",
+        Stage::Diagonals => "a plane across a diagonal of two axes separates",
+        Stage::Normals => "the plane of the primitives at t = 0 or t = 1 separates",
+        Stage::Coplanarity => "the cubic has no root",
+        Stage::Roots => "the roots of the cubic, and the position of the primitives at each",
+        Stage::Coincident => "comparisons of coordinates",
+        Stage::Direction => "a direction found by iteration separates",
+        Stage::Planar => "sides of lines in a plane across an axis",
+        _ => "integers",
+    }
 }

@@ -69,7 +69,7 @@ export function showLegend(parent: HTMLElement, page: Page): void {
     parent.append(row("", MARKS.light.contact, "contact point"), row("normal", "none", "normal"));
   }
   parent.append(
-    row("path", "none", "path of a vertex in the step"),
+    row("path", "none", "path of a vertex, to the larger dot"),
   );
   if (page.contacts.length > 1) parent.append(row("scale", `linear-gradient(90deg, ${stops})`, "contacts, first to last"));
 }

@@ -7,6 +7,7 @@ import { disc } from "../scene/disc";
 import { overview } from "../scene/pose";
 import { View } from "../scene/view";
 import { type State } from "../state";
+import { length } from "../vector";
 import { bernstein, cubicOf, rootsOf } from "./cubic";
 import { DomainImage } from "./image";
 import { Plot } from "./plot";
@@ -62,7 +63,8 @@ export class QueryPanel {
     this.view.add(area);
     const origin = new PointsMaterial({ color: MARKS.light.contact, size: 14, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
     this.view.addMark(new Points(shape([0, 0, 0]), origin));
-    this.view.go(overview([0, 0, 0], 1.5, [0, 0, 1]), true);
+    const radius = Math.max(...[...this.image.at(0), ...this.image.at(1)].map(length));
+    this.view.go(overview([0, 0, 0], 0.6 * radius, [0, 0, 1]), true);
   }
 
   update({ moment, theme }: State): void {

@@ -33,6 +33,13 @@ export function rangeOf(values: (number | null)[]): [number, number] {
   return [least - margin, most + margin];
 }
 
+/** Zero, and the extrema that are far enough from it for a text. */
+export function ticksOf(values: (number | null)[]): number[] {
+  const finite = values.filter((value) => value !== null);
+  const [least, most] = [Math.min(0, ...finite), Math.max(0, ...finite)];
+  return [0, ...[least, most].filter((value) => Math.abs(value) > 0.12 * (most - least))];
+}
+
 export function tickText(value: number): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
@@ -54,8 +61,7 @@ export class Plot {
       svg.append(element("text", { x: x(t), y: HEIGHT - BOTTOM + 14, class: "tick middle" }, String(t)));
     }
     svg.append(element("text", { x: x(0.5), y: HEIGHT - 4, class: "tick middle" }, "time t"));
-    const finite = values.filter((value) => value !== null);
-    for (const value of new Set([Math.min(0, ...finite), 0, Math.max(0, ...finite)])) {
+    for (const value of ticksOf(values)) {
       svg.append(element("line", { x1: x(0), x2: x(1), y1: y(value), y2: y(value), class: value === 0 ? "zero" : "grid" }));
       svg.append(element("text", { x: LEFT - 5, y: y(value) + 4, class: "tick end" }, tickText(value)));
     }

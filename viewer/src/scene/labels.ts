@@ -10,6 +10,9 @@ export interface Label {
   kind: "first" | "second" | "contact";
 }
 
+/** The room for a label, in pixels. */
+const [WIDTH, HEIGHT] = [52, 18];
+
 export class Labels {
   private shown: { at: Vector3; element: HTMLElement }[] = [];
 
@@ -30,14 +33,17 @@ export class Labels {
   place(camera: Camera, width: number, height: number): void {
     const places = this.shown.map(({ at }) => at.clone().project(camera));
     const middle = places.reduce((sum, place) => sum.add(place), new Vector3()).divideScalar(places.length || 1);
+    const taken: [number, number][] = [];
     this.shown.forEach(({ element }, i) => {
       const place = places[i];
-      const [x, y] = [((place.x + 1) / 2) * width, ((1 - place.y) / 2) * height];
-      const [dx, dy] = [place.x - middle.x, middle.y - place.y];
-      const size = Math.hypot(dx * width, dy * height) || 1;
-      const away = [(18 * dx * width) / size, (18 * dy * height) / size];
+      const [dx, dy] = [(place.x - middle.x) * width, (middle.y - place.y) * height];
+      const size = Math.hypot(dx, dy) || 1;
+      const x = ((place.x + 1) / 2) * width + (20 * dx) / size;
+      let y = ((1 - place.y) / 2) * height + (20 * dy) / size;
+      while (taken.some(([x1, y1]) => Math.abs(x - x1) < WIDTH && Math.abs(y - y1) < HEIGHT)) y += HEIGHT / 2;
       element.hidden = place.z > 1;
-      element.style.transform = `translate(${(x + away[0]).toFixed(1)}px, ${(y + away[1]).toFixed(1)}px) translate(-50%, -50%)`;
+      if (!element.hidden) taken.push([x, y]);
+      element.style.transform = `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px) translate(-50%, -50%)`;
     });
   }
 }

@@ -9,10 +9,16 @@ import { type Point } from "../page";
 import { add, cross, length, mix, subtract, times, unit } from "../vector";
 import { disc } from "./disc";
 
-/** What is drawn: positions in units of the page. */
+/** Points at both ends of a step. */
+export interface Moving {
+  start: Point[];
+  end: Point[];
+}
+
+/** Two primitives that are marked, in units of the page. */
 export interface Marked {
-  /** The vertices of both primitives at both ends of the step. */
-  primitives: { start: Point[]; end: Point[] }[];
+  /** The vertices of both primitives, and the corners of the faces around them. */
+  primitives: (Moving & { around: Moving })[];
   /** None for primitives that do not touch. */
   point: Point | null;
   normal: Point | null;
@@ -29,21 +35,23 @@ export class Marks {
     this.group.position.set(...origin);
     const local = (p: Point): Point => subtract(p, origin);
     const sides = [colours.first, colours.second];
-    let size = 0;
-    primitives.forEach(({ start, end }, side) => {
-      const at = start.map((vertex, i) => local(mix(vertex, end[i], t)));
-      size = Math.max(size, ...at.map((vertex) => length(subtract(vertex, at[0]))));
+    const at = ({ start, end }: Moving): Point[] => start.map((vertex, i) => local(mix(vertex, end[i], t)));
+    const corners = primitives.map(at);
+    const size = Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))));
+    primitives.forEach(({ start, end, around }, side) => {
+      const own = corners[side];
       if (paths) {
         this.lines(start.flatMap((vertex, i) => [local(vertex), local(end[i])]), colours.path, 2, size);
-        this.points(start.map(local), colours.path, 6);
-        this.points(end.map(local), colours.path, 6);
+        this.points(start.map(local), colours.path, 5);
+        this.points(end.map(local), colours.path, 9);
       }
-      if (at.length === 3) this.face(at, sides[side]);
-      if (at.length > 1) this.lines(at.flatMap((vertex, i) => [vertex, at[(i + 1) % at.length]]), sides[side], 4);
-      this.points(at, sides[side], 13);
+      this.faces(at(around), sides[side], 0.22);
+      if (own.length === 3) this.faces(own, sides[side], 0.5);
+      if (own.length > 1) this.lines(own.flatMap((vertex, i) => [vertex, own[(i + 1) % own.length]]), sides[side], 4);
+      this.points(own, sides[side], 15);
     });
-    if (normal !== null && size > 0) this.arrow(times(0.6 * size, normal), colours.normal);
-    if (point !== null) this.points([[0, 0, 0]], colours.contact, 16);
+    if (normal !== null && size > 0) this.arrow(times(0.45 * size, normal), colours.normal);
+    if (point !== null) this.points([[0, 0, 0]], colours.contact, 10, 20);
   }
 
   clear(): void {
@@ -55,17 +63,19 @@ export class Marks {
     }
   }
 
-  private face(corners: Point[], color: string): void {
-    const material = new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, opacity: 0.55, depthWrite: false });
+  /** Triangles, three corners each. */
+  private faces(corners: Point[], color: string, opacity: number): void {
+    if (corners.length === 0) return;
+    const material = new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, opacity, depthWrite: false });
     this.group.add(new Mesh(geometryOf(corners), material));
   }
 
-  private points(at: Point[], color: string, size: number): void {
+  /** Discs of a size in pixels. Those of a higher order are in front of all others. */
+  private points(at: Point[], color: string, size: number, order = size): void {
     const material = new PointsMaterial({ color, size, sizeAttenuation: false, map: disc(), alphaTest: 0.4, transparent: true });
-    // In front of the lines and faces that meet at it.
-    material.depthTest = size < 12;
+    material.depthTest = order < 12;
     const points = new Points(geometryOf(at), material);
-    points.renderOrder = size;
+    points.renderOrder = order;
     this.group.add(points);
   }
 

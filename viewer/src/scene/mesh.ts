@@ -93,7 +93,7 @@ export class MovingMesh {
   /** Draws the edges of the faces, or does not. Their list is made on first use. */
   setWires(visible: boolean, colour: string): void {
     if (visible && this.wires === null) {
-      const material = new LineBasicMaterial({ transparent: true, opacity: 0.28, depthWrite: false });
+      const material = new LineBasicMaterial({ transparent: true, opacity: 0.18, depthWrite: false });
       this.wires = new LineSegments(this.geometry(edgesOf(this.elements.faces)), this.moving(material));
       this.group.add(this.wires);
     }

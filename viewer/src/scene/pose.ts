@@ -27,7 +27,8 @@ export function overview(centre: Point, radius: number, up: Point): Pose {
  * A view of a contact, with the contact point in the middle.
  *
  * The camera looks along the contact plane, from somewhat above it, so that the gap between the primitives can be
- * seen as it closes. It is on the outer side of the mesh, as far as this leaves a choice.
+ * seen as it closes. It is on the outer side of the mesh, as far as this leaves a choice. A ball around `vertices`
+ * fills a fraction of the height.
  */
 export function contactPose(
   point: Point,
@@ -36,6 +37,7 @@ export function contactPose(
   centre: Point,
   radius: number,
   up: Point,
+  fraction: number,
 ): Pose {
   const outwards = unit(add(unit(subtract(point, centre), up), times(0.5, up)), up);
   const n = unit(normal ?? outwards, up);
@@ -45,7 +47,7 @@ export function contactPose(
   const along = unit(length(sideways) > 0.2 ? sideways : any, any);
   const above = dot(outwards, n) < 0 ? times(-1, n) : n;
   // Away from the vertical, around which the camera turns.
-  const turned = add(add(along, times(0.35, cross(above, along))), times(0.75, above));
+  const turned = add(add(along, times(0.35, cross(above, along))), times(0.9, above));
   const size = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))), 1e-4 * radius);
-  return { target: point, position: add(point, times(distanceFor(size, 0.45), unit(turned, up))) };
+  return { target: point, position: add(point, times(distanceFor(size, fraction), unit(turned, up))) };
 }

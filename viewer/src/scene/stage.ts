@@ -4,12 +4,12 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
 import { MARKS, viridis } from "../colours";
 import { type Frames, vertexAt } from "../frames";
 import { type Page, type Point, type Primitive } from "../page";
-import { type Parts } from "../parts";
+import { facesAround, type Parts } from "../parts";
 import { type Change, type State } from "../state";
 import { mix } from "../vector";
 import { disc } from "./disc";
 import { type Label, type Labels } from "./labels";
-import { type Marked, Marks } from "./marks";
+import { type Marked, type Moving, Marks } from "./marks";
 import { type Elements, MovingMesh } from "./mesh";
 import { contactPose, overview } from "./pose";
 import { View } from "./view";
@@ -22,6 +22,9 @@ interface Pair {
   point?: Point;
   normal?: Point | null;
 }
+
+/** The fraction of the height that the primitives of a contact fill, among others or alone. */
+const [AMONG_OTHERS, ALONE] = [0.4, 0.75];
 
 export class Stage {
   private readonly view: View;
@@ -37,7 +40,7 @@ export class Stage {
     private readonly labels: Labels,
     private readonly page: Page,
     private readonly frames: Frames,
-    elements: Elements,
+    private readonly elements: Elements,
     parts: Parts,
     colour: (contact: number) => number,
   ) {
@@ -65,7 +68,9 @@ export class Stage {
     const { primitives, point, normal } = this.marked(this.page.contacts[contact], ends);
     const at = primitives.flatMap(({ start, end }) => start.map((vertex, i) => mix(vertex, end[i], time)));
     const place = point ?? this.middle;
-    this.view.go(contactPose(place, normal, at, this.middle, this.radius, this.page.up), atOnce);
+    const { up, query } = this.page;
+    const fraction = query === null ? AMONG_OTHERS : ALONE;
+    this.view.go(contactPose(place, normal, at, this.middle, this.radius, up, fraction), atOnce);
   }
 
   /** Draws a changed state. */
@@ -102,8 +107,13 @@ export class Stage {
 
   private marked(pair: Pair, ends: Ends): Marked {
     const at = (vertices: number[], t: number): Point[] => vertices.map((vertex) => vertexAt(vertex, ends, t));
+    const moving = (vertices: number[]): Moving => ({ start: at(vertices, 0), end: at(vertices, 1) });
+    const around = ({ vertices }: Primitive): number[] => facesAround(this.elements.faces, vertices);
     return {
-      primitives: pair.primitives.map(({ vertices }) => ({ start: at(vertices, 0), end: at(vertices, 1) })),
+      primitives: pair.primitives.map((primitive) => ({
+        ...moving(primitive.vertices),
+        around: moving(around(primitive)),
+      })),
       point: pair.point === undefined ? null : this.frames.toPage(pair.point),
       normal: pair.normal ?? null,
     };

@@ -164,6 +164,37 @@ fn contacts_beyond_the_most_are_counted() {
     assert_eq!(json["contactCount"], MOST_CONTACTS + 5);
 }
 
+#[test]
+fn frames_of_a_long_motion_are_left_out() {
+    let mut page = Page::new("frames", mesh(), &START.iter().copied().collect()).with_most_text(1500);
+    let contact = contacts(&moved(-2.0))[0];
+    for i in 0..200 {
+        page.add_frame("", &moved(f64::from(i).sin())).unwrap();
+        if i == 71 {
+            page.add_contact(&contact).unwrap();
+        }
+    }
+    let html = Html::of(&page);
+    let json = html.json();
+    let frames = json["frames"].as_array().unwrap();
+    let numbers: Vec<u64> = frames
+        .iter()
+        .map(|frame| frame["number"].as_u64().unwrap())
+        .collect();
+    assert!(numbers.len() < 60 && numbers.is_sorted(), "{numbers:?}");
+    for kept in [0, 70, 71, 198, 199] {
+        assert!(numbers.contains(&kept), "{kept} of {numbers:?}");
+    }
+    assert_eq!(json["contacts"][0]["frame"], 70);
+    for (index, &number) in numbers.iter().enumerate() {
+        let expected = moved((number as f64).sin())[3][2];
+        assert!(
+            (html.positions(index)[3][2] - expected).abs() < 1e-5,
+            "frame {number}"
+        );
+    }
+}
+
 proptest! {
     /// Positions of any size: numbers that a graphics card accepts, and valid JSON.
     #[test]
