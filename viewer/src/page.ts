@@ -18,7 +18,8 @@ export interface Contact {
   /** The time in this step, rounded down: 0 at the frame, 1 at the next one. */
   time: number;
   primitives: [Primitive, Primitive];
-  point: Point;
+  /** The points of both primitives that touch, or are closest. */
+  closest: [Point, Point];
   /** The unit normal, from the second primitive towards the first. */
   normal: Point | null;
   parameters: [number, number] | null;
@@ -26,12 +27,14 @@ export interface Contact {
 
 /** Two primitives in motion, with the answers about them. */
 export interface Query {
-  kind: "vertex-face" | "edge-edge";
-  /** The four points at t = 0 and at t = 1. */
+  kind: "vertex-face" | "edge-edge" | "vertex-edge" | "vertex-vertex";
+  /** The four points at t = 0 and at t = 1. A vertex in place of an edge occurs twice. */
   points: [Point[], Point[]];
   primitives: [Primitive, Primitive];
   /** The stage that decided. */
   stage: string;
+  /** The distance at which primitives count as touching. */
+  separation: number;
   /** The intervals of contact, their ends rounded down; both ends are the same for a moment. */
   times: [number, number][];
   /** The distance of the primitives at equidistant times from 0 to 1; null above all f64. */

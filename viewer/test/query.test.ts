@@ -8,6 +8,7 @@ const query = (kind: Query["kind"], start: Point[], end: Point[]): Query => ({
   kind,
   points: [start, end],
   stage: "",
+  separation: 0,
   times: [],
   primitives: [
     { kind: "vertex", id: null, vertices: [0] },

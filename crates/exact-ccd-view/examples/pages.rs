@@ -6,6 +6,7 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use exact_ccd::separation::Separation;
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{Aabb, Audit, Bvh, Candidates, Frame, Motion, Point, Violation};
 use exact_ccd_view::{Page, PageError};
@@ -26,6 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     write("audit.html", &audit()?)?;
 
+    let contact = Separation::new(0.0)?;
     // The cubic has two roots, of which one is a contact.
     let vertex_face = Query::<VertexFace>::new(
         [
@@ -43,16 +45,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     )?;
     write(
         "vertex-face.html",
-        &Page::of_query("A vertex and a face", &vertex_face),
+        &Page::of_query("A vertex and a face", &vertex_face, contact),
     )?;
     write(
         "edge-edge.html",
-        &Page::of_query("Two edges that meet twice", &sliding_edges(0.0)?),
+        &Page::of_query("Two edges that meet twice", &sliding_edges(0.0)?, contact),
     )?;
-    write(
-        "free.html",
-        &Page::of_query("Two edges apart", &sliding_edges(2.0)?),
-    )?;
+    let apart = sliding_edges(2.0)?;
+    write("free.html", &Page::of_query("Two edges apart", &apart, contact))?;
+    let near = Separation::new(0.1)?;
+    let twice = sliding_edges(0.0)?;
+    write("near.html", &Page::of_query("Two edges within 0.1", &twice, near))?;
     Ok(())
 }
 

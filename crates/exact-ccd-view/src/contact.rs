@@ -1,5 +1,6 @@
 //! Contacts, as the page has them.
 
+use exact_ccd::Impact;
 use exact_ccd_mesh::{Contact, Intersection, Pair, Point, TriangleMesh};
 use serde::Serialize;
 
@@ -10,7 +11,8 @@ pub(crate) struct ShownContact {
     pub(crate) frame: usize,
     time: f64,
     primitives: [Primitive; 2],
-    point: Point,
+    /// The points of both primitives that touch or are closest: the same, up to rounding, if they touch.
+    closest: [Point; 2],
     normal: Option<Point>,
     parameters: Option<[f64; 2]>,
 }
@@ -36,12 +38,12 @@ impl Primitive {
 }
 
 impl ShownContact {
-    /// A contact of the step between two frames, the first of which has this number; `None` if its
+    /// A contact of a mesh in the step between two frames, the first of which has this number; `None` if its
     /// primitives are not those of the mesh.
-    pub(crate) fn new(
+    pub(crate) fn of_pair(
         mesh: &TriangleMesh,
         frame: usize,
-        [x0, x1]: [&[Point]; 2],
+        positions: [&[Point]; 2],
         contact: &Contact,
     ) -> Option<Self> {
         let vertices = contact.pair.vertices(mesh)?;
@@ -49,29 +51,40 @@ impl ShownContact {
             Pair::VertexFace { vertex, face } => (1, [vertex, face]),
             Pair::EdgeEdge { a, b } => (2, [a, b]),
         };
-        let [first, second] = [&vertices[..first], &vertices[first..]];
-        let impact = &contact.impact;
-        let time = impact.time.lower();
-        let at = |vertex: &u32| {
-            let (a, b) = (x0[*vertex as usize], x1[*vertex as usize]);
-            mix(a, b, time)
-        };
-        let ends: Vec<Point> = first.iter().map(at).collect();
-        Some(Self {
+        let (first, second) = vertices.split_at(first);
+        let primitives = [
+            Primitive::new(Some(ids[0]), first),
+            Primitive::new(Some(ids[1]), second),
+        ];
+        Some(Self::new(primitives, frame, positions, &contact.impact))
+    }
+
+    /// The contact of two primitives in the step between two frames, the first of which has this number.
+    pub(crate) fn new(
+        primitives: [Primitive; 2],
+        frame: usize,
+        [x0, x1]: [&[Point]; 2],
+        impact: &Impact,
+    ) -> Self {
+        let (time, [u, v]) = (impact.time.lower(), impact.parameters);
+        let at = |&vertex: &u32| mix(x0[vertex as usize], x1[vertex as usize], time);
+        // On two edges, u is the place on the first one.
+        let closest = [(0, u), (1, v)].map(|(side, place): (usize, f64)| {
+            let corners: Vec<Point> = primitives[side].vertices.iter().map(at).collect();
+            match corners[..] {
+                [a, b, c] => [0, 1, 2].map(|axis| (1.0 - u - v) * a[axis] + u * b[axis] + v * c[axis]),
+                [a, b] => mix(a, b, place),
+                _ => corners[0],
+            }
+        });
+        Self {
             frame,
             time,
-            primitives: [
-                Primitive::new(Some(ids[0]), first),
-                Primitive::new(Some(ids[1]), second),
-            ],
-            point: if let [a, b] = ends[..] {
-                mix(a, b, impact.parameters[0])
-            } else {
-                ends[0]
-            },
+            primitives,
+            closest,
             normal: impact.normal,
             parameters: Some(impact.parameters),
-        })
+        }
     }
 
     /// An edge that meets a face in the frame with this number; `None` if they are not of the mesh.
@@ -103,7 +116,7 @@ impl ShownContact {
                 Primitive::new(Some(intersection.edge), edge),
                 Primitive::new(Some(intersection.face), face),
             ],
-            point: mix(start, end, place),
+            closest: [mix(start, end, place); 2],
             normal: (length.is_normal()).then(|| normal.map(|x| x / length)),
             parameters: None,
         })

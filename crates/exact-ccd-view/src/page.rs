@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use exact_ccd::Query;
+use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
 use crate::block;
@@ -90,19 +91,28 @@ impl Page {
 
     /// The page of a query: its primitives in motion, the coplanarity cubic and the distance over
     /// time, the stage that decided it, and the image of the domain under F.
+    ///
+    /// Primitives at most `separation` apart count as touching.
     #[must_use]
-    pub fn of_query<K: PageKind>(title: impl Into<String>, query: &Query<K>) -> Self {
-        let [x0, x1] = query.points();
-        let mesh = TriangleMesh::with_edges(x0.len(), K::FACES.to_vec(), K::EDGES);
-        let mesh = mesh.unwrap_or_default();
-        let contacts = query::contact_of(query);
-        // All coordinates of a query are finite, and its contact is one of this mesh.
-        let page = Step::new(&mesh, x0, x1)
-            .ok()
-            .and_then(|step| Self::of_step(title, step, contacts.as_slice()).ok());
-        let mut page = page.unwrap_or_else(|| Self::new("", TriangleMesh::default(), &Aabb::EMPTY));
-        page.query = Some(ShownQuery::new(query));
-        page.summary = query::summary(query);
+    pub fn of_query<K: PageKind>(title: impl Into<String>, query: &Query<K>, separation: Separation) -> Self {
+        let positions = query.points();
+        let bounds = positions.as_flattened().iter().copied().collect();
+        let mut page = Self::new(title, query::mesh_of::<K>(), &bounds);
+        for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(positions) {
+            page.push_frame(label.to_owned(), positions);
+        }
+        if let Some(impact) = query.impact_within(separation) {
+            let [x0, x1] = positions;
+            page.push(ShownContact::new(
+                query::primitives_of::<K>(),
+                0,
+                [x0, x1],
+                &impact,
+            ));
+        }
+        let query = ShownQuery::new(query, separation);
+        page.summary = query.summary();
+        page.query = Some(query);
         page
     }
 
@@ -137,6 +147,13 @@ impl Page {
         let frame = self.frame_count;
         check_positions(self.mesh.vertex_count(), positions)
             .map_err(|source| PageError::Positions { frame, source })?;
+        self.push_frame(label.into(), positions);
+        Ok(())
+    }
+
+    /// Adds finite positions, one for each vertex.
+    fn push_frame(&mut self, label: String, positions: &[Point]) {
+        let frame = self.frame_count;
         let here = positions.iter().map(|&position| self.units.convert(position));
         let block = if frame == 0 {
             self.first = here.collect();
@@ -146,14 +163,13 @@ impl Page {
             let displacement = |([a, b, c], [x, y, z]): (&[f32; 3], [f32; 3])| [x - a, y - b, z - c];
             block::encode_floats(self.first.iter().zip(here).flat_map(displacement))
         };
-        self.frames.push(ShownFrame::new(frame, label.into(), block));
+        self.frames.push(ShownFrame::new(frame, label, block));
         self.frame_count += 1;
         if self.frames.iter().map(ShownFrame::size).sum::<usize>() > self.most_text {
             self.leave_out();
         }
         self.last.swap(0, 1);
         self.last[1] = positions.to_vec();
-        Ok(())
     }
 
     /// Adds a contact of the step from the last frame but one to the last, or of the only frame at
@@ -166,7 +182,7 @@ impl Page {
         let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
         let [before, last] = &self.last;
         let start = if frame == 0 { last } else { before };
-        let shown = ShownContact::new(&self.mesh, frame.saturating_sub(1), [start, last], contact);
+        let shown = ShownContact::of_pair(&self.mesh, frame.saturating_sub(1), [start, last], contact);
         self.push(shown.ok_or(PageError::NoSuchPair { pair: contact.pair })?);
         Ok(())
     }

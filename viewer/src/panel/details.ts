@@ -1,7 +1,7 @@
 /** The texts of the side panel. */
 
 import { css, MARKS, viridis } from "../colours";
-import { type Contact, type Page } from "../page";
+import { type Contact, type Page, type Point } from "../page";
 import { primitiveText, timeText } from "../text";
 
 /** The facts about a contact, as terms and descriptions. */
@@ -11,11 +11,15 @@ export function facts(page: Page, contact: Contact): [string, string, string][] 
     ["time", timeText(page, contact), ""],
     ["first", primitiveText(first), "first"],
     ["second", primitiveText(second), "second"],
-    ["point", `(${contact.point.join(", ")})`, ""],
-    ["normal", contact.normal === null ? "none: they rest on each other, or slide" : `(${contact.normal.join(", ")})`, ""],
+    ["point", pointText(contact.closest[0]), ""],
+    ["normal", contact.normal === null ? "none: they rest on each other, or slide" : pointText(contact.normal), ""],
   ];
   if (contact.parameters !== null) list.push(["u, v", contact.parameters.join(", "), ""]);
   return list;
+}
+
+function pointText(point: Point): string {
+  return `(${point.join(", ")})`;
 }
 
 export function showFacts(list: HTMLElement, page: Page, contact: Contact): void {

@@ -4,14 +4,13 @@ import { type Point, type Query } from "../page";
 import { cross, dot, subtract, times } from "../vector";
 
 /** The differences w, e1, e2 of four points, whose determinant is the cubic. */
-const SPAN: Record<Query["kind"], [number, number][]> = {
-  "vertex-face": [[0, 1], [2, 1], [3, 1]],
-  "edge-edge": [[2, 0], [1, 0], [3, 2]],
-};
+function spanOf(kind: Query["kind"]): [number, number][] {
+  return kind === "vertex-face" ? [[0, 1], [2, 1], [3, 1]] : [[2, 0], [1, 0], [3, 2]];
+}
 
 /** The Bernstein coefficients on [0, 1], divided by the cube of the largest difference of coordinates. */
 export function cubicOf({ kind, points }: Query): number[] {
-  const differences = points.map((at) => SPAN[kind].map(([i, j]) => halfDifference(at[i], at[j])));
+  const differences = points.map((at) => spanOf(kind).map(([i, j]) => halfDifference(at[i], at[j])));
   const size = Math.max(...differences.flat(2).map(Math.abs));
   const unit = size > 0 ? size : 1;
   const scaled = differences.map((all) => all.map((difference) => divide(difference, unit)));

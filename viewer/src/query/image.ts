@@ -5,11 +5,13 @@ import { mix, subtract } from "../vector";
 
 /**
  * The corners of the domain in (u, v), each as the two points whose difference is F there, in the order around
- * the image at one time. That image is a triangle or a parallelogram, because F is affine in u and v.
+ * the image at one time. F is affine in u and v, so that image is a triangle, a parallelogram, an edge or a point.
  */
 const CORNERS: Record<Query["kind"], [number, number][]> = {
   "vertex-face": [[0, 1], [0, 2], [0, 3]],
   "edge-edge": [[0, 2], [1, 2], [1, 3], [0, 3]],
+  "vertex-edge": [[0, 2], [0, 3]],
+  "vertex-vertex": [[0, 2]],
 };
 
 /** The image, in units of its largest coordinate, so that no number overflows. */
@@ -35,6 +37,7 @@ export class DomainImage {
   /** The triangles of the image at time t, as nine coordinates each. */
   slice(t: number): number[] {
     const [first, ...rest] = this.at(t);
+    if (rest.length < 2) return rest.flatMap((corner) => [...first, ...corner, ...first]);
     return rest.slice(1).flatMap((corner, i) => [...first, ...rest[i], ...corner]);
   }
 

@@ -28,22 +28,25 @@ export class QueryPanel {
   constructor(query: Query, plots: HTMLElement, canvas: HTMLCanvasElement, choose: (t: number) => void) {
     const cubic = cubicOf(query);
     const accepted = [...new Set(query.times.flat())].map((t) => ({ t, accepted: true }));
+    const meets = query.separation === 0;
     const isIn = (root: number, [start, end]: [number, number]): boolean => root > start - SAME && root < end + SAME;
-    const others = rootsOf(cubic).filter((root) => !query.times.some((interval) => isIn(root, interval)));
+    const others = rootsOf(cubic).filter((root) => !meets || !query.times.some((interval) => isIn(root, interval)));
     const values = Array.from({ length: SAMPLES + 1 }, (_, i) => bernstein(cubic, i / SAMPLES));
     this.plots = [
       new Plot({
         title: "Coplanarity cubic",
         unit: "relative",
         values,
-        marks: [...others.map((t) => ({ t, accepted: false })), ...accepted],
-        intervals: query.times,
+        level: 0,
+        marks: [...others.map((t) => ({ t, accepted: false })), ...(meets ? accepted : [])],
+        intervals: meets ? query.times : [],
         choose,
       }),
       new Plot({
         title: "Distance of the primitives",
         unit: "length",
         values: query.distances,
+        level: query.separation,
         marks: accepted,
         intervals: query.times,
         choose,

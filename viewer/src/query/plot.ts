@@ -9,9 +9,11 @@ export interface PlotOptions {
   unit: string;
   /** Values at equidistant times from 0 to 1; null where there is none. */
   values: (number | null)[];
-  /** Times marked on the axis: accepted ones filled, others hollow. */
+  /** The value that is marked: zero, or a distance. */
+  level: number;
+  /** Times marked at that value: accepted ones filled, others hollow. */
   marks: { t: number; accepted: boolean }[];
-  /** Intervals of time that are marked on the axis. */
+  /** Intervals of time that are marked at that value. */
   intervals: [number, number][];
   /** Called with a time that the reader points at. */
   choose: (t: number) => void;
@@ -50,7 +52,7 @@ export class Plot {
   readonly svg: SVGElement;
   private readonly cursor: SVGElement;
 
-  constructor({ title, unit, values, marks, intervals, choose }: PlotOptions) {
+  constructor({ title, unit, values, level, marks, intervals, choose }: PlotOptions) {
     const [low, high] = rangeOf(values);
     const x = (t: number): number => LEFT + t * (WIDTH - LEFT - RIGHT);
     const y = (value: number): number => HEIGHT - BOTTOM - ((value - low) / (high - low)) * (HEIGHT - TOP - BOTTOM);
@@ -67,14 +69,14 @@ export class Plot {
     }
     svg.append(element("text", { x: 12, y: (TOP + HEIGHT - BOTTOM) / 2, class: "tick middle", transform: `rotate(-90 12 ${(TOP + HEIGHT - BOTTOM) / 2})` }, unit));
     for (const [start, end] of intervals) {
-      svg.append(element("line", { x1: x(start), x2: x(end), y1: y(0), y2: y(0), class: "interval" }));
+      svg.append(element("line", { x1: x(start), x2: x(end), y1: y(level), y2: y(level), class: "interval" }));
     }
     svg.append(element("path", { d: path(values, x, y), class: "curve" }));
     this.cursor = element("line", { y1: TOP, y2: HEIGHT - BOTTOM, class: "cursor" });
     svg.append(this.cursor);
     for (const { t, accepted } of marks) {
-      const mark = element("circle", { cx: x(t), cy: y(0), r: 4.5, class: accepted ? "accepted" : "rejected" });
-      mark.append(element("title", {}, `${accepted ? "contact" : "root of the cubic, no contact"} at t = ${t}`));
+      const mark = element("circle", { cx: x(t), cy: y(level), r: 4.5, class: accepted ? "accepted" : "rejected" });
+      mark.append(element("title", {}, `${accepted ? "accepted" : "root of the cubic, no contact"}: t = ${t}`));
       svg.append(mark);
     }
     const point = (event: PointerEvent): void => {

@@ -19,8 +19,8 @@ export interface Moving {
 export interface Marked {
   /** The vertices of both primitives, and the corners of the faces around them. */
   primitives: (Moving & { around: Moving })[];
-  /** None for primitives that do not touch. */
-  point: Point | null;
+  /** The points that touch, or are closest; none for primitives that do not touch. */
+  closest: [Point, Point] | null;
   normal: Point | null;
 }
 
@@ -29,9 +29,9 @@ export class Marks {
   readonly group = new Group();
 
   /** Draws marks at time t, in place of the ones before. */
-  draw({ primitives, point, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
+  draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
     this.clear();
-    const origin = point ?? primitives[0].start[0];
+    const origin = closest?.[0] ?? primitives[0].start[0];
     this.group.position.set(...origin);
     const local = (p: Point): Point => subtract(p, origin);
     const sides = [colours.first, colours.second];
@@ -51,7 +51,11 @@ export class Marks {
       this.points(own, sides[side], 15);
     });
     if (normal !== null && size > 0) this.arrow(times(0.45 * size, normal), colours.normal);
-    if (point !== null) this.points([[0, 0, 0]], colours.contact, 10, 20);
+    if (closest !== null) {
+      const [first, second] = closest.map(local);
+      this.lines([first, second], colours.contact, 3);
+      this.points([first, second], colours.contact, 10, 20);
+    }
   }
 
   clear(): void {

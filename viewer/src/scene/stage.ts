@@ -19,7 +19,7 @@ type Ends = [Float32Array<ArrayBuffer>, Float32Array<ArrayBuffer>];
 /** Two primitives, and where they touch. */
 interface Pair {
   primitives: [Primitive, Primitive];
-  point?: Point;
+  closest?: [Point, Point];
   normal?: Point | null;
 }
 
@@ -65,9 +65,9 @@ export class Stage {
     if (contact === null) return this.fit(atOnce);
     const { time, frame } = this.page.contacts[contact];
     const ends = await this.frames.ends({ frame, t: time });
-    const { primitives, point, normal } = this.marked(this.page.contacts[contact], ends);
+    const { primitives, closest, normal } = this.marked(this.page.contacts[contact], ends);
     const at = primitives.flatMap(({ start, end }) => start.map((vertex, i) => mix(vertex, end[i], time)));
-    const place = point ?? this.middle;
+    const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
     const { up, query } = this.page;
     const fraction = query === null ? AMONG_OTHERS : ALONE;
     this.view.go(contactPose(place, normal, at, this.middle, this.radius, up, fraction), atOnce);
@@ -114,7 +114,7 @@ export class Stage {
         ...moving(primitive.vertices),
         around: moving(around(primitive)),
       })),
-      point: pair.point === undefined ? null : this.frames.toPage(pair.point),
+      closest: pair.closest === undefined ? null : [this.frames.toPage(pair.closest[0]), this.frames.toPage(pair.closest[1])],
       normal: pair.normal ?? null,
     };
   }
@@ -133,7 +133,7 @@ export class Stage {
   private places(colour: (contact: number) => number): Points {
     const { contacts } = this.page;
     const geometry = new BufferGeometry();
-    const places = contacts.flatMap(({ point }) => this.frames.toPage(point));
+    const places = contacts.flatMap(({ closest }) => this.frames.toPage(closest[0]));
     geometry.setAttribute("position", new BufferAttribute(Float32Array.from(places), 3));
     const colours = contacts.flatMap((_, i) => viridis(colour(i)).map((x) => (x / 255) ** 2.2));
     geometry.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
@@ -145,7 +145,12 @@ export class Stage {
 /** The name of a vertex in the scene. */
 function vertexName(page: Page, vertex: number): string {
   if (page.query === null) return String(vertex);
-  const names = { "vertex-face": ["p", "v₁", "v₂", "v₃"], "edge-edge": ["a₀", "a₁", "b₀", "b₁"] };
+  const names = {
+    "vertex-face": ["p", "v₁", "v₂", "v₃"],
+    "edge-edge": ["a₀", "a₁", "b₀", "b₁"],
+    "vertex-edge": ["p", "p", "a", "b"],
+    "vertex-vertex": ["p", "p", "q", "q"],
+  };
   return names[page.query.kind][vertex];
 }
 

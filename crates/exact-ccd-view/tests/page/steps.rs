@@ -71,7 +71,7 @@ fn contacts_are_those_of_the_step_with_all_bits() {
         first["primitives"][1],
         serde_json::json!({"kind": "face", "id": 0, "vertices": [0, 1, 2]})
     );
-    assert_eq!(first["point"], serde_json::json!([1.0, 1.0, 0.0]));
+    assert_eq!(first["closest"][0], serde_json::json!([1.0, 1.0, 0.0]));
     assert_eq!(first["normal"], serde_json::json!([0.0, 0.0, 1.0]));
 }
 
@@ -130,8 +130,11 @@ fn violations_belong_to_the_step_before_the_last_frame() {
         (&json["contacts"][0]["frame"], &json["contacts"][1]["frame"]),
         (&1.into(), &2.into())
     );
-    assert_eq!(json["contacts"][0]["point"], serde_json::json!([1.0, 1.0, 0.0]));
-    assert_eq!(json["contacts"][1]["point"][2].as_f64(), Some(0.0));
+    assert_eq!(
+        json["contacts"][0]["closest"][0],
+        serde_json::json!([1.0, 1.0, 0.0])
+    );
+    assert_eq!(json["contacts"][1]["closest"][0][2].as_f64(), Some(0.0));
 }
 
 #[test]
