@@ -6,6 +6,7 @@ import { build } from "esbuild";
 
 const root = new URL(".", import.meta.url);
 const output = new URL("../crates/exact-ccd-view/assets/viewer.html", root);
+/** @param {string} path */
 const read = (path) => readFile(new URL(path, root), "utf8");
 
 const { outputFiles } = await build({

@@ -28,7 +28,8 @@ function stepText(page: Page, frame: number): string {
 export function momentText(page: Page, { frame, t }: Moment): string {
   if (page.frames.length === 1) return page.frames[0].label;
   if (page.frames.length === 2) return `t = ${short(t)}`;
-  return `${stepText(page, frame)}t = ${short(t)}`;
+  const at = page.frames[frame + t];
+  return at === undefined ? `${stepText(page, frame)}t = ${short(t)}` : `frame ${at.number}: ${at.label}`;
 }
 
 /** The ids of a contact, by which the list is searched: its primitives and vertices. */

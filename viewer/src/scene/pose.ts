@@ -23,12 +23,18 @@ export function overview(centre: Point, radius: number, up: Point): Pose {
   return { target: centre, position: add(centre, times(distanceFor(radius, 0.8), towards)) };
 }
 
+/** The angle between the contact plane and the view of the camera. */
+const ELEVATION = (40 / 180) * Math.PI;
+
+/** The number of directions around the normal, on each side of the plane, among which the camera has the best. */
+const DIRECTIONS = 12;
+
 /**
  * A view of a contact, with the contact point in the middle.
  *
  * The camera looks along the contact plane, from somewhat above it, so that the gap between the primitives can be
- * seen as it closes. It is on the outer side of the mesh, as far as this leaves a choice. A ball around `vertices`
- * fills a fraction of the height.
+ * seen as it closes. It is on the outer side of the mesh, and away from the axis around which it turns, as far as
+ * this leaves a choice. A ball around `vertices` fills a fraction of the height.
  */
 export function contactPose(
   point: Point,
@@ -41,13 +47,17 @@ export function contactPose(
 ): Pose {
   const outwards = unit(add(unit(subtract(point, centre), up), times(0.5, up)), up);
   const n = unit(normal ?? outwards, up);
-  const sideways = subtract(outwards, times(dot(outwards, n), n));
-  const any = cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]);
-  // A direction straight outwards has no part along the plane.
-  const along = unit(length(sideways) > 0.2 ? sideways : any, any);
-  const above = dot(outwards, n) < 0 ? times(-1, n) : n;
-  // Away from the vertical, around which the camera turns.
-  const turned = add(add(along, times(0.35, cross(above, along))), times(0.9, above));
+  const x = unit(cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
+  const y = cross(n, x);
+  const value = (towards: Point): number => dot(towards, outwards) - 8 * Math.max(Math.abs(dot(towards, up)) - 0.8, 0);
+  const towards = [1, -1].flatMap((side) =>
+    Array.from({ length: DIRECTIONS }, (_, i): Point => {
+      const angle = ((i + 0.3) / DIRECTIONS) * 2 * Math.PI;
+      const along = add(times(Math.cos(angle), x), times(Math.sin(angle), y));
+      return add(times(Math.cos(ELEVATION), along), times(side * Math.sin(ELEVATION), n));
+    }),
+  );
+  const best = towards.reduce((a, b) => (value(b) > value(a) ? b : a));
   const size = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))), 1e-4 * radius);
-  return { target: point, position: add(point, times(distanceFor(size, fraction), unit(turned, up))) };
+  return { target: point, position: add(point, times(distanceFor(size, fraction), best)) };
 }

@@ -11,8 +11,8 @@ use exact_ccd_view::Page;
 
 use crate::failure::Failure;
 use crate::output::replace_file;
-pub(crate) use query::ChosenQuery;
-pub(crate) use recording::Recording;
+pub(crate) use query::{ChosenQuery, QueryView};
+use recording::Recording;
 
 /// The option `--view`.
 #[derive(clap::Args)]
@@ -32,10 +32,9 @@ impl View {
         write(file, &page.with_summary(lines(answer)))
     }
 
-    /// The recording of a motion, if there is to be a page of it.
-    pub(crate) fn recording(&self, title: &Path) -> Option<Recording> {
-        let file = self.view.clone()?;
-        Some(Recording::new(file, name(title)))
+    /// The recording of a motion, which does nothing if there is to be no page of it.
+    pub(crate) fn recording(&self, title: &Path) -> Recording {
+        Recording::new(self.view.clone(), name(title))
     }
 }
 
