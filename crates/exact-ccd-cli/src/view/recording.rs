@@ -42,7 +42,9 @@ impl Recording {
         } else {
             [0.0, 1.0, 0.0]
         };
-        self.push(&format!("{:.6} s", simulation.time()), &frame, up)
+        // Without the rounding errors of multiples of the time step.
+        let time = (1e9 * simulation.time()).round() / 1e9;
+        self.push(&format!("{time} s"), &frame, up)
     }
 
     fn push(&mut self, label: &str, frame: &Frame, up: Point) -> Result<(), Failure> {
