@@ -39,11 +39,14 @@ export class Slider {
     context.scale(ratio, ratio);
     // The middle of the thumb, 16 pixels wide, is the value.
     const x = (position: number): number => 8 + (position / steps) * (clientWidth - 16);
+    const { contacts } = this.page;
+    // The rim is visible on any background.
+    context.fillStyle = "#8a949e";
+    for (const { frame, time } of contacts) context.fillRect(x(frame + time) - 2.5, 0, 5, clientHeight);
     // The earliest is drawn last.
-    for (let i = this.page.contacts.length - 1; i >= 0; i--) {
-      const { frame, time } = this.page.contacts[i];
+    for (let i = contacts.length - 1; i >= 0; i--) {
       context.fillStyle = css(viridis(colour(i)));
-      context.fillRect(x(frame + time) - 1, 0, 2, clientHeight);
+      context.fillRect(x(contacts[i].frame + contacts[i].time) - 1.5, 1, 3, clientHeight - 2);
     }
   }
 }
