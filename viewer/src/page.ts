@@ -20,6 +20,8 @@ export interface Contact {
   primitives: [Primitive, Primitive];
   /** The points of both primitives that touch, or are closest. */
   closest: [Point, Point];
+  /** Their distance, rounded down. */
+  distance: number;
   /** The unit normal, from the second primitive towards the first. */
   normal: Point | null;
   parameters: [number, number] | null;

@@ -6,6 +6,9 @@ import { type Store } from "./state";
 /** The duration of a single step, and of a step of a longer motion, in seconds. */
 const [STEP, FRAME] = [4, 0.25];
 
+/** The longest time that passes from one picture to the next, in milliseconds, however long the pictures take. */
+const LONGEST = 100;
+
 export function play(store: Store, frameCount: number): void {
   const steps = frameCount - 1;
   const duration = steps === 1 ? STEP : FRAME;
@@ -16,7 +19,8 @@ export function play(store: Store, frameCount: number): void {
       return;
     }
     const { frame, t } = store.state.moment;
-    const position = frame + t + (now - (last ?? now)) / 1000 / duration;
+    const passed = Math.min(now - (last ?? now), LONGEST) / 1000;
+    const position = frame + t + passed / duration;
     last = now;
     store.set({ moment: momentAt(position, frameCount), playing: position < steps });
     requestAnimationFrame(tick);

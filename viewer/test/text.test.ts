@@ -14,6 +14,7 @@ const contact: Contact = {
     [1, 2, 3],
     [1, 2, 3],
   ],
+  distance: 0,
   normal: null,
   parameters: [0.25, 0.5],
 };
@@ -56,6 +57,8 @@ describe("texts", () => {
   it("name a contact without a normal", () => {
     const terms = facts(page([0, 1]), contact).map(([term, text]) => `${term}: ${text}`);
     expect(terms).toContain("normal: none: they rest on each other, or slide");
+    expect(terms.some((term) => term.startsWith("distance"))).toBe(false);
+    expect(facts(page([0, 1]), { ...contact, distance: 0.5 })).toContainEqual(["distance", "0.5", ""]);
     expect(terms).toContain("u, v: 0.25, 0.5");
   });
 });

@@ -13,6 +13,8 @@ pub(crate) struct ShownContact {
     primitives: [Primitive; 2],
     /// The points of both primitives that touch or are closest: the same, up to rounding, if they touch.
     closest: [Point; 2],
+    /// The distance of the primitives at the time, rounded down.
+    distance: f64,
     normal: Option<Point>,
     parameters: Option<[f64; 2]>,
 }
@@ -50,13 +52,16 @@ impl ShownContact {
         let (first, ids) = match contact.pair {
             Pair::VertexFace { vertex, face } => (1, [vertex, face]),
             Pair::EdgeEdge { a, b } => (2, [a, b]),
+            Pair::VertexEdge { vertex, edge } => (1, [vertex, edge]),
+            Pair::VertexVertex { a, b } => (1, [a, b]),
         };
         let (first, second) = vertices.split_at(first);
         let primitives = [
             Primitive::new(Some(ids[0]), first),
             Primitive::new(Some(ids[1]), second),
         ];
-        Some(Self::new(primitives, frame, positions, &contact.impact))
+        let distance = contact.distance.lower;
+        Some(Self::new(primitives, frame, positions, &contact.impact, distance))
     }
 
     /// The contact of two primitives in the step between two frames, the first of which has this number.
@@ -65,6 +70,7 @@ impl ShownContact {
         frame: usize,
         [x0, x1]: [&[Point]; 2],
         impact: &Impact,
+        distance: f64,
     ) -> Self {
         let (time, [u, v]) = (impact.time.lower(), impact.parameters);
         let at = |&vertex: &u32| mix(x0[vertex as usize], x1[vertex as usize], time);
@@ -82,6 +88,7 @@ impl ShownContact {
             time,
             primitives,
             closest,
+            distance,
             normal: impact.normal,
             parameters: Some(impact.parameters),
         }
@@ -117,6 +124,7 @@ impl ShownContact {
                 Primitive::new(Some(intersection.face), face),
             ],
             closest: [mix(start, end, place); 2],
+            distance: 0.0,
             normal: (length.is_normal()).then(|| normal.map(|x| x / length)),
             parameters: None,
         })

@@ -101,13 +101,15 @@ impl Page {
         for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(positions) {
             page.push_frame(label.to_owned(), positions);
         }
-        if let Some(impact) = query.impact_within(separation) {
-            let [x0, x1] = positions;
+        if let Some(collision) = query.collision_within(separation) {
+            let ([x0, x1], distance) = (positions, collision.distance().lower);
+            let primitives = query::primitives_of::<K>();
             page.push(ShownContact::new(
-                query::primitives_of::<K>(),
+                primitives,
                 0,
                 [x0, x1],
-                &impact,
+                &collision.impact(),
+                distance,
             ));
         }
         let query = ShownQuery::new(query, separation);

@@ -14,6 +14,7 @@ export function facts(page: Page, contact: Contact): [string, string, string][] 
     ["point", pointText(contact.closest[0]), ""],
     ["normal", contact.normal === null ? "none: they rest on each other, or slide" : pointText(contact.normal), ""],
   ];
+  if (contact.distance > 0) list.splice(1, 0, ["distance", String(contact.distance), ""]);
   if (contact.parameters !== null) list.push(["u, v", contact.parameters.join(", "), ""]);
   return list;
 }

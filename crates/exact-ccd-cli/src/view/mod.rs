@@ -6,7 +6,7 @@ mod recording;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{Bvh, Candidates, Motion};
+use exact_ccd_mesh::{BroadPhase, Detector, Motion};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
@@ -23,12 +23,18 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// Writes the page of a step, if there is to be one: all contacts, and the answer that was printed.
-    pub(crate) fn step(&self, files: [&Path; 2], motion: &Motion, answer: &str) -> Result<(), Failure> {
+    /// Writes the page of a step, if there is to be one: all contacts that the detector finds, and the
+    /// answer that was printed.
+    pub(crate) fn step<B: BroadPhase>(
+        &self,
+        files: [&Path; 2],
+        motion: &Motion,
+        detector: &mut Detector<B>,
+        answer: &str,
+    ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
-        let step = motion.step()?;
-        let contacts = Candidates::new(step, &Bvh).contacts(step);
-        let page = Page::of_step(title(files), step, &contacts)?;
+        let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
+        let page = Page::of_step(title(files), motion.step()?, &contacts)?;
         write(file, &page.with_summary(lines(answer)))
     }
 
