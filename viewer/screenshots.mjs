@@ -34,7 +34,7 @@ async function picture(name, options, { scheme = "light", input = "", keys = [],
 
 const [start, end] = ["examples/drape_start.ply", "examples/drape_contact.ply"];
 await picture("step", ["step", start, end]);
-await picture("step-all", ["step", start, end], { scheme: "dark", keys: ["f"] });
+await picture("step-all", ["step", start, end], { scheme: "dark", keys: ["f"], slider: "1" });
 await picture("audit", ["audit", start, "examples/drape_free.ply", start, end]);
 
 // A vertex and a face: the cubic has two roots, of which one is a contact.

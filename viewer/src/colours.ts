@@ -1,14 +1,15 @@
 /**
  * Colours that people with any kind of colour vision distinguish.
  *
- * Marks: M. Okabe and K. Ito, "Color Universal Design", 2008. Parts: P. Tol, "Colour schemes", 2021, scheme "light".
+ * Marks: M. Okabe and K. Ito, "Color Universal Design", 2008. Parts: P. Tol, "Colour schemes", 2021, scheme "light", without the
+ * orange of marks.
  * Times: the scale viridis by S. van der Walt and N. Smith, 2015, at nine places.
  */
 
 export type Theme = "light" | "dark";
 
 /** The parts of a mesh, in turn. */
-export const PARTS = ["#99ddff", "#ee8866", "#eedd88", "#44bb99", "#ffaabb", "#bbcc33", "#77aadd", "#aaaa00"];
+export const PARTS = ["#44bb99", "#eedd88", "#dddddd", "#bbcc33", "#ffaabb", "#99ddff", "#aaaa00", "#77aadd"];
 
 /** The colours of the marks of a contact. */
 export interface MarkColours {

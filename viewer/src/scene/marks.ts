@@ -1,6 +1,6 @@
 /** The marks of the selected contact: its two primitives, the paths of their vertices, the point and the normal. */
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, Points, PointsMaterial } from "three";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshBasicMaterial, Points, PointsMaterial } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
@@ -27,6 +27,8 @@ export interface Marked {
 /** Marks around an origin near them, so that single precision suffices at any magnification. */
 export class Marks {
   readonly group = new Group();
+  /** Materials are kept: a new one would be compiled again. */
+  private readonly materials = new Map<string, Material>();
 
   /** Draws marks at time t, in place of the ones before. */
   draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
@@ -61,44 +63,58 @@ export class Marks {
   clear(): void {
     for (const child of [...this.group.children]) {
       this.group.remove(child);
-      const { geometry, material } = child as Mesh<BufferGeometry, MeshBasicMaterial>;
-      geometry.dispose();
-      material.dispose();
+      (child as Mesh).geometry.dispose();
     }
   }
 
   /** Triangles, three corners each. */
   private faces(corners: Point[], color: string, opacity: number): void {
     if (corners.length === 0) return;
-    const material = new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, opacity, depthWrite: false });
+    const material = this.material(`faces ${color} ${opacity}`, () => {
+      return new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, opacity, depthWrite: false });
+    });
     this.group.add(new Mesh(geometryOf(corners), material));
   }
 
   /** Discs of a size in pixels. Those of a higher order are in front of all others. */
   private points(at: Point[], color: string, size: number, order = size): void {
-    const material = new PointsMaterial({ color, size, sizeAttenuation: false, map: disc(), alphaTest: 0.4, transparent: true });
-    material.depthTest = order < 12;
+    const material = this.material(`points ${color} ${size}`, () => {
+      const depthTest = order < 12;
+      return new PointsMaterial({ color, size, depthTest, sizeAttenuation: false, map: disc(), alphaTest: 0.4, transparent: true });
+    });
     const points = new Points(geometryOf(at), material);
     points.renderOrder = order;
     this.group.add(points);
   }
 
   /** Segments between consecutive pairs of points; dashed, if a length in proportion to the dashes is given. */
-  private lines(ends: Point[], color: string, linewidth: number, dash = 0): void {
+  private lines(ends: Point[], color: string, linewidth: number, dash = 0, depthTest = true): void {
     const geometry = new LineSegmentsGeometry();
     geometry.setPositions(ends.flat());
-    const material = new LineMaterial({ color, linewidth, dashed: dash > 0, dashSize: 0.05 * dash, gapSize: 0.03 * dash });
+    const dashed = dash > 0;
+    const material = this.material(`lines ${color} ${linewidth} ${dashed} ${depthTest}`, () => {
+      return new LineMaterial({ color, linewidth, dashed, depthTest });
+    });
+    if (dashed) [material.dashSize, material.gapSize] = [0.05 * dash, 0.03 * dash];
     const lines = new LineSegments2(geometry, material);
     if (dash > 0) lines.computeLineDistances();
     lines.frustumCulled = false;
+    // What is not hidden by faces is drawn after them.
+    lines.renderOrder = depthTest ? 0 : 1;
     this.group.add(lines);
+  }
+
+  private material<M extends Material>(key: string, make: () => M): M {
+    const known = this.materials.get(key) ?? make();
+    this.materials.set(key, known);
+    return known as M;
   }
 
   private arrow(tip: Point, color: string): void {
     const side = unit(cross(tip, Math.abs(tip[0]) < 0.7 * length(tip) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
     const back = times(0.82, tip);
     const wing = times(0.08 * length(tip), side);
-    this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3);
+    this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
   }
 }
 

@@ -58,7 +58,10 @@ export class MovingMesh {
     const dot = new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.5 });
     const points = new Points(shape(elements.points), this.moving(dot));
     this.others = [rods.material, points.material];
-    this.group.add(this.surface, rods, points);
+    // Nothing is compiled for what is not there.
+    if (elements.faces.length > 0) this.group.add(this.surface);
+    if (elements.edges.length > 0) this.group.add(rods);
+    if (elements.points.length > 0) this.group.add(points);
   }
 
   /** Positions at both ends of the step. */

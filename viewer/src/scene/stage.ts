@@ -2,7 +2,7 @@
 
 import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
 import { MARKS, viridis } from "../colours";
-import { type Frames, vertexAt } from "../frames";
+import { type Frames, type Moment, vertexAt } from "../frames";
 import { type Page, type Point, type Primitive } from "../page";
 import { facesAround, type Parts } from "../parts";
 import { type Change, type State } from "../state";
@@ -32,6 +32,7 @@ export class Stage {
   private readonly marks = new Marks();
   private readonly middle: Point;
   private readonly radius: number;
+  private readonly places: Points | null;
   private ends: Ends;
   private frame = -1;
 
@@ -50,7 +51,8 @@ export class Stage {
     this.mesh = new MovingMesh(elements, parts, frames.first);
     this.ends = [frames.first, frames.first];
     this.view.add(this.mesh.group);
-    if (page.contacts.length > 1) this.view.addMark(this.places(colour));
+    this.places = page.contacts.length > 1 ? this.placesOf(colour) : null;
+    if (this.places !== null) this.view.addMark(this.places);
     this.view.addMark(this.marks.group);
     this.fit(true);
   }
@@ -84,6 +86,7 @@ export class Stage {
       this.mesh.setEnds(ends);
     }
     this.mesh.setTime(moment.t);
+    this.places?.geometry.setDrawRange(0, this.countUntil(moment));
     if (change.opacity !== undefined) this.mesh.setOpacity(state.opacity);
     if (change.theme !== undefined) this.view.setBackground(MARKS[theme].background);
     if (change.wireframe !== undefined || change.theme !== undefined) {
@@ -97,12 +100,12 @@ export class Stage {
     const pair = contact === null ? this.page.query : this.page.contacts[contact];
     if (pair === null) {
       this.marks.clear();
-      this.labels.set([]);
+      this.labels.set([], null);
       return;
     }
     const marked = this.marked(pair, this.ends);
     this.marks.draw(marked, moment.t, paths, MARKS[theme]);
-    this.labels.set(labels ? this.labelsOf(pair, marked, moment.t) : []);
+    this.labels.set(labels ? this.labelsOf(pair, marked, moment.t) : [], marked.closest?.[0] ?? null);
   }
 
   private marked(pair: Pair, ends: Ends): Marked {
@@ -129,15 +132,22 @@ export class Stage {
     });
   }
 
-  /** All contact points, in the colours of their times. */
-  private places(colour: (contact: number) => number): Points {
+  /** The number of contacts up to a moment. */
+  private countUntil({ frame, t }: Moment): number {
+    const { contacts } = this.page;
+    const later = contacts.findIndex((contact) => contact.frame > frame || (contact.frame === frame && contact.time > t));
+    return later < 0 ? contacts.length : later;
+  }
+
+  /** All contact points, in the order and the colours of their times. */
+  private placesOf(colour: (contact: number) => number): Points {
     const { contacts } = this.page;
     const geometry = new BufferGeometry();
     const places = contacts.flatMap(({ closest }) => this.frames.toPage(closest[0]));
     geometry.setAttribute("position", new BufferAttribute(Float32Array.from(places), 3));
     const colours = contacts.flatMap((_, i) => viridis(colour(i)).map((x) => (x / 255) ** 2.2));
     geometry.setAttribute("color", new BufferAttribute(Float32Array.from(colours), 3));
-    const material = new PointsMaterial({ vertexColors: true, size: 8, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
+    const material = new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
     return new Points(geometry, material);
   }
 }

@@ -48,7 +48,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let frames = Frames::find(&arguments.frames)?;
     let mut read = clock.elapsed();
     let mut audit = Audit::default();
-    let mut recording = arguments.view.recording(&arguments.frames[0]);
+    let mut recording = arguments.view.recording(&arguments.frames);
     let violation = during(progress::frames(frames.count()), |progress| {
         for index in 0..frames.count() {
             let start = Instant::now();

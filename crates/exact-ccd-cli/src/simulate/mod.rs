@@ -128,7 +128,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let remaining = steps.saturating_sub(simulation.state().step);
     let scene_line = line::of_scene(&simulation, steps);
     print(&scene_line)?;
-    let mut recording = arguments.view.recording(&arguments.scene);
+    let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));
     recording.add_state(&simulation)?;
     let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
     let lines = bar.clone();

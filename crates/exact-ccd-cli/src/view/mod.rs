@@ -39,8 +39,13 @@ impl View {
     }
 
     /// The recording of a motion, which does nothing if there is to be no page of it.
-    pub(crate) fn recording(&self, title: &Path) -> Recording {
-        Recording::new(self.view.clone(), name(title))
+    pub(crate) fn recording(&self, files: &[PathBuf]) -> Recording {
+        let title = match files {
+            [start, .., end] => title([start, end]),
+            [file] => name(file),
+            [] => String::new(),
+        };
+        Recording::new(self.view.clone(), title)
     }
 }
 
