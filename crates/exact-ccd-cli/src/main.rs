@@ -19,6 +19,7 @@ mod step;
 mod step_report;
 mod tally;
 mod timed;
+mod view;
 
 use std::io::Write;
 use std::process::ExitCode;
