@@ -1,8 +1,8 @@
 //! Many queries in arrays, decided in parallel.
 
+use exact_ccd::Collision;
 use exact_ccd::batch::{Trajectories, collisions_within};
 use exact_ccd::separation::Separation;
-use exact_ccd::Collision;
 use numpy::{PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
@@ -10,6 +10,7 @@ use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
 use crate::kind::ArrayKind;
+use crate::pool;
 
 /// The number of queries that a thread decides between two checks for the end of the computation.
 const GRAIN: usize = 1024;
@@ -82,6 +83,7 @@ where
     K::Points: Sync,
     K::Vertices: Sync,
 {
+    pool::check(threads)?;
     let d = Separation::new(min_distance).map_err(|error| PyValueError::new_err(error.to_string()))?;
     let queries = match arrays {
         Arrays::Points(points) => Queries::Points(K::points(points.as_slice()?)),

@@ -4,9 +4,15 @@
 //! interpreter lock.
 
 mod batch;
+mod broad_phase;
 mod compute;
+mod contacts;
+mod detector;
+mod files;
 mod impact;
 mod kind;
+mod mesh;
+mod overlaps;
 mod pool;
 #[cfg(feature = "program")]
 mod program;
@@ -20,6 +26,14 @@ mod _native {
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    use crate::detector::Detector;
+    #[pymodule_export]
+    use crate::files::read_mesh;
+    #[pymodule_export]
+    use crate::mesh::Mesh;
+    #[pymodule_export]
+    use crate::overlaps::overlaps;
     #[cfg(feature = "program")]
     #[pymodule_export]
     use crate::program::main;

@@ -22,13 +22,19 @@ static POOLS: Mutex<Pools> = Mutex::new(Pools {
 /// The largest number of threads, as in the program.
 const MOST: usize = 1024;
 
+/// Checks a number of threads.
+pub(crate) fn check(threads: Option<usize>) -> PyResult<()> {
+    if threads.is_some_and(|threads| !(1..=MOST).contains(&threads)) {
+        return Err(PyValueError::new_err(format!("threads must be from 1 to {MOST}")));
+    }
+    Ok(())
+}
+
 /// The pool of this many threads, or of as many as there are cores.
 ///
 /// A process that was forked has the pools of its parent, but none of their threads: it gets new ones.
 pub(crate) fn pool(threads: Option<usize>) -> PyResult<Arc<ThreadPool>> {
-    if threads.is_some_and(|threads| !(1..=MOST).contains(&threads)) {
-        return Err(PyValueError::new_err(format!("threads must be from 1 to {MOST}")));
-    }
+    check(threads)?;
     let threads = threads.unwrap_or(0);
     let mut all = POOLS.lock().unwrap_or_else(PoisonError::into_inner);
     if all.process != process::id() {

@@ -45,8 +45,7 @@ pub(crate) fn contact_count<'py>(
     min_distance: f64,
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let answers =
-        for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, threads, 0, |c| count(c)))?;
+    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, threads, 0, |c| count(c)))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
@@ -80,12 +79,17 @@ pub(crate) fn contact_times<'py>(
     }
     let ends: Vec<f64> = answers.into_iter().flatten().flatten().collect();
     let shape = [ends.len() / 2, 2];
-    Ok((PyArray1::from_vec(py, offsets), PyArray1::from_vec(py, ends).reshape(shape)?))
+    Ok((
+        PyArray1::from_vec(py, offsets),
+        PyArray1::from_vec(py, ends).reshape(shape)?,
+    ))
 }
 
 fn intervals<K: ArrayKind>(collision: &Collision<'_, K>) -> Vec<[f64; 2]> {
     let intervals = collision.intervals().into_iter();
-    intervals.map(|interval| [interval.start.lower(), interval.end.lower()]).collect()
+    intervals
+        .map(|interval| [interval.start.lower(), interval.end.lower()])
+        .collect()
 }
 
 /// The columns of the impacts.
