@@ -1,6 +1,8 @@
 //! Many queries in arrays, decided in parallel.
 
 use exact_ccd::Collision;
+use std::time::{Duration, Instant};
+
 use exact_ccd::batch::{Trajectories, collisions_within};
 use exact_ccd::separation::Separation;
 use numpy::{PyReadonlyArray2, PyReadonlyArray3};
@@ -12,8 +14,14 @@ use crate::compute::{Watch, compute};
 use crate::kind::ArrayKind;
 use crate::pool;
 
-/// The number of queries that a thread decides between two checks for the end of the computation.
-const GRAIN: usize = 1024;
+/// The number of queries of a task.
+const GRAIN: usize = 4096;
+
+/// The number of queries that a thread decides first, before it checks for the end of the computation.
+const FEW: usize = 8;
+
+/// The time until the next check. A query takes from some 10⁻⁸ to some 10⁻¹ seconds.
+const PATIENCE: Duration = Duration::from_millis(20);
 
 /// Queries by their points, or by the indices of vertices and the positions of these at t = 0 and at t = 1.
 #[derive(FromPyObject)]
@@ -96,13 +104,25 @@ where
     };
     let mut answers = vec![none; queries.count()];
     let watch = Watch::default();
-    let answer = |(chunk, answers): (usize, &mut [T])| {
-        if watch.is_cancelled() {
-            return Err(Failure::Cancelled);
+    let answer = |(chunk, mut answers): (usize, &mut [T])| {
+        let (mut first, mut count) = (GRAIN * chunk, FEW);
+        while !answers.is_empty() {
+            if watch.is_cancelled() {
+                return Err(Failure::Cancelled);
+            }
+            let clock = Instant::now();
+            let (next, rest) = answers.split_at_mut(count.min(answers.len()));
+            queries.answer(d, first, next, &of)?;
+            (first, answers) = (first + next.len(), rest);
+            count = if clock.elapsed() < PATIENCE {
+                2 * count
+            } else {
+                1 + count / 8
+            };
         }
-        queries.answer(d, GRAIN * chunk, answers, &of)
+        Ok(())
     };
-    let failure = if answers.len() <= GRAIN {
+    let failure = if answers.len() <= FEW {
         py.detach(|| answer((0, &mut answers)).err())
     } else {
         let chunks = answers.par_chunks_mut(GRAIN).enumerate();

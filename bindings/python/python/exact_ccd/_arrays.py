@@ -73,7 +73,7 @@ def indices(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> I
     """
     array = _array(name, values)
     if array.size == 0:
-        array = array.astype(np.uint32)
+        array = np.empty(array.shape, np.uint32)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name} has the dtype {array.dtype}, expected integers")
     _check_shape(name, array, shape)
