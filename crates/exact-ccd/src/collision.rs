@@ -9,7 +9,7 @@ use crate::filter::{Contact, Decision};
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::separation::{Separation, TimeInterval};
+use crate::separation::{DistanceBounds, Separation, TimeInterval};
 use crate::stage::Stage;
 use crate::time::{ContactTime, ContactTimes};
 
@@ -137,6 +137,24 @@ impl<'a, K: Kind> Collision<'a, K> {
             // Cannot panic: the filters prove what the exact path defines.
             |d, _| exact::impact_within(self.query, d).expect("a proved contact exists"),
         )
+    }
+
+    /// Bounds of the distance of the primitives at the earliest contact time.
+    ///
+    /// It is the separation itself, unless the primitives are closer already at t = 0.
+    #[must_use]
+    pub fn distance(&self) -> DistanceBounds {
+        let d = self.separation();
+        let first = self.first_contact_time();
+        // By its bits: a subnormal time is not zero in any floating-point environment.
+        let is_at_start = first.is_exact() && first.lower().to_bits() == 0;
+        if is_at_start && !d.is_zero() {
+            return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
+        }
+        DistanceBounds {
+            lower: d.get(),
+            upper: d.get(),
+        }
     }
 
     /// An answer by the filters if they determine it, otherwise by the exact path; or that for a

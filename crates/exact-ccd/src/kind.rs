@@ -75,7 +75,7 @@ pub(crate) use tables::Tables;
 /// Sealed.
 pub trait Kind: Tables + Copy {
     /// The points of a query at one time, in the order that the kind states.
-    type Points: AsRef<[Point]> + Copy;
+    type Points: AsRef<[Point]> + AsMut<[Point]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The indices of those points among the vertices of a mesh, in the same order.
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.

@@ -42,4 +42,4 @@ mod within;
 
 pub use array::{NonFiniteQuery, collisions, collisions_with, collisions_within, collisions_within_with};
 pub use instructions::Instructions;
-pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange, WithinError};
+pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};

@@ -59,23 +59,6 @@ pub struct VertexOutOfRange {
     pub vertex_count: usize,
 }
 
-/// The queries of a batch and their separations do not fit the vertices.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum WithinError {
-    /// A query names a vertex that does not exist.
-    #[error(transparent)]
-    VertexOutOfRange(#[from] VertexOutOfRange),
-    /// The number of thicknesses is not that of vertices.
-    #[error("{count} thicknesses, expected one for each of the {vertex_count} vertices")]
-    ThicknessCount {
-        /// The number of thicknesses.
-        count: usize,
-        /// The number of vertices.
-        vertex_count: usize,
-    },
-}
-
 impl Trajectories {
     /// The trajectories from positions `x0` at t = 0 to positions `x1` at t = 1.
     ///
@@ -152,23 +135,13 @@ impl Trajectories {
     /// within](Query::comes_within) its separation, in order.
     ///
     /// # Errors
-    /// [`WithinError`] names the first vertex that does not exist, or the number of thicknesses if it
-    /// is not that of vertices; nothing is found then.
+    /// [`VertexOutOfRange`] names the first vertex that does not exist; nothing is found then.
     pub fn collisions_within<K: Kind>(
         &self,
         queries: &[K::Vertices],
         separations: Separations<'_>,
         mut found: impl FnMut(usize, Collision<'_, K>),
-    ) -> Result<(), WithinError> {
-        let vertex_count = self.rows.len();
-        if let Separations::Thickness(thickness) = separations
-            && thickness.vertex_count() != vertex_count
-        {
-            return Err(WithinError::ThicknessCount {
-                count: thickness.vertex_count(),
-                vertex_count,
-            });
-        }
+    ) -> Result<(), VertexOutOfRange> {
         self.check::<K>(queries)?;
         within::collisions::<K>(self.instructions, &self.rows, queries, separations, &mut found);
         Ok(())

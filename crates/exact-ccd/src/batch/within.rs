@@ -8,7 +8,7 @@ use crate::query::Query;
 use crate::separation::Separations;
 
 /// Calls `found` with each query of rows that comes within its separation, and its index, in order.
-/// All indices of rows exist, and have a thickness if there are any.
+/// All indices of rows exist.
 pub(super) fn collisions<K: Kind>(
     instructions: Instructions,
     rows: &[Row],

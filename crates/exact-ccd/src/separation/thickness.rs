@@ -58,8 +58,8 @@ impl Thickness {
         self.0.len()
     }
 
-    /// The thickness of a primitive: the largest of those of its vertices. It is 0 for vertices that
-    /// there are not.
+    /// The thickness of a primitive: the largest of those of its vertices. A vertex that has none given
+    /// has thickness 0.
     #[must_use]
     #[inline]
     pub fn of(&self, vertices: &[u32]) -> Separation {
