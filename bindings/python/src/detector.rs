@@ -3,11 +3,12 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use exact_ccd::Point;
+use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
-    CanCollide, CandidateOptions, Contact, FreeStepOptions, Pair, PairCounts, Step, StepReport, TriangleMesh,
-    intersections,
+    CanCollide, CandidateOptions, Contact, FreeStepOptions, MinDistance, Pair, PairCounts, Step, StepReport,
+    TriangleMesh, intersections,
 };
-use numpy::{PyArray2, PyReadonlyArray2};
+use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -15,6 +16,7 @@ use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
 use crate::contacts::{Columns, table};
 use crate::mesh::{Mesh, rows};
+use crate::pool;
 
 type Inner = exact_ccd_mesh::Detector<Interruptible>;
 type Positions<'py> = PyReadonlyArray2<'py, f64>;
@@ -31,6 +33,7 @@ pub(crate) struct Detector {
     /// Obeys it, if there is one.
     ruled: Option<Inner>,
     rule: CanCollide,
+    min_distance: MinDistance,
     failure: Arc<Mutex<Option<PyErr>>>,
     watch: Arc<Watch>,
     threads: Option<usize>,
@@ -68,14 +71,37 @@ impl Detector {
 /// Returns true if the rule holds for the pair of a contact.
 fn allows(rule: &CanCollide, mesh: &TriangleMesh, contact: Contact) -> bool {
     let first = match contact.pair {
-        Pair::VertexFace { .. } => 1,
         Pair::EdgeEdge { .. } => 2,
+        Pair::VertexFace { .. } | Pair::VertexEdge { .. } | Pair::VertexVertex { .. } => 1,
     };
     let vertices = contact.pair.vertices(mesh);
-    vertices.is_some_and(|four| {
-        let (a, b) = four.split_at(first);
+    vertices.is_some_and(|vertices| {
+        let (a, b) = vertices.split_at(first);
         rule.allows(a, b)
     })
+}
+
+/// A thickness for each vertex, or one distance for all pairs.
+#[derive(FromPyObject)]
+enum Distance<'py> {
+    Thickness(PyReadonlyArray1<'py, f64>),
+    Uniform(f64),
+}
+
+impl Distance<'_> {
+    fn with_inner(&self, inner: Option<f64>) -> PyResult<MinDistance> {
+        let outer = match self {
+            Self::Thickness(values) => {
+                MinDistance::thickness(Thickness::new(values.as_slice()?).map_err(refused)?)
+            }
+            Self::Uniform(d) => MinDistance::uniform(Separation::new(*d).map_err(refused)?),
+        };
+        let inner = inner.map(Separation::new).transpose().map_err(refused)?;
+        Ok(match inner {
+            Some(inner) => outer.with_inner(inner),
+            None => outer,
+        })
+    }
 }
 
 fn refused(error: impl ToString) -> PyErr {
@@ -84,24 +110,37 @@ fn refused(error: impl ToString) -> PyErr {
 
 #[pymethods]
 impl Detector {
+    /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs that start
+    /// within it.
     #[new]
-    fn new(mesh: &Mesh, threads: Option<usize>) -> Self {
+    fn new(
+        mesh: &Mesh,
+        min_distance: Distance<'_>,
+        inner_distance: Option<f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        pool::check(threads)?;
+        let min_distance = min_distance.with_inner(inner_distance)?;
         let watch = Arc::<Watch>::default();
         let failure = Arc::default();
         let rule = mesh.rule(&watch, &failure);
         let detector = |can_collide| {
             let broad_phase = Interruptible { watch: watch.clone() };
-            Inner::with_broad_phase(mesh.mesh().clone(), broad_phase).with_can_collide(can_collide)
+            Inner::with_broad_phase(mesh.mesh().clone(), broad_phase)
+                .with_can_collide(can_collide)
+                .with_min_distance(min_distance.clone())
+                .map_err(refused)
         };
-        Self {
+        Ok(Self {
             mesh: mesh.mesh().clone(),
-            open: detector(mesh.groups()),
-            ruled: mesh.has_rule().then(|| detector(rule.clone())),
+            open: detector(mesh.groups())?,
+            ruled: mesh.has_rule().then(|| detector(rule.clone())).transpose()?,
+            min_distance: min_distance.clone(),
             rule,
             failure,
             watch,
             threads,
-        }
+        })
     }
 
     /// The earliest contact: one row or none.
@@ -154,7 +193,8 @@ impl Detector {
         table(py, &Step::new(&self.mesh, x0, x1).map_err(refused)?, &contacts)
     }
 
-    /// The size and the positions of a certified step, and the earliest contact of the full one.
+    /// The size and the positions of a certified step, the earliest contact of the full one, and the numbers of
+    /// pairs that touch at the start.
     #[expect(clippy::type_complexity, reason = "a tuple for Python")]
     fn free_step<'py>(
         &mut self,
@@ -162,7 +202,7 @@ impl Detector {
         x0: Positions<'py>,
         x1: Positions<'py>,
         keep: f64,
-    ) -> PyResult<(f64, Bound<'py, PyArray2<f64>>, Columns<'py>)> {
+    ) -> PyResult<(f64, Bound<'py, PyArray2<f64>>, Columns<'py>, [usize; 4])> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         let options = FreeStepOptions::default().with_keep(keep);
         let free = self.compute(py, None, |detector| {
@@ -171,7 +211,8 @@ impl Detector {
         })??;
         let step = Step::new(&self.mesh, x0, x1).map_err(refused)?;
         let contact = table(py, &step, free.contact.as_slice())?;
-        Ok((free.size, rows(py, &free.positions)?, contact))
+        let positions = rows(py, &free.positions)?;
+        Ok((free.size, positions, contact, by_kind(free.touching)))
     }
 
     /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
@@ -182,7 +223,7 @@ impl Detector {
         x0: Positions<'py>,
         x1: Positions<'py>,
         progress: Option<Py<PyAny>>,
-    ) -> PyResult<([[usize; 2]; 3], Columns<'py>)> {
+    ) -> PyResult<([[usize; 4]; 3], Columns<'py>)> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         let mesh = self.mesh.clone();
         let step = Step::new(&mesh, x0, x1).map_err(refused)?;
@@ -191,12 +232,13 @@ impl Detector {
                 watch: detector.watch.clone(),
             };
             let options = CandidateOptions::default().with_can_collide(detector.rule.clone());
+            let options = options.with_min_distance(detector.min_distance.clone());
             let progress = |count| detector.watch.add(count);
             StepReport::with_options(step, &broad_phase, &options, &progress).map_err(refused)
         })??;
         let counts = [report.candidates, report.colliding, report.touching];
         let contact = table(py, &step, report.earliest.as_slice())?;
-        Ok((counts.map(both), contact))
+        Ok((counts.map(by_kind), contact))
     }
 
     /// The edges and faces that meet at rest.
@@ -224,6 +266,12 @@ fn points<'a>(positions: &'a Positions<'_>) -> PyResult<&'a [Point]> {
     Ok(positions.as_slice()?.as_chunks().0)
 }
 
-fn both(counts: PairCounts) -> [usize; 2] {
-    [counts.vertex_face, counts.edge_edge]
+fn by_kind(counts: PairCounts) -> [usize; 4] {
+    let PairCounts {
+        vertex_face,
+        edge_edge,
+        vertex_edge,
+        vertex_vertex,
+    } = counts;
+    [vertex_face, edge_edge, vertex_edge, vertex_vertex]
 }

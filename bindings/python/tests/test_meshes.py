@@ -108,7 +108,7 @@ def test_groups_and_rules() -> None:
     assert never.is_free(x0, x1) and never.earliest_contact(x0, x1) is None
     assert len(never.contacts(x0, x1)) == 0 and never.free_step(x0, x1).size == 1.0
     assert (3, 0) in calls
-    assert never.step(x0, x1).candidates == (0, 0)
+    assert never.step(x0, x1).candidates == (0, 0, 0, 0)
     one = Detector(Mesh(6, FACES, can_collide=lambda i, j: {i, j} == {3, 2}))
     assert one.earliest_contact(x0, x1).first == 3
     assert len(one.intersections(two_triangles(-1.0))) == 2
@@ -185,3 +185,43 @@ def test_mesh_files(tmp_path) -> None:
     file.write_text("v 0 0 zero")
     with pytest.raises(ValueError, match="line 1: expected a number"):
         exact_ccd.read_mesh(file)
+
+
+def test_minimum_distance() -> None:
+    mesh = Mesh(6, FACES)
+    x0, x1 = two_triangles(2.25), two_triangles(0.25)
+    assert Detector(mesh).is_free(x0, x1)
+    for distance in (1.0, np.array([0.25] * 3 + [0.75, 0.0, 0.0])):
+        detector = Detector(mesh, min_distance=distance)
+        contact = detector.earliest_contact(x0, x1)
+        assert contact.time == 0.625 and contact.distance.tolist() == [1.0, 1.0]
+        assert detector.contacts(x0, x1)["time"].tolist() == [0.625]
+        assert detector.step(x0, x1).colliding == (1, 0, 0, 0)
+        step = detector.free_step(x0, x1)
+        assert step.size == pytest.approx(0.5625) and step.touching == (0, 0, 0, 0)
+    assert exact_ccd.audit([x0, x1], FACES, min_distance=1.0).violation.contact.time == 0.625
+    near = two_triangles(0.75)
+    assert not Detector(mesh, min_distance=1.0).is_free(near, x1)
+    moves_on = Detector(mesh, min_distance=1.0, inner_distance=0.125)
+    assert moves_on.is_free(near, x1)
+    assert moves_on.free_step(near, x1).touching == (1, 0, 0, 0)
+
+
+def test_loose_vertices_and_edges() -> None:
+    """A rod on the x-axis, a vertex that falls on it, and one that meets the other vertex."""
+    mesh = Mesh(4, np.empty((0, 3), int), edges=[[0, 1]])
+    x0 = np.array([[-1.0, 0, 0], [1, 0, 0], [0, 0, 1], [0, 4, 1]])
+    x1 = np.array([[-1.0, 0, 0], [1, 0, 0], [0, 0, -3], [0, -4, -3]])
+    contacts = Detector(mesh).contacts(x0, x1)
+    assert contacts["kind"].tolist() == ["ve", "vv"]
+    assert contacts["time"].tolist() == [0.25, 0.5]
+    assert contacts["vertices"].tolist() == [[2, 0, 1, -1], [2, 3, -1, -1]]
+
+
+def test_wrong_distances() -> None:
+    mesh = Mesh(6, FACES)
+    for wrong in (-1.0, np.nan, np.inf, [1.0] * 5, [-1.0] * 6):
+        with pytest.raises(ValueError):
+            Detector(mesh, min_distance=wrong)
+    with pytest.raises(ValueError):
+        Detector(mesh, inner_distance=-1.0)

@@ -8,7 +8,21 @@ from numpy.typing import NDArray
 _Floats = NDArray[np.float64]
 _Integers = NDArray[np.uint32]
 _Arrays = Union[_Floats, tuple[_Integers, _Floats, _Floats]]
-_Columns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats]
+_Columns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats, _Floats]
+
+__all__ = [
+    "Detector",
+    "Mesh",
+    "__version__",
+    "collides",
+    "contact_count",
+    "contact_times",
+    "impacts",
+    "main",
+    "overlaps",
+    "read_mesh",
+    "time_of_impact",
+]
 
 __version__: str
 
@@ -56,11 +70,19 @@ class Mesh:
 
 @final
 class Detector:
-    def __new__(cls, mesh: Mesh, threads: Optional[int]) -> Detector: ...
+    def __new__(
+        cls,
+        mesh: Mesh,
+        min_distance: Union[float, _Floats],
+        inner_distance: Optional[float],
+        threads: Optional[int],
+    ) -> Detector: ...
     def earliest_contact(self, x0: _Floats, x1: _Floats) -> _Columns: ...
     def is_free(self, x0: _Floats, x1: _Floats) -> bool: ...
     def contacts(self, x0: _Floats, x1: _Floats, until: float) -> _Columns: ...
-    def free_step(self, x0: _Floats, x1: _Floats, keep: float) -> tuple[float, _Floats, _Columns]: ...
+    def free_step(
+        self, x0: _Floats, x1: _Floats, keep: float
+    ) -> tuple[float, _Floats, _Columns, list[int]]: ...
     def step(
         self, x0: _Floats, x1: _Floats, progress: Optional[Callable[[int], object]]
     ) -> tuple[list[list[int]], _Columns]: ...

@@ -62,6 +62,7 @@ def audit(
     faces: Optional[ArrayLike] = None,
     *,
     edges: Optional[ArrayLike] = None,
+    min_distance: Union[float, ArrayLike] = 0.0,
     progress: Optional[Progress] = None,
     threads: Optional[int] = None,
 ) -> AuditReport:
@@ -81,6 +82,8 @@ def audit(
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
         Loose edges, if the frames are positions.
+    min_distance : float or array of shape (V,)
+        Primitives that come within this distance of each other count as touching, see :class:`Detector`.
     progress : callable, optional
         Called with the number of frames examined since its last call, as ``tqdm.update``.
     threads : int, optional
@@ -103,7 +106,7 @@ def audit(
     >>> report.violation.frame, report.violation.contact.time
     (1, 0.25)
     """
-    detector, positions = _begin(frames, faces, edges, threads)
+    detector, positions = _begin(frames, faces, edges, min_distance, threads)
     last: Optional[NDArray[np.float64]] = None
     count = 0
     for count, frame in enumerate(positions, 1):
@@ -134,12 +137,16 @@ def _examine(
 
 
 def _begin(
-    frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike], threads: Optional[int]
+    frames: Any,
+    faces: Optional[ArrayLike],
+    edges: Optional[ArrayLike],
+    min_distance: Union[float, ArrayLike],
+    threads: Optional[int],
 ) -> tuple[Detector, Iterator[Any]]:
     """The detector of the mesh, and the positions of its frames."""
     if isinstance(frames, (str, PathLike)):
         frames = _files(Path(frames))
-    remaining = iter(frames)
+    remaining: Iterator[Any] = iter(frames)
     try:
         start = next(remaining)
     except StopIteration:
@@ -150,12 +157,14 @@ def _begin(
             raise TypeError("the faces and edges are those of the files")
         if Path(start).suffix.lower() == ".stl":
             raise ValueError(f"{start}: STL files have no shared vertices; use the program, exact-ccd audit")
-        mesh = read_mesh(start)
-        detector = Detector(Mesh(mesh.vertices, mesh.faces, mesh.edges), threads=threads)
-        return detector, (_positions(detector.mesh, file) for file in remaining)
-    if faces is None:
+        file = read_mesh(start)
+        mesh = Mesh(file.vertices, file.faces, file.edges)
+        remaining = (_positions(mesh, file) for file in remaining)
+    elif faces is None:
         raise TypeError("expected the faces of the mesh")
-    return Detector(Mesh(len(start), faces, edges), threads=threads), remaining
+    else:
+        mesh = Mesh(len(start), faces, edges)
+    return Detector(mesh, min_distance=min_distance, threads=threads), remaining
 
 
 def _positions(mesh: Mesh, file: _Path) -> NDArray[np.float64]:

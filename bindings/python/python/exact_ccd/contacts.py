@@ -18,10 +18,12 @@ _PAIR = [
     ("vertices", np.int64, (4,)),
 ]
 
-CONTACT = np.dtype(_PAIR + IMPACT.descr)
+CONTACT = np.dtype([*_PAIR, *IMPACT.descr, ("distance", np.float64, (2,))])
 """The fields of a contact of a mesh, those of :class:`Contact`."""
 
-Columns = tuple[NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64], NDArray[np.float64]]
+Columns = tuple[
+    NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]
+]
 
 
 class Contact(NamedTuple):
@@ -30,7 +32,7 @@ class Contact(NamedTuple):
     Attributes
     ----------
     kind : {"vf", "ee", "ve", "vv"}
-        A vertex and a face, or two edges.
+        A vertex and a face, two edges, a loose vertex and a loose edge, or two loose vertices.
     first, second : int
         The indices of both primitives among the vertices, ``Mesh.faces`` or ``Mesh.edges``.
     vertices : int64 array of shape (4,)
@@ -43,6 +45,9 @@ class Contact(NamedTuple):
         The unit normal, from the second primitive to the first; NaN if there is none.
     points : float64 array of shape (2, 3)
         The points of contact on the first primitive and on the second.
+    distance : float64 array of shape (2,)
+        Bounds of the distance of the primitives at that time: 0 for contact, otherwise the minimum
+        distance, or less if the pair starts nearer.
     """
 
     kind: Kind
@@ -54,15 +59,17 @@ class Contact(NamedTuple):
     v: float
     normal: NDArray[np.float64]
     points: NDArray[np.float64]
+    distance: NDArray[np.float64]
 
 
 def table(columns: Columns) -> NDArray[np.void]:
     """The columns of the compiled part as one structured array."""
-    kinds, ids, vertices, impacts = columns
+    kinds, ids, vertices, impacts, distances = columns
     contacts = np.empty(len(kinds), CONTACT)
     contacts["kind"] = _KINDS[kinds]
     contacts["first"], contacts["second"] = ids.T
     contacts["vertices"] = vertices
+    contacts["distance"] = distances
     rows = impacts.view(IMPACT).reshape(-1)
     for name in IMPACT.names or ():
         contacts[name] = rows[name]
@@ -84,4 +91,5 @@ def first(columns: Columns) -> Optional[Contact]:
         v=float(row["v"]),
         normal=row["normal"],
         points=row["points"],
+        distance=row["distance"],
     )

@@ -30,6 +30,8 @@ class PairCounts(NamedTuple):
 
     vertex_face: int
     edge_edge: int
+    vertex_edge: int
+    vertex_vertex: int
 
 
 class StepReport(NamedTuple):
@@ -66,11 +68,15 @@ class FreeStep(NamedTuple):
         been decided to be free of contact, exactly.
     contact : Contact or None
         The earliest contact of the full step; None if it is free.
+    touching : PairCounts
+        The pairs that touch at the start: those within their minimum distance, even if an
+        `inner_distance` holds for them.
     """
 
     size: float
     positions: NDArray[np.float64]
     contact: Optional[Contact]
+    touching: PairCounts
 
 
 class Mesh:
@@ -165,6 +171,13 @@ class Detector:
     Parameters
     ----------
     mesh : Mesh
+    min_distance : float or array of shape (V,)
+        Primitives that come within this distance of each other count as touching, in all that follows; in
+        the unit of the coordinates, taken exactly. Or a thickness for each vertex: a primitive has the
+        largest of its vertices, and the distance of a pair is the sum of both, rounded up.
+    inner_distance : float, optional
+        In place of `min_distance` for pairs that start within that: for a line search that has to move on
+        from there.
     threads : int, optional
         The number of threads; by default that of the cores. The answers do not depend on it.
 
@@ -194,9 +207,21 @@ class Detector:
     True
     """
 
-    def __init__(self, mesh: Mesh, *, threads: Optional[int] = None) -> None:
+    def __init__(
+        self,
+        mesh: Mesh,
+        *,
+        min_distance: Union[float, ArrayLike] = 0.0,
+        inner_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+    ) -> None:
         self._mesh = mesh
-        self._native = _native.Detector(mesh._native, threads)
+        distance: Union[float, Floats]
+        if np.ndim(min_distance) == 0:
+            distance = float(np.asarray(min_distance))
+        else:
+            distance = floats("min_distance", min_distance, (mesh.vertex_count,))
+        self._native = _native.Detector(mesh._native, distance, inner_distance, threads)
 
     @property
     def mesh(self) -> Mesh:
@@ -233,8 +258,8 @@ class Detector:
         rounded, and the step to the rounded positions is decided exactly; if it is not free, the size is
         reduced by units in its last place until it is.
         """
-        size, positions, contact = self._native.free_step(*self._ends(x0, x1), keep)
-        return FreeStep(size, positions, first(contact))
+        size, positions, contact, touching = self._native.free_step(*self._ends(x0, x1), keep)
+        return FreeStep(size, positions, first(contact), PairCounts(*touching))
 
     def step(self, x0: ArrayLike, x1: ArrayLike, progress: Optional[Progress] = None) -> StepReport:
         """Examine all candidates of the step, and count the contacts.

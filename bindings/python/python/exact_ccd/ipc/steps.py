@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from .. import _native
 from ..meshes import Detector, Mesh
 from ..queries import collides
-from .candidates import Candidates, CollisionMesh, Primitives, allows, ends, fraction, primitives
+from .candidates import Candidates, CollisionMesh, allows, ends, fraction, primitives
 
 
 def is_step_collision_free(
@@ -135,18 +135,17 @@ def _candidates(
 
 
 def _detector(mesh: CollisionMesh, vertices: ArrayLike, min_distance: float) -> Optional[Detector]:
-    """The detector of a mesh in three dimensions, unless pairs matter that it does not examine."""
-    if min_distance != 0.0 or np.shape(vertices)[1] == 2:
+    """The detector of a mesh in three dimensions."""
+    if np.shape(vertices)[1] == 2:
         return None
-    every, detector = _known(mesh)
-    loose = len(every.loose_vertices)
-    return None if loose and loose + len(every.loose_edges) > 1 else detector
+    known = _known(mesh)
+    return known.detector if min_distance == 0.0 else Detector(known.mesh, min_distance=min_distance)
 
 
 class _Known(NamedTuple):
-    """A mesh, taken apart."""
+    """A mesh, and its detector for contact."""
 
-    primitives: Primitives
+    mesh: Mesh
     detector: Detector
 
 
@@ -177,4 +176,4 @@ def _new(mesh: CollisionMesh, reference: Callable[[], Optional[CollisionMesh]]) 
 
     every = primitives(mesh)
     rules = Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=can_collide)
-    return _Known(every, Detector(rules))
+    return _Known(rules, Detector(rules))
