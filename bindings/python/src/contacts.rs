@@ -9,8 +9,8 @@ use crate::impact::{COLUMNS, columns};
 use crate::kind::ArrayKind;
 use crate::mesh::rows;
 
-/// The kind, the indices of both primitives and the vertices of each contact, its impact, and the bounds of its
-/// distance. A pair of fewer than four vertices has −1 for the others.
+/// The kind, the indices of both primitives and the vertices of each contact, its impact, and the
+/// bounds of its distance. A pair of fewer than four vertices has −1 for the others.
 pub(crate) type Columns<'py> = (
     Bound<'py, PyArray1<u8>>,
     Bound<'py, PyArray2<u32>>,

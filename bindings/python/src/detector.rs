@@ -23,8 +23,8 @@ type Positions<'py> = PyReadonlyArray2<'py, f64>;
 
 /// Finds contact in successive steps of one mesh.
 ///
-/// A rule of the caller is a function in Python, too slow for every candidate. Hence the first search ignores it,
-/// and its answer stands if it has no contact or if the rule holds for the contact.
+/// A rule of the caller is a function in Python, too slow for every candidate. Hence the first search
+/// ignores it, and its answer stands if it has no contact or if the rule holds for the contact.
 #[pyclass(module = "exact_ccd._native")]
 pub(crate) struct Detector {
     mesh: Arc<TriangleMesh>,
@@ -110,8 +110,8 @@ fn refused(error: impl ToString) -> PyErr {
 
 #[pymethods]
 impl Detector {
-    /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs that start
-    /// within it.
+    /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs
+    /// that start within it.
     #[new]
     fn new(
         mesh: &Mesh,
@@ -193,8 +193,8 @@ impl Detector {
         table(py, &Step::new(&self.mesh, x0, x1).map_err(refused)?, &contacts)
     }
 
-    /// The size and the positions of a certified step, the earliest contact of the full one, and the numbers of
-    /// pairs that touch at the start.
+    /// The size and the positions of a certified step, the earliest contact of the full one, and the
+    /// numbers of pairs that touch at the start.
     #[expect(clippy::type_complexity, reason = "a tuple for Python")]
     fn free_step<'py>(
         &mut self,

@@ -52,8 +52,8 @@ enum Command {
 
 /// Runs the program with these arguments, of which the first is its name.
 ///
-/// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error. The help text and
-/// errors in the arguments end the process.
+/// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error. The help
+/// text and errors in the arguments end the process.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let program = Program::parse_from(arguments);
     run(&program).unwrap_or_else(|failure| {
