@@ -45,10 +45,12 @@ pub(crate) trait Searched: PairKind {
     fn of<T>(values: &ByKind<T>) -> &T;
 }
 
+#[inline]
 fn edge(mesh: &TriangleMesh, index: u32) -> Option<[u32; 2]> {
     mesh.edges().get(index as usize).copied()
 }
 
+#[inline]
 fn has_vertex(mesh: &TriangleMesh, vertex: u32) -> bool {
     (vertex as usize) < mesh.vertex_count()
 }

@@ -145,16 +145,19 @@ impl<'a, K: Kind> Collision<'a, K> {
     #[must_use]
     pub fn distance(&self) -> DistanceBounds {
         let d = self.separation();
-        let first = self.first_contact_time();
-        // By its bits: a subnormal time is not zero in any floating-point environment.
-        let is_at_start = first.is_exact() && first.lower().to_bits() == 0;
-        if is_at_start && !d.is_zero() {
-            return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
-        }
-        DistanceBounds {
+        let at_first_time = DistanceBounds {
             lower: d.get(),
             upper: d.get(),
+        };
+        if d.is_zero() {
+            return at_first_time;
         }
+        let first = self.first_contact_time();
+        // By its bits: a subnormal time is not zero in any floating-point environment.
+        if first.is_exact() && first.lower().to_bits() == 0 {
+            return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
+        }
+        at_first_time
     }
 
     /// An answer by the filters if they determine it, otherwise by the exact path; or that for a
