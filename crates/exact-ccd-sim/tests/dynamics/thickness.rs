@@ -298,7 +298,7 @@ fn errors_name_the_first_pair_within_its_thickness() {
     assert!(matches!(error(&[short]), Some(SimulationError::Close { .. })));
     // Two particles at one place touch, without offsets too.
     let thin = bead(0.0).with_offset(0.0);
-    let touching = error(&[thin.clone(), thin]);
+    let touching = error(&[thin.clone(), thin, bead(9.0)]);
     assert!(
         matches!(touching, Some(SimulationError::Start { .. })),
         "{touching:?}"
