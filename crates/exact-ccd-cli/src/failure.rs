@@ -11,6 +11,7 @@ use exact_ccd_mesh::StepError;
 use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
+use exact_ccd_view::PageError;
 
 /// The reason why the program has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -57,6 +58,10 @@ pub(crate) enum Failure {
     Scene(#[from] SceneError),
     #[error(transparent)]
     Simulation(#[from] SimulationError),
+    #[error(transparent)]
+    Page(#[from] PageError),
+    #[error("there is no query {0} to show: expected a number from 0 below that of the queries")]
+    NoQuery(usize),
     #[error("{}: {message}", file.display())]
     Checkpoint { file: PathBuf, message: String },
     #[error("{}: {source}", file.display())]

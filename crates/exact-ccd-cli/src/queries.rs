@@ -4,8 +4,10 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use exact_ccd::separation::Separation;
 use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
 use exact_ccd_data::{DataKind, Rounding, Sample};
+use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
@@ -15,6 +17,7 @@ use crate::method::Method;
 use crate::progress::{self, during};
 use crate::query_files::{self, Samples};
 use crate::tally::Tally;
+use crate::view::{ChosenQuery, QueryView};
 
 /// The number of queries that are read before they are answered in parallel.
 const BATCH: usize = 4096;
@@ -63,6 +66,8 @@ pub(crate) struct Arguments {
     /// Round coordinates that are not exactly f64 to the nearest, instead of refusing them.
     #[arg(long)]
     round_input: bool,
+    #[command(flatten)]
+    view: QueryView,
     /// The files; - is standard input.
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
@@ -86,7 +91,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn answer_all<K: DataKind + 'static>(
+fn answer_all<K: DataKind + PageKind + 'static>(
     arguments: &Arguments,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<Tally, Failure>
@@ -101,6 +106,7 @@ where
     let mut output = BufWriter::new(io::stdout().lock());
     writeln!(output, "query,contact,count,toi")?;
     let mut tally = Tally::default();
+    let mut choice = arguments.view.choice();
     let answered = arguments.files.iter().try_for_each(|file| {
         let samples = query_files::open::<K>(file, rounding)?;
         answer(
@@ -108,6 +114,7 @@ where
             samples,
             &arguments.method,
             &mut tally,
+            &mut choice,
             &mut output,
             progress,
         )
@@ -115,14 +122,16 @@ where
     let flushed = output.flush();
     answered?;
     flushed?;
+    choice.finish(Separation::default())?;
     Ok(tally)
 }
 
-fn answer<K: DataKind>(
+fn answer<K: DataKind + PageKind>(
     file: &Path,
     mut samples: Samples<K>,
     method: &Method,
     tally: &mut Tally,
+    choice: &mut ChosenQuery<K>,
     output: &mut impl Write,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(), Failure>
@@ -144,6 +153,7 @@ where
                 answer.map_err(|source| Failure::query(query_files::name(file), query - first, source))?;
             writeln!(output, "{query},{answer}")?;
             tally.add(answer.collides, sample.truth);
+            choice.see(query_files::name(file), query, &sample.query, answer.collides);
         }
         progress(batch.len());
         read?;

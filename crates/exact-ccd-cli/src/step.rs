@@ -13,6 +13,7 @@ use crate::output::print;
 use crate::progress::{self, during};
 use crate::step_report::{Answer, Free, Report, Seconds};
 use crate::timed::Timed;
+use crate::view::View;
 
 /// Is the step from one mesh to another free of contact?
 ///
@@ -43,6 +44,8 @@ pub(crate) struct Arguments {
     /// Print the report as a JSON object.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    view: View,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
@@ -65,6 +68,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         answer.to_string()
     };
     print(&text)?;
+    let files = [arguments.start.as_path(), &arguments.end];
+    arguments.view.step(files, &motion, &mut detector, &answer.to_string())?;
     Ok(ExitCode::from(u8::from(!answer.is_free())))
 }
 

@@ -6,7 +6,6 @@ use std::time::Duration;
 use exact_ccd_mesh::{Contact, Pair, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
-use crate::kind::Kind;
 use crate::shortest::shortest;
 
 /// The answer to one of the questions of the command line.
@@ -47,18 +46,23 @@ struct Counted {
 /// The pair that touches first.
 #[derive(Serialize)]
 pub(crate) struct ReportedPair {
-    kind: Kind,
-    /// The indices of the vertex and the face, or of the two edges.
+    /// `vf`, `ee`, `ve` or `vv`.
+    kind: &'static str,
+    /// The indices of the two primitives.
     ids: [u32; 2],
-    /// The vertices of the first primitive, then those of the second, for the text.
+    /// The pair, and the vertices of the first primitive, then those of the second, for the text.
     #[serde(skip)]
-    vertices: [u32; 4],
+    pair: Pair,
+    #[serde(skip)]
+    vertices: Vec<u32>,
 }
 
 #[derive(Serialize)]
 struct Counts {
     vf: usize,
     ee: usize,
+    ve: usize,
+    vv: usize,
 }
 
 /// The durations of the phases.
@@ -141,11 +145,18 @@ impl Report {
 impl ReportedPair {
     pub(crate) fn new(mesh: &TriangleMesh, pair: Pair) -> Self {
         let (kind, ids) = match pair {
-            Pair::VertexFace { vertex, face } => (Kind::Vf, [vertex, face]),
-            Pair::EdgeEdge { a, b } => (Kind::Ee, [a, b]),
+            Pair::VertexFace { vertex, face } => ("vf", [vertex, face]),
+            Pair::EdgeEdge { a, b } => ("ee", [a, b]),
+            Pair::VertexEdge { vertex, edge } => ("ve", [vertex, edge]),
+            Pair::VertexVertex { a, b } => ("vv", [a, b]),
         };
         let vertices = pair.vertices(mesh).expect("the pair is one of the mesh");
-        Self { kind, ids, vertices }
+        Self {
+            kind,
+            ids,
+            pair,
+            vertices,
+        }
     }
 }
 
@@ -154,6 +165,8 @@ impl From<PairCounts> for Counts {
         Self {
             vf: counts.vertex_face,
             ee: counts.edge_edge,
+            ve: counts.vertex_edge,
+            vv: counts.vertex_vertex,
         }
     }
 }
@@ -170,11 +183,12 @@ impl fmt::Display for Report {
             touching_at_start,
         }) = &self.counts
         {
-            writeln!(
-                f,
-                "candidates: {} vertex-face pairs, {} edge-edge pairs",
-                candidates.vf, candidates.ee
-            )?;
+            let Counts { vf, ee, ve, vv } = candidates;
+            write!(f, "candidates: {vf} vertex-face pairs, {ee} edge-edge pairs")?;
+            if ve + vv > 0 {
+                write!(f, ", {ve} vertex-edge pairs, {vv} vertex-vertex pairs")?;
+            }
+            writeln!(f)?;
             writeln!(f, "touching at t = 0: {touching_at_start} pairs")?;
         }
         self.seconds.fmt(f)
@@ -214,10 +228,20 @@ impl fmt::Display for Seconds {
 
 impl fmt::Display for ReportedPair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([i, j], [a, b, c, d]) = (self.ids, self.vertices);
-        match self.kind {
-            Kind::Vf => write!(f, "vertex {i} and face {j} (vertices {b}, {c}, {d})"),
-            Kind::Ee => write!(f, "edge {i} (vertices {a}, {b}) and edge {j} (vertices {c}, {d})"),
+        match (self.pair, &self.vertices[..]) {
+            (Pair::EdgeEdge { a: i, b: j }, [a, b, c, d]) => {
+                write!(f, "edge {i} (vertices {a}, {b}) and edge {j} (vertices {c}, {d})")
+            }
+            (Pair::VertexFace { vertex, face }, [_, a, b, c]) => {
+                write!(f, "vertex {vertex} and face {face} (vertices {a}, {b}, {c})")
+            }
+            (Pair::VertexEdge { vertex, edge }, [_, a, b]) => {
+                write!(f, "vertex {vertex} and edge {edge} (vertices {a}, {b})")
+            }
+            _ => {
+                let [i, j] = self.ids;
+                write!(f, "vertex {i} and vertex {j}")
+            }
         }
     }
 }

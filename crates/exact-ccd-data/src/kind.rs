@@ -4,7 +4,7 @@ use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
 
 /// A kind of query with its names and numbers in the data sets.
-pub trait DataKind: Kind<Points = [Point; 4]> + Send + Sync {
+pub trait DataKind: Kind<Points = [Point; 4], Vertices = [u32; 4]> + Send + Sync {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
     /// The ending of the names of its files in a scene, which is also its short name.

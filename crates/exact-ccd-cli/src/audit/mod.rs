@@ -12,6 +12,7 @@ use exact_ccd_mesh::Audit;
 use crate::failure::Failure;
 use crate::output::print;
 use crate::progress::{self, during};
+use crate::view::View;
 use frames::Frames;
 use report::{Report, ReportedViolation, Seconds};
 
@@ -38,6 +39,8 @@ pub(crate) struct Arguments {
     /// Print the report as a JSON object.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    view: View,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
@@ -45,15 +48,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let frames = Frames::find(&arguments.frames)?;
     let mut read = clock.elapsed();
     let mut audit = Audit::default();
+    let mut recording = arguments.view.recording(&arguments.frames);
     let violation = during(progress::frames(frames.count()), |progress| {
         for index in 0..frames.count() {
             let start = Instant::now();
             let frame = frames.read(index)?;
             read += start.elapsed();
+            recording.add(frames.file(index), &frame)?;
             let violation = audit
                 .examine(frame)
                 .map_err(|error| frames.mismatch(index, error))?;
             if let (Some(violation), Some(last)) = (violation, audit.last()) {
+                recording.violation(&violation)?;
                 return Ok(Some(ReportedViolation::new(
                     &frames, index, &last.mesh, violation,
                 )));
@@ -81,5 +87,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         report.to_string()
     };
     print(&text)?;
+    recording.finish(&report.to_string())?;
     Ok(ExitCode::from(u8::from(!report.collision_free)))
 }

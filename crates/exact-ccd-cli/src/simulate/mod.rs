@@ -23,6 +23,7 @@ use exact_ccd_sim::{Simulation, System};
 use crate::failure::Failure;
 use crate::output::print;
 use crate::progress::{self, during};
+use crate::view::View;
 use folder::OutputFolder;
 use queries::QueryFolder;
 
@@ -34,7 +35,7 @@ use queries::QueryFolder;
 ///
 /// With --out, the command writes for each time step N
 ///   DIR/frames/N.ply     the surface
-///   DIR/vtu/N.vtu        tetrahedra, triangles of shells and obstacles, velocities;
+///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities;
 ///                        DIR/motion.pvd opens all time steps in ParaView
 ///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
 ///                        energies and run times; column names end with units
@@ -89,6 +90,8 @@ pub(crate) struct Arguments {
     /// Continue from the checkpoint in the folder of --out, which must belong to this scene.
     #[arg(long, requires = "out")]
     resume: bool,
+    #[command(flatten)]
+    view: View,
 }
 
 fn ccd_help() -> String {
@@ -123,7 +126,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
     let steps = arguments.steps.unwrap_or(scene.steps);
     let remaining = steps.saturating_sub(simulation.state().step);
-    print(&line::of_scene(&simulation, steps))?;
+    let scene_line = line::of_scene(&simulation, steps);
+    print(&scene_line)?;
+    let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));
+    recording.add_state(&simulation)?;
     let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
     let lines = bar.clone();
     during(bar, |progress| -> Result<(), Failure> {
@@ -143,6 +149,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             if let Some(queries) = &mut queries {
                 queries.add(statistics.step)?;
             }
+            recording.add_state(&simulation)?;
             if let Some(folder) = &mut folder {
                 folder.add(&simulation, &statistics)?;
             }
@@ -152,6 +159,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Ok(())
     })?;
+    recording.finish(&scene_line)?;
     if let Some(queries) = &queries {
         print(&queries.summary())?;
     }

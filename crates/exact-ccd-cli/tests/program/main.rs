@@ -26,3 +26,4 @@ mod step;
 mod step_errors;
 mod streams;
 mod usage;
+mod view;

@@ -20,13 +20,20 @@ fn expected(report: &StepReport) -> Value {
     let pair = report.earliest.map(|earliest| match earliest.pair {
         Pair::VertexFace { vertex, face } => json!({"kind": "vf", "ids": [vertex, face]}),
         Pair::EdgeEdge { a, b } => json!({"kind": "ee", "ids": [a, b]}),
+        Pair::VertexEdge { vertex, edge } => json!({"kind": "ve", "ids": [vertex, edge]}),
+        Pair::VertexVertex { a, b } => json!({"kind": "vv", "ids": [a, b]}),
     });
     json!({
         "collision_free": report.is_free(),
         "toi": report.time_of_impact(),
         "pair": pair,
         "touching_at_start": report.touching.total(),
-        "candidates": {"vf": report.candidates.vertex_face, "ee": report.candidates.edge_edge},
+        "candidates": {
+            "vf": report.candidates.vertex_face,
+            "ee": report.candidates.edge_edge,
+            "ve": report.candidates.vertex_edge,
+            "vv": report.candidates.vertex_vertex,
+        },
     })
 }
 

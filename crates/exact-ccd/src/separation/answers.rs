@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{DistanceBounds, Separation, SeparationStage, TimeInterval, TimeOutOfStep, filter};
+use crate::collision::Collision;
 use crate::exact::separation as exact;
 use crate::impact::Impact;
 use crate::kind::Kind;
@@ -19,6 +20,31 @@ impl<K: Kind> Query<K> {
         }
         filter::first_within(self, d)
             .map_or_else(|| exact::comes_within(self, d), |(first, _)| first.is_some())
+    }
+
+    /// The collision, if the distance of the primitives is at most d at some time of the step:
+    /// [`first_within`](Self::first_within), from which all further answers follow.
+    #[must_use]
+    #[inline]
+    pub fn collision_within(&self, d: Separation) -> Option<Collision<'_, K>> {
+        if d.is_zero() {
+            return self.collision();
+        }
+        let first = self.first_within(d)?;
+        Some(Collision::within(self, d, first))
+    }
+
+    /// [`collision_within`](Self::collision_within) of a query that the filters of batches have not
+    /// settled.
+    pub(crate) fn collision_near(&self, d: Separation) -> Option<Collision<'_, K>> {
+        if d.is_zero() {
+            return self.collision();
+        }
+        let first = match filter::first_near(self, d) {
+            Some((first, _)) => first,
+            None => exact::first_within(self, d),
+        };
+        Some(Collision::within(self, d, first?))
     }
 
     /// The first time at which the distance of the primitives is at most d, if there is one.
@@ -56,11 +82,7 @@ impl<K: Kind> Query<K> {
         if d.is_zero()
             && let ContactTimes::Finite(times) = self.contact_times()
         {
-            let moment = |&time: &ContactTime| TimeInterval {
-                start: time,
-                end: time,
-            };
-            return times.iter().map(moment).collect();
+            return times.iter().copied().map(TimeInterval::moment).collect();
         }
         if let Some((None, _)) = filter::first_within(self, d) {
             return Vec::new();
@@ -80,10 +102,10 @@ impl<K: Kind> Query<K> {
         if d.is_zero() {
             return self.impact();
         }
-        if let Some((None, _)) = filter::first_within(self, d) {
-            return None;
+        match filter::first_within(self, d) {
+            Some((first, _)) => exact::impact_at(self, d, first?),
+            None => exact::impact_within(self, d),
         }
-        exact::impact_within(self, d)
     }
 
     /// The distance of the primitives at time `t`, between two adjacent f64 or exactly.

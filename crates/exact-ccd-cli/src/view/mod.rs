@@ -1,0 +1,73 @@
+//! The pages of `--view`: HTML files that show motions and their contacts.
+
+mod query;
+mod recording;
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use exact_ccd_mesh::{BroadPhase, Detector, Motion};
+use exact_ccd_view::Page;
+
+use crate::failure::Failure;
+use crate::output::replace_file;
+pub(crate) use query::{ChosenQuery, QueryView};
+use recording::Recording;
+
+/// The option `--view`.
+#[derive(clap::Args)]
+pub(crate) struct View {
+    /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
+    #[arg(long, value_name = "FILE.html")]
+    view: Option<PathBuf>,
+}
+
+impl View {
+    /// Writes the page of a step, if there is to be one: all contacts that the detector finds, and the
+    /// answer that was printed.
+    pub(crate) fn step<B: BroadPhase>(
+        &self,
+        files: [&Path; 2],
+        motion: &Motion,
+        detector: &mut Detector<B>,
+        answer: &str,
+    ) -> Result<(), Failure> {
+        let Some(file) = &self.view else { return Ok(()) };
+        let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
+        let page = Page::of_step(title(files), motion.step()?, &contacts)?;
+        write(file, &page.with_summary(lines(answer)))
+    }
+
+    /// The recording of a motion, which does nothing if there is to be no page of it.
+    pub(crate) fn recording(&self, files: &[PathBuf]) -> Recording {
+        let title = match files {
+            [start, .., end] => title([start, end]),
+            [file] => name(file),
+            [] => String::new(),
+        };
+        Recording::new(self.view.clone(), title)
+    }
+}
+
+fn write(file: &Path, page: &Page) -> Result<(), Failure> {
+    replace_file(file, |writer| {
+        let written = page.write(writer).and_then(|()| writer.flush());
+        written.map_err(|source| Failure::write(file, source))
+    })
+}
+
+fn title([start, end]: [&Path; 2]) -> String {
+    format!("{} to {}", name(start), name(end))
+}
+
+/// The last part of a path.
+fn name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
+}
+
+/// The lines of an answer, without that of the durations.
+fn lines(answer: &str) -> impl Iterator<Item = String> {
+    let lines = answer.lines().filter(|line| !line.starts_with("seconds: "));
+    lines.map(str::to_owned)
+}

@@ -1,0 +1,71 @@
+//! The page of one of many queries.
+
+use std::path::{Path, PathBuf};
+
+use exact_ccd::Query;
+use exact_ccd::separation::Separation;
+use exact_ccd_view::{Page, PageKind};
+
+use crate::failure::Failure;
+
+/// The options `--view` and `--view-query`.
+#[derive(clap::Args)]
+pub(crate) struct QueryView {
+    /// Write an HTML file that shows a query and its exact answer in a browser. It contains all it needs.
+    #[arg(long, value_name = "FILE.html")]
+    view: Option<PathBuf>,
+    /// The number of the query to show, from 0 over all files [default: the first one in contact, or 0]
+    #[arg(long, value_name = "N", requires = "view")]
+    view_query: Option<usize>,
+}
+
+/// The query of a page, chosen as the queries come, if there is to be a page.
+pub(crate) struct ChosenQuery<K> {
+    file: Option<PathBuf>,
+    number: Option<usize>,
+    chosen: Option<Chosen<K>>,
+}
+
+struct Chosen<K> {
+    title: String,
+    query: Query<K>,
+    collides: bool,
+}
+
+impl QueryView {
+    /// The choice, before the first query.
+    pub(crate) fn choice<K>(&self) -> ChosenQuery<K> {
+        ChosenQuery {
+            file: self.view.clone(),
+            number: self.view_query,
+            chosen: None,
+        }
+    }
+}
+
+impl<K: PageKind> ChosenQuery<K> {
+    /// The next query, with its number over all files and its answer.
+    pub(crate) fn see(&mut self, file: &Path, number: usize, query: &Query<K>, collides: bool) {
+        let is_better = match (self.number, &self.chosen) {
+            (Some(chosen), _) => chosen == number,
+            (None, None) => true,
+            (None, Some(chosen)) => collides && !chosen.collides,
+        };
+        if self.file.is_some() && is_better {
+            self.chosen = Some(Chosen {
+                title: format!("Query {number} in {}", super::name(file)),
+                query: *query,
+                collides,
+            });
+        }
+    }
+
+    /// Writes the page. Primitives at most `separation` apart count as touching.
+    pub(crate) fn finish(self, separation: Separation) -> Result<(), Failure> {
+        let Some(file) = &self.file else { return Ok(()) };
+        let Some(Chosen { title, query, .. }) = self.chosen else {
+            return Err(Failure::NoQuery(self.number.unwrap_or_default()));
+        };
+        super::write(file, &Page::of_query(title, &query, separation))
+    }
+}

@@ -1,0 +1,153 @@
+//! Contacts, as the page has them.
+
+use exact_ccd::Impact;
+use exact_ccd_mesh::{Contact, Intersection, Pair, Point, TriangleMesh};
+use serde::Serialize;
+
+/// Two primitives that touch, in the shape of the JSON object.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ShownContact {
+    /// The number of the frame at which the step of the contact begins.
+    pub(crate) frame: usize,
+    time: f64,
+    primitives: [Primitive; 2],
+    /// The points of both primitives that touch or are closest: the same, up to rounding, if they touch.
+    closest: [Point; 2],
+    /// The distance of the primitives at the time, rounded down.
+    distance: f64,
+    normal: Option<Point>,
+    parameters: Option<[f64; 2]>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Primitive {
+    kind: &'static str,
+    id: Option<u32>,
+    vertices: Vec<u32>,
+}
+
+impl Primitive {
+    /// The primitive of these vertices: one for a vertex, two for an edge, three for a face.
+    pub(crate) fn new(id: Option<u32>, vertices: &[u32]) -> Self {
+        let kind = match vertices.len() {
+            1 => "vertex",
+            2 => "edge",
+            _ => "face",
+        };
+        let vertices = vertices.to_vec();
+        Self { kind, id, vertices }
+    }
+}
+
+impl ShownContact {
+    /// A contact of a mesh in the step between two frames, the first of which has this number; `None` if its
+    /// primitives are not those of the mesh.
+    pub(crate) fn of_pair(
+        mesh: &TriangleMesh,
+        frame: usize,
+        positions: [&[Point]; 2],
+        contact: &Contact,
+    ) -> Option<Self> {
+        let vertices = contact.pair.vertices(mesh)?;
+        let (first, ids) = match contact.pair {
+            Pair::VertexFace { vertex, face } => (1, [vertex, face]),
+            Pair::EdgeEdge { a, b } => (2, [a, b]),
+            Pair::VertexEdge { vertex, edge } => (1, [vertex, edge]),
+            Pair::VertexVertex { a, b } => (1, [a, b]),
+        };
+        let (first, second) = vertices.split_at(first);
+        let primitives = [
+            Primitive::new(Some(ids[0]), first),
+            Primitive::new(Some(ids[1]), second),
+        ];
+        let distance = contact.distance.lower;
+        Some(Self::new(primitives, frame, positions, &contact.impact, distance))
+    }
+
+    /// The contact of two primitives in the step between two frames, the first of which has this number.
+    pub(crate) fn new(
+        primitives: [Primitive; 2],
+        frame: usize,
+        [x0, x1]: [&[Point]; 2],
+        impact: &Impact,
+        distance: f64,
+    ) -> Self {
+        let (time, [u, v]) = (impact.time.lower(), impact.parameters);
+        let at = |&vertex: &u32| mix(x0[vertex as usize], x1[vertex as usize], time);
+        // On two edges, u is the place on the first one.
+        let closest = [(0, u), (1, v)].map(|(side, place): (usize, f64)| {
+            let corners: Vec<Point> = primitives[side].vertices.iter().map(at).collect();
+            match corners[..] {
+                [a, b, c] => [0, 1, 2].map(|axis| (1.0 - u - v) * a[axis] + u * b[axis] + v * c[axis]),
+                [a, b] => mix(a, b, place),
+                _ => corners[0],
+            }
+        });
+        Self {
+            frame,
+            time,
+            primitives,
+            closest,
+            distance,
+            normal: impact.normal,
+            parameters: Some(impact.parameters),
+        }
+    }
+
+    /// An edge that meets a face in the frame with this number; `None` if they are not of the mesh.
+    pub(crate) fn at_rest(
+        mesh: &TriangleMesh,
+        frame: usize,
+        positions: &[Point],
+        intersection: Intersection,
+    ) -> Option<Self> {
+        let edge = mesh.edges().get(intersection.edge as usize)?;
+        let face = mesh.faces().get(intersection.face as usize)?;
+        let at = |&vertex: &u32| positions[vertex as usize];
+        let [start, end] = [at(&edge[0]), at(&edge[1])];
+        let [a, b, c] = [at(&face[0]), at(&face[1]), at(&face[2])];
+        let normal = cross(subtract(b, a), subtract(c, a));
+        // The place on the edge, for the eye: its middle, if the edge lies in the plane of the face.
+        let [from, to] = [start, end].map(|end| dot(subtract(end, a), normal));
+        let place = from / (from - to);
+        let place = if place.is_finite() {
+            place.clamp(0.0, 1.0)
+        } else {
+            0.5
+        };
+        let length = dot(normal, normal).sqrt();
+        Some(Self {
+            frame,
+            time: 0.0,
+            primitives: [
+                Primitive::new(Some(intersection.edge), edge),
+                Primitive::new(Some(intersection.face), face),
+            ],
+            closest: [mix(start, end, place); 2],
+            distance: 0.0,
+            normal: (length.is_normal()).then(|| normal.map(|x| x / length)),
+            parameters: None,
+        })
+    }
+}
+
+/// (1 − t) a + t b, for the eye. It is finite for t in [0, 1].
+pub(crate) fn mix(a: Point, b: Point, t: f64) -> Point {
+    [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis])
+}
+
+fn subtract(a: Point, b: Point) -> Point {
+    [0, 1, 2].map(|axis| a[axis] - b[axis])
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Point, b: Point) -> Point {
+    [
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    ]
+}

@@ -1,0 +1,247 @@
+//! A page under construction.
+
+use std::io::{self, Write};
+
+use exact_ccd::Query;
+use exact_ccd::separation::Separation;
+use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
+
+use crate::block;
+use crate::contact::ShownContact;
+use crate::document::{self, Document, ShownFrame};
+use crate::error::PageError;
+use crate::query::{self, PageKind, ShownQuery};
+use crate::units::Units;
+
+/// The number of contacts that a page lists: the first ones that are added. The others are counted.
+pub const MOST_CONTACTS: usize = 10_000;
+
+/// The size at which frames of a long motion are left out, in bytes of text.
+const MOST_TEXT: usize = 256 << 20;
+
+/// A mesh in motion and its contacts, for a browser.
+///
+/// Frames are added in the order of time; between them, vertices move in straight lines. A contact
+/// is added after both frames of its step. The page opens at the first contact, with the camera on
+/// it, or at the first frame if there is none. Of a motion that would take more than 256 MiB, every
+/// second frame is left out, as often as necessary; those of contacts are kept.
+#[derive(Clone, Debug)]
+pub struct Page {
+    mesh: TriangleMesh,
+    units: Units,
+    up: Point,
+    title: String,
+    summary: Vec<String>,
+    frames: Vec<ShownFrame>,
+    /// The number of all frames, of which some may have been left out.
+    frame_count: usize,
+    most_text: usize,
+    /// The first frame in the units of the page, from which the others are displaced.
+    first: Vec<[f32; 3]>,
+    /// The positions in the last two frames.
+    last: [Vec<Point>; 2],
+    contacts: Vec<ShownContact>,
+    contact_count: usize,
+    query: Option<ShownQuery>,
+}
+
+impl Page {
+    /// A page without frames and contacts.
+    ///
+    /// `bounds` is the box around the mesh in all frames, or in the first one if the others are not
+    /// known yet: the middle of the picture, and the unit of its positions.
+    #[must_use]
+    pub fn new(title: impl Into<String>, mesh: TriangleMesh, bounds: &Aabb) -> Self {
+        Self {
+            mesh,
+            units: Units::of(bounds),
+            up: [0.0, 0.0, 1.0],
+            title: title.into(),
+            summary: Vec::new(),
+            frames: Vec::new(),
+            frame_count: 0,
+            most_text: MOST_TEXT,
+            first: Vec::new(),
+            last: [Vec::new(), Vec::new()],
+            contacts: Vec::new(),
+            contact_count: 0,
+            query: None,
+        }
+    }
+
+    /// The page of a step and its contacts, the earliest first.
+    ///
+    /// # Errors
+    /// [`PageError::NoSuchPair`] if a contact is not of this mesh.
+    pub fn of_step(
+        title: impl Into<String>,
+        step: Step<'_>,
+        contacts: &[Contact],
+    ) -> Result<Self, PageError> {
+        let bounds = step.positions().into_iter().flatten().copied().collect();
+        let mut page = Self::new(title, step.mesh().clone(), &bounds);
+        for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(step.positions()) {
+            page.add_frame(label, positions)?;
+        }
+        contacts
+            .iter()
+            .try_for_each(|contact| page.add_contact(contact))?;
+        Ok(page)
+    }
+
+    /// The page of a query: its primitives in motion, the coplanarity cubic and the distance over
+    /// time, the stage that decided it, and the image of the domain under F.
+    ///
+    /// Primitives at most `separation` apart count as touching.
+    #[must_use]
+    pub fn of_query<K: PageKind>(title: impl Into<String>, query: &Query<K>, separation: Separation) -> Self {
+        let positions = query.points();
+        let bounds = positions.as_flattened().iter().copied().collect();
+        let mut page = Self::new(title, query::mesh_of::<K>(), &bounds);
+        for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(positions) {
+            page.push_frame(label.to_owned(), positions);
+        }
+        if let Some(collision) = query.collision_within(separation) {
+            let ([x0, x1], distance) = (positions, collision.distance().lower);
+            let primitives = query::primitives_of::<K>();
+            page.push(ShownContact::new(
+                primitives,
+                0,
+                [x0, x1],
+                &collision.impact(),
+                distance,
+            ));
+        }
+        let query = ShownQuery::new(query, separation);
+        page.summary = query.summary();
+        page.query = Some(query);
+        page
+    }
+
+    /// The same page with lines about the answer under its title.
+    #[must_use]
+    pub fn with_summary(self, lines: impl IntoIterator<Item = String>) -> Self {
+        let summary = lines.into_iter().collect();
+        Self { summary, ..self }
+    }
+
+    /// The same page with another direction upwards; it is the z axis by default.
+    ///
+    /// A direction that is zero or not finite is ignored.
+    #[must_use]
+    pub fn with_up(self, up: Point) -> Self {
+        let is_direction = up.iter().all(|x| x.is_finite()) && up.iter().any(|&x| x != 0.0);
+        let up = if is_direction { up } else { self.up };
+        Self { up, ..self }
+    }
+
+    /// The same page with another size, in bytes, above which frames are left out.
+    #[must_use]
+    pub fn with_most_text(self, most_text: usize) -> Self {
+        Self { most_text, ..self }
+    }
+
+    /// Adds the next frame.
+    ///
+    /// # Errors
+    /// [`PageError::Positions`] if there is not one finite position for each vertex.
+    pub fn add_frame(&mut self, label: impl Into<String>, positions: &[Point]) -> Result<(), PageError> {
+        let frame = self.frame_count;
+        check_positions(self.mesh.vertex_count(), positions)
+            .map_err(|source| PageError::Positions { frame, source })?;
+        self.push_frame(label.into(), positions);
+        Ok(())
+    }
+
+    /// Adds finite positions, one for each vertex.
+    fn push_frame(&mut self, label: String, positions: &[Point]) {
+        let frame = self.frame_count;
+        let here = positions.iter().map(|&position| self.units.convert(position));
+        let block = if frame == 0 {
+            self.first = here.collect();
+            block::encode_floats(self.first.as_flattened().iter().copied())
+        } else {
+            // Vertices that stay where they are take no room: zeros are deflated to nothing.
+            let displacement = |([a, b, c], [x, y, z]): (&[f32; 3], [f32; 3])| [x - a, y - b, z - c];
+            block::encode_floats(self.first.iter().zip(here).flat_map(displacement))
+        };
+        self.frames.push(ShownFrame::new(frame, label, block));
+        self.frame_count += 1;
+        if self.frames.iter().map(ShownFrame::size).sum::<usize>() > self.most_text {
+            self.leave_out();
+        }
+        self.last.swap(0, 1);
+        self.last[1] = positions.to_vec();
+    }
+
+    /// Adds a contact of the step from the last frame but one to the last, or of the only frame at
+    /// rest.
+    ///
+    /// # Errors
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchPair`] if the contact is not
+    /// of this mesh.
+    pub fn add_contact(&mut self, contact: &Contact) -> Result<(), PageError> {
+        let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
+        let [before, last] = &self.last;
+        let start = if frame == 0 { last } else { before };
+        let shown = ShownContact::of_pair(&self.mesh, frame.saturating_sub(1), [start, last], contact);
+        self.push(shown.ok_or(PageError::NoSuchPair { pair: contact.pair })?);
+        Ok(())
+    }
+
+    /// Adds an intersection of an edge and a face in the last frame.
+    ///
+    /// # Errors
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchIntersection`] if it is not
+    /// of this mesh.
+    pub fn add_intersection(&mut self, intersection: Intersection) -> Result<(), PageError> {
+        let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
+        let shown = ShownContact::at_rest(&self.mesh, frame, &self.last[1], intersection);
+        self.push(shown.ok_or(PageError::NoSuchIntersection { intersection })?);
+        Ok(())
+    }
+
+    /// Leaves out every second frame, but not the first, the last two, and those of contacts.
+    fn leave_out(&mut self) {
+        let count = self.frames.len();
+        let mut index = 0;
+        let contacts = &self.contacts;
+        self.frames.retain(|frame| {
+            let is_end = index == 0 || index + 2 >= count;
+            let is_kept =
+                |contact: &ShownContact| contact.frame == frame.number || contact.frame + 1 == frame.number;
+            index += 1;
+            is_end || index % 2 == 1 || contacts.iter().any(is_kept)
+        });
+    }
+
+    fn push(&mut self, contact: ShownContact) {
+        self.contact_count += 1;
+        if self.contacts.len() < MOST_CONTACTS {
+            self.contacts.push(contact);
+        }
+    }
+
+    /// Writes the page as an HTML file.
+    ///
+    /// # Errors
+    /// Those of `writer`.
+    pub fn write(&self, writer: &mut impl Write) -> io::Result<()> {
+        let document = Document {
+            format: document::FORMAT,
+            title: &self.title,
+            summary: &self.summary,
+            up: self.up,
+            vertices: self.first.len(),
+            faces: self.mesh.faces().len(),
+            edges: self.mesh.loose_edges().len(),
+            centre: self.units.centre,
+            scale: self.units.scale,
+            frames: &self.frames,
+            contacts: &self.contacts,
+            contact_count: self.contact_count,
+            query: self.query.as_ref(),
+        };
+        document.write(&self.mesh, writer)
+    }
+}

@@ -1,0 +1,148 @@
+//! The page of a single query.
+
+use exact_ccd::separation::Separation;
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Stage, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_mesh::TriangleMesh;
+use serde::Serialize;
+
+use crate::contact::Primitive;
+
+/// A kind of query that a page can show.
+pub trait PageKind: Kind {
+    /// The name of the kind on the page.
+    const NAME: &'static str;
+    /// The indices of both primitives among the four points of [`Query::points`].
+    const PRIMITIVES: [&'static [u32]; 2];
+}
+
+impl PageKind for VertexFace {
+    const NAME: &'static str = "vertex-face";
+    const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[1, 2, 3]];
+}
+
+impl PageKind for EdgeEdge {
+    const NAME: &'static str = "edge-edge";
+    const PRIMITIVES: [&'static [u32]; 2] = [&[0, 1], &[2, 3]];
+}
+
+// The vertices of these two kinds occur twice among the points.
+
+impl PageKind for VertexEdge {
+    const NAME: &'static str = "vertex-edge";
+    const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[2, 3]];
+}
+
+impl PageKind for VertexVertex {
+    const NAME: &'static str = "vertex-vertex";
+    const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[2]];
+}
+
+/// The mesh of a query: its face and its edges, over its four points.
+pub(crate) fn mesh_of<K: PageKind>() -> TriangleMesh {
+    let faces = K::PRIMITIVES
+        .iter()
+        .filter_map(|&primitive| primitive.try_into().ok());
+    let edges: Vec<[u32; 2]> = K::PRIMITIVES
+        .iter()
+        .filter_map(|&primitive| primitive.try_into().ok())
+        .collect();
+    TriangleMesh::with_edges(4, faces.collect(), &edges).unwrap_or_default()
+}
+
+pub(crate) fn primitives_of<K: PageKind>() -> [Primitive; 2] {
+    K::PRIMITIVES.map(|vertices| Primitive::new(None, vertices))
+}
+
+/// A query with its answers, in the shape of the JSON object.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct ShownQuery {
+    kind: &'static str,
+    points: [[Point; 4]; 2],
+    primitives: [Primitive; 2],
+    stage: String,
+    /// The distance at which primitives count as touching.
+    separation: f64,
+    /// The intervals of contact, rounded down; both ends are the same for a moment.
+    times: Vec<[f64; 2]>,
+    /// At equidistant times from 0 to 1; none if it is above all f64.
+    distances: Vec<Option<f64>>,
+}
+
+/// The number of intervals between the times of distances.
+const INTERVALS: u32 = 120;
+
+impl ShownQuery {
+    pub(crate) fn new<K: PageKind>(query: &Query<K>, separation: Separation) -> Self {
+        let times = query.intervals_within(separation);
+        let distance = |i: u32| {
+            let bounds = query.distance_at(f64::from(i) / f64::from(INTERVALS)).ok()?;
+            bounds.upper.is_finite().then_some(bounds.lower)
+        };
+        Self {
+            kind: K::NAME,
+            points: *query.points(),
+            primitives: primitives_of::<K>(),
+            stage: stage_of(query, separation),
+            separation: separation.get(),
+            times: times
+                .iter()
+                .map(|time| [time.start.lower(), time.end.lower()])
+                .collect(),
+            distances: (0..=INTERVALS).map(distance).collect(),
+        }
+    }
+
+    /// Lines about the answer.
+    pub(crate) fn summary(&self) -> Vec<String> {
+        let touching = if self.separation > 0.0 {
+            format!("within {}", self.separation)
+        } else {
+            "contact".to_owned()
+        };
+        let times: Vec<String> = self
+            .times
+            .iter()
+            .map(|&[start, end]| interval(start, end))
+            .collect();
+        let answer = match &times[..] {
+            [] if self.separation > 0.0 => format!("never {touching}"),
+            [] => "free of contact".to_owned(),
+            [time] => format!("{touching} at t = {time}"),
+            _ => format!("{touching} at {} times: t = {}", times.len(), times.join(", ")),
+        };
+        vec![answer, format!("decided by the stage {}", self.stage)]
+    }
+}
+
+fn interval(start: f64, end: f64) -> String {
+    if start.to_bits() == end.to_bits() {
+        start.to_string()
+    } else {
+        format!("{start} to {end}")
+    }
+}
+
+/// The stage that decides, and its reason.
+fn stage_of<K: PageKind>(query: &Query<K>, separation: Separation) -> String {
+    if separation.get() > 0.0 {
+        format!("{:?}", query.first_within_with_stage(separation).1)
+    } else {
+        let (_, stage) = query.collides_with_stage();
+        format!("{stage:?}: {}", meaning(stage))
+    }
+}
+
+/// The reasons of a stage.
+fn meaning(stage: Stage) -> &'static str {
+    match stage {
+        Stage::BoundingBox => "the box around the image of the domain does not contain the origin",
+        Stage::Diagonals => "a plane across a diagonal of two axes separates",
+        Stage::Normals => "the plane of the primitives at t = 0 or t = 1 separates",
+        Stage::Coplanarity => "the cubic has no root",
+        Stage::Roots => "the roots of the cubic, and the position of the primitives at each",
+        Stage::Coincident => "comparisons of coordinates",
+        Stage::Direction => "a direction found by iteration separates",
+        Stage::Planar => "sides of lines in a plane across an axis",
+        _ => "integers",
+    }
+}

@@ -1,0 +1,216 @@
+//! Pages of steps and of sequences of frames.
+
+use exact_ccd_mesh::{Aabb, Bvh, Candidates, Contact, Intersection, Pair, Step, TriangleMesh};
+use exact_ccd_view::{MOST_CONTACTS, Page, PageError};
+use proptest::prelude::*;
+
+use crate::html::Html;
+
+const MESH: [[u32; 3]; 2] = [[0, 1, 2], [5, 4, 3]];
+const START: [[f64; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [8.0, 0.0, 0.0],
+    [0.0, 8.0, 0.0],
+    [1.0, 1.0, 1.0],
+    [1.0, 2.0, 5.0],
+    [2.0, 1.0, 5.0],
+];
+
+fn mesh() -> TriangleMesh {
+    TriangleMesh::new(6, MESH.to_vec()).unwrap()
+}
+
+/// The upper triangle, moved up.
+fn moved(height: f64) -> [[f64; 3]; 6] {
+    let mut positions = START;
+    positions[3..].iter_mut().for_each(|[_, _, z]| *z += height);
+    positions
+}
+
+fn contacts(end: &[[f64; 3]; 6]) -> Vec<Contact> {
+    let mesh = mesh();
+    let step = Step::new(&mesh, &START, end).unwrap();
+    Candidates::new(step, &Bvh).contacts(step)
+}
+
+fn page(title: &str, end: &[[f64; 3]; 6]) -> Page {
+    Page::of_step(title, Step::new(&mesh(), &START, end).unwrap(), &contacts(end)).unwrap()
+}
+
+#[test]
+fn faces_and_positions_are_read_back() {
+    let html = Html::of(&page("a step", &moved(-2.0)));
+    let mut faces = html.words("faces");
+    for i in 3..faces.len() {
+        faces[i] = faces[i].wrapping_add(faces[i - 3]);
+    }
+    assert_eq!(faces, MESH.as_flattened());
+    for (frame, expected) in [START, moved(-2.0)].iter().enumerate() {
+        let positions = html.positions(frame);
+        for (&x, &y) in positions.as_flattened().iter().zip(expected.as_flattened()) {
+            assert!((x - y).abs() <= 1e-5, "{x} for {y} in frame {frame}");
+        }
+    }
+}
+
+#[test]
+fn contacts_are_those_of_the_step_with_all_bits() {
+    let end = moved(-2.0);
+    let html = Html::of(&page("a step", &end));
+    let (json, contacts) = (html.json(), contacts(&end));
+    assert_eq!(json["contacts"].as_array().unwrap().len(), contacts.len());
+    assert_eq!(json["contactCount"], contacts.len());
+    let first = &json["contacts"][0];
+    assert_eq!(contacts[0].pair, Pair::VertexFace { vertex: 3, face: 0 });
+    assert_eq!(first["time"].as_f64(), Some(0.5));
+    assert_eq!(
+        first["primitives"][0],
+        serde_json::json!({"kind": "vertex", "id": 3, "vertices": [3]})
+    );
+    assert_eq!(
+        first["primitives"][1],
+        serde_json::json!({"kind": "face", "id": 0, "vertices": [0, 1, 2]})
+    );
+    assert_eq!(first["closest"][0], serde_json::json!([1.0, 1.0, 0.0]));
+    assert_eq!(first["normal"], serde_json::json!([0.0, 0.0, 1.0]));
+}
+
+#[test]
+fn text_of_the_user_stays_inside_of_its_element() {
+    let title = "</script><script>alert(1)</script><!-- data -->";
+    let html = Html::of(&page(title, &moved(-2.0)));
+    assert_eq!(html.json()["title"], title);
+    assert!(!html.0.contains("<script>alert"));
+}
+
+#[test]
+fn the_page_loads_nothing() {
+    let html = Html::of(&page("a step", &moved(1.0)));
+    assert!(html.0.contains("default-src 'none'"));
+    for attribute in [" src=", " href="] {
+        assert!(
+            !html.0.contains(&format!("<script{attribute}"))
+                && !html.0.contains(&format!("<link{attribute}"))
+        );
+    }
+    assert!(
+        html.0.contains("Permission is hereby granted"),
+        "the licence of three.js"
+    );
+}
+
+#[test]
+fn vertices_at_rest_take_no_room() {
+    let mesh = TriangleMesh::new(30_000, Vec::new()).unwrap();
+    let points: Vec<_> = (0..30_000)
+        .map(|i| [f64::from(i).sin(), f64::from(i).cos(), 0.1])
+        .collect();
+    let mut page = Page::new("points", mesh, &points.iter().copied().collect());
+    page.add_frame("", &points).unwrap();
+    page.add_frame("", &points).unwrap();
+    let html = Html::of(&page);
+    assert!(html.element("frame-0").len() > 100_000);
+    assert!(html.element("frame-1").len() < 3_000);
+}
+
+#[test]
+fn violations_belong_to_the_step_before_the_last_frame() {
+    let mut page = Page::new("frames", mesh(), &START.iter().copied().collect());
+    let contact = contacts(&moved(-2.0))[0];
+    assert_eq!(page.add_contact(&contact), Err(PageError::NoFrame));
+    page.add_frame("a", &moved(1.0)).unwrap();
+    page.add_frame("b", &START).unwrap();
+    page.add_frame("c", &moved(-2.0)).unwrap();
+    page.add_contact(&contact).unwrap();
+    // In the last frame, edges of the upper triangle pierce the lower one.
+    let intersection = Intersection { edge: 4, face: 0 };
+    page.add_intersection(intersection).unwrap();
+    let json = Html::of(&page).json();
+    assert_eq!(
+        (&json["contacts"][0]["frame"], &json["contacts"][1]["frame"]),
+        (&1.into(), &2.into())
+    );
+    assert_eq!(
+        json["contacts"][0]["closest"][0],
+        serde_json::json!([1.0, 1.0, 0.0])
+    );
+    assert_eq!(json["contacts"][1]["closest"][0][2].as_f64(), Some(0.0));
+}
+
+#[test]
+fn primitives_of_another_mesh_are_refused() {
+    let mut page = Page::new("frames", mesh(), &Aabb::EMPTY);
+    page.add_frame("", &START).unwrap();
+    let mut contact = contacts(&moved(-2.0))[0];
+    contact.pair = Pair::VertexFace { vertex: 3, face: 2 };
+    let error = page.add_contact(&contact).unwrap_err();
+    assert_eq!(error, PageError::NoSuchPair { pair: contact.pair });
+    let intersection = Intersection { edge: 6, face: 0 };
+    assert_eq!(
+        page.add_intersection(intersection),
+        Err(PageError::NoSuchIntersection { intersection })
+    );
+    let error = page.add_frame("", &START[1..]).unwrap_err();
+    assert!(error.to_string().starts_with("in frame 1, "), "{error}");
+}
+
+#[test]
+fn contacts_beyond_the_most_are_counted() {
+    let mut page = Page::new("frames", mesh(), &START.iter().copied().collect());
+    page.add_frame("", &START).unwrap();
+    let contact = contacts(&moved(-2.0))[0];
+    for _ in 0..MOST_CONTACTS + 5 {
+        page.add_contact(&contact).unwrap();
+    }
+    let json = Html::of(&page).json();
+    assert_eq!(json["contacts"].as_array().unwrap().len(), MOST_CONTACTS);
+    assert_eq!(json["contactCount"], MOST_CONTACTS + 5);
+}
+
+#[test]
+fn frames_of_a_long_motion_are_left_out() {
+    let mut page = Page::new("frames", mesh(), &START.iter().copied().collect()).with_most_text(1500);
+    let contact = contacts(&moved(-2.0))[0];
+    for i in 0..200 {
+        page.add_frame("", &moved(f64::from(i).sin())).unwrap();
+        if i == 71 {
+            page.add_contact(&contact).unwrap();
+        }
+    }
+    let html = Html::of(&page);
+    let json = html.json();
+    let frames = json["frames"].as_array().unwrap();
+    let numbers: Vec<u64> = frames
+        .iter()
+        .map(|frame| frame["number"].as_u64().unwrap())
+        .collect();
+    assert!(numbers.len() < 60 && numbers.is_sorted(), "{numbers:?}");
+    for kept in [0, 70, 71, 198, 199] {
+        assert!(numbers.contains(&kept), "{kept} of {numbers:?}");
+    }
+    assert_eq!(json["contacts"][0]["frame"], 70);
+    for (index, &number) in numbers.iter().enumerate() {
+        let expected = moved((number as f64).sin())[3][2];
+        assert!(
+            (html.positions(index)[3][2] - expected).abs() < 1e-5,
+            "frame {number}"
+        );
+    }
+}
+
+proptest! {
+    /// Positions of any size: numbers that a graphics card accepts, and valid JSON.
+    #[test]
+    fn positions_are_finite(
+        points in prop::collection::vec(prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO), 1..6),
+        other in prop::num::f64::NORMAL,
+    ) {
+        let mesh = TriangleMesh::new(points.len(), Vec::new()).unwrap();
+        let mut page = Page::new("points", mesh, &points.iter().copied().collect());
+        page.add_frame("", &points).unwrap();
+        page.add_frame("", &vec![[other; 3]; points.len()]).unwrap();
+        let html = Html::of(&page);
+        prop_assert!(html.words("frame-0").into_iter().chain(html.words("frame-1")).map(f32::from_bits).all(f32::is_finite));
+        prop_assert!(html.json()["scale"].as_f64().unwrap() > 0.0);
+    }
+}

@@ -1,0 +1,218 @@
+/** Each kind of page in a browser, against the output of the program. */
+
+import { mkdtempSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { type Browser, type Page } from "playwright-core";
+import { afterAll, beforeAll, describe, expect, it } from "vitest";
+import { drawn, launch, open, run } from "./browser.mjs";
+
+let browser: Browser;
+let folder: string;
+const [START, END] = ["examples/drape_start.ply", "examples/drape_contact.ply"];
+
+beforeAll(async () => {
+  folder = mkdtempSync(join(tmpdir(), "exact-ccd-viewer-"));
+  browser = await launch();
+});
+
+afterAll(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** The number of pixels of the colour of contact points in the middle of the scene. */
+async function yellowInTheMiddle(page: Page): Promise<number> {
+  const box = await page.locator("#scene").boundingBox();
+  if (box === null) throw new Error("the scene is not visible");
+  const side = 20;
+  const [x, y] = [box.x + (box.width - side) / 2, box.y + (box.height - side) / 2];
+  const picture = await page.screenshot({ clip: { x, y, width: side, height: side } });
+  return page.evaluate(async (base64) => {
+    const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
+    const bitmap = await createImageBitmap(new Blob([bytes]));
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext("2d");
+    if (context === null) throw new Error("no canvas");
+    context.drawImage(bitmap, 0, 0);
+    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
+    let count = 0;
+    for (let i = 0; i < data.length; i += 4) if (data[i] > 200 && data[i + 1] > 180 && data[i + 2] < 110) count++;
+    return count;
+  }, picture.toString("base64"));
+}
+
+const text = (page: Page, selector: string): Promise<string> => page.locator(selector).innerText();
+/** The position of the slider, which has 15 digits in Chromium. */
+const value = async (page: Page): Promise<number> => Number(await page.locator("#slider").inputValue());
+
+describe("the page of a step", () => {
+  let page: Page;
+  let problems: string[];
+  let report: { toi: number; pair: { kind: string; ids: number[] } };
+
+  beforeAll(async () => {
+    const file = join(folder, "step.html");
+    report = JSON.parse(run(["step", START, END, "--json", "--view", file])) as typeof report;
+    ({ page, problems } = await open(browser, file));
+  });
+
+  it("opens at the earliest contact, with the camera on it", async () => {
+    expect(await value(page)).toBeCloseTo(report.toi, 12);
+    const selected = page.locator(".contact[aria-selected=true]");
+    expect(await selected.getAttribute("aria-posinset")).toBe("1");
+    const row = await selected.innerText();
+    expect(row).toContain(`t = ${report.toi}`);
+    expect(report.pair.kind).toBe("vf");
+    expect(row).toContain(`vertex ${report.pair.ids[0]}`);
+    expect(row).toContain(`face ${report.pair.ids[1]} `);
+    expect(await yellowInTheMiddle(page)).toBeGreaterThan(8);
+  });
+
+  it("lists all contacts in the order of time", async () => {
+    const listed = Number(await page.locator(".contact").first().getAttribute("aria-setsize"));
+    expect(await text(page, "#count")).toBe(`${listed} contacts`);
+    expect(listed).toBeGreaterThan(1);
+    const rows = await page.locator(".contact .time").allInnerTexts();
+    const times = rows.map((row) => Number(row.split("= ")[1]));
+    expect(times).toEqual([...times].sort((a, b) => a - b));
+  });
+
+  it("jumps to another contact", async () => {
+    await page.locator("#scene").press("ArrowDown");
+    await drawn(page);
+    const selected = page.locator(".contact[aria-selected=true]");
+    expect(await selected.getAttribute("aria-posinset")).toBe("2");
+    const time = (await selected.locator(".time").innerText()).split("= ")[1];
+    expect(await value(page)).toBeCloseTo(Number(time), 12);
+    expect(await text(page, "#details")).toContain(time);
+    expect(await yellowInTheMiddle(page)).toBeGreaterThan(8);
+  });
+
+  it("finds contacts by an id", async () => {
+    await page.locator("#filter").fill(String(report.pair.ids[0]));
+    const rows = await page.locator(".contact").allInnerTexts();
+    expect(rows.length).toBeGreaterThan(0);
+    for (const row of rows) expect(row).toMatch(new RegExp(`\\b${report.pair.ids[0]}\\b`));
+    await page.locator("#filter").fill("");
+  });
+
+  it("follows the slider, the keys and the play button", async () => {
+    await page.locator("#slider").fill("0.25");
+    expect(await text(page, "#moment")).toBe("t = 0.25");
+    await page.locator("#scene").press("ArrowRight");
+    expect(await text(page, "#moment")).toBe("t = 0.26");
+    await page.locator("#scene").press("Shift+ArrowRight");
+    expect(await text(page, "#moment")).toBe("t = 1");
+    // In the browser, so that the end of the step is not reached in between.
+    const stopped = await page.evaluate(
+      () =>
+        new Promise<string>((done) => {
+          const [button, moment] = [document.getElementById("play"), document.getElementById("moment")];
+          const until = (): void => {
+            const text = moment?.textContent ?? "";
+            if (text === "t = 1" || text === "t = 0") requestAnimationFrame(until);
+            else {
+              button?.click();
+              done(text);
+            }
+          };
+          button?.click();
+          until();
+        }),
+    );
+    expect(Number(stopped.split("= ")[1])).toBeLessThan(1);
+    await drawn(page);
+    expect(await text(page, "#moment")).toBe(stopped);
+  });
+
+  it("is light or dark", async () => {
+    const background = (): Promise<string> => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
+    expect(await background()).toBe("rgb(255, 255, 255)");
+    await page.locator("#scene").press("t");
+    expect(await background()).toBe("rgb(20, 23, 26)");
+  });
+
+  it("loads nothing and reports no error", () => {
+    expect(problems).toEqual([]);
+  });
+});
+
+describe("the page of an audit", () => {
+  it("opens at the violation", async () => {
+    const file = join(folder, "audit.html");
+    const report = JSON.parse(run(["audit", START, START, END, "--json", "--view", file])) as {
+      violation: { frame: number; toi: number; pair: { ids: number[] } };
+    };
+    const { page, problems } = await open(browser, file, "dark");
+    const { frame, toi, pair } = report.violation;
+    expect(frame).toBe(1);
+    expect(await value(page)).toBeCloseTo(frame + toi, 12);
+    expect(await text(page, "#count")).toBe("1 contact");
+    const row = await text(page, ".contact");
+    expect(row).toContain(`frame 1 to 2, t = ${toi}`);
+    for (const id of pair.ids) expect(row).toMatch(new RegExp(`\\b${id}\\b`));
+    expect(await yellowInTheMiddle(page)).toBeGreaterThan(8);
+    await page.locator("#slider").fill("0.5");
+    expect(await text(page, "#moment")).toBe("frame 0 to 1, t = 0.5");
+    expect(problems).toEqual([]);
+  });
+});
+
+describe("the page of a query", () => {
+  /** Rows of a query file: numerators and denominators, and the truth. */
+  const rows = (points: number[][]): string =>
+    points.map((point) => `${point.flatMap((x) => [Math.round(100 * x), 100]).join(",")},1\n`).join("");
+  const still = [[0, -1, 0], [0, 1, 0]];
+  /** An edge that slides along itself and tilts, through another edge at rest, twice. */
+  const twice = rows([
+    [-0.2, 0.1, 0.5], [1.8, -0.3, -0.75], ...still,
+    [-1.8, -0.2, -0.75], [0.2, 0.4, 0.5], ...still,
+  ]);
+  const apart = rows([[0, 0, 1], [1, 0, 1], ...still, [0, 0, 2], [1, 0, 2], ...still]);
+
+  it("has the answers of the program", async () => {
+    const file = join(folder, "query.html");
+    const answers = run(["queries", "--kind", "ee", "--round-input", "--view", file, "-"], apart + twice).split("\n");
+    const [query, contact, count, toi] = answers[2].split(",");
+    expect([query, contact, count]).toEqual(["1", "1", "2"]);
+    const { page, problems } = await open(browser, file);
+    expect(await text(page, "#title")).toContain("Query 1 in ");
+    expect(await text(page, "#summary")).toContain(`contact at 2 times: t = ${toi}, `);
+    expect(await value(page)).toBeCloseTo(Number(toi), 12);
+    expect(await page.locator(".plot").first().locator(".accepted").count()).toBe(2);
+    expect(await page.locator(".plot").first().locator(".rejected").count()).toBe(0);
+    expect(await yellowInTheMiddle(page)).toBeGreaterThan(8);
+    // A plot chooses the time.
+    const plot = page.locator(".plot").first();
+    const box = await plot.boundingBox();
+    if (box === null) throw new Error("the plot is not visible");
+    await plot.click({ position: { x: box.width * 0.9, y: box.height / 2 } });
+    expect(await value(page)).toBeGreaterThan(0.75);
+    expect(problems).toEqual([]);
+  });
+
+  it("shows a query without contact", async () => {
+    const file = join(folder, "free.html");
+    run(["queries", "--kind", "ee", "--round-input", "--view", file, "--view-query", "0", "-"], apart + twice);
+    const { page, problems } = await open(browser, file, "dark");
+    expect(await text(page, "#summary")).toContain("free of contact");
+    expect(await page.locator(".plot .accepted").count()).toBe(0);
+    expect(await page.locator(".label").allInnerTexts()).toEqual(["a₀", "a₁", "b₀", "b₁"]);
+    expect(problems).toEqual([]);
+  });
+});
+
+describe("the page of a simulation", () => {
+  it("has a frame for each time step", async () => {
+    const file = join(folder, "simulation.html");
+    run(["simulate", "examples/scenes/small-mat-twist.toml", "--steps", "2", "--view", file]);
+    const { page, problems } = await open(browser, file);
+    expect(await page.locator("#slider").getAttribute("max")).toBe("2");
+    await page.locator("#slider").fill("1.5");
+    await drawn(page);
+    expect(await text(page, "#moment")).toBe("frame 1 to 2, t = 0.5");
+    expect(await page.locator("#contacts").isVisible()).toBe(false);
+    expect(problems).toEqual([]);
+  });
+});

@@ -1,0 +1,52 @@
+// Writes the pictures of docs/viewer.md, from the examples of the repository: `node screenshots.mjs`.
+// It needs chromium and the program, as the tests in chromium/ do.
+
+import { mkdir, mkdtemp, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { ROOT, drawn, launch, open, run } from "./chromium/browser.mjs";
+
+const output = join(ROOT, "docs/viewer");
+const folder = await mkdtemp(join(tmpdir(), "exact-ccd-viewer-"));
+await mkdir(output, { recursive: true });
+const browser = await launch();
+
+/**
+ * @param {string} name the name of the picture, and of the page
+ * @param {string[]} options the command, without --view
+ * @param {{ scheme?: "light" | "dark", input?: string, keys?: string[], slider?: string }} [how]
+ */
+async function picture(name, options, { scheme = "light", input = "", keys = [], slider } = {}) {
+  const file = join(folder, `${name}.html`);
+  run([...options, "--view", file], input);
+  const { page, problems } = await open(browser, file, scheme);
+  if (problems.length > 0) throw new Error(`${name}: ${problems.join("; ")}`);
+  if (slider !== undefined) await page.locator("#slider").fill(slider);
+  for (const key of keys) await page.locator("#scene").press(key);
+  // Nothing has the focus.
+  await page.evaluate(() => {
+    if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
+  });
+  await drawn(page);
+  await page.screenshot({ path: join(output, `${name}.png`) });
+  await page.close();
+}
+
+const [start, end] = ["examples/drape_start.ply", "examples/drape_contact.ply"];
+await picture("step", ["step", start, end]);
+await picture("step-all", ["step", start, end], { scheme: "dark", keys: ["f"], slider: "1" });
+await picture("audit", ["audit", start, "examples/drape_free.ply", start, end]);
+
+// A vertex and a face: the cubic has two roots, of which one is a contact.
+const points = [
+  [1.5, -1, 0.25], [1.5, 0.25, -1.5], [0.5, -1.5, 0], [-1, 0.25, 1.25],
+  [0.375, 0.5, -0.875], [2.4375, -0.5, -0.375], [0.3125, -0.1875, 0.9375], [-1.1875, -0.5, 0.5],
+];
+const rows = points.map((point) => `${point.map((x) => `${10000 * x},10000`).join(",")}\n`).join("");
+await picture("query", ["queries", "--kind", "vf", "-"], { input: rows });
+
+const scene = "examples/scenes/small-mat-twist.toml";
+await picture("simulation", ["simulate", scene, "--steps", "12"], { slider: "12" });
+
+await browser.close();
+await rm(folder, { recursive: true });

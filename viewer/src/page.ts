@@ -1,0 +1,84 @@
+/** The data of a page, as the crate exact-ccd-view writes it. */
+
+export type Point = readonly [number, number, number];
+
+/** A vertex, an edge or a face of the mesh. */
+export interface Primitive {
+  kind: "vertex" | "edge" | "face";
+  /** Its index in the mesh, from 0; none for the primitives of a query. */
+  id: number | null;
+  /** Its vertices, from 0. */
+  vertices: number[];
+}
+
+/** Two primitives that touch. */
+export interface Contact {
+  /** The index among `frames` of the frame at which the step of the contact begins. */
+  frame: number;
+  /** The time in this step, rounded down: 0 at the frame, 1 at the next one. */
+  time: number;
+  primitives: [Primitive, Primitive];
+  /** The points of both primitives that touch, or are closest. */
+  closest: [Point, Point];
+  /** Their distance, rounded down. */
+  distance: number;
+  /** The unit normal, from the second primitive towards the first. */
+  normal: Point | null;
+  parameters: [number, number] | null;
+}
+
+/** Two primitives in motion, with the answers about them. */
+export interface Query {
+  kind: "vertex-face" | "edge-edge" | "vertex-edge" | "vertex-vertex";
+  /** The four points at t = 0 and at t = 1. A vertex in place of an edge occurs twice. */
+  points: [Point[], Point[]];
+  primitives: [Primitive, Primitive];
+  /** The stage that decided. */
+  stage: string;
+  /** The distance at which primitives count as touching. */
+  separation: number;
+  /** The intervals of contact, their ends rounded down; both ends are the same for a moment. */
+  times: [number, number][];
+  /** The distance of the primitives at equidistant times from 0 to 1; null above all f64. */
+  distances: (number | null)[];
+}
+
+/** The frame of a motion. */
+export interface Frame {
+  /** Its number, from 0. Frames may have been left out. */
+  number: number;
+  label: string;
+}
+
+/** All of a page but the mesh and its positions. */
+export interface Page {
+  format: 1;
+  title: string;
+  /** Lines about the answer. */
+  summary: string[];
+  up: Point;
+  vertices: number;
+  faces: number;
+  /** The edges of no face. */
+  edges: number;
+  /** Positions of the mesh are centre + scale · (x, y, z). */
+  centre: Point;
+  scale: number;
+  frames: Frame[];
+  contacts: Contact[];
+  /** The number of all contacts, of which the earliest are listed. */
+  contactCount: number;
+  query: Query | null;
+}
+
+/** The page in the JSON text, or an error if another version of the program wrote it. */
+export function parsePage(text: string): Page {
+  const page = JSON.parse(text) as Page;
+  if (page.format !== 1) {
+    throw new Error(`the data of this page has format ${String(page.format)}, expected 1`);
+  }
+  // The program writes the number of a frame; its index is less if frames were left out.
+  const indices = new Map(page.frames.map(({ number }, index) => [number, index]));
+  for (const contact of page.contacts) contact.frame = indices.get(contact.frame) ?? 0;
+  return page;
+}

@@ -1,0 +1,125 @@
+/** The marks of the selected contact: its two primitives, the paths of their vertices, the point and the normal. */
+
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, type Material, Mesh, MeshBasicMaterial, Points, PointsMaterial } from "three";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
+import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
+import { type MarkColours } from "../colours";
+import { type Point } from "../page";
+import { add, cross, length, mix, subtract, times, unit } from "../vector";
+import { disc } from "./disc";
+
+/** Points at both ends of a step. */
+export interface Moving {
+  start: Point[];
+  end: Point[];
+}
+
+/** Two primitives that are marked, in units of the page. */
+export interface Marked {
+  /** The vertices of both primitives, and the corners of the faces around them. */
+  primitives: (Moving & { around: Moving })[];
+  /** The points that touch, or are closest; none for primitives that do not touch. */
+  closest: [Point, Point] | null;
+  normal: Point | null;
+}
+
+/** Marks around an origin near them, so that single precision suffices at any magnification. */
+export class Marks {
+  readonly group = new Group();
+  /** Materials are kept: a new one would be compiled again. */
+  private readonly materials = new Map<string, Material>();
+
+  /** Draws marks at time t, in place of the ones before. */
+  draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
+    this.clear();
+    const origin = closest?.[0] ?? primitives[0].start[0];
+    this.group.position.set(...origin);
+    const local = (p: Point): Point => subtract(p, origin);
+    const sides = [colours.first, colours.second];
+    const at = ({ start, end }: Moving): Point[] => start.map((vertex, i) => local(mix(vertex, end[i], t)));
+    const corners = primitives.map(at);
+    const size = Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))));
+    primitives.forEach(({ start, end, around }, side) => {
+      const own = corners[side];
+      if (paths) {
+        this.lines(start.flatMap((vertex, i) => [local(vertex), local(end[i])]), colours.path, 2, size);
+        this.points(start.map(local), colours.path, 5);
+        this.points(end.map(local), colours.path, 9);
+      }
+      this.faces(at(around), sides[side], 0.22);
+      if (own.length === 3) this.faces(own, sides[side], 0.5);
+      if (own.length > 1) this.lines(own.flatMap((vertex, i) => [vertex, own[(i + 1) % own.length]]), sides[side], 4);
+      this.points(own, sides[side], 15);
+    });
+    if (normal !== null && size > 0) this.arrow(times(0.45 * size, normal), colours.normal);
+    if (closest !== null) {
+      const [first, second] = closest.map(local);
+      this.lines([first, second], colours.contact, 3);
+      this.points([first, second], colours.contact, 10, 20);
+    }
+  }
+
+  clear(): void {
+    for (const child of [...this.group.children]) {
+      this.group.remove(child);
+      (child as Mesh).geometry.dispose();
+    }
+  }
+
+  /** Triangles, three corners each. */
+  private faces(corners: Point[], color: string, opacity: number): void {
+    if (corners.length === 0) return;
+    const material = this.material(`faces ${color} ${opacity}`, () => {
+      return new MeshBasicMaterial({ color, side: DoubleSide, transparent: true, opacity, depthWrite: false });
+    });
+    this.group.add(new Mesh(geometryOf(corners), material));
+  }
+
+  /** Discs of a size in pixels. Those of a higher order are in front of all others. */
+  private points(at: Point[], color: string, size: number, order = size): void {
+    const material = this.material(`points ${color} ${size}`, () => {
+      const depthTest = order < 12;
+      return new PointsMaterial({ color, size, depthTest, sizeAttenuation: false, map: disc(), alphaTest: 0.4, transparent: true });
+    });
+    const points = new Points(geometryOf(at), material);
+    points.renderOrder = order;
+    this.group.add(points);
+  }
+
+  /** Segments between consecutive pairs of points; dashed, if a length in proportion to the dashes is given. */
+  private lines(ends: Point[], color: string, linewidth: number, dash = 0, depthTest = true): void {
+    const geometry = new LineSegmentsGeometry();
+    geometry.setPositions(ends.flat());
+    const dashed = dash > 0;
+    const material = this.material(`lines ${color} ${linewidth} ${dashed} ${depthTest}`, () => {
+      return new LineMaterial({ color, linewidth, dashed, depthTest });
+    });
+    if (dashed) [material.dashSize, material.gapSize] = [0.05 * dash, 0.03 * dash];
+    const lines = new LineSegments2(geometry, material);
+    if (dash > 0) lines.computeLineDistances();
+    lines.frustumCulled = false;
+    // What is not hidden by faces is drawn after them.
+    lines.renderOrder = depthTest ? 0 : 1;
+    this.group.add(lines);
+  }
+
+  private material<M extends Material>(key: string, make: () => M): M {
+    const known = this.materials.get(key) ?? make();
+    this.materials.set(key, known);
+    return known as M;
+  }
+
+  private arrow(tip: Point, color: string): void {
+    const side = unit(cross(tip, Math.abs(tip[0]) < 0.7 * length(tip) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
+    const back = times(0.82, tip);
+    const wing = times(0.08 * length(tip), side);
+    this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
+  }
+}
+
+function geometryOf(points: Point[]): BufferGeometry {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(points.flat()), 3));
+  return geometry;
+}

@@ -1,0 +1,63 @@
+/** The places of the camera. */
+
+import { type Point } from "../page";
+import { add, cross, dot, length, subtract, times, unit } from "../vector";
+
+export interface Pose {
+  target: Point;
+  position: Point;
+}
+
+/** The vertical angle of the camera, in degrees. */
+export const ANGLE = 35;
+
+/** The distance at which a ball of this radius fills this fraction of the height. */
+function distanceFor(radius: number, fraction: number): number {
+  return radius / fraction / Math.sin((ANGLE / 2) * (Math.PI / 180));
+}
+
+/** A view of everything: from the front, the right and above. */
+export function overview(centre: Point, radius: number, up: Point): Pose {
+  const right = unit(cross(Math.abs(up[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0], up), [0, 0, 1]);
+  const towards = unit(add(add(times(0.55, cross(right, up)), times(-1, right)), times(0.6, up)), [0, 0, 1]);
+  return { target: centre, position: add(centre, times(distanceFor(radius, 0.8), towards)) };
+}
+
+/** The angle between the contact plane and the view of the camera. */
+const ELEVATION = (40 / 180) * Math.PI;
+
+/** The number of directions around the normal, on each side of the plane, among which the camera has the best. */
+const DIRECTIONS = 12;
+
+/**
+ * A view of a contact, with the contact point in the middle.
+ *
+ * The camera looks along the contact plane, from somewhat above it, so that the gap between the primitives can be
+ * seen as it closes. It is on the outer side of the mesh, and away from the axis around which it turns, as far as
+ * this leaves a choice. A ball around `vertices` fills a fraction of the height.
+ */
+export function contactPose(
+  point: Point,
+  normal: Point | null,
+  vertices: Point[],
+  centre: Point,
+  radius: number,
+  up: Point,
+  fraction: number,
+): Pose {
+  const outwards = unit(add(unit(subtract(point, centre), up), times(0.5, up)), up);
+  const n = unit(normal ?? outwards, up);
+  const x = unit(cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
+  const y = cross(n, x);
+  const value = (towards: Point): number => dot(towards, outwards) - 8 * Math.max(Math.abs(dot(towards, up)) - 0.8, 0);
+  const towards = [1, -1].flatMap((side) =>
+    Array.from({ length: DIRECTIONS }, (_, i): Point => {
+      const angle = ((i + 0.3) / DIRECTIONS) * 2 * Math.PI;
+      const along = add(times(Math.cos(angle), x), times(Math.sin(angle), y));
+      return add(times(Math.cos(ELEVATION), along), times(side * Math.sin(ELEVATION), n));
+    }),
+  );
+  const best = towards.reduce((a, b) => (value(b) > value(a) ? b : a));
+  const size = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))), 1e-4 * radius);
+  return { target: point, position: add(point, times(distanceFor(size, fraction), best)) };
+}

@@ -1,0 +1,117 @@
+/** The camera, the lights and the drawing of a scene, when something has changed. */
+
+import { AmbientLight, Color, DirectionalLight, type Object3D, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { type Point } from "../page";
+import { ANGLE, type Pose } from "./pose";
+
+/** The duration of a movement of the camera, in milliseconds. */
+const TRAVEL = 350;
+
+export class View {
+  readonly camera = new PerspectiveCamera(ANGLE, 1, 0.01, 100);
+  private readonly renderer: WebGLRenderer;
+  private readonly controls: OrbitControls;
+  private readonly scene = new Scene();
+  /** Drawn in front of the scene. */
+  private readonly marks = new Scene();
+  private readonly light = new DirectionalLight(0xffffff, 2.2);
+  private requested = false;
+  private travel: { from: Pose; to: Pose; start: number } | null = null;
+
+  /** `drawn` is called after each picture. `reach` is the distance of the farthest object from the origin. */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    up: Point,
+    private readonly reach: number,
+    private readonly drawn: (width: number, height: number) => void = () => undefined,
+  ) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false, powerPreference: "high-performance" });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.autoClear = false;
+    this.camera.up.set(...up);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.addEventListener("change", () => this.request());
+    this.controls.addEventListener("start", () => (this.travel = null));
+    this.scene.add(new AmbientLight(0xffffff, 1.4), this.light, this.light.target);
+    new ResizeObserver(() => this.resize()).observe(canvas);
+    this.resize();
+  }
+
+  add(object: Object3D): void {
+    this.scene.add(object);
+  }
+
+  addMark(object: Object3D): void {
+    this.marks.add(object);
+  }
+
+  setBackground(colour: string): void {
+    this.renderer.setClearColor(new Color(colour));
+    this.request();
+  }
+
+  /** Draws a picture before the next repaint. */
+  request(): void {
+    if (this.requested) return;
+    this.requested = true;
+    requestAnimationFrame((now) => {
+      this.requested = false;
+      this.draw(now);
+    });
+  }
+
+  /** The present place of the camera. */
+  get pose(): Pose {
+    return { target: this.controls.target.toArray(), position: this.camera.position.toArray() };
+  }
+
+  /** Moves the camera, at once or in a short time. */
+  go(to: Pose, atOnce: boolean): void {
+    const still = atOnce || window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.travel = still ? null : { from: this.pose, to, start: performance.now() };
+    if (still) this.set(to);
+    this.request();
+  }
+
+  private set({ target, position }: Pose): void {
+    this.controls.target.set(...target);
+    this.camera.position.set(...position);
+    this.controls.update();
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.request();
+  }
+
+  private draw(now: number): void {
+    if (this.travel !== null) {
+      const { from, to, start } = this.travel;
+      const x = Math.min((now - start) / TRAVEL, 1);
+      const s = x * x * (3 - 2 * x);
+      const between = (a: Point, b: Point): Point =>
+        new Vector3(...a).lerp(new Vector3(...b), s).toArray();
+      this.set({ target: between(from.target, to.target), position: between(from.position, to.position) });
+      if (x >= 1) this.travel = null;
+      else this.request();
+    }
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = distance / 50;
+    this.camera.far = this.camera.position.length() + 2 * this.reach;
+    this.camera.updateProjectionMatrix();
+    // The light is at the left shoulder of the viewer.
+    this.light.position.set(-0.5, 0.6, 1).applyQuaternion(this.camera.quaternion).add(this.controls.target);
+    this.light.target.position.copy(this.controls.target);
+    this.renderer.clear();
+    this.renderer.render(this.scene, this.camera);
+    this.renderer.clearDepth();
+    this.renderer.render(this.marks, this.camera);
+    const { clientWidth, clientHeight } = this.canvas;
+    this.drawn(clientWidth, clientHeight);
+  }
+}
