@@ -32,7 +32,7 @@ fn read_scene(json: &[u8], blob: Option<Vec<u8>>, folder: Option<&Path>) -> Resu
     // The validation of the crate panics for such an index.
     let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
     let accessors = primitives.flat_map(|primitive| primitive.attributes.values());
-    let mut indices = accessors.map(|accessor| accessor.value());
+    let mut indices = accessors.map(gltf::json::Index::value);
     if let Some(index) = indices.find(|&index| index >= root.accessors.len()) {
         let expected = format!("one of {} accessors", root.accessors.len());
         return Err(Fault::expected(expected, format!("accessor {index}")));
