@@ -135,21 +135,116 @@ const VTU: &[&str] = &[
     "&lt;",
 ];
 
+const VTP: &[&str] = &[
+    " ",
+    "<VTKFile type='PolyData' byte_order='LittleEndian'><PolyData><Piece>",
+    "<VTKFile type='PolyData' byte_order='BigEndian' header_type='UInt64' compressor='vtkZLibDataCompressor'>",
+    "<VTKFile type='PolyData' byte_order='LittleEndian' compressor='vtkLZ4DataCompressor'><PolyData><Piece>",
+    "<PolyData><Piece NumberOfPoints='4'>",
+    "</Piece></PolyData>",
+    "</VTKFile>",
+    "<Points><DataArray type='Float64' format='ascii'>0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>",
+    "<Points><DataArray type='Float32' format='appended' offset='0'/></Points>",
+    "<Points><DataArray type='Float32' format='binary'>",
+    "<Polys>",
+    "</Polys>",
+    "<Strips>",
+    "</Strips>",
+    "<Lines>",
+    "</Lines>",
+    "<DataArray type='Int64' Name='connectivity' format='ascii'>0 1 2 3</DataArray>",
+    "<DataArray type='UInt8' Name='offsets' format='ascii'>3</DataArray>",
+    "<DataArray type='UInt8' Name='offsets' format='appended' offset='12'/>",
+    "<AppendedData encoding='raw'>_",
+    "<AppendedData encoding='base64'>_",
+    "</AppendedData>",
+    "AQAAAAwAAAAAAAAA",
+    "\x01\0\0\0",
+    "\x0c\0\0\0",
+    "\0\0\0\0",
+    "\0\0\0\x01",
+];
+
+const VTK: &[&str] = &[
+    "\n",
+    " ",
+    "# vtk DataFile Version 3.0\n\nASCII\n",
+    "# vtk DataFile Version 5.1\n\nBINARY\n",
+    "DATASET POLYDATA\n",
+    "DATASET UNSTRUCTURED_GRID\n",
+    "POINTS 4 float\n",
+    "POINTS 1 unsigned_char\n",
+    "0 0 0 1 0 0 0 1 0 0 0 1\n",
+    "POLYGONS 1 4\n3 0 1 2\n",
+    "TRIANGLE_STRIPS 1 5\n4 0 1 2 3\n",
+    "LINES 2 2\nOFFSETS vtktypeint64\n",
+    "CONNECTIVITY int\n",
+    "CELLS 1 9\n8 0 1 2 3 0 1 2 3\n",
+    "CELL_TYPES 1\n",
+    "12 ",
+    "14 ",
+    "FIELD FieldData 1\na 1 2 float\n",
+    "METADATA\n",
+    "POINT_DATA 4\n",
+    "\0\0\0\x02",
+];
+
+const GLTF: &[&str] = &[
+    " ",
+    "{\"asset\":{\"version\":\"2.0\"},",
+    "\"scenes\":[{\"nodes\":[0]}],",
+    "\"nodes\":[{\"mesh\":0}],",
+    "\"nodes\":[{\"children\":[1]},{\"mesh\":0,\"scale\":[2,1,1]}],",
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],",
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},\"indices\":1,\"mode\":5}]}],",
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,0],     \"max\":[1,1,1]},{\"bufferView\":0,\"componentType\":5121,\"count\":9,\"type\":\"SCALAR\"}],",
+    "\"byteOffset\":8,",
+    "\"byteStride\":4,",
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],",
+    "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA\"}]}",
+    "glTF\x02\0\0\0",
+    "JSON",
+    "BIN\0",
+    "9",
+];
+
+const NPY: &[&str] = &[
+    " ",
+    "NUMPY\x01\0",
+    "\x3b\0",
+    "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 1, 3)}",
+    "{'descr': '>i2', 'fortran_order': True, 'shape': (1, 2, 3)}",
+    "{'shape': (",
+    "99999999999",
+    "0, ",
+    ")}",
+    "\0\0\0\0",
+];
+
 fuzz_target!(|bytes: &[u8]| {
     // The only error is that the bytes run out, which ends the case.
     let _ = check(&mut Unstructured::new(bytes));
 });
 
 fn check(bytes: &mut Unstructured) -> Result<()> {
-    let (format, words) = match bytes.arbitrary::<u8>()? % 6 {
+    let (format, words) = match bytes.arbitrary::<u8>()? % 12 {
         0 => (Format::Ply, PLY),
         1 => (Format::Obj, OBJ),
         2 => (Format::Stl, STL),
         3 => (Format::Off, OFF),
         4 => (Format::Msh, MSH),
-        _ => (Format::Vtu, VTU),
+        5 => (Format::Vtu, VTU),
+        6 | 7 => (Format::Vtp, VTP),
+        8 => (Format::Vtk, VTK),
+        9 => (Format::Gltf, GLTF),
+        10 => (Format::Npy, NPY),
+        _ => (Format::Npz, NPY),
     };
-    let file = file(bytes, words)?;
+    let mut file = file(bytes, words)?;
+    if format == Format::Npy {
+        // No text begins with this byte.
+        file.insert(0, 0x93);
+    }
     match parse_tet_mesh(&file) {
         Ok(mesh) => check_frame(&mesh.surface_frame().0),
         Err(error) => drop(error.to_string()),
@@ -162,6 +257,9 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
 }
 
 fn check_frame(frame: &Frame) {
+    if frame.positions.is_empty() {
+        return;
+    }
     let mut written = Vec::new();
     write_ply(&mut written, frame).expect("writing into memory cannot fail");
     let read = parse_frame(&written, Format::Ply).expect("written files are valid");

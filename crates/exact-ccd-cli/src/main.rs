@@ -1,77 +1,7 @@
-//! The `exact-ccd` program: reads files, calls the libraries and reports.
-//!
-//! Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error.
+//! The `exact-ccd` program.
 
-mod audit;
-mod bench;
-mod convert;
-mod failure;
-mod kind;
-mod method;
-mod output;
-mod progress;
-mod queries;
-mod query_files;
-mod round;
-mod shortest;
-mod simulate;
-mod step;
-mod step_report;
-mod tally;
-mod timed;
-mod view;
-
-use std::io::Write;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, value_parser};
-
-use failure::Failure;
-
-/// Exact continuous collision detection: do moving triangles touch, and when first?
-#[derive(Parser)]
-#[command(version, max_term_width = 100)]
-struct Program {
-    /// Number of threads [default: number of cores]
-    #[arg(long, global = true, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]
-    threads: Option<u16>,
-    #[command(subcommand)]
-    command: Command,
-}
-
-#[derive(Subcommand)]
-enum Command {
-    Step(step::Arguments),
-    Audit(audit::Arguments),
-    Queries(queries::Arguments),
-    Round(round::Arguments),
-    Convert(convert::Arguments),
-    Bench(bench::Arguments),
-    Simulate(simulate::Arguments),
-}
-
 fn main() -> ExitCode {
-    let program = Program::parse();
-    run(&program).unwrap_or_else(|failure| {
-        // An error of standard error itself cannot be reported.
-        let _ = writeln!(std::io::stderr(), "exact-ccd: error: {}", failure.on_one_line());
-        ExitCode::from(2)
-    })
-}
-
-fn run(program: &Program) -> Result<ExitCode, Failure> {
-    // 0 stands for the number of cores.
-    let threads = program.threads.unwrap_or(0);
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.into())
-        .build_global()?;
-    match &program.command {
-        Command::Step(arguments) => step::run(arguments),
-        Command::Audit(arguments) => audit::run(arguments),
-        Command::Queries(arguments) => queries::run(arguments),
-        Command::Round(arguments) => round::run(arguments),
-        Command::Convert(arguments) => convert::run(arguments),
-        Command::Bench(arguments) => bench::run(arguments),
-        Command::Simulate(arguments) => simulate::run(arguments),
-    }
+    exact_ccd_cli::main(std::env::args_os())
 }

@@ -6,6 +6,9 @@ use std::path::PathBuf;
 
 use exact_ccd_mesh::{FrameError, TetMeshError};
 
+use crate::format::EXTENSIONS;
+use crate::unsupported::Unsupported;
+
 /// The reason why a mesh file could not be read.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -19,10 +22,18 @@ pub enum ReadError {
         source: io::Error,
     },
     /// The extension belongs to no format.
-    #[error("{}: unknown extension, expected .ply, .obj, .stl, .off, .msh or .vtu", path.display())]
+    #[error("{}: unknown extension, expected {EXTENSIONS}", path.display())]
     Extension {
         /// The file.
         path: PathBuf,
+    },
+    /// The extension belongs to a known format for which there is no reader.
+    #[error("{}: {format}", path.display())]
+    Unsupported {
+        /// The file.
+        path: PathBuf,
+        /// The format, and the export to use instead.
+        format: Unsupported,
     },
     /// The contents do not follow the format.
     #[error("{}: {source}", path.display())]
@@ -83,13 +94,50 @@ pub enum Fault {
         /// The thing that should follow.
         expected: String,
     },
-    /// A face is not a triangle.
-    #[error("face {face} has {corners} corners, expected a triangle")]
+    /// A face has fewer than three corners.
+    #[error("face {face} has {corners} corners, expected at least 3")]
     Corners {
         /// The index of the face.
         face: usize,
         /// The number of its corners.
         corners: i64,
+    },
+    /// A face is not a triangle, where [`Polygons::Refuse`](crate::Polygons::Refuse) allows only
+    /// triangles.
+    #[error("face {face} has {corners} corners, but only triangles are allowed")]
+    Polygon {
+        /// The index of the face in the file, or of the side of a cell.
+        face: usize,
+        /// The number of its corners.
+        corners: usize,
+    },
+    /// More than two cells have the same side.
+    #[error("cells {} share one side, expected at most two", list(cells))]
+    SharedSide {
+        /// The first three of these cells.
+        cells: Vec<usize>,
+    },
+    /// The contents are not those of the format that the name of the file promises.
+    #[error("the contents are {found}, expected {expected}; {advice}")]
+    Contents {
+        /// The contents.
+        found: &'static str,
+        /// The format.
+        expected: &'static str,
+        /// The remedy.
+        advice: String,
+    },
+    /// Compressed data expand to far more than a mesh does.
+    #[error("the data expand to more than {limit} bytes, expected a mesh; decompress the file first")]
+    Expansion {
+        /// The limit, which follows from the size of the file.
+        limit: u64,
+    },
+    /// The file has no face, no edge and no point.
+    #[error("no face, no edge and no point: the file has {read}; choose a file with a mesh")]
+    Empty {
+        /// The contents of the file.
+        read: String,
     },
     /// A face, an edge or a point names a vertex that the file does not have.
     #[error(
@@ -140,6 +188,15 @@ impl Fault {
 
     pub(crate) fn at(self, place: Place) -> ParseError {
         ParseError { place, fault: self }
+    }
+}
+
+/// Numbers as `0, 1 and 2`.
+fn list(numbers: &[usize]) -> String {
+    let words: Vec<String> = numbers.iter().map(usize::to_string).collect();
+    match words.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => words.concat(),
     }
 }
 

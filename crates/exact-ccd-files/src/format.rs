@@ -1,5 +1,6 @@
 //! Formats of mesh files.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 /// A format of mesh files.
@@ -14,26 +15,88 @@ pub enum Format {
     Stl,
     /// The Object File Format of Geomview, as text.
     Off,
-    /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Tetrahedra read as
-    /// their surface.
+    /// Gmsh's MSH, version 2.2 or 4.1: text, or binary of either byte order. Cells with volume read
+    /// as their surface.
     Msh,
-    /// VTK's XML format of unstructured grids: data inline, as text or in base64, not compressed.
-    /// Tetrahedra read as their surface, and other triangles beside them as they are.
+    /// VTK's XML format of unstructured grids: data inline or appended, as text, in base64 or raw,
+    /// also compressed by zlib or LZ4. Cells with volume read as their surface, and other faces
+    /// beside them as they are.
     Vtu,
+    /// VTK's XML format of surfaces, encoded as [`Format::Vtu`].
+    Vtp,
+    /// VTK's legacy format, up to version 5.1: unstructured grids and surfaces, text or binary.
+    Vtk,
+    /// glTF 2.0, as JSON or binary (GLB).
+    Gltf,
+    /// An array of numpy: the positions of vertices.
+    Npy,
+    /// Arrays of numpy in a zip archive: the positions of vertices, and faces.
+    Npz,
 }
 
+/// All extensions of [`Format::of_path`], for error messages.
+pub(crate) const EXTENSIONS: &str =
+    ".ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, .gltf, .glb, .npy or .npz, also with .gz";
+
 impl Format {
-    /// The format that belongs to the extension of a path, in upper or lower case.
+    /// The format that belongs to the extension of a path, in upper or lower case. A last extension
+    /// `.gz` does not count.
+    ///
+    /// ```
+    /// use exact_ccd_files::Format;
+    ///
+    /// assert_eq!(Format::of_path("mesh.OBJ".as_ref()), Some(Format::Obj));
+    /// assert_eq!(Format::of_path("mesh.ply.gz".as_ref()), Some(Format::Ply));
+    /// ```
     #[must_use]
     pub fn of_path(path: &Path) -> Option<Self> {
-        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+        match extension(path)?.as_str() {
             "ply" => Some(Self::Ply),
             "obj" => Some(Self::Obj),
             "stl" => Some(Self::Stl),
             "off" => Some(Self::Off),
             "msh" => Some(Self::Msh),
             "vtu" => Some(Self::Vtu),
+            "vtp" => Some(Self::Vtp),
+            "vtk" => Some(Self::Vtk),
+            "gltf" | "glb" => Some(Self::Gltf),
+            "npy" => Some(Self::Npy),
+            "npz" => Some(Self::Npz),
             _ => None,
         }
     }
+
+    /// The name of the format, such as `Wavefront OBJ`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Ply => "PLY",
+            Self::Obj => "Wavefront OBJ",
+            Self::Stl => "STL",
+            Self::Off => "OFF",
+            Self::Msh => "Gmsh MSH",
+            Self::Vtu => "VTK UnstructuredGrid",
+            Self::Vtp => "VTK PolyData",
+            Self::Vtk => "legacy VTK",
+            Self::Gltf => "glTF",
+            Self::Npy => "numpy .npy",
+            Self::Npz => "numpy .npz",
+        }
+    }
+}
+
+/// The extension of a path in lower case, without a last `.gz`.
+pub(crate) fn extension(path: &Path) -> Option<String> {
+    let path = if is_gzip(path) {
+        Path::new(path.file_stem()?)
+    } else {
+        path
+    };
+    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+}
+
+/// Returns true if the last extension of a path is `.gz`.
+pub(crate) fn is_gzip(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|last: &OsStr| last.eq_ignore_ascii_case("gz"))
 }

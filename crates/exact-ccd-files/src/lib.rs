@@ -1,4 +1,4 @@
-//! Mesh files: PLY, OBJ, STL, OFF, Gmsh and VTK, read and written exactly.
+//! Mesh files: PLY, OBJ, STL, OFF, Gmsh, VTK, glTF and numpy, read exactly, and written.
 //!
 //! ```no_run
 //! use exact_ccd_files::{read_motion, write_ply};
@@ -19,7 +19,9 @@
 //! | a mesh in motion, [`Motion`] | [`read_motion`] | | |
 //! | a body of tetrahedra, [`TetMesh`] | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
 //! | tetrahedra, triangles, lines and points, [`UnstructuredGrid`] | | | [`write_vtu`] |
-//! | a sequence of files, one for each time | [`read_pvd`] | | [`write_pvd`] |
+//! | the same, and its contents in numbers, [`MeshFile`] | [`MeshFile::read`] | [`MeshFile::parse`] | |
+//! | a sequence of frames, [`FrameSequence`] | [`FrameSequence::open`] | | |
+//! | a sequence of files, one for each time | [`read_pvd`], [`read_series`] | | [`write_pvd`] |
 //!
 //! [`Frame`]: exact_ccd_mesh::Frame
 //! [`Motion`]: exact_ccd_mesh::Motion
@@ -35,17 +37,25 @@
 //! one. Of tetrahedra, only listed points of VTK are kept; Gmsh lists points for its geometry.
 //!
 //! No bytes make a reader panic. Memory stays proportional to the size of the file.
+//! `docs/files.md` in the repository says what each format becomes.
 
+mod contents;
 mod error;
 mod format;
+mod frame_order;
 mod read;
+mod unsupported;
 mod write;
 
+pub use contents::Contents;
 pub use error::{Fault, ParseError, Place, ReadError};
 pub use format::Format;
+pub use frame_order::{FrameOrder, Missing};
 pub use read::{
-    ReadMotionError, parse_frame, parse_tet_mesh, read_frame, read_motion, read_pvd, read_tet_mesh,
+    FrameSequence, MeshFile, Polygons, ReadMotionError, parse_frame, parse_tet_mesh, read_frame, read_motion,
+    read_pvd, read_series, read_tet_mesh,
 };
+pub use unsupported::Unsupported;
 pub use write::{UnstructuredGrid, write_obj, write_ply, write_pvd, write_vtu};
 
 /// The examples in the README of the repository, as tests.

@@ -177,7 +177,8 @@ fn the_extension_determines_the_format_in_any_case() {
     assert_eq!(format("ply"), None);
     assert_eq!(format("b.msh"), Some(Format::Msh));
     assert_eq!(format("b.vtu"), Some(Format::Vtu));
-    assert_eq!(format("b.vtk"), None);
+    assert_eq!(format("b.vtk.GZ"), Some(Format::Vtk));
+    assert_eq!(format("b.abc"), None);
 }
 
 /// Finite numbers, most of them of common magnitude, some at the ends of the range.

@@ -8,13 +8,18 @@ use exact_ccd_files::{Format, parse_frame};
 use exact_ccd_mesh::Frame;
 use proptest::prelude::*;
 
-const FORMATS: [Format; 6] = [
+const FORMATS: [Format; 11] = [
     Format::Ply,
     Format::Obj,
     Format::Stl,
     Format::Off,
     Format::Msh,
     Format::Vtu,
+    Format::Vtp,
+    Format::Vtk,
+    Format::Gltf,
+    Format::Npy,
+    Format::Npz,
 ];
 
 /// One file of each encoding, with two triangles.

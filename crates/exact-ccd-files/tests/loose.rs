@@ -202,10 +202,7 @@ fn vtk_errors_name_the_cell() {
         assert_error(
             vtu(connectivity, offsets, types),
             Format::Vtu,
-            &format!(
-                "line 4: expected points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), \
-                 found {found}"
-            ),
+            &format!("line 4: expected a linear cell (types 1 to 14), found {found}"),
         );
     }
     assert_error(

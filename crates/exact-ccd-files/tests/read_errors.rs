@@ -48,8 +48,8 @@ fn ply_text() {
     );
     let vertices = "0 0 0\n1 0 0\n0 1 0\n";
     let error = |face: &str, message| assert_ply_text_error(&format!("{vertices}{face}\n"), message);
-    error("4 0 1 2 3", "line 13: face 0 has 4 corners, expected a triangle");
-    error("-1", "line 13: face 0 has -1 corners, expected a triangle");
+    error("2 0 1", "line 13: face 0 has 2 corners, expected at least 3");
+    error("-1", "line 13: face 0 has -1 corners, expected at least 3");
     error(
         "3 0 1 3",
         "line 13: face 0 names vertex 3, but there are 3 vertices, counted from 0",
@@ -102,7 +102,11 @@ fn ply_binary() {
         "the file ends, expected row 0 of the 1 of element `face`",
     );
     let face = |face: &[u8]| [&vertices, face].concat();
-    error(&face(&[5]), 72, "face 0 has 5 corners, expected a triangle");
+    error(
+        &face(&[1, 0, 0, 0, 0]),
+        72,
+        "face 0 has 1 corners, expected at least 3",
+    );
     error(
         &face(&[3, 0, 0, 0, 0, 9, 0, 0, 0]),
         77,
@@ -146,8 +150,8 @@ fn ply_headers() {
     let error = assert_ply_header_error;
     error("", "line 1: the file ends, expected `ply`");
     error(
-        "PK\u{3}\u{4}\u{14}\n",
-        "line 1: expected `ply`, found `PK\\u{3}\\u{4}\\u{14}`",
+        "PK\u{3}\u{5}\u{14}\n",
+        "line 1: expected `ply`, found `PK\\u{3}\\u{5}\\u{14}`",
     );
     error(
         "ply\nformat ascii 1.0\n",
@@ -225,11 +229,10 @@ fn obj() {
         assert_error(Format::Obj, format!("{triangle}f 1 2 3\n{face}\n"), message);
     };
     error("", "line 1: the file ends, expected a statement `v`");
-    error("\u{7f}ELF\n\n", "line 3: the file ends, expected a statement `v`");
+    error("\u{7f}elk\n\n", "line 3: the file ends, expected a statement `v`");
     error("v 0 0\n", "line 1: expected a number, found the end of the line");
     error("\nv 0 \\\n0 o\n", "line 2: expected a number, found `o`");
-    face("f 1 2 3 1", "line 5: face 1 has 4 corners, expected a triangle");
-    face("f 1 2", "line 5: face 1 has 2 corners, expected a triangle");
+    face("f 1 2", "line 5: face 1 has 2 corners, expected at least 3");
     face(
         "f 1 2 4",
         "line 5: face 1 names vertex 4, but there are 3 vertices, counted from 1",
@@ -289,8 +292,8 @@ fn off() {
         "line 5: the file ends, expected face 1 of 2",
     );
     error(
-        "OFF\n1 1 0\n0 0 0\n4 0 0 0 0\n",
-        "line 4: face 0 has 4 corners, expected a triangle",
+        "OFF\n1 1 0\n0 0 0\n0\n",
+        "line 4: face 0 has 0 corners, expected at least 3",
     );
     let message = "line 4: face 0 names vertex 1, but there are 1 vertices, counted from 0";
     error("OFF\n1 1 0\n0 0 0\n3 0 0 1\n", message);
@@ -333,11 +336,11 @@ fn stl() {
     );
     error(
         &format!("{facet}endloop\n"),
-        "line 6: face 0 has 2 corners, expected a triangle",
+        "line 6: expected 3 corners of face 0, found 2",
     );
     error(
         &format!("{facet}{vertices}endloop\n"),
-        "line 8: face 0 has 4 corners, expected a triangle",
+        "line 8: expected 3 corners of face 0, found 4",
     );
     error(&facet, "line 6: the file ends, expected `vertex` or `endloop`");
     error(

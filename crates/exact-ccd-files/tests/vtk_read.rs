@@ -149,7 +149,7 @@ fn each_error_names_its_line() {
         (
             "LittleEndian\"",
             "LittleEndian\" compressor=\"zlib\"",
-            "line 2: expected data that are not compressed, found `zlib`",
+            "line 2: expected data compressed by zlib, by LZ4 or not, found `zlib`",
         ),
         (
             "\"UInt64\"",
@@ -159,7 +159,7 @@ fn each_error_names_its_line() {
         (
             "\"UInt64\"",
             "\"UInt32\"",
-            "line 6: expected as many bytes as the array begins with, found others",
+            "line 6: expected 72 bytes, as the array begins with, found more",
         ),
         (
             "<Points>",
@@ -168,13 +168,13 @@ fn each_error_names_its_line() {
         ),
         (
             "\"Float64\"",
-            "\"Int8\"",
-            "line 6: expected `Float64` or `Float32`, found `Int8`",
+            "\"String\"",
+            "line 6: expected `Float32`, `Float64` or a type of integers, found `String`",
         ),
         (
             "\"binary\"",
             "\"appended\"",
-            "line 6: expected format `ascii` or `binary`, found `appended`",
+            "line 6: expected an attribute `offset`, found none",
         ),
         ("\"binary\"", "\"ascii\"", ""),
         (
@@ -185,7 +185,7 @@ fn each_error_names_its_line() {
         (
             "\"Int64\"",
             "\"Float64\"",
-            "line 9: expected `Int64`, `Int32` or `UInt8`, found `Float64`",
+            "line 9: expected `Int8` to `UInt64`, found `Float64`",
         ),
     ] {
         let file = changed(from, to);
@@ -250,15 +250,13 @@ fn invalid_cells_are_errors() {
             "0 1 2",
             "3",
             "9",
-            "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found cell 0 of type \
-             9 with 3 corners",
+            "a linear cell (types 1 to 14), found cell 0 of type 9 with 3 corners",
         ),
         (
             "0 1",
             "2",
             "5",
-            "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10), found cell 0 of type \
-             5 with 2 corners",
+            "a linear cell (types 1 to 14), found cell 0 of type 5 with 2 corners",
         ),
         ("0 1 2 0", "3", "5", "3 corners, found 4"),
     ] {

@@ -297,6 +297,7 @@ fn neighbours_are_left_out() {
     let opposite = PairCounts {
         vertex_face: 4,
         edge_edge: 3,
+        ..PairCounts::default()
     };
     assert_eq!(report.candidates, opposite);
     assert_eq!(report.touching, opposite);

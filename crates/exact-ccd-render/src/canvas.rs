@@ -93,6 +93,39 @@ impl Canvas {
         }
     }
 
+    /// Draws a ball with a radius in pixels. `colour` is that of a point of its surface with a normal to the
+    /// right, upwards and towards the viewer.
+    pub(crate) fn ball(&mut self, [x, y, near]: Point, radius: f64, colour: &impl Fn(Point) -> Colour) {
+        for row in self.pixels(1, y - radius, y + radius) {
+            for column in self.pixels(0, x - radius, x + radius) {
+                let right = (column as f64 + 0.5 - x) / radius;
+                let up = (y - row as f64 - 0.5) / radius;
+                let squared = 1.0 - right * right - up * up;
+                if squared >= 0.0 {
+                    let towards = squared.sqrt();
+                    self.set(column, row, near + radius * towards, colour([right, up, towards]));
+                }
+            }
+        }
+    }
+
+    /// Draws a tube between two points as a row of balls, with a radius in pixels at each point.
+    pub(crate) fn tube(&mut self, [a, b]: [Point; 2], radii: [f64; 2], colour: impl Fn(Point) -> Colour) {
+        let Some([from, to]) = self.clip(a, b, radii[0].max(radii[1])) else {
+            return;
+        };
+        let mix = |a: f64, b: f64, s: f64| a + (b - a) * s;
+        let length = (to - from) * (b[0] - a[0]).abs().max((b[1] - a[1]).abs());
+        // The part in and near the picture is short, unless the balls are larger than the picture.
+        let most = 4.0 * (self.size[0] + self.size[1]) as f64;
+        let steps = length.ceil().clamp(1.0, most.max(1.0));
+        for step in 0..=steps as usize {
+            let s = mix(from, to, step as f64 / steps);
+            let centre = [0, 1, 2].map(|axis: usize| mix(a[axis], b[axis], s));
+            self.ball(centre, mix(radii[0], radii[1], s), &colour);
+        }
+    }
+
     /// The part of a line in the picture extended by `margin` on each side, with 0 at `a` and 1 at `b`.
     fn clip(&self, a: Point, b: Point, margin: f64) -> Option<[f64; 2]> {
         let mut part = [0.0, 1.0];

@@ -26,7 +26,7 @@ mod view;
 pub use animation::{Animation, write_apng};
 pub use marks::Marks;
 pub use picture::Picture;
-pub use scene::render;
+pub use scene::{render, render_thick};
 pub use view::View;
 
 /// The examples in the README of this crate, as tests.

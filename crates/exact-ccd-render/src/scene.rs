@@ -39,6 +39,15 @@ const SHORTEST: f64 = 5.0;
 /// faces and edges.
 #[must_use]
 pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
+    render_thick(frame, view, marks, &[])
+}
+
+/// As [`render`], with rods as tubes and points as balls.
+///
+/// `radii` has a radius for each vertex, in the unit of the positions; vertices without one have radius 0,
+/// and are lines and dots. Tubes and balls have the colour of their part. All points are one part.
+#[must_use]
+pub fn render_thick(frame: &Frame, view: &View, marks: &Marks, radii: &[f64]) -> Picture {
     let samples = SAMPLES as f64;
     let size = view.size.map(|pixels| usize::from(pixels) * SAMPLES);
     let mut canvas = Canvas::new(size, BACKGROUND);
@@ -50,23 +59,24 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
     let at = |vertex: u32| seen.get(vertex as usize).copied().unwrap_or([f64::NAN; 3]);
 
     let light = light(view);
+    let lamp = view.axes.map(|axis| dot(axis, light));
+    let radius = |vertex: u32| {
+        let radius = radii.get(vertex as usize).copied().unwrap_or(0.0);
+        radius * view.scale * samples
+    };
     let mut is_marked = vec![false; frame.mesh.faces().len()];
     for &face in &marks.faces {
         if let Some(marked) = is_marked.get_mut(face as usize) {
             *marked = true;
         }
     }
-    let parts = parts(&frame.mesh);
-    for ((face, is_marked), part) in frame.mesh.faces().iter().zip(is_marked).zip(parts) {
-        let colour = if is_marked {
-            MARK
-        } else {
-            SURFACES[part % SURFACES.len()]
-        };
+    let parts = Parts::new(&frame.mesh);
+    for (face, is_marked) in frame.mesh.faces().iter().zip(is_marked) {
+        let colour = if is_marked { MARK } else { parts.colour(face[0]) };
         let [a, b, c] = face.map(|vertex| position(frame, vertex));
         let normal = unit(cross(minus(b, a), minus(c, a)));
         let brightness = 0.35 + 0.65 * normal.map_or(0.0, |normal| dot(normal, light).abs());
-        canvas.triangle(face.map(at), colour.map(|x| (f64::from(x) * brightness) as u8));
+        canvas.triangle(face.map(at), dimmed(colour, brightness));
     }
     let lifted = |vertex: u32, times: f64| {
         let [x, y, near] = at(vertex);
@@ -84,11 +94,21 @@ pub fn render(frame: &Frame, view: &View, marks: &Marks) -> Picture {
             canvas.line(lifted(a, 1.0), lifted(b, 1.0), 1.0, EDGE);
         }
     }
+    let ball = |colour: Colour| move |normal: Point| dimmed(colour, 0.35 + 0.65 * dot(normal, lamp).max(0.0));
     for &[a, b] in rods {
-        canvas.line(lifted(a, 1.0), lifted(b, 1.0), samples, EDGE);
+        let radii = [a, b].map(radius);
+        if radii.into_iter().any(|radius| radius > 0.0) {
+            canvas.tube([at(a), at(b)], radii, ball(parts.colour(a)));
+        } else {
+            canvas.line(lifted(a, 1.0), lifted(b, 1.0), samples, EDGE);
+        }
     }
     for vertex in frame.mesh.loose_vertices().take(frame.positions.len()) {
-        canvas.dot(lifted(vertex, 1.0), 3.0 * samples, EDGE);
+        if radius(vertex) > 0.0 {
+            canvas.ball(at(vertex), radius(vertex), &ball(parts.colour(vertex)));
+        } else {
+            canvas.dot(lifted(vertex, 1.0), 3.0 * samples, EDGE);
+        }
     }
     for &[a, b] in &marks.edges {
         canvas.line(lifted(a, 2.0), lifted(b, 2.0), 2.0 * samples, MARK);
@@ -105,28 +125,59 @@ fn position(frame: &Frame, vertex: u32) -> Point {
     position.unwrap_or([f64::NAN; 3])
 }
 
-/// The number of the connected part of each face. Parts are numbered in the order of their first faces.
-fn parts(mesh: &TriangleMesh) -> Vec<usize> {
-    // Memory is proportional to the faces and edges, and all indices are below the count.
-    let (mesh, _) = mesh.without_loose_vertices();
-    let mut parent: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
-    let root = |parent: &mut [u32], mut vertex: u32| {
-        while parent[vertex as usize] != vertex {
-            parent[vertex as usize] = parent[parent[vertex as usize] as usize];
-            vertex = parent[vertex as usize];
+/// A colour with a brightness between 0 and 1.
+fn dimmed(colour: Colour, brightness: f64) -> Colour {
+    colour.map(|x| (f64::from(x) * brightness) as u8)
+}
+
+/// The connected parts of a mesh, numbered in the order of their first faces, then of their first rods. All
+/// points are the last part.
+struct Parts {
+    /// The vertices of faces and edges, increasing.
+    vertices: Vec<u32>,
+    /// The part of each of them.
+    parts: Vec<usize>,
+    count: usize,
+}
+
+impl Parts {
+    fn new(mesh: &TriangleMesh) -> Self {
+        // Memory is proportional to the faces and edges, and all indices are below the count.
+        let (mesh, vertices) = mesh.without_loose_vertices();
+        let mut parent: Vec<u32> = (0..mesh.vertex_count() as u32).collect();
+        let root = |parent: &mut [u32], mut vertex: u32| {
+            while parent[vertex as usize] != vertex {
+                parent[vertex as usize] = parent[parent[vertex as usize] as usize];
+                vertex = parent[vertex as usize];
+            }
+            vertex
+        };
+        for &[a, b] in mesh.edges() {
+            let [a, b] = [a, b].map(|vertex| root(&mut parent, vertex));
+            parent[a as usize] = b;
         }
-        vertex
-    };
-    for &[a, b] in mesh.edges() {
-        let [a, b] = [a, b].map(|vertex| root(&mut parent, vertex));
-        parent[a as usize] = b;
+        let mut numbers = HashMap::new();
+        let first_corners = mesh.faces().iter().map(|face| face[0]);
+        for vertex in first_corners.chain(mesh.loose_edges().iter().map(|edge| edge[0])) {
+            let next = numbers.len();
+            numbers.entry(root(&mut parent, vertex)).or_insert(next);
+        }
+        let part = |vertex: u32| numbers.get(&root(&mut parent, vertex)).copied().unwrap_or(0);
+        let parts = (0..mesh.vertex_count() as u32).map(part).collect();
+        let count = numbers.len();
+        Self {
+            vertices,
+            parts,
+            count,
+        }
     }
-    let mut numbers = HashMap::new();
-    let number = |[vertex, ..]: &[u32; 3]| {
-        let next = numbers.len();
-        *numbers.entry(root(&mut parent, *vertex)).or_insert(next)
-    };
-    mesh.faces().iter().map(number).collect()
+
+    /// The colour of the part of a vertex.
+    fn colour(&self, vertex: u32) -> Colour {
+        let place = self.vertices.binary_search(&vertex);
+        let part = place.map_or(self.count, |place| self.parts[place]);
+        SURFACES[part % SURFACES.len()]
+    }
 }
 
 /// A direction from above the viewer's right shoulder.

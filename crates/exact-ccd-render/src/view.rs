@@ -10,7 +10,7 @@ pub struct View {
     /// The coordinates of the centre of the picture along the axes.
     middle: Point,
     /// Pixels per unit of length.
-    scale: f64,
+    pub(crate) scale: f64,
     /// Width and height in pixels.
     pub(crate) size: [u16; 2],
 }

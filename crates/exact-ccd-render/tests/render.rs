@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::io::{Cursor, ErrorKind};
 
 use exact_ccd_mesh::{Aabb, Frame, Pair, Point};
-use exact_ccd_render::{Animation, Marks, Picture, View, render, write_apng};
+use exact_ccd_render::{Animation, Marks, Picture, View, render, render_thick, write_apng};
 use proptest::prelude::*;
 
 const ABOVE: Point = [0.0, 0.0, 1.0];
@@ -239,5 +239,48 @@ proptest! {
         };
         let picture = render(&frame, &View::of(&bounds, towards, size), &marks);
         prop_assert_eq!(picture.pixels().len(), usize::from(size[0]) * usize::from(size[1]));
+    }
+}
+
+/// A rod and a point with a radius cover their silhouettes; the nearer ball hides the farther one.
+#[test]
+fn rods_are_tubes_and_points_are_balls() {
+    let positions = vec![[2.0, 3.0, 0.0], [8.0, 3.0, 0.0], [5.0, 7.0, 0.0], [5.0, 7.5, 2.0]];
+    let frame = Frame::with_edges(positions, Vec::new(), &[[0, 1]]).unwrap();
+    let view = View::of(&ten_units(), ABOVE, [100, 100]);
+    let radii = [1.0, 1.0, 1.0, 0.5];
+    let picture = render_thick(&frame, &view, &Marks::default(), &radii);
+    let is_drawn = |x: usize, y: usize| pixel(&picture, x, 99 - y) != WHITE;
+    for (x, y, inside) in [
+        (50, 38, true),
+        (50, 42, false),
+        (12, 30, true),
+        (8, 30, false),
+        // The ends are round.
+        (12, 38, false),
+        (50, 62, true),
+        (50, 58, false),
+        (42, 78, false),
+    ] {
+        assert_eq!(is_drawn(x, y), inside, "{x}, {y}");
+    }
+    // The small ball is nearer and covers the upper part of the large one, up to its own silhouette.
+    let alone = render_thick(&frame, &view, &Marks::default(), &radii[..3]);
+    let differs = |x: usize, y: usize| pixel(&picture, x, 99 - y) != pixel(&alone, x, 99 - y);
+    assert!(differs(48, 77) && !differs(43, 70) && !differs(50, 65));
+    // Without radii, rods are lines and points are dots.
+    let thin = render(&frame, &view, &Marks::default());
+    assert_eq!(thin, render_thick(&frame, &view, &Marks::default(), &[0.0; 4]));
+    assert_eq!(pixel(&thin, 50, 99 - 34), WHITE);
+}
+
+/// No radius and no position causes a panic or an endless loop.
+#[test]
+fn strange_radii_are_harmless() {
+    let far = [[1e300, 0.0, 0.0], [-1e300, 1e300, 0.0], [f64::MAX; 3], [0.0; 3]];
+    let frame = Frame::with_edges(far.to_vec(), Vec::new(), &[[0, 1], [1, 2]]).unwrap();
+    let view = View::of(&ten_units(), ABOVE, [20, 20]);
+    for radius in [f64::NAN, f64::INFINITY, -1.0, 1e-300, 1e300, f64::MAX] {
+        let _ = render_thick(&frame, &view, &Marks::default(), &[radius; 4]);
     }
 }

@@ -1,5 +1,7 @@
 //! Bodies and their materials.
 
+use core::f64::consts::PI;
+
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +16,9 @@ pub struct Body {
     pub kind: BodyKind,
     /// The initial velocity of all vertices, in m/s.
     pub velocity: Point,
+    /// The offset of its contact surface from its mesh, in m: half of its thickness for contact. Two bodies
+    /// keep their meshes farther apart than the sum of their offsets, and so do two parts of one body.
+    pub offset: f64,
 }
 
 /// The kind of a [`Body`].
@@ -32,6 +37,18 @@ pub enum BodyKind {
         faces: Vec<[u32; 3]>,
         /// Its material.
         material: ShellProperties,
+    },
+    /// A thin elastic rod, or several of them. They do not resist twist.
+    Rod {
+        /// Its edges. The rods bend at the vertices of two edges; more than two edges are hinged.
+        edges: Vec<[u32; 2]>,
+        /// Its material.
+        material: RodProperties,
+    },
+    /// Particles: all points of the body. They do not rotate.
+    Particles {
+        /// Their material.
+        material: ParticleProperties,
     },
     /// A surface without mass, which rests unless a script moves it.
     Obstacle {
@@ -69,6 +86,47 @@ pub struct ShellProperties {
     pub thickness: f64,
 }
 
+/// The material of a rod with a circular cross section.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct RodProperties {
+    /// The mass density, in kg/m³.
+    pub density: f64,
+    /// Young's modulus, in Pa.
+    pub young: f64,
+    /// The radius of the cross section, in m. It enters mass and stiffness, but not contact.
+    pub radius: f64,
+}
+
+/// The material of particles, which are balls.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct ParticleProperties {
+    /// The mass density, in kg/m³.
+    pub density: f64,
+    /// The radius, in m. It enters the mass, but not contact.
+    pub radius: f64,
+}
+
+impl Body {
+    /// The body at rest, without an offset.
+    #[must_use]
+    pub fn new(points: Vec<Point>, kind: BodyKind) -> Self {
+        Self {
+            points,
+            kind,
+            velocity: [0.0; 3],
+            offset: 0.0,
+        }
+    }
+
+    /// The same body with another offset of its contact surface, in m.
+    #[must_use]
+    pub fn with_offset(self, offset: f64) -> Self {
+        Self { offset, ..self }
+    }
+}
+
 impl SolidProperties {
     /// The elastic moduli.
     #[must_use]
@@ -84,5 +142,33 @@ impl ShellProperties {
     pub fn moduli(&self) -> ElasticModuli {
         let Self { young, poisson, .. } = *self;
         ElasticModuli { young, poisson }
+    }
+}
+
+impl RodProperties {
+    /// The area A = π r² of the cross section, in m².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        PI * self.radius * self.radius
+    }
+
+    /// The axial stiffness E A, in N.
+    #[must_use]
+    pub fn axial_stiffness(&self) -> f64 {
+        self.young * self.area()
+    }
+
+    /// The flexural rigidity E I, with the second moment of area I = π r⁴ / 4, in N m².
+    #[must_use]
+    pub fn flexural_rigidity(&self) -> f64 {
+        0.25 * self.axial_stiffness() * self.radius * self.radius
+    }
+}
+
+impl ParticleProperties {
+    /// The mass of a particle, in kg.
+    #[must_use]
+    pub fn mass(&self) -> f64 {
+        4.0 / 3.0 * PI * self.density * self.radius.powi(3)
     }
 }

@@ -96,35 +96,56 @@ impl StepFilter {
         &self.name
     }
 
+    /// True if the method is the exact one, which alone decides when surfaces with offsets come too near.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.method.guarantees().time == TimeGuarantee::Exact
+    }
+
     /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if
     /// all of the step is free. `candidates` has all pairs that can touch in the step.
+    ///
+    /// The exact method decides for the minimum distance of the candidates, which is the sum of the offsets
+    /// of two surfaces. Other methods decide contact, whatever the minimum distance.
     #[must_use]
     pub fn free_part(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
         self.observe(candidates, step);
         if let Search::Bisection = self.search {
             return self.bisect(candidates, step);
         }
-        let is_exact = self.method.guarantees().time == TimeGuarantee::Exact;
-        match candidates.earliest_time_by(step, &*self.method) {
+        let earliest = if self.is_exact() {
+            let contact = candidates.earliest_contact(step);
+            contact.map(|contact| contact.impact.time.lower())
+        } else {
+            candidates.earliest_time_by(step, &*self.method)
+        };
+        match earliest {
             None => 1.0,
-            Some(time) if time > 0.0 || is_exact => time.min(LARGEST_BLOCKED),
+            Some(time) if time > 0.0 || self.is_exact() => time.min(LARGEST_BLOCKED),
             // A conservative time of 0 proves no contact at the start.
             Some(_) => self.bisect(candidates, step),
         }
     }
 
-    /// Returns true if a step is free of contact, according to the method.
+    /// Returns true if a step is free of contact, as for [`free_part`](Self::free_part).
     #[must_use]
     pub fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
         self.observe(candidates, step);
-        candidates.is_free_by(step, &*self.method)
+        self.decide(candidates, step)
+    }
+
+    fn decide(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+        if self.is_exact() {
+            candidates.is_free(step)
+        } else {
+            candidates.is_free_by(step, &*self.method)
+        }
     }
 
     fn bisect(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
         bisect(TOLERANCE, |part| {
             let end = step.at(part);
-            Step::new(step.mesh(), step.positions()[0], &end)
-                .is_ok_and(|step| candidates.is_free_by(step, &*self.method))
+            Step::new(step.mesh(), step.positions()[0], &end).is_ok_and(|step| self.decide(candidates, step))
         })
     }
 

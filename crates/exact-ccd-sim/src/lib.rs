@@ -35,6 +35,7 @@
 //! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. Results may
 //! differ between processors, because the sparse solver selects vector instructions at run time.
 
+mod bends;
 mod body;
 mod checkpoint;
 pub mod contact;
@@ -58,7 +59,7 @@ mod state;
 mod statistics;
 mod system;
 
-pub use body::{Body, BodyKind, ShellProperties, SolidProperties};
+pub use body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 pub use checkpoint::Checkpoint;
 pub use element::{Element, Matrix12, Vector12};
 pub use filter::StepFilter;

@@ -19,7 +19,8 @@ pub struct Statistics {
     /// The number of collisions at the end: pairs of features within the contact distance. A pair of
     /// features counts once, even if several pairs of primitives share it.
     pub contacts: usize,
-    /// The least distance at the end, in m. `None` if there is no collision.
+    /// The least distance at the end between two surfaces, which are offset from their meshes, in m. `None`
+    /// if there is no collision.
     pub minimal_distance: Option<f64>,
     /// The stiffness κ of the barrier, in kg/m². `None` before the first contact.
     pub stiffness: Option<f64>,

@@ -4,7 +4,8 @@
 
 use std::path::Path;
 
-use exact_ccd_mesh::{Aabb, Point, TriangleMesh, intersections, step};
+use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd_mesh::{Aabb, Audit, MinDistance, Point, TriangleMesh, intersections, step};
 use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, StepFilter, System, shapes};
 
@@ -121,6 +122,42 @@ fn the_cloth_stays_outside_of_the_sphere() {
     for [x, y, z] in moving(&simulation, simulation.state()) {
         assert!(x.hypot(y).hypot(z) > 0.29);
     }
+}
+
+/// The path keeps the sum of the offsets of both bodies, and so the least sum of two offsets, by audits
+/// with a minimum distance.
+#[test]
+fn cloth_knot_and_particles_keep_their_thickness() {
+    let scene = scene("cloth-knot-particles.toml");
+    let system = &scene.system;
+    let offsets = Thickness::new(&system.surface_offsets()).unwrap();
+    let least = Separation::new(0.01).unwrap();
+    let mut audits =
+        [MinDistance::thickness(offsets), MinDistance::uniform(least)].map(Audit::with_min_distance);
+    let mut simulation = scene.simulation().unwrap();
+    let mut examine = |positions: &[Point]| {
+        let frame = system.surface_frame(positions).unwrap();
+        for audit in &mut audits {
+            assert_eq!(audit.examine(frame.clone()).unwrap(), None);
+        }
+    };
+    examine(&simulation.state().positions);
+    let mut contacts = 0;
+    for _ in 0..9 {
+        let statistics = simulation.step_along(&mut examine).unwrap();
+        assert!(
+            statistics.converged && statistics.script_lag == 0.0,
+            "{statistics:?}"
+        );
+        contacts = statistics.contacts;
+    }
+    assert!(contacts > 100, "{contacts}");
+    // A frame is examined for each increment, and a greater distance is not kept.
+    assert!(audits[0].frames() > 20);
+    let greater = Separation::new(0.0125).unwrap();
+    let mut audit = Audit::with_min_distance(MinDistance::uniform(greater));
+    let last = system.surface_frame(&simulation.state().positions).unwrap();
+    assert!(audit.examine(last).unwrap().is_some());
 }
 
 #[test]

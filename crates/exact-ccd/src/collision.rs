@@ -135,7 +135,7 @@ impl<'a, K: Kind> Collision<'a, K> {
             |contact| contact.impact(self.query),
             FirstContact::impact,
             // Cannot panic: the filters prove what the exact path defines.
-            |d, _| exact::impact_within(self.query, d).expect("a proved contact exists"),
+            |d, first| exact::impact_at(self.query, d, first).expect("a proved contact exists"),
         )
     }
 

@@ -1,4 +1,5 @@
-//! Draws the figures of docs/parity.md. The contacts and signs in them are computed, not prescribed.
+//! Draws the figures of docs/parity.md and docs/separation.md. The contacts, signs and closest features in
+//! them are computed, not prescribed.
 //!
 //! ```sh
 //! cargo run --release -p exact-ccd-bench --example figures -- [FOLDER]
@@ -6,6 +7,7 @@
 
 mod contacts;
 mod drawing;
+mod features;
 mod flat;
 mod fold;
 mod patch;
@@ -32,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The names and contents of the files.
 ///
 /// The contents are the same on every machine: coordinates are computed by +, −, ×, ÷ and √ only.
-fn figures() -> Result<[(&'static str, String); 6], Box<dyn Error>> {
+fn figures() -> Result<[(&'static str, String); 7], Box<dyn Error>> {
     Ok([
         ("prism.svg", prism::figure()?),
         ("tetrahedron.svg", tetrahedron::figure()),
@@ -40,6 +42,7 @@ fn figures() -> Result<[(&'static str, String); 6], Box<dyn Error>> {
         ("fold.svg", fold::figure()?),
         ("rays.svg", rays::figure()),
         ("contacts.svg", contacts::figure()?),
+        ("features.svg", features::figure()?),
     ])
 }
 

@@ -63,6 +63,7 @@ fn a_step_reports_what_a_loop_over_all_candidates_finds() {
         let counts = |of_interest: fn(&&Contact) -> bool| PairCounts {
             vertex_face: faces.iter().filter(of_interest).count(),
             edge_edge: edges.iter().filter(of_interest).count(),
+            ..PairCounts::default()
         };
 
         assert_eq!(report.candidates, candidates.counts(), "{name}");

@@ -1,4 +1,5 @@
-//! The cells of a system for ParaView: tetrahedra of solids, triangles of shells and obstacles.
+//! The cells of a system for ParaView: tetrahedra of solids, triangles of shells and obstacles, lines of
+//! rods, and particles.
 
 use std::io;
 
@@ -10,6 +11,9 @@ pub(super) struct Grid {
     tetrahedra: Vec<[u32; 4]>,
     /// The triangles of shells and obstacles.
     triangles: Vec<[u32; 3]>,
+    /// The edges of rods.
+    lines: Vec<[u32; 2]>,
+    particles: Vec<u32>,
 }
 
 impl Grid {
@@ -28,6 +32,8 @@ impl Grid {
         Self {
             tetrahedra,
             triangles,
+            lines: system.surface().loose_edges().to_vec(),
+            particles: system.particles().to_vec(),
         }
     }
 
@@ -37,8 +43,9 @@ impl Grid {
             positions: &state.positions,
             tetrahedra: &self.tetrahedra,
             triangles: &self.triangles,
+            lines: &self.lines,
+            points: &self.particles,
             velocities: Some(&state.velocities),
-            ..UnstructuredGrid::default()
         };
         write_vtu(writer, grid)
     }

@@ -2,16 +2,17 @@
 
 use std::fmt::Write;
 
-use exact_ccd_sim::{Simulation, Statistics};
+use exact_ccd_sim::{Simulation, Statistics, System};
 
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
     let done = simulation.state().step;
     let mut line = format!(
-        "{} vertices, {} faces, {:.3e} m across; contact distance {:.2e} m; ",
+        "{} vertices, {} faces, {}{:.3e} m across; contact distance {:.2e} m; ",
         system.start().len(),
         system.surface().faces().len(),
+        rods_and_particles(system),
         system.size(),
         settings.contact_distance.meters(system.size()),
     );
@@ -28,6 +29,16 @@ pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
         ),
     };
     line
+}
+
+/// The numbers of rod edges and particles, where there are any.
+fn rods_and_particles(system: &System) -> String {
+    let counts = [
+        (system.surface().loose_edges().len(), "rod edges"),
+        (system.particles().len(), "particles"),
+    ];
+    let present = counts.into_iter().filter(|(count, _)| *count > 0);
+    present.map(|(count, what)| format!("{count} {what}, ")).collect()
 }
 
 /// The line for a time step.

@@ -35,7 +35,7 @@ use queries::QueryFolder;
 ///
 /// With --out, the command writes for each time step N
 ///   DIR/frames/N.ply     the surface
-///   DIR/vtu/N.vtu        tetrahedra, triangles of shells and obstacles, velocities;
+///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities;
 ///                        DIR/motion.pvd opens all time steps in ParaView
 ///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
 ///                        energies and run times; column names end with units

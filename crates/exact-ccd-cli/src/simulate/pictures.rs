@@ -2,7 +2,7 @@
 
 use exact_ccd_files::read_frame;
 use exact_ccd_mesh::{Aabb, Point};
-use exact_ccd_render::{Animation, Marks, View, render};
+use exact_ccd_render::{Animation, Marks, View, render_thick};
 use exact_ccd_sim::Simulation;
 
 use super::folder::{ANIMATION, OutputFolder, PICTURES, make_folder};
@@ -15,6 +15,7 @@ use crate::progress::{self, during};
 const SIZE: [u16; 2] = [640, 480];
 
 /// Draws all frames up to the current time step, each as a picture, and all as an animation in real time.
+/// Rods and particles have the radius of their contact surface.
 pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(), Failure> {
     let steps = 0..=simulation.state().step;
     let mut bounds = Aabb::EMPTY;
@@ -23,6 +24,7 @@ pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(),
     }
     let [up, towards] = directions(simulation.settings().gravity);
     let view = View::upright(&bounds, up, towards, SIZE);
+    let radii = simulation.system().surface_offsets();
     let delay = (1000.0 * simulation.settings().time_step).round().max(1.0) as u16;
 
     let pictures = folder.file(PICTURES);
@@ -34,7 +36,8 @@ pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(),
         during(progress::frames(count as usize), |progress| {
             let mut animation = Animation::new(writer, SIZE, count, delay).map_err(failed)?;
             for step in steps {
-                let picture = render(&read_frame(folder.frame(step))?, &view, &Marks::default());
+                let frame = read_frame(folder.frame(step))?;
+                let picture = render_thick(&frame, &view, &Marks::default(), &radii);
                 let file = pictures.join(steps::name(step, "png"));
                 write_file(&file, |writer| picture.write_png(writer))?;
                 animation.add(&picture).map_err(failed)?;

@@ -139,6 +139,41 @@ fn vtu_files_have_tetrahedra_and_triangles_of_all_time_steps() {
     );
 }
 
+/// Rods and particles are in the summary, in both formats, and in the motion that an audit reads.
+#[test]
+fn rods_and_particles_are_written() {
+    let folder = Folder::new();
+    let scene = r#"
+duration = 0.02
+
+[[body]]
+shape = { line = { edges = 4, length = 1.0 } }
+rod = { density = 1000.0, young = 1e6, radius = 0.01 }
+offset = 0.01
+
+[[body]]
+shape = { points = { counts = [2, 1, 1], size = [0.5, 0.0, 0.0] } }
+particles = { density = 1000.0, radius = 0.01 }
+translate = [0.2, 0.5, 0.0]
+"#;
+    folder.write("rod.toml", scene);
+    let run = folder.run(&["simulate", "rod.toml", "--out", "result", "--path", "--render"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let summary = "7 vertices, 0 faces, 4 rod edges, 2 particles, ";
+    assert!(run.stdout.starts_with(summary), "{run:?}");
+    let grid = folder.read("result/vtu/000002.vtu");
+    assert!(
+        grid.contains(r#"<Piece NumberOfPoints="7" NumberOfCells="6">"#),
+        "{grid}"
+    );
+    let frame = exact_ccd_files::read_frame(folder.path("result/frames/000002.ply")).unwrap();
+    assert_eq!((frame.positions.len(), frame.mesh.loose_edges().len()), (7, 4));
+    for motion in ["result/path", "result/motion.pvd"] {
+        let audit = folder.run(&["audit", motion]);
+        assert!(audit.stdout.starts_with("free of contact"), "{audit:?}");
+    }
+}
+
 #[test]
 fn there_is_a_picture_of_each_time_step() {
     let folder = folder();

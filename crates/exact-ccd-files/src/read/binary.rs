@@ -3,13 +3,14 @@
 use crate::error::{Fault, ParseError, Place};
 
 /// The order of the bytes of a number.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ByteOrder {
     LittleEndian,
     BigEndian,
 }
 
 /// The bytes of a file from the current position on.
+#[derive(Clone)]
 pub(super) struct Bytes<'a> {
     file: &'a [u8],
     offset: usize,
@@ -23,6 +24,11 @@ impl<'a> Bytes<'a> {
 
     pub(super) fn place(&self) -> Place {
         Place::Byte(self.offset)
+    }
+
+    /// The current position.
+    pub(super) fn offset(&self) -> usize {
+        self.offset
     }
 
     /// The next `length` bytes.
@@ -80,6 +86,19 @@ impl<'a> Bytes<'a> {
         let line = &rest[..length.unwrap_or(rest.len())];
         self.offset += line.len() + usize::from(length.is_some());
         line.trim_ascii()
+    }
+
+    /// The bytes up to the next white space or the end.
+    pub(super) fn word(&mut self) -> &'a [u8] {
+        let rest = &self.file[self.offset..];
+        let length = rest.iter().position(u8::is_ascii_whitespace);
+        let word = &rest[..length.unwrap_or(rest.len())];
+        self.offset += word.len();
+        word
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.offset == self.file.len()
     }
 
     /// Skips white space.

@@ -1,7 +1,11 @@
-//! The contents of a mesh file: points, lines, triangles and tetrahedra over the same vertices.
+//! The contents of a mesh file: points, lines, faces and cells with volume over the same vertices.
+
+use std::fmt;
 
 use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 
+use super::polygons::Faces;
+use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
 
 /// The contents of a mesh file. Readers have checked all indices.
@@ -11,8 +15,30 @@ pub(super) struct Cells {
     /// Vertices that a format lists as points.
     pub(super) points: Vec<u32>,
     pub(super) lines: Vec<[u32; 2]>,
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) tetrahedra: Vec<[u32; 4]>,
+    pub(super) faces: Faces,
+    pub(super) solids: Vec<Solid>,
+}
+
+/// The frame of a file, and the facts about the file that a frame does not have.
+pub(super) struct Assembled {
+    pub(super) frame: Frame,
+    /// The number of polygons with more than three corners among its faces.
+    pub(super) polygons: usize,
+    pub(super) first_polygon: Option<ParseError>,
+    /// The number of cells with volume, of which the frame has the surface.
+    pub(super) solids: usize,
+}
+
+/// The numbers of elements in the file, for the error of a file without any mesh.
+impl fmt::Display for Cells {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (vertices, points, lines) = (self.positions.len(), self.points.len(), self.lines.len());
+        let (faces, solids) = (self.faces.count, self.solids.len());
+        write!(
+            f,
+            "{vertices} vertices, {points} points, {lines} edges, {faces} faces and {solids} cells with volume"
+        )
+    }
 }
 
 impl Cells {
@@ -22,61 +48,133 @@ impl Cells {
             .extend(vertices.windows(2).map(|pair| [pair[0], pair[1]]));
     }
 
-    /// All vertices, triangles and lines. Every vertex in none of them is a point. For files
-    /// without tetrahedra.
-    pub(super) fn into_frame(self) -> Result<Frame, ParseError> {
-        Frame::with_edges(self.positions, self.triangles, &self.lines).map_err(at_file(Fault::Frame))
+    /// All vertices, faces and lines. Every vertex in none of them is a point. For files without
+    /// cells with volume.
+    pub(super) fn into_frame(self) -> Result<Assembled, ParseError> {
+        let Faces {
+            triangles,
+            polygons,
+            first_polygon,
+            ..
+        } = self.faces;
+        let frame = Frame::with_edges(self.positions, triangles, &self.lines);
+        Ok(Assembled {
+            frame: frame.map_err(at_file(Fault::Frame))?,
+            polygons,
+            first_polygon,
+            solids: 0,
+        })
     }
 
-    /// The surface of the tetrahedra and the lines that are not edges of tetrahedra; without
-    /// tetrahedra, as [`Cells::into_frame`].
+    /// The surface of the cells with volume and the lines that are not edges of them; without such
+    /// cells, as [`Cells::into_frame`].
     ///
-    /// Listed points are left out: Gmsh lists the points of the geometry, as the centres of arcs.
-    pub(super) fn into_surface(mut self) -> Result<Frame, ParseError> {
-        if self.tetrahedra.is_empty() {
+    /// Every face must be a side of a cell. Listed points are left out: Gmsh lists the points of
+    /// the geometry, such as the centres of arcs.
+    pub(super) fn into_surface(mut self) -> Result<Assembled, ParseError> {
+        if self.solids.is_empty() {
             return self.into_frame();
         }
-        let lines = loose_lines(&self.tetrahedra, std::mem::take(&mut self.lines));
-        let mesh = self.into_tet_mesh()?;
-        frame(mesh.positions(), mesh.surface().to_vec(), &lines, &[])
+        let sheet = self.first_sheet();
+        self.faces = Faces::default();
+        self.points = Vec::new();
+        let surface = match self.tetrahedra() {
+            // Oriented by the positions.
+            Some(tetrahedra) => {
+                let mesh = TetMesh::new(self.positions.clone(), tetrahedra);
+                let triangles = mesh.map_err(at_file(Fault::TetMesh))?.surface().to_vec();
+                Faces {
+                    triangles,
+                    ..Faces::default()
+                }
+            }
+            None => solids::surface(&self.solids)?,
+        };
+        match sheet {
+            None => self.with_surface(surface),
+            Some(triangle) => Err(Fault::Sheet { triangle }.at(Place::File)),
+        }
     }
 
-    /// The surface of the tetrahedra, and all other triangles, lines and points: shells, rods and
-    /// points beside solids.
+    /// The surface of the cells with volume, and all other faces, lines and points: shells, rods
+    /// and points beside solids.
     ///
-    /// Tetrahedra count as positive in the order of their corners, so that the surface of a body
-    /// stays the same under any deformation, even where tetrahedra turn inside out.
-    pub(super) fn into_scene(self) -> Result<Frame, ParseError> {
-        if self.tetrahedra.is_empty() {
+    /// Cells count as positive in the order of their corners, so that the surface of a body stays
+    /// the same under any deformation, even where cells turn inside out.
+    pub(super) fn into_scene(self) -> Result<Assembled, ParseError> {
+        if self.solids.is_empty() {
             return self.into_frame();
         }
-        if let Some(tetrahedron) = self.tetrahedra.iter().position(|corners| !are_distinct(corners)) {
-            return Err(at_file(Fault::TetMesh)(TetMeshError::Flat { tetrahedron }));
-        }
-        let lines = loose_lines(&self.tetrahedra, self.lines);
-        let corners = sorted(self.tetrahedra.as_flattened().iter().copied());
+        let surface = match self.tetrahedra() {
+            Some(tetrahedra) => {
+                if let Some(tetrahedron) = tetrahedra.iter().position(|corners| !are_distinct(corners)) {
+                    return Err(at_file(Fault::TetMesh)(TetMeshError::Flat { tetrahedron }));
+                }
+                let faces = TetFaces::of(tetrahedra);
+                faces.check().map_err(at_file(Fault::TetMesh))?;
+                let triangles = faces.boundary();
+                Faces {
+                    triangles,
+                    ..Faces::default()
+                }
+            }
+            None => solids::surface(&self.solids)?,
+        };
+        self.with_surface(surface)
+    }
+
+    /// The surface, then the faces that are not sides of cells with volume, the lines that are not
+    /// edges of them, and the listed points that are not corners of them.
+    fn with_surface(self, surface: Faces) -> Result<Assembled, ParseError> {
+        let corners = sorted(self.solids.iter().flat_map(Solid::sides).flatten());
         let is_free = |vertex: &u32| corners.binary_search(vertex).is_err();
         let points: Vec<u32> = self.points.into_iter().filter(is_free).collect();
-        let tet_faces = TetFaces::of(self.tetrahedra);
-        tet_faces.check().map_err(at_file(Fault::TetMesh))?;
-        let mut faces = tet_faces.boundary();
-        let shells = self.triangles.into_iter();
-        faces.extend(shells.filter(|&triangle| !tet_faces.contains(triangle)));
-        frame(&self.positions, faces, &lines, &points)
+        let lines = loose_lines(&self.solids, self.lines);
+        let mut faces = surface.triangles;
+        if !self.faces.triangles.is_empty() {
+            let sides = solids::all_triangles(&self.solids);
+            let is_shell = |&triangle: &[u32; 3]| sides.binary_search(&increasing(triangle)).is_err();
+            faces.extend(self.faces.triangles.into_iter().filter(is_shell));
+        }
+        Ok(Assembled {
+            frame: frame(&self.positions, faces, &lines, &points)?,
+            polygons: surface.polygons + self.faces.polygons,
+            first_polygon: surface.first_polygon.or(self.faces.first_polygon),
+            solids: self.solids.len(),
+        })
     }
 
-    /// The tetrahedra alone. Every triangle must be a face of one of them.
+    /// The tetrahedra alone. Every face must be a face of one of them.
     pub(super) fn into_tet_mesh(self) -> Result<TetMesh, ParseError> {
-        let mesh = TetMesh::new(self.positions, self.tetrahedra).map_err(at_file(Fault::TetMesh))?;
-        if self.triangles.is_empty() {
-            return Ok(mesh);
-        }
-        let faces = TetFaces::of(mesh.tetrahedra().iter().copied());
-        let is_sheet = |&triangle: &[u32; 3]| !faces.contains(triangle);
-        match self.triangles.iter().position(is_sheet) {
+        let tetrahedra = self.tetrahedra().ok_or_else(|| {
+            let found = "hexahedra, wedges or pyramids";
+            Fault::expected("no cells with volume but tetrahedra", found).at(Place::File)
+        })?;
+        let sheet = self.first_sheet();
+        let mesh = TetMesh::new(self.positions, tetrahedra).map_err(at_file(Fault::TetMesh))?;
+        match sheet {
             None => Ok(mesh),
             Some(triangle) => Err(Fault::Sheet { triangle }.at(Place::File)),
         }
+    }
+
+    /// The first triangle that is not a side of a cell, or a part of one.
+    fn first_sheet(&self) -> Option<usize> {
+        if self.faces.triangles.is_empty() {
+            return None;
+        }
+        let sides = solids::all_triangles(&self.solids);
+        let is_sheet = |&triangle: &[u32; 3]| sides.binary_search(&increasing(triangle)).is_err();
+        self.faces.triangles.iter().position(is_sheet)
+    }
+
+    /// The cells with volume, if all of them are tetrahedra.
+    fn tetrahedra(&self) -> Option<Vec<[u32; 4]>> {
+        let tetrahedra = self.solids.iter().map(|solid| match *solid {
+            Solid::Tetrahedron(corners) => Some(corners),
+            _ => None,
+        });
+        tetrahedra.collect()
     }
 }
 
@@ -100,18 +198,18 @@ fn frame(
     Frame::with_edges(positions.collect(), faces, &lines).map_err(at_file(Fault::Frame))
 }
 
-/// The lines between different vertices that are not edges of tetrahedra.
-fn loose_lines(tetrahedra: &[[u32; 4]], mut lines: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
+/// The lines between different vertices that are not edges of cells.
+fn loose_lines(solids: &[Solid], mut lines: Vec<[u32; 2]>) -> Vec<[u32; 2]> {
     if lines.is_empty() {
         return lines;
     }
-    let ordered = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
-    let edges = sorted(
-        tetrahedra
-            .iter()
-            .flat_map(|&[a, b, c, d]| [[a, b], [a, c], [a, d], [b, c], [b, d], [c, d]].map(ordered)),
-    );
-    lines.retain(|&line| line[0] != line[1] && edges.binary_search(&ordered(line)).is_err());
+    let mut edges = Vec::new();
+    for side in solids.iter().flat_map(Solid::sides) {
+        let next = side.iter().cycle().skip(1);
+        edges.extend(side.iter().zip(next).map(|(&a, &b)| increasing([a, b])));
+    }
+    let edges = sorted(edges.into_iter());
+    lines.retain(|&line| line[0] != line[1] && edges.binary_search(&increasing(line)).is_err());
     lines
 }
 

@@ -4,28 +4,20 @@ use std::path::Path;
 
 use exact_ccd_mesh::Frame;
 
-use super::file::parse_file;
-use super::{msh, obj, off, ply, stl, vtk};
+use super::file::{format_of, parse_file};
+use super::mesh_file::assemble;
 use crate::error::{ParseError, ReadError};
 use crate::format::Format;
 
-/// Reads the frame in a file. The extension determines the format, see [`Format::of_path`].
-///
-/// Vertices and faces keep their numbers in the file, counted from 0. Each coordinate is the `f64`
-/// nearest to the decimal text, or exactly the binary number. An STL file has no shared vertices:
-/// it reads as three vertices for each face. A .msh file of tetrahedra reads as the surface alone,
-/// see [`surface_frame`](exact_ccd_mesh::TetMesh::surface_frame), and its loose edges. A .vtu file of
-/// tetrahedra reads as the surface, and triangles, lines and points beside it; its tetrahedra count
-/// as positive in the order of their corners.
+/// Reads the frame in a file: that of [`MeshFile::read`](crate::MeshFile::read), with polygons
+/// triangulated.
 ///
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.
 pub fn read_frame(path: impl AsRef<Path>) -> Result<Frame, ReadError> {
     let path = path.as_ref();
-    let format = Format::of_path(path).ok_or_else(|| ReadError::Extension {
-        path: path.to_owned(),
-    })?;
-    parse_file(path, |bytes| parse_frame(bytes, format))
+    let format = format_of(path)?;
+    parse_file(path, |bytes| Ok(assemble(bytes, format, path.parent())?.frame))
 }
 
 /// Parses the contents of a file, with the same result as [`read_frame`].
@@ -46,12 +38,5 @@ pub fn read_frame(path: impl AsRef<Path>) -> Result<Frame, ReadError> {
 /// # Errors
 /// [`ParseError`] names the place and what was expected there.
 pub fn parse_frame(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
-    match format {
-        Format::Ply => ply::read(bytes)?.into_frame(),
-        Format::Obj => obj::read(bytes)?.into_frame(),
-        Format::Stl => stl::read(bytes)?.into_frame(),
-        Format::Off => off::read(bytes)?.into_frame(),
-        Format::Msh => msh::read(bytes)?.into_surface(),
-        Format::Vtu => vtk::read_grid(bytes)?.into_scene(),
-    }
+    Ok(assemble(bytes, format, None)?.frame)
 }

@@ -2,20 +2,31 @@
 
 mod binary;
 mod cells;
+mod compressed;
+mod content;
 mod file;
 mod frame;
+mod gltf;
+mod mesh_file;
 mod motion;
 mod msh;
+mod numpy;
 mod obj;
 mod off;
 mod ply;
-mod pvd;
+mod polygons;
+mod scalar;
+mod sequence;
+mod series;
+mod solids;
 mod stl;
 mod tet_mesh;
 mod text;
 mod vtk;
 
 pub use frame::{parse_frame, read_frame};
+pub use mesh_file::{MeshFile, Polygons};
 pub use motion::{ReadMotionError, read_motion};
-pub use pvd::read_pvd;
+pub use sequence::FrameSequence;
+pub use series::{read_pvd, read_series};
 pub use tet_mesh::{parse_tet_mesh, read_tet_mesh};

@@ -31,7 +31,10 @@ impl Element {
 #[derive(Default)]
 struct Statements {
     positions: Vec<Point>,
-    faces: Vec<(Place, [i64; 3])>,
+    faces: Vec<Place>,
+    /// The corners of all faces, and their number up to the end of each.
+    corners: Vec<i64>,
+    ends: Vec<usize>,
     polylines: Vec<(Place, Vec<i64>)>,
     points: Vec<(Place, Vec<i64>)>,
 }
@@ -61,13 +64,10 @@ fn position(line: &mut Line) -> Result<Point, ParseError> {
 
 impl Statements {
     fn add_face(&mut self, line: &mut Line) -> Result<(), ParseError> {
-        let face = self.faces.len();
-        let corners = self.indices("face", face, line)?;
-        let corners = <[i64; 3]>::try_from(corners).map_err(|corners| {
-            let corners = corners.len() as i64;
-            Fault::Corners { face, corners }.at(line.place())
-        })?;
-        self.faces.push((line.place(), corners));
+        let mut corners = self.indices("face", self.faces.len(), line)?;
+        self.faces.push(line.place());
+        self.corners.append(&mut corners);
+        self.ends.push(self.corners.len());
         Ok(())
     }
 
@@ -119,14 +119,19 @@ impl Statements {
             from_zero.ok_or_else(|| element.out_of_range(index, vertex_count))
         };
         let mut cells = Cells::default();
-        for (number, (place, corners)) in self.faces.into_iter().enumerate() {
+        let (mut start, mut face) = (0, Vec::new());
+        for ((number, place), end) in self.faces.into_iter().enumerate().zip(self.ends) {
             let element = Element {
                 kind: "face",
                 number,
                 place,
             };
-            let [a, b, c] = corners.map(|index| vertex(element, index));
-            cells.triangles.push([a?, b?, c?]);
+            face.clear();
+            for &index in &self.corners[start..end] {
+                face.push(vertex(element, index)?);
+            }
+            cells.faces.add(&face, || place)?;
+            start = end;
         }
         for (number, (place, indices)) in self.polylines.into_iter().enumerate() {
             let element = Element {

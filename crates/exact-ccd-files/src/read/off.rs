@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, vertex_index};
 use super::text::{Line, Lines, Syntax, parse};
-use crate::error::{Fault, ParseError};
+use crate::error::ParseError;
 
 pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
     let mut lines = Lines::new(bytes, Syntax::Comments);
@@ -18,18 +18,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
         let position = [line.coordinate()?, line.coordinate()?, line.coordinate()?];
         cells.positions.push(position);
     }
-    for _ in 0..face_count {
-        let face = cells.triangles.len();
+    let mut corners = Vec::new();
+    for face in 0..face_count {
         let mut line = lines.expect(|| format!("face {face} of {face_count}"))?;
-        let corners = line.integer("the number of corners")?;
-        if corners != 3 {
-            return Err(Fault::Corners { face, corners }.at(line.place()));
-        }
-        let mut corner = || {
+        corners.clear();
+        for _ in 0..line.count("the number of corners")? {
             let index = line.integer("the index of a vertex")?;
-            vertex_index(("face", face), index, vertex_count, line.place())
-        };
-        cells.triangles.push([corner()?, corner()?, corner()?]);
+            let of = ("face", cells.faces.count);
+            corners.push(vertex_index(of, index, vertex_count, line.place())?);
+        }
+        cells.faces.add(&corners, || line.place())?;
     }
     lines.expect_end()?;
     Ok(cells)

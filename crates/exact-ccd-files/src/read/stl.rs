@@ -4,6 +4,7 @@ use exact_ccd_mesh::Point;
 
 use super::binary::Bytes;
 use super::cells::Cells;
+use super::polygons::Faces;
 use super::text::{Line, Lines, Syntax};
 use crate::error::{Fault, ParseError, Place};
 
@@ -21,9 +22,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
     };
     let vertex_count = u32::try_from(positions.len()).map_err(|_| Fault::TooManyVertices.at(Place::File))?;
     let faces = (0..vertex_count / 3).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
+    let faces = Faces {
+        triangles: faces.collect(),
+        count: positions.len() / 3,
+        ..Faces::default()
+    };
     Ok(Cells {
         positions,
-        triangles: faces.collect(),
+        faces,
         ..Cells::default()
     })
 }
@@ -85,7 +91,8 @@ fn read_facet(words: &mut Words, positions: &mut Vec<Point>) -> Result<(), Parse
         corners += 1;
     }
     if corners != 3 {
-        return Err(Fault::Corners { face, corners }.at(words.line.place()));
+        let found = corners.to_string();
+        return Err(Fault::expected(format!("3 corners of face {face}"), found).at(words.line.place()));
     }
     words.expect("endfacet")
 }

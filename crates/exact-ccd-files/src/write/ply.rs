@@ -12,8 +12,9 @@ use super::check::check_frame;
 /// element `edge`.
 ///
 /// # Errors
-/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), with the
-/// [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the mesh.
+/// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
+/// or, with the [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the
+/// mesh.
 pub fn write_ply(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
     check_frame(frame)?;
     let coordinates = frame.positions.as_flattened();

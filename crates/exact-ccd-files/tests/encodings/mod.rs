@@ -1,5 +1,8 @@
 //! One frame in every format and encoding, by writers that are independent of the crate.
 
+mod arrays;
+mod vtk;
+
 use exact_ccd_files::{Format, write_obj, write_ply, write_vtu};
 use exact_ccd_mesh::Frame;
 
@@ -34,6 +37,11 @@ pub(crate) fn indexed(frame: &Frame) -> Vec<File> {
         ("obj, CRLF", Format::Obj, crlf(&obj(frame))),
         ("off", Format::Off, off(frame).into_bytes()),
         ("off, CRLF", Format::Off, crlf(&off(frame))),
+        ("vtp, raw, zlib", Format::Vtp, vtk::appended_vtp(frame, vtk::zlib)),
+        ("vtp, raw, lz4", Format::Vtp, vtk::appended_vtp(frame, vtk::lz4)),
+        ("text vtk 4.2", Format::Vtk, vtk::legacy_text(frame).into_bytes()),
+        ("vtk 5.1 of big numbers", Format::Vtk, vtk::legacy_binary(frame)),
+        ("npz", Format::Npz, arrays::npz(frame)),
     ]
 }
 
@@ -44,6 +52,7 @@ pub(crate) fn soup(frame: &Frame) -> Vec<File> {
         ("text stl", Format::Stl, text_stl(frame).into_bytes()),
         ("text stl, CRLF", Format::Stl, crlf(&text_stl(frame))),
         ("binary stl", Format::Stl, binary_stl(frame)),
+        ("glb", Format::Gltf, arrays::glb(frame)),
     ]
 }
 

@@ -124,9 +124,8 @@ fn version_2() {
         ),
         (
             "4 4 2 99 2 1 2 3 4",
-            "4 5 2 99 2 1 2 3 4",
-            "line 20: expected element type 15, a point, 1, a line, 2, a triangle, or 4, a tetrahedron, \
-             found `5`",
+            "4 11 2 99 2 1 2 3 4",
+            "line 20: expected an element of first order, of type 1 to 7 or 15, found `11`",
         ),
         (
             "4 4 2 99 2 1 2 3 4",
@@ -197,8 +196,7 @@ fn version_4() {
         (
             "3 1 4 1 \n",
             "3 1 11 1 \n",
-            "line 29: expected element type 15, a point, 1, a line, 2, a triangle, or 4, a tetrahedron, \
-             found `11`",
+            "line 29: expected an element of first order, of type 1 to 7 or 15, found `11`",
         ),
         (
             "4 1 2 3 4 \n",

@@ -66,23 +66,23 @@ impl Scene {
         Self { mesh, x0, x1 }
     }
 
-    /// Two pairs of faces, two rods of three vertices and four points, in motion, and their scale. On a
+    /// Two pairs of faces, two rods of three vertices and eight points, in motion, and their scale. On a
     /// grid, many distances are those that are drawn for queries.
     pub(crate) fn mixed(random: &mut Rng) -> (Self, f64) {
         let scale = [1.0, 1e-6][random.usize(..2)];
         let motion = [0.0, 0.2, 1.0][random.usize(..3)];
         let grid = [0.0, 0.125][random.usize(..2)];
-        let mut ids: Vec<u32> = (0..18).collect();
+        let mut ids: Vec<u32> = (0..22).collect();
         random.shuffle(&mut ids);
         let at = |vertex: usize| ids[vertex];
         let faces = [[0, 1, 2], [3, 2, 1], [4, 5, 6], [7, 6, 5]].map(|face| face.map(at));
         let rods = [[8, 9], [9, 10], [11, 12], [12, 13]].map(|edge| edge.map(at));
-        let mesh = TriangleMesh::with_edges(18, faces.to_vec(), &rods).unwrap();
+        let mesh = TriangleMesh::with_edges(22, faces.to_vec(), &rods).unwrap();
         let mut coordinate = |size: f64| {
             let x = size * (random.f64() - 0.5);
             scale * if grid > 0.0 { grid * (x / grid).round() } else { x }
         };
-        let x0: Vec<Point> = (0..18).map(|_| [0; 3].map(|_| coordinate(2.0))).collect();
+        let x0: Vec<Point> = (0..22).map(|_| [0; 3].map(|_| coordinate(2.0))).collect();
         let by = |x: &Point| x.map(|x| x + coordinate(motion));
         let x1 = x0.iter().map(by).collect();
         (Self { mesh, x0, x1 }, scale)

@@ -40,7 +40,7 @@ fn counts(pairs: impl Iterator<Item = Pair>) -> PairCounts {
 fn answers_are_those_of_all_pairs() {
     let mut random = Rng::with_seed(30);
     let (mut free, mut kinds) = (0, PairCounts::default());
-    for case in 0..60 {
+    for case in 0..30 {
         let (scene, scale) = Scene::mixed(&mut random);
         let (mesh, step) = (&scene.mesh, scene.step());
         let all = scene.pairs(&CanCollide::all());
@@ -108,7 +108,7 @@ fn answers_are_those_of_all_pairs() {
     let least = [vertex_face, edge_edge, vertex_edge, vertex_vertex]
         .into_iter()
         .min();
-    assert!(free > 10 && least > Some(30), "{free} {kinds:?}");
+    assert!(free > 10 && least > Some(5), "{free} {kinds:?}");
 }
 
 #[test]
@@ -137,7 +137,7 @@ fn a_larger_distance_has_all_contacts_of_a_smaller_one_and_no_later_ones() {
 fn free_steps_are_free_within_the_distance() {
     let mut random = Rng::with_seed(32);
     let (mut moved, mut touching_at_start) = (0, 0);
-    for _ in 0..40 {
+    for _ in 0..20 {
         let (scene, scale) = Scene::mixed(&mut random);
         for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.2 * scale) {
             let mut detector = Detector::new(scene.mesh.clone())
@@ -180,7 +180,7 @@ fn free_steps_are_free_within_the_distance() {
         }
     }
     assert!(
-        moved > 100 && touching_at_start > 100,
+        moved > 50 && touching_at_start > 50,
         "{moved} {touching_at_start}"
     );
 }
@@ -188,8 +188,8 @@ fn free_steps_are_free_within_the_distance() {
 #[test]
 fn the_number_of_threads_does_not_matter() {
     let mut random = Rng::with_seed(33);
-    let scene = Scene::sheets(&mut random, 12, 0.0, 1.0);
-    let min_distance = MinDistance::uniform(separation(0.3)).with_inner(separation(0.01));
+    let scene = Scene::sheets(&mut random, 12, 0.0, 2.0);
+    let min_distance = MinDistance::uniform(separation(0.45)).with_inner(separation(0.01));
     let [on_one, on_two, on_five] = [1, 2, 5].map(|threads| {
         on_threads(threads, || {
             let mut detector = Detector::new(scene.mesh.clone())
@@ -205,7 +205,13 @@ fn the_number_of_threads_does_not_matter() {
             (contacts, free, report)
         })
     });
-    assert!(on_one.0.len() > 100 && on_one.1.touching.total() > 10);
+    let (contacts, free, _) = &on_one;
+    let touching = free.touching.total();
+    assert!(
+        contacts.len() > 50 && touching > 10,
+        "{} {touching}",
+        contacts.len()
+    );
     assert_eq!(on_one, on_two);
     assert_eq!(on_one, on_five);
 }
@@ -237,14 +243,14 @@ fn loose_parts_are_in_contact_for_every_search() {
 #[test]
 fn a_number_of_thicknesses_that_is_not_that_of_vertices_is_an_error() {
     let (scene, _) = Scene::mixed(&mut Rng::with_seed(35));
-    let thickness = MinDistance::thickness(Thickness::new(&[0.5; 17]).unwrap());
+    let thickness = MinDistance::thickness(Thickness::new(&[0.5; 21]).unwrap());
     let expected = ThicknessCount {
-        count: 17,
-        vertex_count: 18,
+        count: 21,
+        vertex_count: 22,
     };
     assert_eq!(
         expected.to_string(),
-        "17 thicknesses, expected one for each of the 18 vertices"
+        "21 thicknesses, expected one for each of the 22 vertices"
     );
     let detector = Detector::new(scene.mesh.clone()).with_min_distance(thickness.clone());
     assert_eq!(detector.unwrap_err(), expected);

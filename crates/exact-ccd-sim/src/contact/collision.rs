@@ -14,6 +14,8 @@ pub struct Collision {
     vertices: ArrayVec<u32, 4>,
     feature: Feature,
     mollifier: Option<Mollifier>,
+    /// ξ: the sum of the offsets of both surfaces, in m.
+    thickness: f64,
     /// The number of pairs of primitives that share these features.
     multiplicity: f64,
 }
@@ -46,8 +48,15 @@ impl Collision {
             vertices,
             feature,
             mollifier: None,
+            thickness: 0.0,
             multiplicity: 1.0,
         }
+    }
+
+    /// The same collision of surfaces with a thickness ξ, in m.
+    #[must_use]
+    pub fn with_thickness(self, thickness: f64) -> Self {
+        Self { thickness, ..self }
     }
 
     /// The collision of two edges that are nearly parallel.
@@ -57,6 +66,7 @@ impl Collision {
             vertices: ArrayVec::from(vertices),
             feature,
             mollifier: Some(mollifier),
+            thickness: 0.0,
             multiplicity: 1.0,
         }
     }
@@ -70,7 +80,10 @@ impl Collision {
     /// True if two collisions are between the same features.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
-        self.vertices == other.vertices && self.feature == other.feature && self.mollifier == other.mollifier
+        self.vertices == other.vertices
+            && self.feature == other.feature
+            && self.mollifier == other.mollifier
+            && self.thickness == other.thickness
     }
 
     /// Adds the pairs of primitives of another collision between the same features.
@@ -84,9 +97,10 @@ impl Collision {
         self.feature.separation(points)
     }
 
-    /// The value of the barrier, in m⁴.
+    /// The value of the barrier, in m⁴. `barrier` is that of surfaces without thickness, here and below.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
+        let barrier = barrier.with_thickness(self.thickness);
         let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
         let value = barrier.value(self.separation(points).squared());
         // Parallel edges have no barrier, even if they touch: this avoids 0 · ∞.
@@ -100,6 +114,7 @@ impl Collision {
     /// The magnitude of the normal force for κ = 1: minus the derivative of the barrier by the distance.
     #[must_use]
     pub fn normal_force(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
+        let barrier = barrier.with_thickness(self.thickness);
         let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
         let squared = self.separation(points).squared();
         -2.0 * self.multiplicity * fade * barrier.slope(squared) * squared.sqrt()
@@ -108,6 +123,7 @@ impl Collision {
     /// The gradient of the barrier.
     #[must_use]
     pub fn gradient(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> Vector12 {
+        let barrier = barrier.with_thickness(self.thickness);
         let separation = self.separation(points);
         let squared = separation.squared();
         let distance = Vector12::from_fn(|row, _| {
@@ -126,6 +142,7 @@ impl Collision {
     /// The gradient and the Hessian of the barrier. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], barrier: &Barrier, projected: bool) -> Element {
+        let barrier = barrier.with_thickness(self.thickness);
         let squared = self.separation(points).squared();
         let (slope, curvature) = (barrier.slope(squared), barrier.curvature(squared));
         let Factors {

@@ -1,13 +1,16 @@
 //! The constraint set: all collisions of one configuration.
 
-use exact_ccd::{EdgeEdge, VertexFace};
+use std::ops::Range;
+
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Point, TriangleMesh};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::barrier::Barrier;
 use super::collision::Collision;
-use crate::distance::{Mollifier, edge_edge, point_triangle};
+use super::surface::Surface;
+use crate::distance::{Feature, Mollifier, edge_edge, point_edge, point_triangle};
 use crate::gather::{gather, gather_some};
 
 /// The constraint set of one configuration: all pairs of features within the activation distance.
@@ -19,56 +22,46 @@ pub struct Collisions {
 }
 
 impl Collisions {
-    /// The collisions among the candidate pairs, with the vertices at `points`. `rest` has the positions at
-    /// rest, from which the mollifier takes the lengths of edges.
+    /// The collisions among the candidate pairs of a surface, with the vertices at `points`. `barrier` is
+    /// that of surfaces without thickness.
+    ///
+    /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
+    /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two edges
+    /// is loose, each end of one and the other edge are a pair of their own.
     ///
     /// # Panics
     /// If a vertex of a pair has no position.
     #[must_use]
-    pub fn new(
-        mesh: &TriangleMesh,
-        candidates: &Candidates,
-        points: &[Point],
-        rest: &[Point],
-        barrier: Barrier,
-    ) -> Self {
-        let d_hat = barrier.activation_distance_squared();
-        let distance = d_hat.sqrt();
+    pub fn new(surface: Surface<'_>, candidates: &Candidates, points: &[Point], barrier: Barrier) -> Self {
+        let mesh = surface.mesh;
+        let near = Near {
+            surface,
+            points,
+            barrier,
+        };
         let faces = candidates.vertex_face().par_iter().filter_map(|&pair| {
             let vertices = VertexFace::vertices(mesh, pair)?;
-            let corners = gather(points, &vertices);
-            if are_apart(&corners[..1], &corners[1..], distance) {
-                return None;
-            }
-            let feature = point_triangle(&corners);
-            let squared = feature.separation(&corners).squared();
-            (squared < d_hat).then(|| (squared, Collision::new(vertices, feature)))
+            near.collision(vertices, 1..4, point_triangle, None)
         });
         let edges = candidates.edge_edge().par_iter().filter_map(|&pair| {
             let vertices = EdgeEdge::vertices(mesh, pair)?;
-            let corners = gather(points, &vertices);
-            if are_apart(&corners[..2], &corners[2..], distance) {
-                return None;
-            }
-            let feature = edge_edge(&corners);
-            let squared = feature.separation(&corners).squared();
-            (squared < d_hat).then(|| {
-                let [a, b, c, d] = gather(rest, &vertices);
-                let mollifier = Mollifier::new([(b - a).norm_squared(), (d - c).norm_squared()]);
-                let collision = if mollifier.is_active(&corners) {
-                    Collision::mollified(vertices, feature, mollifier)
-                } else {
-                    Collision::new(vertices, feature)
-                };
-                (squared, collision)
-            })
+            near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))
+        });
+        let ends = vertices_and_edges(mesh, candidates);
+        let ends = ends.par_iter().filter_map(|&[vertex, a, b]| {
+            let vertices = [vertex, a, b, vertex];
+            near.collision(vertices, 1..3, |points| point_edge(points, 0, 1, 2), None)
         });
         let mut all: Vec<(f64, Collision)> = faces.collect();
         all.par_extend(edges);
+        all.par_extend(ends);
+        all.par_extend(
+            candidates.vertex_vertex().par_iter().filter_map(|&[a, b]| {
+                near.collision([a, b, a, a], 1..2, |_| Feature::point_point(0, 1), None)
+            }),
+        );
 
-        let minimum = all
-            .iter()
-            .fold(f64::INFINITY, |least, (squared, _)| least.min(*squared));
+        let minimum = all.iter().fold(f64::INFINITY, |least, (gap, _)| least.min(*gap));
         let mut collisions: Vec<Collision> = all.into_iter().map(|(_, collision)| collision).collect();
         // The sort is stable, so that the order does not depend on threads.
         collisions.sort_by(|a, b| a.vertices().cmp(b.vertices()));
@@ -82,7 +75,7 @@ impl Collisions {
         Self {
             barrier,
             collisions,
-            minimum: minimum.sqrt(),
+            minimum,
         }
     }
 
@@ -92,7 +85,8 @@ impl Collisions {
         &self.collisions
     }
 
-    /// The least distance, in m. Infinite if there is no collision.
+    /// The least distance between two surfaces, in m: the distance of primitives minus their thickness.
+    /// Infinite if there is no collision.
     #[must_use]
     pub fn minimal_distance(&self) -> f64 {
         self.minimum
@@ -127,6 +121,71 @@ impl Collisions {
     pub fn barrier(&self) -> &Barrier {
         &self.barrier
     }
+}
+
+/// The test of one pair of primitives.
+struct Near<'a> {
+    surface: Surface<'a>,
+    points: &'a [Point],
+    barrier: Barrier,
+}
+
+impl Near<'_> {
+    /// The collision of two primitives, with the distance between their surfaces, if they are within the
+    /// activation distance. The first primitive has the vertices before `second`.
+    fn collision(
+        &self,
+        vertices: [u32; 4],
+        second: Range<usize>,
+        feature: impl FnOnce(&[Vector3<f64>; 4]) -> Feature,
+        mollifier: Option<&dyn Fn() -> Mollifier>,
+    ) -> Option<(f64, Collision)> {
+        let corners = gather(self.points, &vertices);
+        let first = 0..second.start;
+        let thickness = self
+            .surface
+            .thickness(&vertices[first.clone()], &vertices[second.clone()]);
+        let farthest = thickness + self.barrier.activation_distance();
+        if are_apart(&corners[first], &corners[second], farthest) {
+            return None;
+        }
+        let feature = feature(&corners);
+        let squared = feature.separation(&corners).squared();
+        let barrier = self.barrier.with_thickness(thickness);
+        barrier.is_active(squared).then(|| {
+            let mollifier = mollifier
+                .map(|mollifier| mollifier())
+                .filter(|mollifier| mollifier.is_active(&corners));
+            let collision = match mollifier {
+                Some(mollifier) => Collision::mollified(vertices, feature, mollifier),
+                None => Collision::new(vertices, feature),
+            };
+            (barrier.gap(squared), collision.with_thickness(thickness))
+        })
+    }
+
+    fn mollifier(&self, edges: [u32; 4]) -> Mollifier {
+        let [a, b, c, d] = gather(self.surface.rest, &edges);
+        Mollifier::new([(b - a).norm_squared(), (d - c).norm_squared()])
+    }
+}
+
+/// The pairs of a particle and an edge, and those of an end and the other edge of all pairs of edges of
+/// which one is loose, by their vertices. Each occurs once.
+fn vertices_and_edges(mesh: &TriangleMesh, candidates: &Candidates) -> Vec<[u32; 3]> {
+    let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
+    let of_particle = |&pair: &[u32; 2]| VertexEdge::vertices(mesh, pair);
+    let mut pairs: Vec<[u32; 3]> = candidates.vertex_edge().iter().filter_map(of_particle).collect();
+    for &[a, b] in candidates.edge_edge() {
+        if a.max(b) >= first_loose
+            && let Some([p, q, r, s]) = EdgeEdge::vertices(mesh, [a, b])
+        {
+            pairs.extend([[p, r, s], [q, r, s], [r, p, q], [s, p, q]]);
+        }
+    }
+    pairs.sort_unstable();
+    pairs.dedup();
+    pairs
 }
 
 /// True if the bounding boxes of two sets of points are more than a distance apart along an axis. This

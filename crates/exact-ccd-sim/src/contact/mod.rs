@@ -4,8 +4,10 @@ mod barrier;
 mod collision;
 mod collisions;
 mod stiffness;
+mod surface;
 
 pub use barrier::Barrier;
 pub use collision::Collision;
 pub use collisions::Collisions;
 pub use stiffness::StiffnessRange;
+pub use surface::Surface;

@@ -22,11 +22,11 @@ pub struct StiffnessRange {
 const LEAST_SCALE: f64 = 1e11;
 
 impl StiffnessRange {
-    /// The range for a scene. `size` is the diagonal of its bounding box in m, `mean_mass` the mean mass of
-    /// its vertices in kg.
+    /// The range for a scene. `barrier` is that of surfaces without thickness. `size` is the diagonal of
+    /// its bounding box in m, `mean_mass` the mean mass of its vertices in kg.
     #[must_use]
     pub fn new(size: f64, mean_mass: f64, barrier: &Barrier) -> Self {
-        let near = (1e-16 * size * size).min(0.25 * barrier.activation_distance_squared());
+        let near = (1e-16 * size * size).min(0.25 * barrier.activation_distance().powi(2));
         let least = LEAST_SCALE * mean_mass / (4.0 * near * barrier.curvature(near));
         Self {
             least,

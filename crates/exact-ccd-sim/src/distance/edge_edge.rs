@@ -3,6 +3,7 @@
 use nalgebra::Vector3;
 
 use super::feature::Feature;
+use super::point_edge::point_edge;
 
 /// The closest features of two edges: the first two points and the last two.
 ///
@@ -25,7 +26,7 @@ pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
     let ends = [(0, 2, 3), (1, 2, 3), (2, 0, 1), (3, 0, 1)];
     let mut nearest = (f64::INFINITY, Feature::point_point(0, 2));
     for (point, from, to) in ends {
-        let feature = point_segment(points, point, from, to);
+        let feature = point_edge(points, point, from, to);
         let squared = feature.separation(points).squared();
         if squared < nearest.0 {
             nearest = (squared, feature);
@@ -36,15 +37,3 @@ pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
 
 /// The squared sine of the angle up to which edges count as parallel.
 const PARALLEL: f64 = 1e-14;
-
-fn point_segment(points: &[Vector3<f64>; 4], point: usize, from: usize, to: usize) -> Feature {
-    let edge = points[to] - points[from];
-    let foot = edge.dot(&(points[point] - points[from]));
-    if foot <= 0.0 {
-        Feature::point_point(point, from)
-    } else if foot >= edge.norm_squared() {
-        Feature::point_point(point, to)
-    } else {
-        Feature::point_line(point, from, to)
-    }
-}

@@ -8,9 +8,11 @@
 mod edge_edge;
 mod feature;
 mod mollifier;
+mod point_edge;
 mod point_triangle;
 
 pub use edge_edge::edge_edge;
 pub use feature::{Factors, Feature, FeatureKind, Separation};
 pub use mollifier::Mollifier;
+pub use point_edge::point_edge;
 pub use point_triangle::point_triangle;

@@ -3,7 +3,7 @@
 use arrayvec::ArrayVec;
 use exact_ccd_mesh::Point;
 
-use super::{Hinge, Membrane, Tetrahedron};
+use super::{Bend, Hinge, Membrane, Stretch, Tetrahedron};
 use crate::element::{Element, Vector12};
 use crate::gather::gather;
 
@@ -16,6 +16,10 @@ pub(crate) enum Elastic {
     Membrane(Membrane),
     /// An edge between two triangles of a shell, which resists bending.
     Hinge(Hinge),
+    /// An edge of a rod.
+    Stretch(Stretch),
+    /// A vertex of a rod between two edges.
+    Bend(Bend),
 }
 
 impl Elastic {
@@ -26,6 +30,8 @@ impl Elastic {
             Self::Tetrahedron(tetrahedron) => tetrahedron.vertices().into(),
             Self::Membrane(membrane) => membrane.vertices().into_iter().collect(),
             Self::Hinge(hinge) => hinge.vertices().into(),
+            Self::Stretch(stretch) => stretch.vertices().into_iter().collect(),
+            Self::Bend(bend) => bend.vertices().into_iter().collect(),
         }
     }
 
@@ -36,6 +42,8 @@ impl Elastic {
             Self::Tetrahedron(tetrahedron) => tetrahedron.value(&gather(points, &tetrahedron.vertices())),
             Self::Membrane(membrane) => membrane.value(&gather(points, &membrane.vertices())),
             Self::Hinge(hinge) => hinge.value(&gather(points, &hinge.vertices())),
+            Self::Stretch(stretch) => stretch.value(&gather(points, &stretch.vertices())),
+            Self::Bend(bend) => bend.value(&gather(points, &bend.vertices())),
         }
     }
 
@@ -46,6 +54,8 @@ impl Elastic {
             Self::Tetrahedron(tetrahedron) => tetrahedron.gradient(&gather(points, &tetrahedron.vertices())),
             Self::Membrane(membrane) => membrane.gradient(&gather(points, &membrane.vertices())),
             Self::Hinge(hinge) => hinge.gradient(&gather(points, &hinge.vertices())),
+            Self::Stretch(stretch) => stretch.gradient(&gather(points, &stretch.vertices())),
+            Self::Bend(bend) => bend.gradient(&gather(points, &bend.vertices())),
         }
     }
 
@@ -60,6 +70,8 @@ impl Elastic {
                 membrane.derivatives(&gather(points, &membrane.vertices()), projected)
             }
             Self::Hinge(hinge) => hinge.derivatives(&gather(points, &hinge.vertices()), projected),
+            Self::Stretch(stretch) => stretch.derivatives(&gather(points, &stretch.vertices()), projected),
+            Self::Bend(bend) => bend.derivatives(&gather(points, &bend.vertices()), projected),
         }
     }
 }

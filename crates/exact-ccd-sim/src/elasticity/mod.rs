@@ -1,9 +1,10 @@
-//! Elastic energies: solids of tetrahedra, shells of triangles.
+//! Elastic energies: solids of tetrahedra, shells of triangles, rods of edges.
 //!
 //! Solids use linear tetrahedra, which lock in bending: a beam that is one cell thick deflects by about a
 //! quarter of the deflection of beam theory. Meshes with more cells across the thickness are less stiff.
 //! Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
 
+mod bend;
 mod elastic;
 mod hinge;
 mod isotropic;
@@ -11,8 +12,10 @@ mod lame;
 mod membrane;
 mod neo_hookean;
 mod stable_neo_hookean;
+mod stretch;
 mod tetrahedron;
 
+pub use bend::Bend;
 pub(crate) use elastic::Elastic;
 pub use hinge::Hinge;
 pub use isotropic::{Curvature, Isotropic, Principal};
@@ -20,4 +23,5 @@ pub use lame::{ElasticModuli, ModuliError};
 pub use membrane::Membrane;
 pub use neo_hookean::NeoHookean;
 pub use stable_neo_hookean::StableNeoHookean;
+pub use stretch::Stretch;
 pub use tetrahedron::{SolidMaterial, Tetrahedron};

@@ -10,28 +10,41 @@ use crate::body::{Body, BodyKind};
 
 /// The described body, or the invalid field with a message.
 pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
+    if let [first, second, ..] = described.materials()[..] {
+        return Err((
+            second,
+            format!("the body has both `{first}` and `{second}`, expected at most one material"),
+        ));
+    }
     let Mesh {
         points,
         faces,
+        edges,
         tetrahedra,
     } = mesh(described, folder)?;
-    let kind = match (described.solid, described.shell) {
-        (Some(_), None) if tetrahedra.is_empty() => {
-            return Err((
-                "solid",
-                "the mesh of the solid has no tetrahedra, expected a .msh file with tetrahedra or a box"
-                    .to_owned(),
-            ));
+    let kind = if let Some(material) = described.solid {
+        if tetrahedra.is_empty() {
+            let message =
+                "the mesh of the solid has no tetrahedra, expected a .msh file with tetrahedra or a box";
+            return Err(("solid", message.to_owned()));
         }
-        (Some(material), None) => BodyKind::Solid { tetrahedra, material },
-        (None, Some(material)) => BodyKind::Shell { faces, material },
-        (None, None) => BodyKind::Obstacle { faces },
-        (Some(_), Some(_)) => {
-            return Err((
-                "shell",
-                "the body has both `solid` and `shell`, expected at most one of them".to_owned(),
-            ));
+        BodyKind::Solid { tetrahedra, material }
+    } else if let Some(material) = described.rod {
+        if let Some(cells) = other_than_edges(&faces, &edges) {
+            let message = format!("the mesh of the rod has {cells}, expected edges only");
+            return Err(("rod", message));
         }
+        BodyKind::Rod { edges, material }
+    } else if let Some(material) = described.particles {
+        if !faces.is_empty() || !edges.is_empty() {
+            let message = "the mesh of the particles has faces or edges, expected points only";
+            return Err(("particles", message.to_owned()));
+        }
+        BodyKind::Particles { material }
+    } else if let Some(material) = described.shell {
+        BodyKind::Shell { faces, material }
+    } else {
+        BodyKind::Obstacle { faces }
     };
     check_placement(described)?;
     let points = points.into_iter().map(|point| described.place(point)).collect();
@@ -40,7 +53,19 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
         points,
         kind,
         velocity,
+        offset: described.offset,
     })
+}
+
+/// The cells of a mesh that a rod cannot have, in words.
+fn other_than_edges(faces: &[[u32; 3]], edges: &[[u32; 2]]) -> Option<&'static str> {
+    if !faces.is_empty() {
+        Some("faces")
+    } else if edges.is_empty() {
+        Some("no edges")
+    } else {
+        None
+    }
 }
 
 /// The mesh of a body, from its file or its shape.

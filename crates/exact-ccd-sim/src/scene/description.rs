@@ -6,7 +6,7 @@ use exact_ccd_mesh::Point;
 use serde::Deserialize;
 
 use super::placement::{Rotation, Scale};
-use crate::body::{ShellProperties, SolidProperties};
+use crate::body::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::script::Script;
 use crate::settings::Settings;
 
@@ -25,11 +25,11 @@ pub(super) struct Description {
     pub(super) body: Vec<BodyDescription>,
 }
 
-/// A body. Without `solid` and `shell`, it is an obstacle.
+/// A body. Without a material, it is an obstacle.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct BodyDescription {
-    /// A mesh file. Solids need tetrahedra (.msh). Shells and obstacles accept any file that
+    /// A mesh file. Solids need tetrahedra (.msh). All other bodies accept any file that
     /// [`exact_ccd_files::read_frame`] accepts, and the surface of tetrahedra.
     pub(super) mesh: Option<PathBuf>,
     /// A generated mesh in place of a file.
@@ -38,6 +38,13 @@ pub(super) struct BodyDescription {
     pub(super) solid: Option<SolidProperties>,
     /// The material of a shell.
     pub(super) shell: Option<ShellProperties>,
+    /// The material of a rod.
+    pub(super) rod: Option<RodProperties>,
+    /// The material of particles.
+    pub(super) particles: Option<ParticleProperties>,
+    /// The offset of the contact surface, in m.
+    #[serde(default)]
+    pub(super) offset: f64,
     /// The scaling about the origin, applied first.
     #[serde(default)]
     pub(super) scale: Scale,
@@ -79,6 +86,46 @@ pub(super) enum Shape {
         /// The radius, in m.
         radius: f64,
     },
+    /// [`shapes::line`](crate::shapes::line).
+    Line {
+        /// The number of edges.
+        edges: u16,
+        /// The length, in m.
+        length: f64,
+    },
+    /// [`shapes::knot`](crate::shapes::knot).
+    Knot {
+        /// The number of edges.
+        edges: u16,
+        /// The length, in m.
+        length: f64,
+    },
+    /// [`shapes::particles`](crate::shapes::particles).
+    Points {
+        /// The number of points along each axis.
+        counts: [u8; 3],
+        /// The lengths of the sides, in m.
+        size: Point,
+    },
+}
+
+impl BodyDescription {
+    /// The materials that the body has, by their keys.
+    pub(super) fn materials(&self) -> Vec<&'static str> {
+        let materials = [
+            ("solid", self.solid.is_some()),
+            ("shell", self.shell.is_some()),
+            ("rod", self.rod.is_some()),
+            ("particles", self.particles.is_some()),
+        ];
+        let given = materials.into_iter().filter(|(_, is_given)| *is_given);
+        given.map(|(key, _)| key).collect()
+    }
+
+    /// The key of the material, for messages.
+    pub(super) fn material(&self) -> &'static str {
+        self.materials().first().copied().unwrap_or("solid")
+    }
 }
 
 /// A selection of vertices and their motion.

@@ -105,6 +105,11 @@ impl Scene {
             System::new(&bodies, &scripts).map_err(|error| of_system(&document, &description, &error))?;
         let filter = filter_by_name(&settings.ccd, &system)
             .map_err(|message| document.error_of(&[Name("settings"), Name("ccd")], &message))?;
+        if system.is_thick() && !filter.is_exact() {
+            let name = filter.name().to_owned();
+            let error = SimulationError::Separation { name };
+            return Err(of_simulation(&document, &bodies, &error));
+        }
         let mut scene = Self {
             system,
             settings,

@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
-use super::description::Description;
+use super::description::{BodyDescription, Description};
 use super::document::{Document, Key, SceneError};
 use crate::body::Body;
 use crate::simulation::{Primitive, SimulationError};
@@ -29,11 +29,19 @@ pub(super) fn of_system(
             let path = [Name("body"), Index(*body)];
             return document.error_of(&path, &without_body(*body, error));
         }
+        SystemError::Offset { body, .. } => {
+            let path = [Name("body"), Index(*body), Name("offset")];
+            return document.error_of(&path, &without_body(*body, error));
+        }
         SystemError::Index { body, .. }
         | SystemError::Empty { body }
         | SystemError::Solid { body, .. }
+        | SystemError::Folded { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
-        SystemError::Script { .. } | SystemError::Motion { .. } | SystemError::Mesh(_) => {
+        SystemError::Script { .. }
+        | SystemError::Motion { .. }
+        | SystemError::Mesh(_)
+        | SystemError::Thickness(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
         }
     };
@@ -44,8 +52,7 @@ pub(super) fn of_system(
         let source = if has_shape { "shape" } else { "mesh" };
         return document.error_of(&[Name("body"), Index(body), Name(source)], &message);
     };
-    let is_solid = described.is_some_and(|described| described.solid.is_some());
-    let material = if is_solid { "solid" } else { "shell" };
+    let material = described.map_or("solid", BodyDescription::material);
     let path = [Name("body"), Index(body), Name(material), Name(field)];
     document.error_of(&path, &message)
 }
@@ -60,9 +67,20 @@ fn without_body(body: usize, error: &SystemError) -> String {
 /// The error of a simulation, at the setting or at the second of two touching bodies.
 pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
     let field = match error {
-        SimulationError::Start { primitives, near } => return of_start(document, bodies, *primitives, *near),
+        SimulationError::Start { primitives, near } => {
+            let what = ["intersect or touch at the start", "a positive"];
+            return of_start(document, bodies, *primitives, *near, what);
+        }
+        SimulationError::Close {
+            primitives,
+            near,
+            thickness,
+        } => {
+            let what = format!("are within the sum of their offsets, {thickness} m, at the start");
+            return of_start(document, bodies, *primitives, *near, [&what, "a larger"]);
+        }
         SimulationError::Setting(setting) => setting.what,
-        SimulationError::Method { .. } => "ccd",
+        SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         SimulationError::State { .. }
         | SimulationError::NotFinite { .. }
         | SimulationError::Late { .. }
@@ -76,8 +94,14 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
     document.error_of(&path, &error.to_string())
 }
 
-/// The error of two primitives that intersect or touch, with the vertex indices of their bodies.
-fn of_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2], near: Point) -> SceneError {
+/// The error of two primitives that are too near, with the vertex indices of their bodies.
+fn of_start(
+    document: &Document<'_>,
+    bodies: &[Body],
+    primitives: [Primitive; 2],
+    near: Point,
+    [what, expected]: [&str; 2],
+) -> SceneError {
     let ranges = System::ranges(bodies);
     // A primitive has a vertex, and each vertex belongs to a body.
     let [(a, first), (b, second)] = primitives.map(|primitive| {
@@ -86,8 +110,8 @@ fn of_start(document: &Document<'_>, bodies: &[Body], primitives: [Primitive; 2]
         (body, primitive.map(|vertex| vertex - ranges[body].start))
     });
     let message = format!(
-        "{second} of body[{b}] and {first} of body[{a}] intersect or touch at the start, near {near:?}, \
-         expected a positive distance between them"
+        "{second} of body[{b}] and {first} of body[{a}] {what}, near {near:?}, \
+         expected {expected} distance between them"
     );
     document.error_of(&[Name("body"), Index(b)], &message)
 }

@@ -9,10 +9,12 @@ use super::description::Shape;
 use crate::body::{Body, BodyKind};
 use crate::shapes;
 
-/// A mesh with its faces and, if it has any, its tetrahedra.
+/// A mesh with its faces and, if it has any, its loose edges and its tetrahedra.
+#[derive(Default)]
 pub(super) struct Mesh {
     pub(super) points: Vec<Point>,
     pub(super) faces: Vec<[u32; 3]>,
+    pub(super) edges: Vec<[u32; 2]>,
     pub(super) tetrahedra: Vec<[u32; 4]>,
 }
 
@@ -25,11 +27,13 @@ impl Mesh {
                 points: mesh.positions().to_vec(),
                 faces: mesh.surface().to_vec(),
                 tetrahedra: mesh.tetrahedra().to_vec(),
+                edges: Vec::new(),
             });
         }
         let frame = read_frame(path).map_err(|error| error.to_string())?;
         Ok(Self {
             faces: frame.mesh.faces().to_vec(),
+            edges: frame.mesh.loose_edges().to_vec(),
             points: frame.positions,
             tetrahedra: Vec::new(),
         })
@@ -41,10 +45,20 @@ impl Mesh {
             Shape::Box { cells, size } => (cells.map(u64::from).iter().product(), size),
             Shape::Grid { cells, size } => (cells.map(u64::from).iter().product(), size),
             Shape::Sphere { radius, .. } => (1, std::slice::from_ref(radius)),
+            Shape::Line { edges, length } | Shape::Knot { edges, length } => {
+                (u64::from(*edges), std::slice::from_ref(length))
+            }
+            // The sides of a lattice may have no length.
+            Shape::Points { counts, .. } => (counts.map(u64::from).iter().product(), &[]),
         };
         if !(1..=shapes::MAX_CELLS).contains(&cells) {
             let max = shapes::MAX_CELLS;
-            return Err(format!("the shape has {cells} cells, expected 1 to {max}"));
+            let what = match shape {
+                Shape::Line { .. } | Shape::Knot { .. } => "edges",
+                Shape::Points { .. } => "points",
+                Shape::Box { .. } | Shape::Grid { .. } | Shape::Sphere { .. } => "cells",
+            };
+            return Err(format!("the shape has {cells} {what}, expected 1 to {max}"));
         }
         let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
         if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
@@ -62,19 +76,35 @@ impl Mesh {
                 ));
             }
             Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
+            Shape::Line { edges, length } => shapes::line(edges, length),
+            Shape::Knot { edges, length } => shapes::knot(edges, length),
+            Shape::Points { counts, size } => shapes::particles(counts, size),
         };
-        let (faces, tetrahedra) = match kind {
-            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => (faces, Vec::new()),
+        Ok(match kind {
+            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => Self {
+                points,
+                faces,
+                ..Self::default()
+            },
             BodyKind::Solid { tetrahedra, .. } => {
                 let mesh = TetMesh::new(points.clone(), tetrahedra.clone());
                 let mesh = mesh.map_err(|error| error.to_string())?;
-                (mesh.surface().to_vec(), tetrahedra)
+                Self {
+                    faces: mesh.surface().to_vec(),
+                    points,
+                    tetrahedra,
+                    ..Self::default()
+                }
             }
-        };
-        Ok(Self {
-            points,
-            faces,
-            tetrahedra,
+            BodyKind::Rod { edges, .. } => Self {
+                points,
+                edges,
+                ..Self::default()
+            },
+            BodyKind::Particles { .. } => Self {
+                points,
+                ..Self::default()
+            },
         })
     }
 }

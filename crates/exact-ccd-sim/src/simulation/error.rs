@@ -76,6 +76,29 @@ pub enum SimulationError {
         /// The position of one of their vertices, in m.
         near: Point,
     },
+    /// Two primitives start nearer than the thickness of their surfaces.
+    #[error(
+        "{} and {} are within {thickness} m of each other at the start, near {near:?}, \
+         expected a distance above the sum of their offsets",
+        primitives[0], primitives[1]
+    )]
+    Close {
+        /// The two primitives.
+        primitives: [Primitive; 2],
+        /// The sum of the offsets of their bodies, in m.
+        thickness: f64,
+        /// The position of one of their vertices, in m.
+        near: Point,
+    },
+    /// The CCD method has no minimum separation.
+    #[error(
+        "the CCD method `{name}` has no minimum separation, which bodies with an offset need, \
+         expected `exact` or another exact method"
+    )]
+    Separation {
+        /// The name of the CCD method.
+        name: String,
+    },
     /// The linear system of a Newton iteration has no finite solution: forces are not finite, or their
     /// magnitudes differ too much.
     #[error("step {step}: the linear system of Newton's method has no solution; try a smaller time step")]

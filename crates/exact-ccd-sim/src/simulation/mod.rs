@@ -138,6 +138,9 @@ impl Simulation {
     }
 
     /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
+    ///
+    /// The exact method decides the pairs of surfaces with offsets, whatever the filter. A scene file that
+    /// names another method for them is an error.
     #[must_use]
     pub fn with_filter(mut self, filter: StepFilter) -> Self {
         filter.name().clone_into(&mut self.settings.ccd);

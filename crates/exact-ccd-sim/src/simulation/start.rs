@@ -2,9 +2,10 @@
 
 use std::fmt;
 
-use exact_ccd_mesh::{Audit, Pair, TriangleMesh, Violation};
+use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
 
 use super::SimulationError;
+use crate::contact::Barrier;
 use crate::state::State;
 use crate::system::System;
 
@@ -51,35 +52,59 @@ impl fmt::Display for Primitive {
 }
 
 /// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
-/// recorded motion starts with the same check.
+/// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are
+/// farther apart than the sum of their offsets, and that particles touch nothing.
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {
     let not_finite = || SimulationError::NotFinite { what: "positions" };
     // The frame has no vertices in the interior of solids, which touch nothing.
     let frame = system.surface_frame(&state.positions).map_err(|_| not_finite())?;
     let mesh = frame.mesh.clone();
     let violation = Audit::default().examine(frame).map_err(|_| not_finite())?;
-    match violation {
-        None => Ok(()),
-        Some(violation) => {
-            let primitives = primitives(system, &mesh, &violation);
-            let near = state.positions[primitives[0].vertices()[0] as usize];
-            Err(SimulationError::Start { primitives, near })
-        }
+    if let Some(violation) = violation {
+        let primitives = primitives(system, &mesh, &violation);
+        let near = at(state, primitives[0]);
+        return Err(SimulationError::Start { primitives, near });
     }
+    let positions = &state.positions;
+    let step = Step::new(&system.surface, positions, positions).map_err(|_| not_finite())?;
+    let near = system.near(step, &Barrier::new(0.0));
+    let Some(contact) = near.earliest_contact(step) else {
+        return Ok(());
+    };
+    let primitives = of_pair(&system.surface, contact.pair);
+    let [a, b] = primitives.each_ref().map(Primitive::vertices);
+    Err(SimulationError::Close {
+        thickness: system.contact_surface().thickness(a, b),
+        near: at(state, primitives[0]),
+        primitives,
+    })
+}
+
+/// The position of the first vertex of a primitive.
+fn at(state: &State, primitive: Primitive) -> Point {
+    state.positions[primitive.vertices()[0] as usize]
 }
 
 /// The two primitives of a violation, with the vertex indices of the system.
 fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [Primitive; 2] {
-    let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
-    let face = |face: u32| Primitive::Face(mesh.faces()[face as usize]);
     let primitives = match violation {
-        Violation::Intersection { intersection, .. } => [edge(intersection.edge), face(intersection.face)],
-        Violation::Contact { contact, .. } => match contact.pair {
-            Pair::VertexFace { vertex, face: f } => [Primitive::Vertex(vertex), face(f)],
-            Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
-            Pair::VertexEdge { vertex, edge: e } => [Primitive::Vertex(vertex), edge(e)],
-            Pair::VertexVertex { a, b } => [Primitive::Vertex(a), Primitive::Vertex(b)],
-        },
+        Violation::Intersection { intersection, .. } => [
+            Primitive::Edge(mesh.edges()[intersection.edge as usize]),
+            Primitive::Face(mesh.faces()[intersection.face as usize]),
+        ],
+        Violation::Contact { contact, .. } => of_pair(mesh, contact.pair),
     };
     primitives.map(|primitive| primitive.map(|vertex| system.surface_vertices[vertex as usize]))
+}
+
+/// The two primitives of a pair of a mesh.
+fn of_pair(mesh: &TriangleMesh, pair: Pair) -> [Primitive; 2] {
+    let edge = |edge: u32| Primitive::Edge(mesh.edges()[edge as usize]);
+    let vertex = Primitive::Vertex;
+    match pair {
+        Pair::VertexFace { vertex: v, face } => [vertex(v), Primitive::Face(mesh.faces()[face as usize])],
+        Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
+        Pair::VertexEdge { vertex: v, edge: e } => [vertex(v), edge(e)],
+        Pair::VertexVertex { a, b } => [vertex(a), vertex(b)],
+    }
 }

@@ -66,13 +66,7 @@ impl Simulation {
         let candidates = rest
             .map(|step| system.near(step, &self.barrier))
             .unwrap_or_default();
-        let collisions = Collisions::new(
-            &system.surface,
-            &candidates,
-            &positions,
-            &system.start,
-            self.barrier,
-        );
+        let collisions = Collisions::new(system.contact_surface(), &candidates, &positions, self.barrier);
         let mut lagged = self.kept_stiffness(&scheme);
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),

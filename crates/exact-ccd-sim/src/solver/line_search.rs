@@ -10,7 +10,6 @@ use super::potential::Potential;
 use crate::contact::Collisions;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
-use crate::system::System;
 
 /// The largest step size relative to the free part of a step. The barrier is infinite at contact.
 const SLACK: f64 = 0.9;
@@ -49,7 +48,7 @@ impl Newton<'_> {
             let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
                 continue;
             };
-            let candidates = self.candidates(step);
+            let candidates = self.system.near(step, &self.barrier);
             let free = self.filter.is_free(&candidates, step);
             statistics.seconds.ccd += clock.elapsed().as_secs_f64();
             if !free {
@@ -89,7 +88,7 @@ impl Newton<'_> {
         let surface = &self.system.surface;
         // A direction that is not finite is rejected like one into a contact.
         let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
-        let candidates = self.candidates(step);
+        let candidates = self.system.near(step, &self.barrier);
         let free = self.filter.free_part(&candidates, step);
         if free <= 0.0 {
             return Err(blocked());
@@ -156,13 +155,8 @@ impl Newton<'_> {
         slope(potential.gradient(positions, collisions)) <= -0.8 * before
     }
 
-    fn candidates(&self, step: Step<'_>) -> Candidates {
-        self.system.near(step, &self.barrier)
-    }
-
     fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
-        let System { surface, start, .. } = self.system;
-        Collisions::new(surface, candidates, points, start, self.barrier)
+        Collisions::new(self.system.contact_surface(), candidates, points, self.barrier)
     }
 }
 

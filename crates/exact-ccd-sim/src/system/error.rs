@@ -1,5 +1,6 @@
 //! Errors of bodies and scripts.
 
+use exact_ccd::separation::InvalidThickness;
 use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
@@ -9,7 +10,7 @@ use crate::script::ScriptError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SystemError {
-    /// A tetrahedron or a triangle has a vertex index that is out of range.
+    /// A tetrahedron, a triangle or an edge has a vertex index that is out of range.
     #[error(
         "body {body}: element {element} has the vertex index {vertex}, expected an index below {vertex_count}"
     )]
@@ -26,8 +27,11 @@ pub enum SystemError {
     /// The faces of all bodies together do not form a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// An offset is out of range. [`SystemError::Offset`] names the body instead.
+    #[error(transparent)]
+    Thickness(#[from] InvalidThickness),
     /// A body has no elements.
-    #[error("body {body}: the mesh has no faces or tetrahedra, expected at least one")]
+    #[error("body {body}: the mesh is empty, expected at least one element")]
     Empty {
         /// The body, from 0.
         body: usize,
@@ -50,12 +54,20 @@ pub enum SystemError {
         /// The cause.
         source: TetMeshError,
     },
-    /// An element has no volume or no area, up to rounding.
-    #[error("body {body}: element {element} is flat, expected a positive volume or area")]
+    /// An element has no volume, no area or no length, up to rounding.
+    #[error("body {body}: element {element} is flat, expected a positive volume, area or length")]
     Flat {
         /// The body, from 0.
         body: usize,
         /// The element, from 0.
+        element: usize,
+    },
+    /// Two edges of a rod return along each other.
+    #[error("body {body}: the rod is folded onto itself at an end of edge {element}, expected an angle")]
+    Folded {
+        /// The body, from 0.
+        body: usize,
+        /// The first of the two edges, from 0.
         element: usize,
     },
     /// An elastic modulus is out of range.
@@ -66,15 +78,23 @@ pub enum SystemError {
         /// The modulus and its value.
         source: ModuliError,
     },
-    /// The density or the thickness is not positive.
+    /// The density, the thickness or the radius is not positive.
     #[error("body {body}: the {what} is {value}, expected a positive number")]
     NotPositive {
         /// The body, from 0.
         body: usize,
-        /// `density` or `thickness`.
+        /// `density`, `thickness` or `radius`.
         what: &'static str,
         /// Its value.
         value: f64,
+    },
+    /// The offset of the contact surface is out of range.
+    #[error("body {body}: the offset is {offset}, expected a number not below 0")]
+    Offset {
+        /// The body, from 0.
+        body: usize,
+        /// Its offset.
+        offset: f64,
     },
     /// The mass of an element is not a normal number.
     #[error("body {body}: element {element} has a mass of {mass} kg, expected a positive normal number")]

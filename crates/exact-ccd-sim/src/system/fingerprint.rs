@@ -13,9 +13,9 @@ pub struct Fingerprint {
     positions: String,
     /// The hash of the initial velocities.
     velocities: String,
-    /// The hash of the corners of faces and tetrahedra.
+    /// The hash of the corners of faces, edges and tetrahedra.
     elements: String,
-    /// The hash of masses and stiffnesses.
+    /// The hash of masses, stiffnesses and offsets.
     materials: String,
     /// The hash of the scripts.
     scripts: String,
@@ -27,8 +27,8 @@ impl Fingerprint {
         Self {
             positions: hash(&system.start),
             velocities: hash(&system.velocities),
-            elements: hash(&(system.surface().faces(), tetrahedra)),
-            materials: hash(&(&system.masses, &system.elements)),
+            elements: hash(&(system.surface(), tetrahedra)),
+            materials: hash(&(&system.masses, &system.elements, &system.offsets)),
             scripts: hash(&system.scripts),
         }
     }

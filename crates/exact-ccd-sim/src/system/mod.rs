@@ -6,14 +6,15 @@ mod parts;
 
 use std::ops::Range;
 
+use exact_ccd::separation::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
-    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, FrameError, Point, Step,
-    TriangleMesh,
+    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, MinDistance, Point,
+    PositionsError, Step, TriangleMesh,
 };
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::Barrier;
+use crate::contact::{Barrier, Surface};
 use crate::elasticity::Elastic;
 use crate::script::Script;
 use parts::Parts;
@@ -30,9 +31,16 @@ pub struct System {
     pub(crate) elements: Vec<Elastic>,
     /// The script of each vertex that has one.
     pub(crate) scripts: Vec<Option<Script>>,
+    /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
     pub(crate) surface: TriangleMesh,
-    /// The vertices of faces, increasing: without those in the interior of solids.
+    /// The vertices of faces and rods, and particles, increasing: without those in the interior of solids.
     pub(crate) surface_vertices: Vec<u32>,
+    /// The surface with these vertices only.
+    compact_surface: TriangleMesh,
+    particles: Vec<u32>,
+    /// The offset of the contact surface at each vertex, in m.
+    pub(crate) offsets: Vec<f64>,
+    min_distance: MinDistance,
     /// All pairs of surface primitives, except two of obstacles.
     pub(crate) can_collide: CanCollide,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
@@ -62,22 +70,32 @@ impl System {
                 *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(*script);
             }
         }
-        let mesh = TriangleMesh::new(vertex_count, parts.faces)?;
+        let mesh = TriangleMesh::with_edges(vertex_count, parts.faces, &parts.edges)?;
         let bounds: Aabb = parts.start.iter().copied().collect();
         let size = if vertex_count == 0 {
             1.0
         } else {
             (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
         };
-        let (_, surface_vertices) = mesh.without_loose_vertices();
+        let corners = mesh.faces().as_flattened().iter();
+        let used = corners.chain(mesh.edges().as_flattened()).chain(&parts.particles);
         let mut on_surface = vec![false; vertex_count];
-        for &vertex in &surface_vertices {
+        for &vertex in used {
             on_surface[vertex as usize] = true;
         }
+        let surface_vertices: Vec<u32> = (0..vertex_count as u32)
+            .filter(|&vertex| on_surface[vertex as usize])
+            .collect();
+        let min_distance = min_distance(&parts.offsets)?;
+        let compact_surface = compact(&mesh, &surface_vertices)?;
         Ok(Self {
             can_collide: CanCollide::not_two_obstacles(parts.obstacle).among(on_surface),
             surface: mesh,
             surface_vertices,
+            compact_surface,
+            particles: parts.particles,
+            min_distance,
+            offsets: parts.offsets,
             start: parts.start,
             velocities: parts.velocities,
             masses: parts.masses,
@@ -100,38 +118,80 @@ impl System {
         bodies.iter().map(range).collect()
     }
 
-    /// The pairs that come within the activation distance of a barrier in a step, and some more.
+    /// The pairs whose surfaces come within the activation distance of a barrier in a step, and some more.
+    /// They touch where their distance is at most the sum of their offsets.
     pub(crate) fn near(&self, step: Step<'_>, barrier: &Barrier) -> Candidates {
         let options = CandidateOptions::default()
-            .with_distance(barrier.activation_distance_squared().sqrt())
+            .with_distance(barrier.activation_distance())
+            .with_min_distance(self.min_distance.clone())
             .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
-        // The distance of a barrier is positive.
+        // The distance of a barrier is positive, and each vertex has an offset.
         Candidates::with_options(step, &Bvh, &options).unwrap_or_default()
     }
 
-    /// The surface of all bodies.
+    /// The distance within which two primitives touch: the sum of their offsets.
+    #[must_use]
+    pub fn min_distance(&self) -> &MinDistance {
+        &self.min_distance
+    }
+
+    /// True if a body has an offset.
+    #[must_use]
+    pub fn is_thick(&self) -> bool {
+        self.offsets.iter().any(|&offset| offset > 0.0)
+    }
+
+    /// The surface on which contact acts.
+    pub(crate) fn contact_surface(&self) -> Surface<'_> {
+        Surface {
+            mesh: &self.surface,
+            rest: &self.start,
+            offsets: &self.offsets,
+        }
+    }
+
+    /// The faces and rods of all bodies. Its loose vertices are particles, and vertices in the interior of
+    /// solids.
     #[must_use]
     pub fn surface(&self) -> &TriangleMesh {
         &self.surface
+    }
+
+    /// The vertices that are particles, increasing.
+    #[must_use]
+    pub fn particles(&self) -> &[u32] {
+        &self.particles
     }
 
     /// The corners of all tetrahedra, ordered so that the volume at the start is positive.
     pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
         self.elements.iter().filter_map(|element| match element {
             Elastic::Tetrahedron(tetrahedron) => Some(tetrahedron.vertices()),
-            Elastic::Membrane(_) | Elastic::Hinge(_) => None,
+            _ => None,
         })
     }
 
-    /// The surface, for these positions of all vertices of the system. It has no vertices in the interior of
-    /// solids.
+    /// The surface, for these positions of all vertices of the system: faces, rods and particles. It has no
+    /// vertices in the interior of solids.
     ///
     /// # Errors
-    /// [`FrameError`], if a coordinate is not finite or there are too few positions.
-    pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, FrameError> {
-        let frame = Frame::new(positions.to_vec(), self.surface().faces().to_vec())?;
-        Ok(frame.without_loose_vertices().0)
+    /// [`PositionsError`], if a coordinate is not finite or there are too few positions.
+    pub fn surface_frame(&self, positions: &[Point]) -> Result<Frame, PositionsError> {
+        let at = |&vertex: &u32| positions.get(vertex as usize).copied();
+        let frame = Frame {
+            positions: self.surface_vertices.iter().filter_map(at).collect(),
+            mesh: self.compact_surface.clone(),
+        };
+        frame.check()?;
+        Ok(frame)
+    }
+
+    /// The offsets of the contact surface at the vertices of [`System::surface_frame`], in m.
+    #[must_use]
+    pub fn surface_offsets(&self) -> Vec<f64> {
+        let vertices = self.surface_vertices.iter();
+        vertices.map(|&vertex| self.offsets[vertex as usize]).collect()
     }
 
     /// The initial positions, in m. They are also the rest shape.
@@ -188,4 +248,20 @@ impl System {
         let counted = if free.is_empty() { masses(&|_| true) } else { free };
         if counted.is_empty() { vec![1.0] } else { counted }
     }
+}
+
+/// A mesh with some of its vertices only, which are all of its corners.
+fn compact(mesh: &TriangleMesh, vertices: &[u32]) -> Result<TriangleMesh, MeshError> {
+    let index = |vertex: u32| vertices.partition_point(|&kept| kept < vertex) as u32;
+    let faces = mesh.faces().iter().map(|face| face.map(index)).collect();
+    let edges: Vec<[u32; 2]> = mesh.loose_edges().iter().map(|edge| edge.map(index)).collect();
+    TriangleMesh::with_edges(vertices.len(), faces, &edges)
+}
+
+/// The sum of two offsets. Without offsets it is the distance of contact, which is decided faster.
+fn min_distance(offsets: &[f64]) -> Result<MinDistance, InvalidThickness> {
+    if offsets.iter().all(|&offset| offset == 0.0) {
+        return Ok(MinDistance::default());
+    }
+    Ok(MinDistance::thickness(Thickness::new(offsets)?))
 }

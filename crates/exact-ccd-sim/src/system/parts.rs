@@ -1,10 +1,14 @@
 //! The construction of a system, body by body.
 
+use std::ops::Range;
+
+use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 
 use super::error::SystemError;
-use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
-use crate::elasticity::{Elastic, Hinge, Membrane, Tetrahedron};
+use crate::bends::bends;
+use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
+use crate::elasticity::{Bend, Elastic, ElasticModuli, Hinge, Membrane, Stretch, Tetrahedron};
 use crate::gather::gather;
 use crate::hinges::hinges;
 use crate::script::Script;
@@ -16,6 +20,11 @@ pub(super) struct Parts {
     pub(super) velocities: Vec<Point>,
     pub(super) masses: Vec<f64>,
     pub(super) faces: Vec<[u32; 3]>,
+    /// The edges of rods.
+    pub(super) edges: Vec<[u32; 2]>,
+    /// The particles.
+    pub(super) particles: Vec<u32>,
+    pub(super) offsets: Vec<f64>,
     pub(super) elements: Vec<Elastic>,
     pub(super) scripts: Vec<Option<Script>>,
     pub(super) obstacle: Vec<bool>,
@@ -46,17 +55,24 @@ impl Parts {
                 expected,
             });
         }
+        if !(0.0..=Thickness::MAX).contains(&added.offset) {
+            let offset = added.offset;
+            return Err(SystemError::Offset { body, offset });
+        }
         let first = self.start.len();
         let count = added.points.len();
         self.start.extend(&added.points);
         self.velocities.extend(std::iter::repeat_n(added.velocity, count));
         self.masses.resize(first + count, 0.0);
         self.obstacle.resize(first + count, is_obstacle);
+        self.offsets.resize(first + count, added.offset);
         self.scripts
             .resize(first + count, is_obstacle.then_some(Script::Fixed));
         let is_empty = match &added.kind {
             BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } => faces.is_empty(),
             BodyKind::Solid { tetrahedra, .. } => tetrahedra.is_empty(),
+            BodyKind::Rod { edges, .. } => edges.is_empty(),
+            BodyKind::Particles { .. } => count == 0,
         };
         if is_empty {
             return Err(SystemError::Empty { body });
@@ -78,6 +94,11 @@ impl Parts {
                 let faces = placed(body, faces, first, count)?;
                 self.add_shell(body, faces, material)?;
             }
+            BodyKind::Rod { edges, material } => {
+                let edges = placed(body, edges, first, count)?;
+                self.add_rod(body, edges, material)?;
+            }
+            BodyKind::Particles { material } => self.add_particles(body, first..first + count, material)?,
         }
         Ok(())
     }
@@ -143,6 +164,57 @@ impl Parts {
             self.elements.extend(hinge.map(Elastic::Hinge));
         }
         self.faces.extend(faces);
+        Ok(())
+    }
+
+    fn add_rod(
+        &mut self,
+        body: usize,
+        edges: Vec<[u32; 2]>,
+        material: &RodProperties,
+    ) -> Result<(), SystemError> {
+        positive(body, "density", material.density)?;
+        positive(body, "radius", material.radius)?;
+        let (young, poisson) = (material.young, 0.0);
+        ElasticModuli { young, poisson }
+            .check()
+            .map_err(|source| SystemError::Moduli { body, source })?;
+        for (element, ends) in edges.iter().enumerate() {
+            let stretch = Stretch::new(*ends, &gather(&self.start, ends), material.axial_stiffness())
+                .ok_or(SystemError::Flat { body, element })?;
+            let volume = material.area() * stretch.length();
+            let share = mass(body, element, material.density * volume)? / 2.0;
+            for &end in ends {
+                self.masses[end as usize] += share;
+            }
+            self.rigidity += material.young * volume;
+            self.elements.push(Elastic::Stretch(stretch));
+        }
+        for corners in bends(&edges) {
+            let bend = Bend::new(
+                corners,
+                &gather(&self.start, &corners),
+                material.flexural_rigidity(),
+            );
+            let element = edges.iter().position(|edge| edge.contains(&corners[1]));
+            let element = element.unwrap_or_default();
+            let bend = bend.ok_or(SystemError::Folded { body, element })?;
+            self.elements.push(Elastic::Bend(bend));
+        }
+        self.edges.extend(edges);
+        Ok(())
+    }
+
+    fn add_particles(
+        &mut self,
+        body: usize,
+        vertices: Range<usize>,
+        material: &ParticleProperties,
+    ) -> Result<(), SystemError> {
+        positive(body, "density", material.density)?;
+        positive(body, "radius", material.radius)?;
+        self.masses[vertices.clone()].fill(mass(body, 0, material.mass())?);
+        self.particles.extend(vertices.map(|vertex| vertex as u32));
         Ok(())
     }
 }

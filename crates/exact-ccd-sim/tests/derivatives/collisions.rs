@@ -1,7 +1,7 @@
 //! The constraint set, in which equal collisions are merged, against the sum over all pairs of primitives.
 
 use exact_ccd_mesh::{Bvh, CanCollide, CandidateOptions, Candidates, Point, Step, TriangleMesh};
-use exact_ccd_sim::contact::{Barrier, Collisions};
+use exact_ccd_sim::contact::{Barrier, Collisions, Surface};
 use nalgebra::Vector3;
 
 use crate::differences::{Points, random_rotation, random_vector};
@@ -65,7 +65,12 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
         let rest: Vec<Point> = points.iter().map(|point| point.map(|x| 1.5 * x)).collect();
         let step = Step::new(&mesh, &points, &points).unwrap();
         let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
-        let collisions = Collisions::new(&mesh, &candidates, &points, &rest, barrier);
+        let surface = Surface {
+            mesh: &mesh,
+            rest: &rest,
+            offsets: &[],
+        };
+        let collisions = Collisions::new(surface, &candidates, &points, barrier);
         let naive = Naive::new(&mesh, &obstacle, &points, &rest, barrier);
 
         let value = collisions.value(&points);

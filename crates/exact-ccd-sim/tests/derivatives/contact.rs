@@ -38,7 +38,7 @@ fn the_barrier_ends_smoothly_and_is_infinite_at_contact() {
     assert!(barrier.value(1e-300) > 40.0);
 }
 
-fn compact(points: &Points, collision: &Collision) -> Points {
+pub(crate) fn compact(points: &Points, collision: &Collision) -> Points {
     let at = |place: usize| {
         collision
             .vertices()
@@ -48,7 +48,7 @@ fn compact(points: &Points, collision: &Collision) -> Points {
     [at(0), at(1), at(2), at(3)]
 }
 
-fn check(collision: &Collision, points: &Points, barrier: &Barrier) -> bool {
+pub(crate) fn check(collision: &Collision, points: &Points, barrier: &Barrier) -> bool {
     let points = compact(points, collision);
     let element = collision.derivatives(&points, barrier, false);
     let expected = gradient(&points, 1e-5, |x| collision.value(x, barrier));

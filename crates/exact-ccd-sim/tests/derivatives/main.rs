@@ -9,4 +9,6 @@ mod distance;
 mod elasticity;
 mod friction;
 mod naive;
+mod rods;
 mod shells;
+mod thickness;

@@ -137,7 +137,7 @@ impl Naive {
     ) {
         let vector = vector(corners, weights);
         let squared = vector.norm_squared();
-        if squared >= barrier.activation_distance_squared() {
+        if !barrier.is_active(squared) {
             return;
         }
         let fade = mollifier.map_or(1.0, |mollifier| mollifier.value(corners));

@@ -14,13 +14,12 @@ fn a_cube_on_a_floor_rests() {
     }
     // The floor is a single triangle, so that none of its edges is near: the barriers of two faces at an edge
     // have a tangential force.
-    let floor = Body {
-        points: vec![[-9.0, 0.0, -9.0], [0.0, 0.0, 19.0], [19.0, 0.0, -9.0]],
-        kind: BodyKind::Obstacle {
+    let floor = Body::new(
+        vec![[-9.0, 0.0, -9.0], [0.0, 0.0, 19.0], [19.0, 0.0, -9.0]],
+        BodyKind::Obstacle {
             faces: vec![[0, 1, 2]],
         },
-        velocity: [0.0; 3],
-    };
+    );
     let system = System::new(&[cube, floor], &[]).unwrap();
     let settings = Settings {
         contact_distance: Length::Absolute(0.005),

@@ -4,13 +4,12 @@ use exact_ccd_sim::{Body, BodyKind, Primitive, Settings, Simulation, SimulationE
 
 /// An obstacle of one triangle in the plane of x and z, at a height.
 fn triangle(height: f64) -> Body {
-    Body {
-        points: vec![[-1.0, height, -1.0], [3.0, height, -1.0], [-1.0, height, 3.0]],
-        kind: BodyKind::Obstacle {
+    Body::new(
+        vec![[-1.0, height, -1.0], [3.0, height, -1.0], [-1.0, height, 3.0]],
+        BodyKind::Obstacle {
             faces: vec![[0, 1, 2]],
         },
-        velocity: [0.0; 3],
-    }
+    )
 }
 
 fn start(bodies: &[Body]) -> Result<Simulation, SimulationError> {

@@ -46,37 +46,59 @@ fn without_filters<K: Kind>(rows: &[Row], queries: &[K::Vertices], found: Found<
 
 #[inline(always)]
 fn with_filters<S: Simd, K: Kind>(simd: S, rows: &[Row], queries: &[K::Vertices], found: Found<'_, K>) {
-    let mut near = [0; CHUNK + LANES];
-    for (chunk, queries) in queries.chunks(CHUNK).enumerate() {
-        let mut count = 0;
-        for (index, query) in queries.iter().enumerate() {
-            // Without a branch, which would be hard to predict.
-            near[count] = index;
-            count += usize::from(!rows::are_separated::<S, K>(simd, rows_of::<K>(rows, query)));
-        }
-        // The last vector is filled up with copies of the last query.
-        let filled = count.next_multiple_of(LANES);
-        let last = near[count.saturating_sub(1)];
-        near[count..filled].fill(last);
-        for (eight, indices) in near[..filled].chunks_exact(LANES).enumerate() {
-            let mut lanes = [rows_of::<K>(rows, &queries[indices[0]]); LANES];
-            for (lane, &index) in lanes.iter_mut().zip(indices) {
-                *lane = rows_of::<K>(rows, &queries[index]);
-            }
-            let rest = planes::screen::<S, K>(simd, &lanes);
-            for lane in 0..LANES.min(count - LANES * eight) {
+    for_each_eight::<K>(
+        rows,
+        queries,
+        #[inline(always)]
+        |_, rows| rows::are_separated::<S, K>(simd, rows),
+        #[inline(always)]
+        |indices, eight| {
+            let rest = planes::screen::<S, K>(simd, eight);
+            for (lane, &index) in indices.iter().enumerate() {
                 if rest.lanes >> lane & 1 != 0 {
-                    let query = query(lanes[lane]);
+                    let query = query(eight[lane]);
                     let decision = if rest.out_of_range >> lane & 1 == 0 {
                         filter::decide_near_plane(&query, &rest.cubic(lane))
                     } else {
                         Decision::Unknown
                     };
                     if let Ok(collision) = Collision::from_decision(&query, decision) {
-                        found(CHUNK * chunk + indices[lane], collision);
+                        found(index, collision);
                     }
                 }
             }
+        },
+    );
+}
+
+/// The rows of eight queries.
+pub(super) type Eight<'a> = [[&'a Row; 4]; LANES];
+
+/// Passes on the queries that `is_settled` does not settle, by index and rows: eight at a time, and
+/// their indices. The last vector is filled up with copies of its last query, which have no index.
+#[inline(always)]
+pub(super) fn for_each_eight<'a, K: Kind>(
+    rows: &'a [Row],
+    queries: &[K::Vertices],
+    is_settled: impl Fn(usize, [&Row; 4]) -> bool,
+    mut pass_on: impl FnMut(&[usize], &Eight<'a>),
+) {
+    let mut near = [0; CHUNK];
+    for (chunk, in_chunk) in queries.chunks(CHUNK).enumerate() {
+        let mut count = 0;
+        for (offset, query) in in_chunk.iter().enumerate() {
+            let index = CHUNK * chunk + offset;
+            // Without a branch, which would be hard to predict.
+            near[count] = index;
+            count += usize::from(!is_settled(index, rows_of::<K>(rows, query)));
+        }
+        for indices in near[..count].chunks(LANES) {
+            let last = indices.len() - 1;
+            let eight = core::array::from_fn(
+                #[inline(always)]
+                |lane| rows_of::<K>(rows, &queries[indices[last.min(lane)]]),
+            );
+            pass_on(indices, &eight);
         }
     }
 }
@@ -92,7 +114,7 @@ pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K
     query(rows_of::<K>(rows, vertices))
 }
 
-fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
+pub(super) fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
     let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = rows.map(Row::points);
     Query::from_finite([[a0, b0, c0, d0], [a1, b1, c1, d1]])
 }

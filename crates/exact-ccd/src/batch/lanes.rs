@@ -24,6 +24,16 @@ impl<S: Simd> Lanes for f64x8<S> {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        <Self as SimdFloat<S>>::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
+        mask.select(yes, no)
+    }
+
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         <Self as SimdBase<S>>::min(self, other)
     }

@@ -36,6 +36,22 @@ impl Rest {
 /// Passes eight queries through the filters.
 #[inline(always)]
 pub(super) fn screen<S: Simd, K: Kind>(simd: S, rows: &[[&Row; 4]; LANES]) -> Rest {
+    let Screened {
+        settled,
+        out_of_range,
+        cubic,
+    } = screen_planes::<K, _>(&transposed(simd, rows));
+    Rest {
+        lanes: (!settled).to_bitmask(),
+        out_of_range: out_of_range.to_bitmask(),
+        bernstein: cubic.bernstein.map(Into::into),
+        magnitude: cubic.magnitude.into(),
+    }
+}
+
+/// The points of eight queries side by side.
+#[inline(always)]
+pub(super) fn transposed<S: Simd>(simd: S, rows: &[[&Row; 4]; LANES]) -> Points<f64x8<S>> {
     let mut transposed = [[[0.0; LANES]; 8]; 4];
     for (lane, rows) in rows.iter().enumerate() {
         for (point, row) in rows.iter().enumerate() {
@@ -53,15 +69,5 @@ pub(super) fn screen<S: Simd, K: Kind>(simd: S, rows: &[[&Row; 4]; LANES]) -> Re
             }
         }
     }
-    let Screened {
-        settled,
-        out_of_range,
-        cubic,
-    } = screen_planes::<K, _>(&points);
-    Rest {
-        lanes: (!settled).to_bitmask(),
-        out_of_range: out_of_range.to_bitmask(),
-        bernstein: cubic.bernstein.map(Into::into),
-        magnitude: cubic.magnitude.into(),
-    }
+    points
 }

@@ -1,11 +1,17 @@
-//! Queries within a distance, one at a time.
+//! The filters of separation on chunks of queries.
 
-use super::chunks::{self, Found, query_of};
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, dispatch, f64x8};
+
+use super::chunks::{self, Eight, Found, for_each_eight, query, query_of};
 use super::instructions::Instructions;
+use super::planes::{LANES, transposed};
 use super::row::Row;
+use super::rows;
+use crate::environment::flushes_subnormals;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::separation::Separations;
+use crate::separation::{Screening, Separations};
 
 /// Calls `found` with each query of rows that comes within its separation, and its index, in order.
 /// All indices of rows exist.
@@ -19,6 +25,20 @@ pub(super) fn collisions<K: Kind>(
     if separations.is_contact() {
         return chunks::collisions::<K>(instructions, rows, queries, found);
     }
+    if flushes_subnormals() {
+        return one_by_one::<K>(rows, queries, separations, found);
+    }
+    dispatch!(instructions.level(), simd => with_filters::<_, K>(simd, rows, queries, separations, found));
+}
+
+/// The same for single queries, which use no filter then.
+#[cold]
+fn one_by_one<K: Kind>(
+    rows: &[Row],
+    queries: &[K::Vertices],
+    separations: Separations<'_>,
+    found: Found<'_, K>,
+) {
     for (index, vertices) in queries.iter().enumerate() {
         let (a, b) = vertices.as_ref().split_at(K::FIRST);
         let query: Query<K> = query_of(rows, vertices);
@@ -26,4 +46,54 @@ pub(super) fn collisions<K: Kind>(
             found(index, collision);
         }
     }
+}
+
+#[inline(always)]
+fn with_filters<S: Simd, K: Kind>(
+    simd: S,
+    rows: &[Row],
+    queries: &[K::Vertices],
+    separations: Separations<'_>,
+    found: Found<'_, K>,
+) {
+    let separation = |index: usize| {
+        let (a, b) = queries[index].as_ref().split_at(K::FIRST);
+        separations.between(a, b)
+    };
+    for_each_eight::<K>(
+        rows,
+        queries,
+        #[inline(always)]
+        |index, rows| rows::are_beyond::<S, K>(simd, rows, separation(index).get()),
+        #[inline(always)]
+        |indices, eight| {
+            let mut d = [0.0; LANES];
+            for (d, &index) in d.iter_mut().zip(indices) {
+                *d = separation(index).get();
+            }
+            let rest = rest::<S, K>(simd, eight, d);
+            for (lane, &index) in indices.iter().enumerate() {
+                if rest >> lane & 1 != 0 {
+                    let query = query(eight[lane]);
+                    if let Some(collision) = query.collision_near(separation(index)) {
+                        found(index, collision);
+                    }
+                }
+            }
+        },
+    );
+}
+
+/// The queries that vectors do not settle, a bit for each.
+#[inline(always)]
+fn rest<S: Simd, K: Kind>(simd: S, eight: &Eight<'_>, d: [f64; LANES]) -> u64 {
+    let points = transposed(simd, eight);
+    let screening = Screening::new::<K>(&points, f64x8::from_slice(simd, &d));
+    let in_range = !screening.is_out_of_range();
+    let beyond = screening.planes_are_beyond::<K>(&points) & in_range;
+    let rest = (!beyond).to_bitmask();
+    if rest == 0 {
+        return 0;
+    }
+    rest & (!(screening.turning_is_beyond::<K>() & in_range)).to_bitmask()
 }

@@ -197,16 +197,21 @@ impl Instant {
 
 /// The distinct roots in [0, 1] of polynomials that are not zero, in increasing order.
 pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
+    roots_between(polynomials, &Dyadic::ZERO, &Dyadic::ONE)
+}
+
+/// The distinct roots in [low, high] of polynomials that are not zero, in increasing order.
+pub(crate) fn roots_between(polynomials: Vec<Polynomial>, low: &Dyadic, high: &Dyadic) -> Vec<Instant> {
     let mut all: Vec<Instant> = Vec::new();
     for polynomial in coprime(polynomials) {
         let mut roots = Vec::new();
-        for end in [Dyadic::ZERO, Dyadic::ONE] {
-            if polynomial.sign_at(&end).is_eq() {
-                roots.push(Instant::Dyadic(end));
+        for end in [low, high] {
+            if polynomial.sign_at(end).is_eq() {
+                roots.push(Instant::Dyadic(end.clone()));
             }
         }
-        let inner = polynomial.without_root(&Dyadic::ZERO).without_root(&Dyadic::ONE);
-        isolate(inner, Dyadic::ZERO, Dyadic::ONE, &mut roots);
+        let inner = polynomial.without_root(low).without_root(high);
+        isolate(inner, low.clone(), high.clone(), &mut roots);
         for root in roots {
             all.insert(all.partition_point(|other| other.is_before(&root)), root);
         }

@@ -4,14 +4,20 @@ use super::cubic::Cubic;
 use super::double_double::DoubleDouble;
 use super::number::{Lanes, Number, Points, reach, subtract};
 use super::precise_cubic::PreciseCubic;
+use super::roundoff::UNIT;
+use super::vector::{add, cross, dot};
 use crate::kind::Kind;
 use crate::query::Query;
 
 /// c, and the normals from which it is computed.
-pub(super) struct Coplanarity<T> {
+pub(crate) struct Coplanarity<T> {
     pub(super) cubic: Cubic<T>,
     /// e₁ × e₂ at t = 0 and at t = 1.
-    pub(super) normals: [[T; 3]; 2],
+    pub(crate) normals: [[T; 3]; 2],
+    /// Twice the blossom of e₁ × e₂ at (0, 1).
+    mixed: [T; 3],
+    /// The sum over the axes of a bound for the magnitudes that are added up to e₁ × e₂.
+    extent: T,
 }
 
 /// c = b₀ (1−t)³ + 3 b₁ (1−t)² t + 3 b₂ (1−t) t² + b₃ t³.
@@ -22,17 +28,53 @@ struct Expansion<T: Number> {
     coefficients: [T; 4],
     magnitude: T::Real,
     normals: [[T; 3]; 2],
+    mixed: [T; 3],
+    extent: T::Real,
 }
 
 impl<T: Lanes> Coplanarity<T> {
     #[inline(always)]
-    pub(super) fn new<K: Kind>(points: &Points<T>) -> Self {
+    pub(crate) fn new<K: Kind>(points: &Points<T>) -> Self {
         let expansion = Expansion::<T>::new::<K>(points);
         Self {
             cubic: Cubic::new(expansion.coefficients, expansion.magnitude),
             normals: expansion.normals,
+            mixed: expansion.mixed,
+            extent: expansion.extent,
         }
     }
+
+    /// True where the planes of the primitives are certainly farther than d apart at all times: |c| >
+    /// d |n| for n = e₁ × e₂.
+    ///
+    /// Let n₀, m and n₁ be the Bernstein coefficients of n. |n| is convex, hence at most the
+    /// combination of |n₀|, |m| and |n₁|, of degree 2; of degree 3, its coefficients are |n₀|, (|n₀| +
+    /// 2 |m|) / 3, (2 |m| + |n₁|) / 3 and |n₁|. So it suffices that each coefficient of c exceeds d times
+    /// that of |n|. Where n vanishes, so does c, which excludes it.
+    ///
+    /// A component of n₀ and n₁ results from four roundings, one of 2 m from five, of terms of at most
+    /// the extent: each coefficient of |n| is off by less than 8 u times the extent. The lengths and
+    /// their means add at most eight roundings, and [`TINY`] in case the squares underflow.
+    #[inline(always)]
+    pub(crate) fn are_planes_beyond(&self, d: T) -> T::Mask {
+        let [start, end] = self.normals;
+        let (start, mixed, end) = (length_bound(start), length_bound(self.mixed), length_bound(end));
+        let mut bounds = [start, (start + mixed) / 3.0, (mixed + end) / 3.0, end];
+        let slack = self.extent * (16.0 * UNIT);
+        for bound in &mut bounds {
+            *bound = d * (*bound * (1.0 + 16.0 * UNIT) + slack);
+        }
+        self.cubic.is_beyond(bounds)
+    }
+}
+
+/// 2⁻⁵⁰⁰: more than the error of a length whose square underflows, 2⁻⁵³⁶.
+const TINY: f64 = f64::from_bits((1023 - 500) << 52);
+
+/// An upper bound of the length of a vector, up to five roundings.
+#[inline(always)]
+pub(super) fn length_bound<T: Lanes>(vector: [T; 3]) -> T {
+    dot(vector, vector).sqrt() + TINY
 }
 
 /// c in twice the precision.
@@ -57,32 +99,17 @@ impl<T: Number> Expansion<T> {
             dot(w[1], normals[1]),
         ];
         let (w, e1, e2) = (reach(&w), reach(&e1), reach(&e2));
-        let magnitude = w[0] * (e1[1] * e2[2] + e1[2] * e2[1])
-            + w[1] * (e1[2] * e2[0] + e1[0] * e2[2])
-            + w[2] * (e1[0] * e2[1] + e1[1] * e2[0]);
+        let across = [
+            e1[1] * e2[2] + e1[2] * e2[1],
+            e1[2] * e2[0] + e1[0] * e2[2],
+            e1[0] * e2[1] + e1[1] * e2[0],
+        ];
         Self {
             coefficients,
-            magnitude,
+            magnitude: dot(w, across),
             normals,
+            mixed,
+            extent: across[0] + across[1] + across[2],
         }
     }
-}
-
-#[inline(always)]
-fn add<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-#[inline(always)]
-fn dot<T: Number>(a: [T; 3], b: [T; 3]) -> T {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-fn cross<T: Number>(a: [T; 3], b: [T; 3]) -> [T; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

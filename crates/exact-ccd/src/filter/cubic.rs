@@ -71,6 +71,16 @@ impl<T: Lanes> Cubic<T> {
             (-b0).gt(error) & (-b1).gt(error) & (-b2).gt(error) & (-b3).gt(error),
         ]
     }
+
+    /// True where each coefficient certainly exceeds a bound, or is below its negative.
+    #[inline(always)]
+    pub(super) fn is_beyond(&self, bounds: [T; 4]) -> T::Mask {
+        let error = self.coefficient_error();
+        let ([b0, b1, b2, b3], [c0, c1, c2, c3]) = (self.bernstein, bounds);
+        let (c0, c1, c2, c3) = (c0 + error, c1 + error, c2 + error, c3 + error);
+        (b0.gt(c0) & b1.gt(c1) & b2.gt(c2) & b3.gt(c3))
+            | ((-b0).gt(c0) & (-b1).gt(c1) & (-b2).gt(c2) & (-b3).gt(c3))
+    }
 }
 
 impl Cubic<f64> {

@@ -2,14 +2,16 @@
 //! domain. So F has no root if all these values lie strictly on one side of a plane through the
 //! origin.
 
+use super::coplanarity::length_bound;
 use super::number::{Lanes, Points, subtract};
 use super::roundoff::{LARGEST, UNDERFLOW, UNIT};
+use super::vector::dot;
 use crate::kind::Kind;
 use crate::point::Point;
 
 /// The eight values of F at the corners of its domain, by axis. A vertex-face query has six
 /// corners, two of which are repeated.
-pub(super) struct Hull<T> {
+pub(crate) struct Hull<T> {
     corners: [[T; 8]; 3],
     low: [T; 3],
     high: [T; 3],
@@ -17,7 +19,7 @@ pub(super) struct Hull<T> {
 
 impl<T: Lanes> Hull<T> {
     #[inline(always)]
-    pub(super) fn new<K: Kind>(points: &Points<T>) -> Self {
+    pub(crate) fn new<K: Kind>(points: &Points<T>) -> Self {
         let mut corners = points[0][0].map(|x| [x; 8]);
         for (corner, &difference) in K::CORNERS.iter().enumerate() {
             for (time, at_time) in subtract::<T>(points, difference).iter().enumerate() {
@@ -42,11 +44,30 @@ impl<T: Lanes> Hull<T> {
         self.high[axis].max(-self.low[axis])
     }
 
+    /// The same of all axes.
+    #[inline(always)]
+    pub(crate) fn reaches(&self) -> [T; 3] {
+        [self.reach(0), self.reach(1), self.reach(2)]
+    }
+
     /// True where a coordinate of a corner exceeds [`LARGEST`].
     #[inline(always)]
-    pub(super) fn is_out_of_range(&self) -> T::Mask {
+    pub(crate) fn is_out_of_range(&self) -> T::Mask {
         let largest = self.low[0].splat(LARGEST);
         self.reach(0).gt(largest) | self.reach(1).gt(largest) | self.reach(2).gt(largest)
+    }
+
+    /// The corners at t = 0 or at t = 1.
+    #[inline(always)]
+    pub(crate) fn corners(&self, time: usize) -> [[T; 3]; 4] {
+        let [x, y, z] = &self.corners;
+        let i = 4 * time;
+        [
+            [x[i], y[i], z[i]],
+            [x[i + 1], y[i + 1], z[i + 1]],
+            [x[i + 2], y[i + 2], z[i + 2]],
+            [x[i + 3], y[i + 3], z[i + 3]],
+        ]
     }
 
     #[inline(always)]
@@ -71,7 +92,19 @@ impl<T: Lanes> Hull<T> {
     /// origin with this normal.
     #[inline(always)]
     pub(super) fn separates(&self, direction: [T; 3]) -> T::Mask {
-        let error = self.error_along(direction);
+        self.separates_by(direction, direction[0].splat(0.0))
+    }
+
+    /// True where all corners are certainly farther than d from the plane through the origin with this
+    /// normal, on the same side. The product of d and the length has six roundings.
+    #[inline(always)]
+    pub(crate) fn is_beyond(&self, direction: [T; 3], d: T) -> T::Mask {
+        self.separates_by(direction, d * (length_bound(direction) * (1.0 + 16.0 * UNIT)))
+    }
+
+    #[inline(always)]
+    fn separates_by(&self, direction: [T; 3], least: T) -> T::Mask {
+        let error = self.error_along(direction) + least;
         let [first, rest @ ..] = self.along(direction);
         let (mut above, mut below) = (first.gt(error), (-first).gt(error));
         for value in rest {
@@ -143,8 +176,4 @@ pub(crate) fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bo
         sides[3] &= x < -y;
     }
     sides != [false; 4]
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

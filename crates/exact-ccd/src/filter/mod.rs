@@ -16,11 +16,14 @@ mod position;
 mod precise_cubic;
 mod roundoff;
 mod screening;
+mod vector;
 
 pub(crate) use contact::Contact;
+pub(crate) use coplanarity::Coplanarity;
 pub(crate) use cubic::Cubic;
 pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
-pub(crate) use hull::diagonal_separates;
+pub(crate) use hull::{Hull, diagonal_separates};
 pub(crate) use number::{Lanes, Number, Points, subtract};
-pub(crate) use roundoff::{UNDERFLOW, UNIT, certain_sign};
+pub(crate) use roundoff::{LARGEST, UNDERFLOW, UNIT, certain_sign};
 pub(crate) use screening::{Decision, Screened, decide, decide_near_plane, screen_planes};
+pub(crate) use vector::{add, cross, dot, minus, scaled, select, towards};

@@ -14,6 +14,7 @@ pub(crate) trait Lanes:
     + Neg<Output = Self>
     + Add<f64, Output = Self>
     + Mul<f64, Output = Self>
+    + Div<Output = Self>
     + Div<f64, Output = Self>
 {
     /// A bool for each lane.
@@ -26,6 +27,11 @@ pub(crate) trait Lanes:
     fn gt(self, other: Self) -> Self::Mask;
 
     fn abs(self) -> Self;
+
+    fn sqrt(self) -> Self;
+
+    /// One number in the lanes of a mask, another one elsewhere.
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// The smaller of two numbers that are not NaN.
     fn min(self, other: Self) -> Self;
@@ -50,6 +56,16 @@ impl Lanes for f64 {
     #[inline(always)]
     fn abs(self) -> Self {
         self.abs()
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        libm::sqrt(self)
+    }
+
+    #[inline(always)]
+    fn select(mask: bool, yes: Self, no: Self) -> Self {
+        if mask { yes } else { no }
     }
 
     #[inline(always)]

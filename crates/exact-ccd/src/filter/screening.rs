@@ -62,6 +62,7 @@ pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>) -> Screened<T
     let Coplanarity {
         cubic,
         normals: [start, end],
+        ..
     } = Coplanarity::new::<K>(points);
     let [positive, negative] = cubic.constant_signs();
     let out_of_range = hull.is_out_of_range();

@@ -34,6 +34,19 @@ impl<K: Kind> Query<K> {
         Some(Collision::within(self, d, first))
     }
 
+    /// [`collision_within`](Self::collision_within) of a query that the filters of batches have not
+    /// settled.
+    pub(crate) fn collision_near(&self, d: Separation) -> Option<Collision<'_, K>> {
+        if d.is_zero() {
+            return self.collision();
+        }
+        let first = match filter::first_near(self, d) {
+            Some((first, _)) => first,
+            None => exact::first_within(self, d),
+        };
+        Some(Collision::within(self, d, first?))
+    }
+
     /// The first time at which the distance of the primitives is at most d, if there is one.
     #[must_use]
     #[inline]
@@ -89,10 +102,10 @@ impl<K: Kind> Query<K> {
         if d.is_zero() {
             return self.impact();
         }
-        if let Some((None, _)) = filter::first_within(self, d) {
-            return None;
+        match filter::first_within(self, d) {
+            Some((first, _)) => exact::impact_at(self, d, first?),
+            None => exact::impact_within(self, d),
         }
-        exact::impact_within(self, d)
     }
 
     /// The distance of the primitives at time `t`, between two adjacent f64 or exactly.

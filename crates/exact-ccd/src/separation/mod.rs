@@ -29,6 +29,7 @@ mod stage;
 mod thickness;
 
 pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
+pub(crate) use filter::Screening;
 pub use stage::SeparationStage;
 pub use thickness::{InvalidThickness, Separations, Thickness};
 

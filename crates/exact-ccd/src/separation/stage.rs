@@ -10,6 +10,9 @@ pub enum SeparationStage {
     BoundingBox,
     /// The primitives are farther than d apart along a diagonal of two axes.
     Diagonals,
+    /// The primitives are farther than d apart along the normal of their planes at one end of the step,
+    /// or their planes are at all times.
+    Planes,
     /// The primitives are within d at t = 0.
     Start,
     /// Directions, one stretch of time after the other, prove that the primitives never come within
@@ -23,10 +26,11 @@ pub enum SeparationStage {
 
 impl SeparationStage {
     /// All stages, in order.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Contact,
         Self::BoundingBox,
         Self::Diagonals,
+        Self::Planes,
         Self::Start,
         Self::Advancement,
         Self::Crossing,

@@ -19,11 +19,11 @@ fn agrees<K: FromFour>(count: u32, points: impl Strategy<Value = Points>) {
 }
 
 fn ordinary_points<K: FromFour>() {
-    agrees::<K>(12_000, ordinary());
+    agrees::<K>(100_000, ordinary());
 }
 
 fn extreme_points<K: FromFour>() {
-    agrees::<K>(600, extreme());
+    agrees::<K>(2_000, extreme());
 }
 
 for_each_kind! {

@@ -54,7 +54,7 @@ impl Symmetry {
 
 fn symmetric<K: FromFour>() {
     for_all(
-        cases(4_000),
+        cases(20_000),
         (ordinary(), rule(), symmetry()),
         |(points, rule, symmetry)| {
             let d = rule.separation::<K>(&points);
@@ -95,7 +95,7 @@ fn may_add_up_to_one(a: ContactTime, b: ContactTime) -> bool {
 }
 
 fn reversible<K: FromFour>() {
-    for_all(cases(4_000), (ordinary(), rule()), |(points, rule)| {
+    for_all(cases(20_000), (ordinary(), rule()), |(points, rule)| {
         let d = rule.separation::<K>(&points);
         let [start, end] = points;
         let (forth, back) = (K::query(&points), K::query(&[end, start]));

@@ -9,7 +9,7 @@ use crate::runner::for_all;
 
 fn grows<K: FromFour>() {
     for_all(
-        cases(4_000),
+        cases(20_000),
         (ordinary(), rule(), rule()),
         |(points, one, other)| {
             let query = K::query(&points);

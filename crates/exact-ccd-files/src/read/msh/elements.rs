@@ -1,6 +1,7 @@
 //! The section `$Elements`.
 
 use super::super::cells::Cells;
+use super::super::solids::Solid;
 use super::nodes::{Tags, positive};
 use super::values::{Record, Values, Version};
 use crate::error::{Fault, ParseError, Place};
@@ -14,7 +15,11 @@ enum Shape {
     Point,
     Line,
     Triangle,
+    Quadrilateral,
     Tetrahedron,
+    Hexahedron,
+    Wedge,
+    Pyramid,
 }
 
 impl Shape {
@@ -23,9 +28,13 @@ impl Shape {
             15 => Ok(Self::Point),
             1 => Ok(Self::Line),
             2 => Ok(Self::Triangle),
+            3 => Ok(Self::Quadrilateral),
             4 => Ok(Self::Tetrahedron),
+            5 => Ok(Self::Hexahedron),
+            6 => Ok(Self::Wedge),
+            7 => Ok(Self::Pyramid),
             _ => {
-                let expected = "element type 15, a point, 1, a line, 2, a triangle, or 4, a tetrahedron";
+                let expected = "an element of first order, of type 1 to 7 or 15";
                 Err(Fault::expected(expected, format!("`{number}`")).at(place))
             }
         }
@@ -150,6 +159,7 @@ impl Elements<'_> {
         mut tag: impl FnMut(&mut V) -> Result<u64, ParseError>,
     ) -> Result<(), ParseError> {
         let tags = self.tags;
+        let begin = values.place();
         let mut node = || {
             let place = values.place();
             let tag = tag(values)?;
@@ -161,9 +171,21 @@ impl Elements<'_> {
         match shape {
             Shape::Point => self.cells.points.push(node()?),
             Shape::Line => self.cells.lines.push([node()?, node()?]),
-            Shape::Triangle => self.cells.triangles.push([node()?, node()?, node()?]),
-            Shape::Tetrahedron => self.cells.tetrahedra.push([node()?, node()?, node()?, node()?]),
+            Shape::Triangle => self.cells.faces.add(&nodes::<3>(node)?, || begin)?,
+            Shape::Quadrilateral => self.cells.faces.add(&nodes::<4>(node)?, || begin)?,
+            Shape::Tetrahedron => self.cells.solids.push(Solid::Tetrahedron(nodes(node)?)),
+            Shape::Hexahedron => self.cells.solids.push(Solid::Hexahedron(nodes(node)?)),
+            Shape::Wedge => self.cells.solids.push(Solid::Wedge(nodes(node)?)),
+            Shape::Pyramid => self.cells.solids.push(Solid::Pyramid(nodes(node)?)),
         }
         Ok(())
     }
+}
+
+fn nodes<const N: usize>(mut node: impl FnMut() -> Result<u32, ParseError>) -> Result<[u32; N], ParseError> {
+    let mut nodes = [0; N];
+    for corner in &mut nodes {
+        *corner = node()?;
+    }
+    Ok(nodes)
 }

@@ -3,6 +3,7 @@
 use exact_ccd_mesh::Point;
 
 use super::super::cells::{Cells, vertex_index};
+use super::super::polygons::Faces;
 use super::header::{Element, Header, Integer, Kind, Property, Scalar};
 use super::rows::{Row, Rows};
 use crate::error::{Fault, ParseError, Place, quoted};
@@ -22,7 +23,7 @@ pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Resul
     for element in &header.elements {
         match (element.name, end_points(element)) {
             (b"vertex", _) => cells.positions = read_vertices(element, &mut rows)?,
-            (b"face", _) => cells.triangles = read_faces(element, vertex_count, &mut rows)?,
+            (b"face", _) => cells.faces = read_faces(element, vertex_count, &mut rows)?,
             (b"edge", Some(ends)) => cells.lines = read_edges(element, ends, vertex_count, &mut rows)?,
             _ => skip_rows(element, &mut rows)?,
         }
@@ -69,7 +70,7 @@ fn read_faces<'a>(
     element: &'a Element<'a>,
     vertex_count: u64,
     rows: &mut impl Rows<'a>,
-) -> Result<Vec<[u32; 3]>, ParseError> {
+) -> Result<Faces, ParseError> {
     let corner_list = |property: &Property| match property.kind {
         Kind::List {
             count,
@@ -85,38 +86,31 @@ fn read_faces<'a>(
         let expected = "a property `vertex_indices` of element `face`, a list of integers";
         return Err(Fault::expected(expected, "none").at(element.place));
     };
-    let mut faces = Vec::new();
+    let mut faces = Faces::default();
+    let mut corners = Vec::new();
     for number in 0..element.count {
         rows.begin(Row { element, number })?;
-        let mut face = [0; 3];
         for (at, property) in element.properties.iter().enumerate() {
             match corner_list(property) {
                 Some((count, item)) if at == corners_at => {
-                    face = read_corners(faces.len(), vertex_count, count, item, rows)?;
+                    let place = rows.place();
+                    corners.clear();
+                    let count = rows.integer(count)?;
+                    if count < 0 {
+                        let face = faces.count;
+                        return Err(Fault::Corners { face, corners: count }.at(place));
+                    }
+                    for _ in 0..count {
+                        corners.push(read_index(("face", faces.count), vertex_count, item, rows)?);
+                    }
+                    faces.add(&corners, || place)?;
                 }
                 _ => skip(property, rows)?,
             }
         }
         rows.end()?;
-        faces.push(face);
     }
     Ok(faces)
-}
-
-fn read_corners<'a>(
-    face: usize,
-    vertex_count: u64,
-    count: Integer,
-    item: Integer,
-    rows: &mut impl Rows<'a>,
-) -> Result<[u32; 3], ParseError> {
-    let place = rows.place();
-    let corners = rows.integer(count)?;
-    if corners != 3 {
-        return Err(Fault::Corners { face, corners }.at(place));
-    }
-    let mut corner = || read_index(("face", face), vertex_count, item, rows);
-    Ok([corner()?, corner()?, corner()?])
 }
 
 /// The types of the properties `vertex1` and `vertex2` of an edge. Without both, as integers, an

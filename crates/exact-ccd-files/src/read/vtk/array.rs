@@ -1,114 +1,176 @@
-//! Arrays of numbers, inline: as text, or in base64.
+//! Arrays of numbers: inline as text or in base64, or appended to the file.
 
+use std::cell::Cell;
 use std::str::FromStr;
 
-use base64::Engine;
-use base64::engine::general_purpose::STANDARD;
 use roxmltree::Node;
 
 use super::super::binary::ByteOrder;
+use super::super::compressed::Budget;
+use super::super::scalar::Scalar;
 use super::super::text::parse;
+use super::blocks::{Compression, Layout};
+use super::stream::Stream;
 use super::xml::File;
 use crate::error::{ParseError, quoted};
 
-/// The encoding of numbers in a file.
-pub(super) struct Encoding {
-    order: ByteOrder,
-    /// The size of the length of an array, in bytes.
-    header: usize,
+/// The encoding of the arrays of a file.
+pub(super) struct Encoding<'a> {
+    layout: Layout,
+    appended: Option<Appended<'a>>,
+    budget: Cell<Budget>,
 }
 
-impl Encoding {
-    pub(super) fn of<'a>(file: &File<'a>) -> Result<Self, ParseError> {
+/// The data after the XML.
+struct Appended<'a> {
+    data: &'a [u8],
+    is_raw: bool,
+}
+
+const INTEGER: &str = "`Int8` to `UInt64`";
+const REAL: &str = "`Float32`, `Float64` or a type of integers";
+
+impl<'a> Encoding<'a> {
+    /// The encoding that the root of a file describes, with the data after the XML.
+    pub(super) fn of<'n>(
+        file: &File<'n>,
+        appended: Option<&'a [u8]>,
+        size: usize,
+    ) -> Result<Self, ParseError> {
         let root = file.root;
         let unexpected =
             |expected: &str, found: &str| Err(file.fault(root, expected, quoted(found.as_bytes())));
-        if let Some(compressor) = root.attribute("compressor") {
-            return unexpected("data that are not compressed", compressor);
-        }
+        let compression = match root.attribute("compressor") {
+            None | Some("") => Compression::None,
+            Some("vtkZLibDataCompressor") => Compression::Zlib,
+            Some("vtkLZ4DataCompressor") => Compression::Lz4,
+            Some(other) => return unexpected("data compressed by zlib, by LZ4 or not", other),
+        };
         let order = match file.attribute(root, "byte_order")? {
             "LittleEndian" => ByteOrder::LittleEndian,
             "BigEndian" => ByteOrder::BigEndian,
             other => return unexpected("`LittleEndian` or `BigEndian`", other),
         };
-        let header = match root.attribute("header_type") {
+        let word = match root.attribute("header_type") {
             None | Some("UInt32") => 4,
             Some("UInt64") => 8,
             Some(other) => return unexpected("`UInt32` or `UInt64`", other),
         };
-        Ok(Self { order, header })
+        let appended = match appended {
+            None => None,
+            Some(data) => {
+                let node = file.child(root, "AppendedData")?;
+                let is_raw = match file.attribute(node, "encoding")? {
+                    "raw" => true,
+                    "base64" => false,
+                    other => {
+                        let found = quoted(other.as_bytes());
+                        return Err(file.fault(node, "encoding `raw` or `base64`", found));
+                    }
+                };
+                Some(Appended { data, is_raw })
+            }
+        };
+        Ok(Self {
+            layout: Layout {
+                order,
+                word,
+                compression,
+            },
+            appended,
+            budget: Cell::new(Budget::of(size)),
+        })
     }
 
-    pub(super) fn reals<'a>(&self, file: &File<'a>, array: Node<'a, 'a>) -> Result<Vec<f64>, ParseError> {
-        match file.attribute(array, "type")? {
-            "Float64" => self.values(file, array, f64::from_le_bytes),
-            "Float32" => self.values(file, array, |bytes| f64::from(f32::from_le_bytes(bytes))),
-            other => Err(file.fault(array, "`Float64` or `Float32`", quoted(other.as_bytes()))),
+    pub(super) fn reals<'n>(&self, file: &File<'n>, array: Node<'n, 'n>) -> Result<Vec<f64>, ParseError> {
+        let scalar = scalar(file, array, REAL)?;
+        self.values(file, array, scalar, |bytes| {
+            scalar.reals(bytes, self.layout.order)
+        })
+    }
+
+    pub(super) fn integers<'n>(&self, file: &File<'n>, array: Node<'n, 'n>) -> Result<Vec<i64>, ParseError> {
+        let scalar = scalar(file, array, INTEGER)?;
+        if !scalar.is_integer() {
+            let found = quoted(file.attribute(array, "type")?.as_bytes());
+            return Err(file.fault(array, INTEGER, found));
         }
+        self.values(file, array, scalar, |bytes| {
+            scalar.integers(bytes, self.layout.order).unwrap_or_default()
+        })
     }
 
-    pub(super) fn integers<'a>(&self, file: &File<'a>, array: Node<'a, 'a>) -> Result<Vec<i64>, ParseError> {
-        match file.attribute(array, "type")? {
-            "Int64" => self.values(file, array, i64::from_le_bytes),
-            "Int32" => self.values(file, array, |bytes| i32::from_le_bytes(bytes).into()),
-            "UInt8" => self.values(file, array, |bytes| u8::from_le_bytes(bytes).into()),
-            other => Err(file.fault(array, "`Int64`, `Int32` or `UInt8`", quoted(other.as_bytes()))),
-        }
-    }
-
-    fn values<'a, T: FromStr, const N: usize>(
+    fn values<'n, T: FromStr>(
         &self,
-        file: &File<'a>,
-        array: Node<'a, 'a>,
-        decode: fn([u8; N]) -> T,
+        file: &File<'n>,
+        array: Node<'n, 'n>,
+        scalar: Scalar,
+        decode: impl FnOnce(&[u8]) -> Vec<T>,
     ) -> Result<Vec<T>, ParseError> {
         let text = array.text().unwrap_or_default();
-        match file.attribute(array, "format")? {
+        let (mut stream, is_inline) = match file.attribute(array, "format")? {
             "ascii" => {
                 let number = |word: &str| {
                     parse(word.as_bytes())
                         .ok_or_else(|| file.fault(array, "a number", quoted(word.as_bytes())))
                 };
-                text.split_ascii_whitespace().map(number).collect()
+                return text.split_ascii_whitespace().map(number).collect();
             }
-            "binary" => {
-                let bytes = STANDARD
-                    .decode(text.trim_ascii())
-                    .map_err(|error| file.fault(array, "base64", quoted(error.to_string().as_bytes())))?;
-                let data = self
-                    .body(&bytes)
-                    .ok_or_else(|| file.fault(array, "as many bytes as the array begins with", "others"))?;
-                let (numbers, rest) = data.as_chunks::<N>();
-                if !rest.is_empty() {
-                    return Err(file.fault(
-                        array,
-                        format!("numbers of {N} bytes"),
-                        format!("{} bytes", data.len()),
-                    ));
-                }
-                Ok(numbers
-                    .iter()
-                    .map(|&number| decode(self.little_endian(number)))
-                    .collect())
+            // An empty array may have no header.
+            "binary" if text.trim_ascii().is_empty() => return Ok(Vec::new()),
+            "binary" => (Stream::base64(text.as_bytes()), true),
+            "appended" => (self.appended_stream(file, array)?, false),
+            other => {
+                let found = quoted(other.as_bytes());
+                return Err(file.fault(array, "format `ascii`, `binary` or `appended`", found));
             }
-            other => Err(file.fault(array, "format `ascii` or `binary`", quoted(other.as_bytes()))),
-        }
-    }
-
-    /// The bytes after the header, if their number is the one in the header.
-    fn body<'b>(&self, bytes: &'b [u8]) -> Option<&'b [u8]> {
-        let (header, body) = bytes.split_at_checked(self.header)?;
-        let length = match header {
-            &[a, b, c, d] => u32::from_le_bytes(self.little_endian([a, b, c, d])).into(),
-            _ => u64::from_le_bytes(self.little_endian(header.try_into().ok()?)),
         };
-        (length == body.len() as u64).then_some(body)
+        let mut budget = self.budget.get();
+        let data = self.layout.data(&mut stream, &mut budget);
+        self.budget.set(budget);
+        let data = data.map_err(|fault| file.at(array, fault))?;
+        if is_inline && !stream.is_empty() {
+            let expected = format!("{} bytes, as the array begins with", data.len());
+            return Err(file.fault(array, expected, "more"));
+        }
+        if data.len() % scalar.size() != 0 {
+            let expected = format!("numbers of {} bytes", scalar.size());
+            return Err(file.fault(array, expected, format!("{} bytes", data.len())));
+        }
+        Ok(decode(&data))
     }
 
-    fn little_endian<const N: usize>(&self, mut bytes: [u8; N]) -> [u8; N] {
-        if let ByteOrder::BigEndian = self.order {
-            bytes.reverse();
-        }
-        bytes
+    /// The appended data from the offset of an array on.
+    fn appended_stream<'n>(&self, file: &File<'n>, array: Node<'n, 'n>) -> Result<Stream<'a>, ParseError> {
+        let offset = file.attribute(array, "offset")?;
+        let missing = || {
+            let found = format!("offset {}", quoted(offset.as_bytes()));
+            file.fault(array, "an offset into the appended data", found)
+        };
+        let appended = self.appended.as_ref().ok_or_else(missing)?;
+        let data = parse::<usize>(offset.as_bytes()).and_then(|offset| appended.data.get(offset..));
+        let data = data.ok_or_else(missing)?;
+        Ok(if appended.is_raw {
+            Stream::Raw(data)
+        } else {
+            Stream::base64(data)
+        })
     }
+}
+
+/// The type of the numbers of an array.
+fn scalar<'n>(file: &File<'n>, array: Node<'n, 'n>, expected: &str) -> Result<Scalar, ParseError> {
+    Ok(match file.attribute(array, "type")? {
+        "Int8" => Scalar::I8,
+        "UInt8" => Scalar::U8,
+        "Int16" => Scalar::I16,
+        "UInt16" => Scalar::U16,
+        "Int32" => Scalar::I32,
+        "UInt32" => Scalar::U32,
+        "Int64" => Scalar::I64,
+        "UInt64" => Scalar::U64,
+        "Float32" => Scalar::F32,
+        "Float64" => Scalar::F64,
+        other => return Err(file.fault(array, expected, quoted(other.as_bytes()))),
+    })
 }

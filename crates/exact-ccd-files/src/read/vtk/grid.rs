@@ -1,95 +1,113 @@
-//! Unstructured grids of points, lines, triangles and tetrahedra.
+//! XML files: unstructured grids, and surfaces as lists of points, lines, polygons and strips.
 
 use roxmltree::Node;
 
 use super::super::cells::Cells;
+use super::appended;
 use super::array::Encoding;
+use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
+use super::list::CellList;
 use super::xml::{File, parse_xml};
-use crate::error::{ParseError, quoted};
+use crate::error::ParseError;
 
-/// VTK's numbers of the supported types of cells.
-const VERTEX: i64 = 1;
-const POLY_VERTEX: i64 = 2;
-const LINE: i64 = 3;
-const POLY_LINE: i64 = 4;
-const TRIANGLE: i64 = 5;
-const TETRAHEDRON: i64 = 10;
+/// The lists of a surface, and the type of their cells.
+const LISTS: [(&str, i64); 4] = [
+    ("Verts", POLY_VERTEX),
+    ("Lines", POLY_LINE),
+    ("Strips", TRIANGLE_STRIP),
+    ("Polys", POLYGON),
+];
 
-const SUPPORTED: &str = "points (type 1 or 2), lines (3 or 4), triangles (5) or tetrahedra (10)";
-
-pub(in super::super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
-    let document = parse_xml(bytes)?;
-    let file = File::new(&document, "UnstructuredGrid")?;
-    let encoding = Encoding::of(&file)?;
-    let piece = file.child(file.child(file.root, "UnstructuredGrid")?, "Piece")?;
-    let points = file.child(file.child(piece, "Points")?, "DataArray")?;
-    let coordinates = encoding.reals(&file, points)?;
-    let (positions, rest) = coordinates.as_chunks::<3>();
-    if !rest.is_empty() {
-        let found = format!("{} numbers", coordinates.len());
-        return Err(file.fault(points, "three coordinates for each point", found));
-    }
-    let mut cells = Cells {
-        positions: positions.to_vec(),
-        ..Cells::default()
+/// The root of a file, which has this type: `UnstructuredGrid` or `PolyData`.
+pub(in super::super) fn read(bytes: &[u8], kind: &str) -> Result<Cells, ParseError> {
+    let parts = appended::split(bytes);
+    let document = parse_xml(&parts.xml)?;
+    let file = File::new(&document, kind)?;
+    let encoding = Encoding::of(&file, parts.appended, bytes.len())?;
+    let mut reader = Reader {
+        file: &file,
+        encoding,
+        cells: Cells::default(),
     };
-    read_cells(&file, &encoding, file.child(piece, "Cells")?, &mut cells)?;
-    Ok(cells)
+    let data = file.child(file.root, kind)?;
+    for piece in data.children().filter(|child| child.has_tag_name("Piece")) {
+        reader.read_piece(piece)?;
+    }
+    Ok(reader.cells)
 }
 
-fn read_cells<'a>(
-    file: &File<'a>,
-    encoding: &Encoding,
-    parent: Node<'a, 'a>,
-    cells: &mut Cells,
-) -> Result<(), ParseError> {
-    let array = |name: &str| {
-        let mut arrays = parent
+struct Reader<'f, 'a> {
+    file: &'f File<'a>,
+    encoding: Encoding<'f>,
+    cells: Cells,
+}
+
+impl<'a> Reader<'_, 'a> {
+    /// Appends the points and cells of a piece.
+    fn read_piece(&mut self, piece: Node<'a, 'a>) -> Result<(), ParseError> {
+        let first = self.cells.positions.len();
+        self.read_points(piece)?;
+        if let Some(list) = piece.children().find(|child| child.has_tag_name("Cells")) {
+            let types = self.integers(list, "types")?;
+            return self.read_list(list, first, |_| types);
+        }
+        for (name, kind) in LISTS {
+            let list = piece.children().find(|child| child.has_tag_name(name));
+            // A list without cells may have no arrays.
+            if let Some(list) = list.filter(|list| list.first_element_child().is_some()) {
+                self.read_list(list, first, |count| vec![kind; count])?;
+            }
+        }
+        Ok(())
+    }
+
+    fn read_points(&mut self, piece: Node<'a, 'a>) -> Result<(), ParseError> {
+        let points = self.file.child(piece, "Points")?;
+        if piece.attribute("NumberOfPoints") == Some("0") {
+            return Ok(());
+        }
+        let coordinates = self
+            .encoding
+            .reals(self.file, self.file.child(points, "DataArray")?)?;
+        let (positions, rest) = coordinates.as_chunks::<3>();
+        if !rest.is_empty() {
+            let found = format!("{} numbers", coordinates.len());
+            return Err(self.file.fault(points, "three coordinates for each point", found));
+        }
+        self.cells.positions.extend(positions);
+        Ok(())
+    }
+
+    /// Appends the cells of a list, with the types that belong to their number. Corners are counted
+    /// from the vertex `first`.
+    fn read_list(
+        &mut self,
+        list: Node<'a, 'a>,
+        first: usize,
+        types: impl FnOnce(usize) -> Vec<i64>,
+    ) -> Result<(), ParseError> {
+        let (corners, ends) = (
+            self.integers(list, "connectivity")?,
+            self.integers(list, "offsets")?,
+        );
+        let list = CellList {
+            corners: &corners,
+            ends: &ends,
+            types: &types(ends.len()),
+            place: &|| self.file.place(list),
+        };
+        let points = first..self.cells.positions.len();
+        list.add_to(&mut self.cells, points)
+    }
+
+    /// The array of integers with this name.
+    fn integers(&self, list: Node<'a, 'a>, name: &str) -> Result<Vec<i64>, ParseError> {
+        let mut arrays = list
             .children()
             .filter(|child| child.attribute("Name") == Some(name));
         let node = arrays
             .next()
-            .ok_or_else(|| file.fault(parent, format!("an array `{name}`"), "none"))?;
-        encoding.integers(file, node)
-    };
-    let (corners, ends, types) = (array("connectivity")?, array("offsets")?, array("types")?);
-    if ends.len() != types.len() {
-        let found = format!("{} offsets and {} types", ends.len(), types.len());
-        return Err(file.fault(parent, "as many offsets as types", found));
+            .ok_or_else(|| self.file.fault(list, format!("an array `{name}`"), "none"))?;
+        self.encoding.integers(self.file, node)
     }
-    let vertex_count = cells.positions.len();
-    let mut rest = corners.as_slice();
-    let mut start = 0;
-    for (cell, (end, kind)) in ends.into_iter().zip(types).enumerate() {
-        let cell_corners = usize::try_from(end.saturating_sub(start))
-            .ok()
-            .and_then(|count| rest.split_off(..count))
-            .ok_or_else(|| file.fault(parent, format!("the end of cell {cell}"), format!("offset {end}")))?;
-        start = end;
-        let numbered: Option<Vec<u32>> = cell_corners
-            .iter()
-            .map(|&corner| corner.try_into().ok())
-            .collect();
-        let in_range = |&corner: &u32| (corner as usize) < vertex_count;
-        let numbered = numbered
-            .filter(|corners| corners.iter().all(in_range))
-            .ok_or_else(|| {
-                let expected = format!("corners of cell {cell} among the {vertex_count} points");
-                file.fault(parent, expected, quoted(format!("{cell_corners:?}").as_bytes()))
-            })?;
-        match (kind, numbered.as_slice()) {
-            (VERTEX, [_]) | (POLY_VERTEX, _) => cells.points.extend(numbered),
-            (LINE, [_, _]) | (POLY_LINE, [_, _, ..]) => cells.add_polyline(&numbered),
-            (TRIANGLE, &[a, b, c]) => cells.triangles.push([a, b, c]),
-            (TETRAHEDRON, &[a, b, c, d]) => cells.tetrahedra.push([a, b, c, d]),
-            _ => {
-                let found = format!("cell {cell} of type {kind} with {} corners", numbered.len());
-                return Err(file.fault(parent, SUPPORTED, found));
-            }
-        }
-    }
-    if rest.is_empty() {
-        return Ok(());
-    }
-    Err(file.fault(parent, format!("{start} corners"), corners.len().to_string()))
 }

@@ -56,14 +56,24 @@ impl<'a> File<'a> {
             .ok_or_else(|| self.fault(node, format!("an attribute `{name}`"), "none"))
     }
 
-    /// An error at the line of an element.
+    /// The error at the line of an element that one thing is in the place of another.
     pub(super) fn fault(
         &self,
         node: Node<'a, 'a>,
         expected: impl Into<String>,
         found: impl Into<String>,
     ) -> ParseError {
+        self.at(node, Fault::expected(expected, found))
+    }
+
+    /// An error at the line of an element.
+    pub(super) fn at(&self, node: Node<'a, 'a>, fault: Fault) -> ParseError {
+        fault.at(self.place(node))
+    }
+
+    /// The line of an element.
+    pub(super) fn place(&self, node: Node<'a, 'a>) -> Place {
         let line = self.root.document().text_pos_at(node.range().start).row;
-        Fault::expected(expected, found).at(Place::Line(line as usize))
+        Place::Line(line as usize)
     }
 }

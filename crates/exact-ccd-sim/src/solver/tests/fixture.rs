@@ -23,7 +23,8 @@ const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
 /// The vertex with a spring.
 const SPRING_VERTEX: u32 = 9;
 
-/// A cloth between a floor and a box: elements of all kinds, on vertices of all bodies.
+/// A cloth between a floor and a box, with a rod and particles above: elements of all kinds, on vertices of
+/// all bodies.
 pub(super) struct Fixture {
     pub(super) system: System,
     pub(super) scheme: Scheme,
@@ -41,7 +42,11 @@ impl Fixture {
         let cloth = shapes::cloth([1, 1], [1.0, 1.1]).placed(|[x, _, z]| [x + 0.2, 0.1, z + 0.1]);
         let solid =
             shapes::solid_box([1, 1, 1], [0.7, 0.6, 0.8]).placed(|[x, y, z]| [x + 0.3, y + 0.2, z + 0.2]);
-        let system = System::new(&[floor, cloth, solid], &[]).unwrap();
+        let rod = shapes::line(3, 0.9).placed(|[x, _, z]| [x + 0.25, 0.92, z + 0.6]);
+        let beads =
+            shapes::particles([2, 1, 1], [0.15, 0.0, 0.0]).placed(|[x, _, z]| [x + 0.5, 1.04, z + 0.61]);
+        let bodies = [floor, cloth, solid, rod, beads].map(|body| body.with_offset(0.01));
+        let system = System::new(&bodies, &[]).unwrap();
         let mut moved = |point: &Point, by: f64| point.map(|x| x + by * (2.0 * random.f64() - 1.0));
         let stretched = |point: &Point| point.map(|x| stretch * x);
         let points: Vec<Point> = system
@@ -88,16 +93,15 @@ impl Fixture {
     }
 
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
-        let System { surface, start, .. } = &self.system;
-        let step = Step::new(surface, points, points).unwrap();
+        let step = Step::new(self.system.surface(), points, points).unwrap();
         let candidates = self.system.near(step, &self.barrier);
-        Collisions::new(surface, &candidates, points, start, self.barrier)
+        Collisions::new(self.system.contact_surface(), &candidates, points, self.barrier)
     }
 
     /// The empty constraint set.
     pub(super) fn no_collisions(&self) -> Collisions {
-        let System { surface, start, .. } = &self.system;
-        Collisions::new(surface, &Candidates::default(), &self.points, start, self.barrier)
+        let surface = self.system.contact_surface();
+        Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
     /// Four of five free vertices are unknowns.

@@ -14,7 +14,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 use super::dyadic::Dyadic;
-use super::instant::{Instant, roots};
+use super::instant::{Instant, roots, roots_between};
 use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::impact::Impact;
@@ -76,6 +76,14 @@ pub fn impact_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<Impact>
     closest::impact::<K>(&approach, &features, &first)
 }
 
+/// [`impact_within`] for d > 0, given the first time.
+pub(crate) fn impact_at<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Impact> {
+    let approach = Approach::new(query, d);
+    let features = approach.features::<K>();
+    let first = instant_at(&features, first)?;
+    closest::impact::<K>(&approach, &features, &first)
+}
+
 /// [`Query::distance_at`], computed in integers alone.
 ///
 /// # Errors
@@ -92,6 +100,21 @@ fn first_instant(features: &[Feature]) -> Option<Instant> {
         return Some(start);
     }
     roots(events(features))
+        .into_iter()
+        .find(|event| is_within(features, event))
+}
+
+/// The first instant within d, given its time: an f64, or a root of some excess between two of them.
+fn instant_at(features: &[Feature], time: ContactTime) -> Option<Instant> {
+    let [low, high] = [time.lower(), time.upper()].map(Dyadic::from_unit);
+    if time.is_exact() {
+        return Some(Instant::Dyadic(low));
+    }
+    let changing = features
+        .iter()
+        .map(Feature::excess)
+        .filter(|excess| excess.sign_between(&low, &high).is_none());
+    roots_between(changing.cloned().collect(), &low, &high)
         .into_iter()
         .find(|event| is_within(features, event))
 }

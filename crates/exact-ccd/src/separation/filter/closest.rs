@@ -1,5 +1,6 @@
 //! A guess of the closest points at one time, without bound.
 
+use crate::filter::{cross, dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 
@@ -27,12 +28,12 @@ impl Closest {
         let mut best = (dot(corners[0], corners[0]), Self::Corner(0));
         for side in &K::SIDES[..features.sides] {
             let [i, j] = side.corners;
-            let (x, e) = (corners[i], subtract(corners[j], corners[i]));
+            let (x, e) = (corners[i], minus(corners[j], corners[i]));
             let s = -dot(x, e) / dot(e, e);
             let (at, closest) = if s >= 1.0 {
                 (corners[j], Self::Corner(j))
             } else if s > 0.0 {
-                let point = [0, 1, 2].map(|axis: usize| x[axis] + s * e[axis]);
+                let point = towards(x, e, s);
                 (point, Self::Between([i, j], s))
             } else {
                 (x, Self::Corner(i))
@@ -50,12 +51,12 @@ impl Closest {
         match self {
             Self::Corner(i) => corners[i],
             Self::Between([i, j], s) => {
-                let e = subtract(corners[j], corners[i]);
-                [0, 1, 2].map(|axis: usize| corners[i][axis] + s * e[axis])
+                let e = minus(corners[j], corners[i]);
+                towards(corners[i], e, s)
             }
             Self::Inner([i, j], [u, v]) => {
-                let (a, b) = (subtract(corners[i], corners[0]), subtract(corners[j], corners[0]));
-                [0, 1, 2].map(|axis: usize| corners[0][axis] + u * a[axis] + v * b[axis])
+                let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
+                towards(towards(corners[0], a, u), b, v)
             }
         }
     }
@@ -65,9 +66,9 @@ impl Closest {
         let Self::Inner([i, j], _) = self else {
             return self.point(corners);
         };
-        let n = cross(subtract(corners[i], corners[0]), subtract(corners[j], corners[0]));
+        let n = cross(minus(corners[i], corners[0]), minus(corners[j], corners[0]));
         if dot(n, corners[0]) < 0.0 {
-            n.map(|x| -x)
+            [-n[0], -n[1], -n[2]]
         } else {
             n
         }
@@ -78,7 +79,7 @@ impl Closest {
 /// domain.
 fn inner(corners: &[Point; 4], [i, j]: [usize; 2], is_triangle: bool) -> Option<[f64; 2]> {
     let c = corners[0];
-    let (a, b) = (subtract(corners[i], c), subtract(corners[j], c));
+    let (a, b) = (minus(corners[i], c), minus(corners[j], c));
     let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
     let (ca, cb) = (dot(c, a), dot(c, b));
     let determinant = aa * bb - ab * ab;
@@ -92,20 +93,4 @@ fn inner(corners: &[Point; 4], [i, j]: [usize; 2], is_triangle: bool) -> Option<
             u < 1.0 && v < 1.0
         };
     (determinant > 0.0 && is_inside).then_some([u, v])
-}
-
-pub(super) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn subtract(a: Point, b: Point) -> Point {
-    [0, 1, 2].map(|axis: usize| a[axis] - b[axis])
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -2,7 +2,7 @@
 
 use core::f64::consts::SQRT_2;
 
-use crate::filter::UNIT;
+use crate::filter::{Lanes, UNIT, add, scaled};
 use crate::kind::Kind;
 use crate::point::Point;
 use crate::query::Query;
@@ -54,19 +54,26 @@ impl Corners {
     /// it is off by at most 2 u (|x| + |y|) (1 + u); `SQRT_2` is above √2.
     #[inline]
     pub(super) fn are_beyond_diagonal(&self, d: f64) -> bool {
-        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
+        for [i, j] in [[0, 1], [1, 2], [2, 0]] {
             let slack = 8.0 * UNIT * (self.reach[i] + self.reach[j]);
+            // Infinite if a component is, so that a sum that is not a number proves nothing.
             let least = (d * SQRT_2 + slack).next_up().next_up();
-            let mut sides = [true; 4];
+            let ([mut low, mut high], [mut lowest, mut highest]) = (
+                [f64::INFINITY, f64::NEG_INFINITY],
+                [f64::INFINITY, f64::NEG_INFINITY],
+            );
             for corner in self.at.as_flattened() {
                 let (sum, difference) = (corner[i] + corner[j], corner[i] - corner[j]);
-                sides[0] &= sum > least;
-                sides[1] &= sum < -least;
-                sides[2] &= difference > least;
-                sides[3] &= difference < -least;
+                low = Lanes::min(sum, low);
+                high = Lanes::max(sum, high);
+                lowest = Lanes::min(difference, lowest);
+                highest = Lanes::max(difference, highest);
             }
-            sides != [false; 4]
-        })
+            if low > least || high < -least || lowest > least || highest < -least {
+                return true;
+            }
+        }
+        false
     }
 
     /// The corners and d, scaled by a power of two; `None` if they are out of range.
@@ -82,12 +89,14 @@ impl Corners {
         }
         let factor = f64::from_bits(((1023 - exponent) as u64) << 52);
         let d = d * factor;
+        let mut at = self.at;
+        for corner in at.as_flattened_mut() {
+            *corner = scaled(*corner, factor);
+        }
         Some(Scaled {
             factor,
-            at: self
-                .at
-                .map(|corners| corners.map(|corner| corner.map(|x| x * factor))),
-            reach: self.reach.map(|x| x * factor),
+            at,
+            reach: scaled(self.reach, factor),
             d: if d < LEAST { LEAST } else { d },
             d_is_exact: d >= LEAST,
         })
@@ -111,7 +120,10 @@ impl Scaled {
     /// The corners at time t, to within rounding.
     pub(super) fn corners_at(&self, t: f64) -> [Point; 4] {
         let [start, end] = &self.at;
-        [0, 1, 2, 3]
-            .map(|i: usize| [0, 1, 2].map(|axis: usize| (1.0 - t) * start[i][axis] + t * end[i][axis]))
+        let mut corners = *start;
+        for (corner, end) in corners.iter_mut().zip(end) {
+            *corner = add(scaled(*corner, 1.0 - t), scaled(*end, t));
+        }
+        corners
     }
 }

@@ -1,15 +1,18 @@
 //! The first time within d between two adjacent f64, where D decreases through d.
 
-use super::closest::dot;
+use super::advance;
 use super::corners::Scaled;
 use super::moment::{Moment, Moving, Precision};
-use crate::filter::{DoubleDouble, Number};
+use crate::filter::{DoubleDouble, Number, dot};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
 
 /// A stretch of time is cut into at most two to this power of pieces.
 const DEPTH: u32 = 5;
+
+/// The same where the distance does not seem to reach d: it may become nearly as small.
+const GRAZING_DEPTH: u32 = 12;
 
 /// The first time within d, or none, when D > d is known before the time `free`; `None` if that is
 /// not certain.
@@ -27,12 +30,16 @@ pub(super) fn first_after<K: Kind>(
     let rough = Moving::<f64>::new(query, scaled);
     let precise = Moving::<DoubleDouble>::new(query, scaled);
     let stretch = Stretch {
-        rough: &rough,
+        scaled,
         precise: &precise,
     };
     let floor = newton::<K, _>(&rough, [free, free]).and_then(|near| newton::<K, _>(&precise, [free, near]));
     let end = floor.unwrap_or(1.0);
-    if !stretch.is_beyond::<K>([free, end], floor.is_some(), DEPTH) {
+    let is_beyond = match floor {
+        Some(end) => stretch.is_beyond::<K>([free, end], DEPTH),
+        None => advance::is_beyond::<K>(scaled, free, 1.0, GRAZING_DEPTH),
+    };
+    if !is_beyond {
         return None;
     }
     if end == 1.0 {
@@ -44,28 +51,25 @@ pub(super) fn first_after<K: Kind>(
 
 /// A stretch of time in both precisions.
 struct Stretch<'a> {
-    rough: &'a Moving<f64>,
+    scaled: &'a Scaled,
     precise: &'a Moving<DoubleDouble>,
 }
 
 impl Stretch<'_> {
     /// True if the distance is certainly above d from one time to another: in one piece, or cut in
-    /// the middle. A last piece ends next to the distance d and needs twice the precision.
-    fn is_beyond<K: Kind>(&self, [start, end]: [f64; 2], is_last: bool, depth: u32) -> bool {
-        let proved = if is_last {
-            let moment = |t| -> Moment<DoubleDouble> { self.precise.at::<K>(t) };
-            moment(start).is_beyond_until(&moment(end))
-        } else {
-            let moment = |t| -> Moment<f64> { self.rough.at::<K>(t) };
-            moment(start).is_beyond_until(&moment(end))
-        };
+    /// the middle. The last piece ends next to the distance d and needs twice the precision.
+    fn is_beyond<K: Kind>(&self, [start, end]: [f64; 2], depth: u32) -> bool {
+        let moment = |t| -> Moment<DoubleDouble> { self.precise.at::<K>(t) };
         let middle = 0.5 * (start + end);
-        if proved || depth == 0 || middle <= start || middle >= end {
-            return proved;
+        if moment(start).is_beyond_until(&moment(end)) {
+            return true;
+        }
+        if depth == 0 || middle <= start || middle >= end {
+            return false;
         }
         // The later part first: it is nearer to the distance d, so its proof fails more often.
-        self.is_beyond::<K>([middle, end], is_last, depth - 1)
-            && self.is_beyond::<K>([start, middle], false, depth - 1)
+        self.is_beyond::<K>([middle, end], depth - 1)
+            && advance::is_beyond::<K>(self.scaled, start, middle, depth - 1)
     }
 }
 

@@ -14,8 +14,13 @@ mod closest;
 mod corners;
 mod crossing;
 mod moment;
+mod nearest;
+mod screening;
+mod turning;
 
 use super::{Separation, SeparationStage};
+pub(crate) use screening::Screening;
+
 use crate::environment::flushes_subnormals;
 use crate::kind::Kind;
 use crate::query::Query;
@@ -40,17 +45,30 @@ pub(super) fn first_within<K: Kind>(
     if corners.are_beyond_diagonal(d.get()) {
         return Some((None, SeparationStage::Diagonals));
     }
-    first_near(query, &corners, d.get())
+    let screening = Screening::new::<K>(query.points(), d.get());
+    if !screening.is_out_of_range() && screening.planes_are_beyond::<K>(query.points()) {
+        return Some((None, SeparationStage::Planes));
+    }
+    first_after_planes(query, &corners, d)
+}
+
+/// The same for a query that the stages up to `Planes` have not settled, in an environment with
+/// gradual underflow.
+pub(super) fn first_near<K: Kind>(
+    query: &Query<K>,
+    d: Separation,
+) -> Option<(Option<ContactTime>, SeparationStage)> {
+    first_after_planes(query, &Corners::new(query), d)
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn first_near<K: Kind>(
+fn first_after_planes<K: Kind>(
     query: &Query<K>,
     corners: &Corners,
-    d: f64,
+    d: Separation,
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
-    let scaled = corners.scaled(d)?;
+    let scaled = corners.scaled(d.get())?;
     match advance::from_start::<K>(&scaled) {
         Advance::Within => Some((Some(ContactTime::exactly(0.0)), SeparationStage::Start)),
         Advance::Free => Some((None, SeparationStage::Advancement)),

@@ -5,7 +5,7 @@ use core::ops::{Mul, Neg};
 
 use super::closest::Closest;
 use super::corners::Scaled;
-use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, subtract};
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, cross, dot, minus, subtract};
 use crate::kind::Kind;
 use crate::query::Query;
 
@@ -156,20 +156,16 @@ fn are_beyond<T: Precision>(a: &Moment<T>, b: &Moment<T>) -> bool {
         })
 }
 
-fn towards<T: Precision>(corners: &[Vector<T>; 4], i: usize, j: usize) -> Vector<T> {
-    [0, 1, 2].map(|axis: usize| corners[j][axis] - corners[i][axis])
-}
-
 /// F at some parameters.
 fn point<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector<T> {
     match closest {
         Closest::Corner(i) => corners[i],
         Closest::Between([i, j], s) => {
-            let e = towards(corners, i, j);
+            let e = minus(corners[j], corners[i]);
             [0, 1, 2].map(|axis: usize| corners[i][axis] + e[axis] * s)
         }
         Closest::Inner([i, j], [u, v]) => {
-            let (a, b) = (towards(corners, 0, i), towards(corners, 0, j));
+            let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
             [0, 1, 2].map(|axis: usize| corners[0][axis] + (a[axis] * u + b[axis] * v))
         }
     }
@@ -180,12 +176,12 @@ fn direction<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector
     let across = match closest {
         Closest::Corner(i) => corners[i],
         Closest::Between([i, j], _) => {
-            let (x, e) = (corners[i], towards(corners, i, j));
+            let (x, e) = (corners[i], minus(corners[j], corners[i]));
             let (ee, ex) = (dot(e, e), dot(e, x));
             [0, 1, 2].map(|axis: usize| ee * x[axis] - ex * e[axis])
         }
         Closest::Inner([i, j], _) => {
-            let n = cross(towards(corners, 0, i), towards(corners, 0, j));
+            let n = cross(minus(corners[i], corners[0]), minus(corners[j], corners[0]));
             if dot(n, corners[0]).value() < 0.0 {
                 n.map(|x| -x)
             } else {
@@ -195,16 +191,4 @@ fn direction<T: Precision>(corners: &[Vector<T>; 4], closest: Closest) -> Vector
     };
     let scale = 1.0 / libm::sqrt(dot(across, across).value());
     across.map(|x| x * scale)
-}
-
-fn dot<T: Precision>(a: Vector<T>, b: Vector<T>) -> T {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross<T: Precision>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -60,3 +60,21 @@ fn an_upright_edge_that_passes_over_another() {
     let query = Query::<EdgeEdge>::new(at(-2.0), at(2.0)).unwrap();
     is_within(&query, 1.0, &[[0.5, 0.5]]);
 }
+
+/// A vertex that stops at the distance above a feature touches it, and so does one that starts there and
+/// leaves.
+#[test]
+fn a_vertex_that_stops_at_the_distance_of_an_edge_or_a_vertex() {
+    let [a, b]: [Point; 2] = [[-4.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
+    let [far, near] = [[1.0, 6.0, 8.0], [1.0, 3.0, 4.0]];
+    let edge = |from, to| Query::<VertexEdge>::new([from, a, b], [to, a, b]).unwrap();
+    is_within(&edge(far, near), 5.0, &[[1.0, 1.0]]);
+    is_within(&edge(near, far), 5.0, &[[0.0, 0.0]]);
+    is_within(&edge(far, near), 5.0f64.next_down(), &[]);
+    let origin = [0.0; 3];
+    let [far, near] = [[2.0, 4.0, 4.0], [1.0, 2.0, 2.0]];
+    let vertex = |from, to| Query::<VertexVertex>::new([from, origin], [to, origin]).unwrap();
+    is_within(&vertex(far, near), 3.0, &[[1.0, 1.0]]);
+    is_within(&vertex(near, far), 3.0, &[[0.0, 0.0]]);
+    is_within(&vertex(far, near), 3.0f64.next_down(), &[]);
+}

@@ -1,4 +1,6 @@
-//! Generated bodies: boxes, cloths, floors and spheres.
+//! Generated bodies: boxes, cloths, floors, spheres, rods and particles.
+
+mod rods;
 
 use std::collections::BTreeMap;
 
@@ -7,6 +9,8 @@ use nalgebra::Vector3;
 
 use crate::body::{Body, BodyKind, ShellProperties, SolidProperties};
 use crate::elasticity::SolidMaterial;
+
+pub use rods::{BEAD, ROPE, knot, line, particles};
 
 /// Rubber-like: 1000 kg/m³, E = 1 MPa, ν = 0.4, neo-Hookean.
 pub const RUBBER: SolidProperties = SolidProperties {
@@ -63,14 +67,8 @@ pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
             }
         }
     }
-    Body {
-        points,
-        kind: BodyKind::Solid {
-            tetrahedra,
-            material: RUBBER,
-        },
-        velocity: [0.0; 3],
-    }
+    let material = RUBBER;
+    Body::new(points, BodyKind::Solid { tetrahedra, material })
 }
 
 /// A rectangle of [`CLOTH`] in the plane y = 0 with a corner at the origin. It has `cells` cells along x
@@ -79,25 +77,17 @@ pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
 pub fn cloth(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
     let material = CLOTH;
-    Body {
-        points,
-        kind: BodyKind::Shell { faces, material },
-        velocity: [0.0; 3],
-    }
+    Body::new(points, BodyKind::Shell { faces, material })
 }
 
 /// An obstacle with the mesh of [`cloth`].
 #[must_use]
 pub fn floor(cells: [u16; 2], size: [f64; 2]) -> Body {
     let (points, faces) = grid(cells, size);
-    Body {
-        points,
-        kind: BodyKind::Obstacle { faces },
-        velocity: [0.0; 3],
-    }
+    Body::new(points, BodyKind::Obstacle { faces })
 }
 
-/// The maximal number of cells of a box or a grid in a scene file.
+/// The maximal number of cells of a box or a grid, and of edges or particles, in a scene file.
 pub const MAX_CELLS: u64 = 1 << 20;
 
 /// The maximal number of subdivisions of a [`sphere`], which then has 20 · 4⁶ triangles.
@@ -155,11 +145,8 @@ pub fn sphere(subdivisions: u8, radius: f64) -> Body {
             })
             .collect();
     }
-    Body {
-        points: points.into_iter().map(|point| (point * radius).into()).collect(),
-        kind: BodyKind::Obstacle { faces },
-        velocity: [0.0; 3],
-    }
+    let points = points.into_iter().map(|point| (point * radius).into()).collect();
+    Body::new(points, BodyKind::Obstacle { faces })
 }
 
 fn grid(cells: [u16; 2], size: [f64; 2]) -> (Vec<Point>, Vec<[u32; 3]>) {

@@ -1,0 +1,85 @@
+//! The seconds of the calls in Rust that `speed.py` compares the package with.
+//!
+//! Arguments: a folder of `indices` (u32), `x0`, `x1` (f64) and `faces` (u32), raw, and the number of runs.
+
+use std::error::Error;
+use std::path::Path;
+use std::time::Instant;
+use std::{env, fs};
+
+use exact_ccd::EdgeEdge;
+use exact_ccd::batch::{Trajectories, collisions};
+use exact_ccd_mesh::{Detector, TriangleMesh};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = env::args().collect();
+    let [_, folder, runs] = &arguments[..] else {
+        return Err("expected a folder and the number of runs".into());
+    };
+    let (folder, runs) = (Path::new(folder), runs.parse()?);
+    let indices: Vec<[u32; 4]> = read(&folder.join("indices"), u32::from_le_bytes)?
+        .as_chunks()
+        .0
+        .to_vec();
+    let x0 = read(&folder.join("x0"), f64::from_le_bytes)?
+        .as_chunks()
+        .0
+        .to_vec();
+    let x1 = read(&folder.join("x1"), f64::from_le_bytes)?
+        .as_chunks()
+        .0
+        .to_vec();
+    let faces = read(&folder.join("faces"), u32::from_le_bytes)?
+        .as_chunks()
+        .0
+        .to_vec();
+    let at = |x: &[[f64; 3]], query: &[u32; 4]| query.map(|vertex| x[vertex as usize]);
+    let points: Vec<_> = indices
+        .iter()
+        .map(|query| [at(&x0, query), at(&x1, query)])
+        .collect();
+    let mut detector = Detector::new(TriangleMesh::new(x0.len(), faces)?);
+
+    let by_indices = fastest(runs, || {
+        let mut answers = vec![false; indices.len()];
+        let trajectories = Trajectories::new(&x0, &x1).expect("the positions are finite");
+        let found = trajectories.collisions::<EdgeEdge>(&indices, |index, _| answers[index] = true);
+        found.expect("the vertices exist");
+        answers
+    });
+    let by_points = fastest(runs, || {
+        let mut answers = vec![false; indices.len()];
+        let found = collisions::<EdgeEdge>(&points, |index, _| answers[index] = true);
+        found.expect("the points are finite");
+        answers
+    });
+    let earliest = fastest(runs, || {
+        detector
+            .earliest_contact(&x0, &x1)
+            .expect("the positions are finite")
+    });
+    let table =
+        format!("{{\"indices\": {by_indices}, \"points\": {by_points}, \"earliest_contact\": {earliest}}}\n");
+    std::io::Write::write_all(&mut std::io::stdout(), table.as_bytes())?;
+    Ok(())
+}
+
+/// The seconds of the fastest of some runs.
+fn fastest<T>(runs: usize, mut run: impl FnMut() -> T) -> f64 {
+    let seconds = (0..runs).map(|_| {
+        let clock = Instant::now();
+        std::hint::black_box(run());
+        clock.elapsed().as_secs_f64()
+    });
+    seconds.fold(f64::INFINITY, f64::min)
+}
+
+/// The numbers in a file.
+fn read<T, const N: usize>(file: &Path, of: fn([u8; N]) -> T) -> Result<Vec<T>, std::io::Error> {
+    Ok(fs::read(file)?
+        .as_chunks()
+        .0
+        .iter()
+        .map(|&bytes| of(bytes))
+        .collect())
+}

@@ -1,0 +1,106 @@
+"""Speed of the package beside the calls in Rust, and beside ipctk, on the published scenes.
+
+    cargo build --release --example reference --no-default-features
+    python benchmarks/speed.py [--reference target/release/examples/reference] [--scenes DIR]
+
+The package must be installed from a release build. All calls of one comparison alternate; each figure is the
+fastest of its runs, in seconds. The batches run on one thread, all else on all cores.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from typing import Any, Callable
+
+import numpy as np
+
+import exact_ccd
+from exact_ccd import ipc
+
+ROUNDS = 5
+RUNS = 3
+
+
+def fastest(run: Callable[[], Any], runs: int = RUNS) -> float:
+    """The seconds of the fastest of some runs."""
+
+    def seconds() -> float:
+        start = time.perf_counter()
+        run()
+        return time.perf_counter() - start
+
+    return min(seconds() for _ in range(runs))
+
+
+def scene(folder: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Positions at both ends, and faces."""
+    start, end = sorted((folder / "frames").glob("*.ply"), key=lambda file: int("".join(filter(str.isdigit, file.stem))))
+    first, second = exact_ccd.read_mesh(start), exact_ccd.read_mesh(end)
+    return first.vertices, second.vertices, first.faces
+
+
+def beside_rust(reference: Path, folder: Path) -> None:
+    x0, x1, faces = scene(folder)
+    mesh = exact_ccd.Mesh(x0, faces)
+    candidates = ipc.Candidates()
+    flat = type("Mesh", (), {"num_vertices": len(x0), "edges": mesh.edges, "faces": faces})()
+    candidates.build(flat, x0, x1)
+    pairs = candidates.pairs["ee"]
+    indices = np.resize(pairs, (1_000_000, 4))
+    points = np.concatenate([x0[indices], x1[indices]], axis=1)
+    detector = exact_ccd.Detector(mesh)
+    calls = {
+        "indices": lambda: exact_ccd.collides("ee", indices=indices, vertices_t0=x0, vertices_t1=x1, threads=1),
+        "points": lambda: exact_ccd.collides("ee", points, threads=1),
+        "earliest_contact": lambda: detector.earliest_contact(x0, x1),
+    }
+    best = {name: {"rust": np.inf, "python": np.inf} for name in calls}
+    with tempfile.TemporaryDirectory() as raw:
+        for name, array in {"indices": indices, "x0": x0, "x1": x1, "faces": faces}.items():
+            array.tofile(Path(raw) / name)
+        for _ in range(ROUNDS):
+            rust = json.loads(subprocess.check_output([reference, raw, str(RUNS)]))
+            for name, call in calls.items():
+                best[name]["rust"] = min(best[name]["rust"], rust[name])
+                best[name]["python"] = min(best[name]["python"], fastest(call))
+    print(f"{folder.name}: {len(pairs)} pairs of edges, repeated to {len(indices)} queries")
+    for name, times in best.items():
+        print(f"  {name:18} rust {times['rust']:.5f}  python {times['python']:.5f}  "
+              f"ratio {times['python'] / times['rust']:.3f}")
+
+
+def beside_ipctk(folder: Path) -> None:
+    import ipctk
+
+    x0, x1, faces = scene(folder)
+    edges = exact_ccd.Mesh(x0, faces).edges.astype(np.int32)
+    mesh = ipctk.CollisionMesh(x0, edges, faces.astype(np.int32))
+    print(f"{folder.name}: {len(faces)} faces")
+    for name in ("is_step_collision_free", "compute_collision_free_stepsize"):
+        ours, theirs = getattr(ipc, name), getattr(ipctk, name)
+        best = [np.inf, np.inf]
+        for _ in range(ROUNDS):
+            best[0] = min(best[0], fastest(lambda: ours(mesh, x0, x1), 1))
+            best[1] = min(best[1], fastest(lambda: theirs(mesh, x0, x1), 1))
+        print(f"  {name:32} exact_ccd {best[0]:.5f}  ipctk {best[1]:.5f}  ratio {best[1] / best[0]:.1f}")
+
+
+def main() -> None:
+    data = Path(os.environ.get("EXACT_CCD_DATA", "../../../shared/data"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--reference", type=Path, default=Path("target/release/examples/reference"))
+    parser.add_argument("--scenes", type=Path, default=data / "scenes")
+    arguments = parser.parse_args()
+    beside_rust(arguments.reference, arguments.scenes / "rod-twist")
+    for name in ("rod-twist", "cloth-ball", "cloth-funnel"):
+        beside_ipctk(arguments.scenes / name)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,95 @@
+"""Contacts of meshes."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .queries import IMPACT, Kind
+
+_KINDS = np.array(["vf", "ee", "ve", "vv"])
+
+_PAIR = [
+    ("kind", "U2"),
+    ("first", np.uint32),
+    ("second", np.uint32),
+    ("vertices", np.int64, (4,)),
+]
+
+CONTACT = np.dtype([*_PAIR, *IMPACT.descr, ("distance", np.float64, (2,))])
+"""The fields of a contact of a mesh, those of :class:`Contact`."""
+
+Columns = tuple[
+    NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]
+]
+
+
+class Contact(NamedTuple):
+    """Two primitives of a mesh that touch in a step, and the first time at which they do.
+
+    Attributes
+    ----------
+    kind : {"vf", "ee", "ve", "vv"}
+        A vertex and a face, two edges, a loose vertex and a loose edge, or two loose vertices.
+    first, second : int
+        The indices of both primitives among the vertices, ``Mesh.faces`` or ``Mesh.edges``.
+    vertices : int64 array of shape (4,)
+        Their vertices, in the order of the query; -1 after the last one.
+    time : float
+        The earliest contact time, from 0 to 1, rounded down to float64.
+    u, v : float
+        The parameters of the contact, see :func:`impacts`.
+    normal : float64 array of shape (3,)
+        The unit normal, from the second primitive to the first; NaN if there is none.
+    points : float64 array of shape (2, 3)
+        The points of contact on the first primitive and on the second.
+    distance : float64 array of shape (2,)
+        Bounds of the distance of the primitives at that time: 0 for contact, otherwise the minimum
+        distance, or less if the pair starts nearer.
+    """
+
+    kind: Kind
+    first: int
+    second: int
+    vertices: NDArray[np.int64]
+    time: float
+    u: float
+    v: float
+    normal: NDArray[np.float64]
+    points: NDArray[np.float64]
+    distance: NDArray[np.float64]
+
+
+def table(columns: Columns) -> NDArray[np.void]:
+    """The columns of the compiled part as one structured array."""
+    kinds, ids, vertices, impacts, distances = columns
+    contacts = np.empty(len(kinds), CONTACT)
+    contacts["kind"] = _KINDS[kinds]
+    contacts["first"], contacts["second"] = ids.T
+    contacts["vertices"] = vertices
+    contacts["distance"] = distances
+    rows = impacts.view(IMPACT).reshape(-1)
+    for name in IMPACT.names or ():
+        contacts[name] = rows[name]
+    return contacts
+
+
+def first(columns: Columns) -> Optional[Contact]:
+    """The first contact of the columns of the compiled part, if there is one."""
+    if len(columns[0]) == 0:
+        return None
+    row = table(columns)[0]
+    return Contact(
+        kind=row["kind"].item(),
+        first=int(row["first"]),
+        second=int(row["second"]),
+        vertices=row["vertices"],
+        time=float(row["time"]),
+        u=float(row["u"]),
+        v=float(row["v"]),
+        normal=row["normal"],
+        points=row["points"],
+        distance=row["distance"],
+    )

@@ -1,0 +1,145 @@
+"""Contact of two primitives in two or three dimensions."""
+
+from __future__ import annotations
+
+from math import inf, isnan
+from typing import Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from .. import _native
+from .._arrays import floats
+from ..queries import Kind
+
+KEEP = 0.9
+"""The fraction of the exact time that is kept by default."""
+
+
+def _ccd(
+    kind: Kind, points: tuple[ArrayLike, ...], min_distance: float, tmax: float, keep: float
+) -> tuple[bool, float]:
+    """The decision for one query, and its time; infinity if there is no contact until `tmax`."""
+    check_keep(keep)
+    query = three_dimensional("points", points)[None]
+    (time,) = _native.time_of_impact(kind, query, float(min_distance), 1).tolist()
+    if isnan(time) or time > tmax:
+        return False, inf
+    return True, keep * time
+
+
+def check_keep(keep: float) -> None:
+    """Refuse a fraction that is not above 0 and at most 1."""
+    if not 0.0 < keep <= 1.0:
+        raise ValueError(f"conservative_rescaling is {keep}, expected a number above 0 and at most 1")
+
+
+def three_dimensional(name: str, points: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDArray[np.float64]:
+    """The points with z = 0 if they have two coordinates."""
+    array = np.asarray(points)
+    if array.ndim == 2 and array.shape[1] == 2:
+        flat = floats(name, array, (None, 2))
+        return np.hstack([flat, np.zeros((len(flat), 1))])
+    return floats(name, array, (None, 3))
+
+
+def point_point_ccd(
+    p0_t0: ArrayLike,
+    p1_t0: ArrayLike,
+    p0_t1: ArrayLike,
+    p1_t1: ArrayLike,
+    min_distance: float = 0.0,
+    tmax: float = 1.0,
+    conservative_rescaling: float = KEEP,
+) -> tuple[bool, float]:
+    """Decide if two points come within `min_distance` of each other until `tmax`, and when.
+
+    Parameters
+    ----------
+    p0_t0, p1_t0, p0_t1, p1_t1 : arrays of shape (2,) or (3,)
+        The points at t = 0 and at t = 1.
+    min_distance : float
+        The distance at which they count as touching.
+    tmax : float
+        The end of the time that is examined.
+    conservative_rescaling : float
+        The fraction of the exact time that is returned, above 0 and at most 1.
+
+    Returns
+    -------
+    bool, float
+        True and the time, or False and infinity. The time is 0 if they touch at t = 0.
+
+    Examples
+    --------
+    >>> point_point_ccd([0, 0], [1, 0], [1, 0], [0, 0], conservative_rescaling=1.0)
+    (True, 0.5)
+    """
+    points = (p0_t0, p1_t0, p0_t1, p1_t1)
+    return _ccd("vv", points, min_distance, tmax, conservative_rescaling)
+
+
+def point_edge_ccd(
+    p_t0: ArrayLike,
+    e0_t0: ArrayLike,
+    e1_t0: ArrayLike,
+    p_t1: ArrayLike,
+    e0_t1: ArrayLike,
+    e1_t1: ArrayLike,
+    min_distance: float = 0.0,
+    tmax: float = 1.0,
+    conservative_rescaling: float = KEEP,
+) -> tuple[bool, float]:
+    """Decide if a point and an edge touch until `tmax`, and when; as :func:`point_point_ccd`.
+
+    Examples
+    --------
+    >>> e0, e1 = [-1, 0], [1, 0]
+    >>> point_edge_ccd([0, 1], e0, e1, [0, -1], e0, e1)
+    (True, 0.45)
+    """
+    points = (p_t0, e0_t0, e1_t0, p_t1, e0_t1, e1_t1)
+    return _ccd("ve", points, min_distance, tmax, conservative_rescaling)
+
+
+def point_triangle_ccd(
+    p_t0: ArrayLike,
+    t0_t0: ArrayLike,
+    t1_t0: ArrayLike,
+    t2_t0: ArrayLike,
+    p_t1: ArrayLike,
+    t0_t1: ArrayLike,
+    t1_t1: ArrayLike,
+    t2_t1: ArrayLike,
+    min_distance: float = 0.0,
+    tmax: float = 1.0,
+    conservative_rescaling: float = KEEP,
+) -> tuple[bool, float]:
+    """Decide if a point and a triangle touch until `tmax`, and when; as :func:`point_point_ccd`.
+
+    Examples
+    --------
+    >>> face = [0, 0, 0], [1, 0, 0], [0, 1, 0]
+    >>> point_triangle_ccd([0.25, 0.25, 1], *face, [0.25, 0.25, 0.5], *face)
+    (False, inf)
+    """
+    points = (p_t0, t0_t0, t1_t0, t2_t0, p_t1, t0_t1, t1_t1, t2_t1)
+    return _ccd("vf", points, min_distance, tmax, conservative_rescaling)
+
+
+def edge_edge_ccd(
+    ea0_t0: ArrayLike,
+    ea1_t0: ArrayLike,
+    eb0_t0: ArrayLike,
+    eb1_t0: ArrayLike,
+    ea0_t1: ArrayLike,
+    ea1_t1: ArrayLike,
+    eb0_t1: ArrayLike,
+    eb1_t1: ArrayLike,
+    min_distance: float = 0.0,
+    tmax: float = 1.0,
+    conservative_rescaling: float = KEEP,
+) -> tuple[bool, float]:
+    """Decide if two edges touch until `tmax`, and when; as :func:`point_point_ccd`."""
+    points = (ea0_t0, ea1_t0, eb0_t0, eb1_t0, ea0_t1, ea1_t1, eb0_t1, eb1_t1)
+    return _ccd("ee", points, min_distance, tmax, conservative_rescaling)

@@ -1,0 +1,179 @@
+"""Steps of a whole mesh."""
+
+from __future__ import annotations
+
+import threading
+import weakref
+from collections.abc import Callable
+from typing import NamedTuple, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .. import _native
+from ..meshes import Detector, Mesh
+from ..queries import collides
+from .candidates import Candidates, CollisionMesh, allows, ends, fraction, primitives
+
+
+def is_step_collision_free(
+    mesh: CollisionMesh,
+    vertices_t0: ArrayLike,
+    vertices_t1: ArrayLike,
+    min_distance: float = 0.0,
+    broad_phase: object = None,
+    narrow_phase_ccd: object = None,
+) -> bool:
+    """Decide if a step of a mesh is free of contact, exactly.
+
+    Parameters
+    ----------
+    mesh : ipctk.CollisionMesh
+        Or an object with the same attributes.
+    vertices_t0, vertices_t1 : arrays of shape (V, 2) or (V, 3)
+        The positions of the vertices at the start and at the end.
+    min_distance : float
+        Primitives that come within this distance of each other count as touching.
+    broad_phase, narrow_phase_ccd : object
+        Accepted as in ipctk, without effect.
+
+    Returns
+    -------
+    bool
+        True if the step is free.
+
+    Examples
+    --------
+    >>> from types import SimpleNamespace
+    >>> mesh = SimpleNamespace(num_vertices=4, edges=[[0, 1], [1, 2], [2, 0]], faces=[[0, 1, 2]])
+    >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]])
+    >>> is_step_collision_free(mesh, x0, x0 - [0, 0, 2] * (np.arange(4) == 3)[:, None])
+    False
+    """
+    x0, x1 = ends(mesh, vertices_t0, vertices_t1)
+    detector = _detector(mesh, vertices_t0, min_distance)
+    if detector is not None:
+        return detector.is_free(x0, x1)
+    candidates = _candidates(mesh, vertices_t0, vertices_t1, min_distance)
+    return candidates.is_step_collision_free(mesh, vertices_t0, vertices_t1, min_distance)
+
+
+def compute_collision_free_stepsize(
+    mesh: CollisionMesh,
+    vertices_t0: ArrayLike,
+    vertices_t1: ArrayLike,
+    min_distance: float = 0.0,
+    broad_phase: object = None,
+    narrow_phase_ccd: object = None,
+    conservative_rescaling: Optional[float] = None,
+) -> float:
+    """Compute a step size at which a mesh has not touched itself.
+
+    Parameters
+    ----------
+    mesh, vertices_t0, vertices_t1, min_distance, broad_phase, narrow_phase_ccd
+        As for :func:`is_step_collision_free`. If `narrow_phase_ccd` is an :class:`ExactCCD`, its
+        ``conservative_rescaling`` is taken.
+    conservative_rescaling : float, optional
+        The fraction of the exact time of contact that is returned, above 0 and at most 1; 0.9 by default.
+
+    Returns
+    -------
+    float
+        1 if the whole step is free; 0 if the mesh touches itself at the start. Otherwise the motion to
+        ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact.
+
+    Examples
+    --------
+    >>> from types import SimpleNamespace
+    >>> mesh = SimpleNamespace(num_vertices=4, edges=[[0, 1], [1, 2], [2, 0]], faces=[[0, 1, 2]])
+    >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]])
+    >>> compute_collision_free_stepsize(mesh, x0, x0 - [0, 0, 2] * (np.arange(4) == 3)[:, None])
+    0.45
+    """
+    keep = fraction(narrow_phase_ccd, conservative_rescaling)
+    x0, x1 = ends(mesh, vertices_t0, vertices_t1)
+    detector = _detector(mesh, vertices_t0, min_distance)
+    if detector is not None:
+        return detector.free_step(x0, x1, keep).size
+    return _candidates(mesh, vertices_t0, vertices_t1, min_distance).compute_collision_free_stepsize(
+        mesh, vertices_t0, vertices_t1, min_distance, conservative_rescaling=keep
+    )
+
+
+def has_intersections(mesh: CollisionMesh, vertices: ArrayLike, broad_phase: object = None) -> bool:
+    """Decide if a mesh at rest passes through itself, exactly: an edge through a face, in 2D through an edge.
+
+    Primitives that share a vertex are not compared. Touching counts.
+
+    Parameters
+    ----------
+    mesh : ipctk.CollisionMesh
+        Or an object with the same attributes.
+    vertices : array of shape (V, 2) or (V, 3)
+        The positions.
+    broad_phase : object
+        Accepted as in ipctk, without effect.
+    """
+    x, _ = ends(mesh, vertices, vertices)
+    if np.shape(vertices)[1] == 3:
+        return len(_known(mesh).detector.intersections(x)) > 0
+    edges = primitives(mesh).edges
+    pairs = _native.overlaps(edges, edges, x, x, 0.0, None)
+    pairs = pairs[pairs[:, 0] < pairs[:, 1]]
+    fours = np.hstack([edges[pairs[:, 0]], edges[pairs[:, 1]]])
+    meet = collides("ee", indices=fours, vertices_t0=x, vertices_t1=x)
+    return any(allows(mesh, "ee", four) for four in fours[meet])
+
+
+def _candidates(
+    mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike, min_distance: float
+) -> Candidates:
+    candidates = Candidates()
+    candidates.build(mesh, vertices_t0, vertices_t1, 0.5 * min_distance)
+    return candidates
+
+
+def _detector(mesh: CollisionMesh, vertices: ArrayLike, min_distance: float) -> Optional[Detector]:
+    """The detector of a mesh in three dimensions."""
+    if np.shape(vertices)[1] == 2:
+        return None
+    known = _known(mesh)
+    return known.detector if min_distance == 0.0 else Detector(known.mesh, min_distance=min_distance)
+
+
+class _Known(NamedTuple):
+    """A mesh, and its detector for contact."""
+
+    mesh: Mesh
+    detector: Detector
+
+
+class _Cache(threading.local):
+    """The meshes of ipctk that a thread has seen: their faces and edges never change."""
+
+    def __init__(self) -> None:
+        self.known = weakref.WeakKeyDictionary[CollisionMesh, _Known]()
+
+
+_cache = _Cache()
+
+
+def _known(mesh: CollisionMesh) -> _Known:
+    if type(mesh).__module__.split(".")[0] != "ipctk":
+        return _new(mesh, lambda: mesh)
+    if mesh not in _cache.known:
+        # Not kept alive by its own detector.
+        _cache.known[mesh] = _new(mesh, weakref.ref(mesh))
+    return _cache.known[mesh]
+
+
+def _new(mesh: CollisionMesh, reference: Callable[[], Optional[CollisionMesh]]) -> _Known:
+    def can_collide(v: int, w: int) -> object:
+        # The rule of a mesh may be replaced between two calls.
+        rule = getattr(reference(), "can_collide", None)
+        return rule is None or rule(v, w)
+
+    every = primitives(mesh)
+    rules = Mesh(mesh.num_vertices, every.faces, every.edges, can_collide=can_collide)
+    return _Known(rules, Detector(rules))

@@ -1,0 +1,304 @@
+"""Meshes in motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from os import PathLike
+from typing import NamedTuple, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._arrays import Floats, floats, indices
+from .contacts import Contact, first, table
+
+Progress = Callable[[int], object]
+"""A function that is called with the number of steps done since its last call, as ``tqdm.update``."""
+
+
+class MeshFile(NamedTuple):
+    """The mesh in a file, see :func:`read_mesh`."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.uint32]
+    edges: NDArray[np.uint32]
+
+
+class PairCounts(NamedTuple):
+    """Numbers of pairs, by their kind."""
+
+    vertex_face: int
+    edge_edge: int
+    vertex_edge: int
+    vertex_vertex: int
+
+
+class StepReport(NamedTuple):
+    """The contacts of a step, counted.
+
+    Attributes
+    ----------
+    candidates : PairCounts
+        The pairs of primitives that come near each other.
+    colliding : PairCounts
+        Those that are in contact at some time of the step.
+    touching : PairCounts
+        Those that are in contact at t = 0.
+    earliest : Contact or None
+        The earliest contact; None if the step is free of contact.
+    """
+
+    candidates: PairCounts
+    colliding: PairCounts
+    touching: PairCounts
+    earliest: Optional[Contact]
+
+
+class FreeStep(NamedTuple):
+    """A step that is certified to be free of contact.
+
+    Attributes
+    ----------
+    size : float
+        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if the mesh
+        touches itself at the start.
+    positions : float64 array of shape (V, 3)
+        The positions at its end. Unless `size` is 0, the straight motion to these very positions has
+        been decided to be free of contact, exactly.
+    contact : Contact or None
+        The earliest contact of the full step; None if it is free.
+    touching : PairCounts
+        The pairs that touch at the start: those within their minimum distance, even if an
+        `inner_distance` holds for them.
+    """
+
+    size: float
+    positions: NDArray[np.float64]
+    contact: Optional[Contact]
+    touching: PairCounts
+
+
+class Mesh:
+    """The connectivity of a triangle mesh, with rods and points, and the pairs that can collide.
+
+    Primitives that share a vertex always touch, and are never examined.
+
+    Parameters
+    ----------
+    vertices_or_count : int or array of shape (V, 3)
+        The number of vertices, or the vertices.
+    faces : int array of shape (F, 3)
+        The vertices of each triangle, from 0.
+    edges : int array of shape (E, 2), optional
+        Loose edges, as of rods. Edges of faces have no effect. A vertex of no face and no edge is a point.
+    groups : int array of shape (V,), optional
+        A number for each vertex: primitives all of whose vertices have the same number do not collide.
+    can_collide : callable, optional
+        ``can_collide(i, j) -> bool`` for two vertices: a pair of primitives can collide if it holds for
+        any vertex of the first and any of the second, as in the IPC Toolkit. It is called after contact
+        has been found, where possible; `groups` are much faster where it is not.
+
+    Raises
+    ------
+    ValueError
+        If a face or an edge names a vertex that does not exist.
+
+    Examples
+    --------
+    A triangle, and a rod that leads away from it.
+
+    >>> mesh = Mesh(5, [[0, 1, 2]], edges=[[2, 3], [4, 3]])
+    >>> mesh.edges.tolist()
+    [[0, 1], [0, 2], [1, 2], [2, 3], [3, 4]]
+    >>> mesh.loose_edges.tolist()
+    [[2, 3], [3, 4]]
+    """
+
+    def __init__(
+        self,
+        vertices_or_count: Union[int, ArrayLike],
+        faces: ArrayLike,
+        edges: Optional[ArrayLike] = None,
+        groups: Optional[ArrayLike] = None,
+        can_collide: Optional[Callable[[int, int], object]] = None,
+    ) -> None:
+        if isinstance(vertices_or_count, (int, np.integer)):
+            count = int(vertices_or_count)
+        else:
+            count = len(floats("vertices", vertices_or_count, (None, 3)))
+        if can_collide is not None and not callable(can_collide):
+            raise TypeError("can_collide is not callable, expected a function of two vertices")
+        self._native = _native.Mesh(
+            count,
+            indices("faces", faces, (None, 3)),
+            indices("edges", np.empty((0, 2), np.uint32) if edges is None else edges, (None, 2)),
+            None if groups is None else indices("groups", groups, (count,)),
+            can_collide,
+        )
+
+    @property
+    def vertex_count(self) -> int:
+        """The number of vertices."""
+        return self._native.vertex_count
+
+    @property
+    def faces(self) -> NDArray[np.uint32]:
+        """The faces in the given order, an array of shape (F, 3)."""
+        return self._native.faces
+
+    @property
+    def edges(self) -> NDArray[np.uint32]:
+        """The edges of the faces, then the loose edges, an array of shape (E, 2).
+
+        Both parts hold pairs i < j, each once, sorted by j, then by i.
+        """
+        return self._native.edges
+
+    @property
+    def loose_edges(self) -> NDArray[np.uint32]:
+        """The edges of no face, the last ones of `edges`."""
+        edges = self._native.edges
+        return edges[len(edges) - self._native.loose_edge_count :]
+
+
+class Detector:
+    """Finds contact in successive steps of one mesh, in which each vertex moves in a straight line.
+
+    The detector keeps memory and order between steps; no answer depends on earlier steps. It must not be
+    used by several threads at once.
+
+    Parameters
+    ----------
+    mesh : Mesh
+    min_distance : float or array of shape (V,)
+        Primitives that come within this distance of each other count as touching, in all that follows; in
+        the unit of the coordinates, taken exactly. Or a thickness for each vertex: a primitive has the
+        largest of its vertices, and the distance of a pair is the sum of both, rounded up.
+    inner_distance : float, optional
+        In place of `min_distance` for pairs that start within that: for a line search that has to move on
+        from there.
+    threads : int, optional
+        The number of threads; by default that of the cores. The answers do not depend on it.
+
+    Notes
+    -----
+    Positions are arrays of shape (V, 3), at t = 0 and at t = 1. A contiguous array of float64 is not
+    copied. All methods raise ValueError if there is not one position for each vertex, or if one is not
+    finite, and KeyboardInterrupt after Ctrl-C.
+
+    Examples
+    --------
+    A vertex falls onto a triangle.
+
+    >>> detector = Detector(Mesh(4, [[0, 1, 2]]))
+    >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]])
+    >>> x1 = x0.copy()
+    >>> x1[3, 2] = -1.0
+    >>> detector.is_free(x0, x1)
+    False
+    >>> contact = detector.earliest_contact(x0, x1)
+    >>> contact.kind, contact.first, contact.second, contact.time
+    ('vf', 3, 0, 0.5)
+    >>> step = detector.free_step(x0, x1)
+    >>> step.size, step.positions[3].tolist()
+    (0.45, [0.25, 0.25, 0.09999999999999998])
+    >>> detector.is_free(x0, step.positions)
+    True
+    """
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        *,
+        min_distance: Union[float, ArrayLike] = 0.0,
+        inner_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+    ) -> None:
+        self._mesh = mesh
+        distance: Union[float, Floats]
+        if np.ndim(min_distance) == 0:
+            distance = float(np.asarray(min_distance))
+        else:
+            distance = floats("min_distance", min_distance, (mesh.vertex_count,))
+        self._native = _native.Detector(mesh._native, distance, inner_distance, threads)
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh."""
+        return self._mesh
+
+    def _positions(self, name: str, positions: ArrayLike) -> Floats:
+        return floats(name, positions, (self._mesh.vertex_count, 3))
+
+    def _ends(self, x0: ArrayLike, x1: ArrayLike) -> tuple[Floats, Floats]:
+        return self._positions("x0", x0), self._positions("x1", x1)
+
+    def is_free(self, x0: ArrayLike, x1: ArrayLike) -> bool:
+        """Return True if no two primitives touch in the step. Ends soon after the first contact found."""
+        return self._native.is_free(*self._ends(x0, x1))
+
+    def earliest_contact(self, x0: ArrayLike, x1: ArrayLike) -> Optional[Contact]:
+        """Return the earliest contact of the step, or None if it is free."""
+        return first(self._native.earliest_contact(*self._ends(x0, x1)))
+
+    def contacts(self, x0: ArrayLike, x1: ArrayLike, until: float = 1.0) -> NDArray[np.void]:
+        """Return all contacts of the step whose first time is not after `until`, the earliest first.
+
+        Returns
+        -------
+        structured array of shape (M,), with the fields of :data:`CONTACT`
+        """
+        return table(self._native.contacts(*self._ends(x0, x1), until))
+
+    def free_step(self, x0: ArrayLike, x1: ArrayLike, keep: float = 0.9) -> FreeStep:
+        """Return a step towards `x1` that is certified to be free of contact.
+
+        Its size is `keep` times the time of impact, above 0 and at most 1. The positions there are
+        rounded, and the step to the rounded positions is decided exactly; if it is not free, the size is
+        reduced by units in its last place until it is.
+        """
+        size, positions, contact, touching = self._native.free_step(*self._ends(x0, x1), keep)
+        return FreeStep(size, positions, first(contact), PairCounts(*touching))
+
+    def step(self, x0: ArrayLike, x1: ArrayLike, progress: Optional[Progress] = None) -> StepReport:
+        """Examine all candidates of the step, and count the contacts.
+
+        Parameters
+        ----------
+        x0, x1 : arrays of shape (V, 3)
+        progress : callable, optional
+            Called with the number of candidates examined since its last call, as ``tqdm.update``.
+        """
+        counts, contact = self._native.step(*self._ends(x0, x1), progress)
+        candidates, colliding, touching = (PairCounts(*count) for count in counts)
+        return StepReport(candidates, colliding, touching, first(contact))
+
+    def intersections(self, x: ArrayLike) -> NDArray[np.uint32]:
+        """Return the edges and faces that have a common point at rest and share no vertex.
+
+        Returns
+        -------
+        uint32 array of shape (M, 2)
+            The index of the edge in ``Mesh.edges`` and that of the face, sorted.
+        """
+        return self._native.intersections(self._positions("x", x))
+
+
+def read_mesh(path: Union[str, PathLike[str]]) -> MeshFile:
+    """Read a mesh from a PLY, OBJ, STL, OFF, Gmsh (.msh) or VTK (.vtu) file, exactly.
+
+    Returns
+    -------
+    MeshFile
+        Vertices (V, 3), faces (F, 3) and loose edges (E, 2). Of a mesh of tetrahedra, the surface. An STL
+        file has no shared vertices: it reads as three vertices for each face.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read.
+    ValueError
+        If its contents are wrong; the message names the place.
+    """
+    return MeshFile(*_native.read_mesh(path))

@@ -1,0 +1,277 @@
+//! Contact in successive steps of a mesh.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use exact_ccd::Point;
+use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd_mesh::{
+    CanCollide, CandidateOptions, Contact, FreeStepOptions, MinDistance, Pair, PairCounts, Step, StepReport,
+    TriangleMesh, intersections,
+};
+use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::broad_phase::Interruptible;
+use crate::compute::{Watch, compute};
+use crate::contacts::{Columns, table};
+use crate::mesh::{Mesh, rows};
+use crate::pool;
+
+type Inner = exact_ccd_mesh::Detector<Interruptible>;
+type Positions<'py> = PyReadonlyArray2<'py, f64>;
+
+/// Finds contact in successive steps of one mesh.
+///
+/// A rule of the caller is a function in Python, too slow for every candidate. Hence the first search
+/// ignores it, and its answer stands if it has no contact or if the rule holds for the contact.
+#[pyclass(module = "exact_ccd._native")]
+pub(crate) struct Detector {
+    mesh: Arc<TriangleMesh>,
+    /// Ignores the rule.
+    open: Inner,
+    /// Obeys it, if there is one.
+    ruled: Option<Inner>,
+    rule: CanCollide,
+    min_distance: MinDistance,
+    failure: Arc<Mutex<Option<PyErr>>>,
+    watch: Arc<Watch>,
+    threads: Option<usize>,
+}
+
+impl Detector {
+    /// The result of `work`; the exception of the rule, if there is one.
+    fn compute<T: Send>(
+        &mut self,
+        py: Python<'_>,
+        progress: Option<&Py<PyAny>>,
+        work: impl FnOnce(&mut Self) -> T + Send,
+    ) -> PyResult<T> {
+        let (watch, threads) = (self.watch.clone(), self.threads);
+        watch.reset();
+        let result = compute(py, threads, progress, &watch, || work(self));
+        let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
+        failure.map_or(result, Err)
+    }
+
+    /// The result of a search, first without the rule.
+    fn search<T>(
+        &mut self,
+        run: impl Fn(&mut Inner) -> PyResult<T>,
+        contact: impl Fn(&T) -> Option<Contact>,
+    ) -> PyResult<T> {
+        let result = run(&mut self.open)?;
+        match (&mut self.ruled, contact(&result)) {
+            (Some(ruled), Some(contact)) if !allows(&self.rule, &self.mesh, contact) => run(ruled),
+            _ => Ok(result),
+        }
+    }
+}
+
+/// Returns true if the rule holds for the pair of a contact.
+fn allows(rule: &CanCollide, mesh: &TriangleMesh, contact: Contact) -> bool {
+    let first = match contact.pair {
+        Pair::EdgeEdge { .. } => 2,
+        Pair::VertexFace { .. } | Pair::VertexEdge { .. } | Pair::VertexVertex { .. } => 1,
+    };
+    let vertices = contact.pair.vertices(mesh);
+    vertices.is_some_and(|vertices| {
+        let (a, b) = vertices.split_at(first);
+        rule.allows(a, b)
+    })
+}
+
+/// A thickness for each vertex, or one distance for all pairs.
+#[derive(FromPyObject)]
+enum Distance<'py> {
+    Thickness(PyReadonlyArray1<'py, f64>),
+    Uniform(f64),
+}
+
+impl Distance<'_> {
+    fn with_inner(&self, inner: Option<f64>) -> PyResult<MinDistance> {
+        let outer = match self {
+            Self::Thickness(values) => {
+                MinDistance::thickness(Thickness::new(values.as_slice()?).map_err(refused)?)
+            }
+            Self::Uniform(d) => MinDistance::uniform(Separation::new(*d).map_err(refused)?),
+        };
+        let inner = inner.map(Separation::new).transpose().map_err(refused)?;
+        Ok(match inner {
+            Some(inner) => outer.with_inner(inner),
+            None => outer,
+        })
+    }
+}
+
+fn refused(error: impl ToString) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+#[pymethods]
+impl Detector {
+    /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs
+    /// that start within it.
+    #[new]
+    fn new(
+        mesh: &Mesh,
+        min_distance: Distance<'_>,
+        inner_distance: Option<f64>,
+        threads: Option<usize>,
+    ) -> PyResult<Self> {
+        pool::check(threads)?;
+        let min_distance = min_distance.with_inner(inner_distance)?;
+        let watch = Arc::<Watch>::default();
+        let failure = Arc::default();
+        let rule = mesh.rule(&watch, &failure);
+        let detector = |can_collide| {
+            let broad_phase = Interruptible { watch: watch.clone() };
+            Inner::with_broad_phase(mesh.mesh().clone(), broad_phase)
+                .with_can_collide(can_collide)
+                .with_min_distance(min_distance.clone())
+                .map_err(refused)
+        };
+        Ok(Self {
+            mesh: mesh.mesh().clone(),
+            open: detector(mesh.groups())?,
+            ruled: mesh.has_rule().then(|| detector(rule.clone())).transpose()?,
+            min_distance: min_distance.clone(),
+            rule,
+            failure,
+            watch,
+            threads,
+        })
+    }
+
+    /// The earliest contact: one row or none.
+    fn earliest_contact<'py>(
+        &mut self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+    ) -> PyResult<Columns<'py>> {
+        let (x0, x1) = (points(&x0)?, points(&x1)?);
+        let contact = self.compute(py, None, |detector| {
+            let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused);
+            detector.search(run, |contact| *contact)
+        })??;
+        table(
+            py,
+            &Step::new(&self.mesh, x0, x1).map_err(refused)?,
+            contact.as_slice(),
+        )
+    }
+
+    /// Free of contact.
+    fn is_free(&mut self, py: Python<'_>, x0: Positions<'_>, x1: Positions<'_>) -> PyResult<bool> {
+        let (x0, x1) = (points(&x0)?, points(&x1)?);
+        self.compute(py, None, |detector| {
+            if detector.ruled.is_none() {
+                return detector.open.is_free(x0, x1).map_err(refused);
+            }
+            let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused);
+            Ok(detector.search(run, |contact| *contact)?.is_none())
+        })?
+    }
+
+    /// All contacts until a time.
+    fn contacts<'py>(
+        &mut self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+        until: f64,
+    ) -> PyResult<Columns<'py>> {
+        let (x0, x1) = (points(&x0)?, points(&x1)?);
+        let contacts = self.compute(py, None, |detector| {
+            let mut contacts = detector.open.contacts(x0, x1, until).map_err(refused)?;
+            if detector.ruled.is_some() {
+                contacts.retain(|&contact| allows(&detector.rule, &detector.mesh, contact));
+            }
+            Ok::<_, PyErr>(contacts)
+        })??;
+        table(py, &Step::new(&self.mesh, x0, x1).map_err(refused)?, &contacts)
+    }
+
+    /// The size and the positions of a certified step, the earliest contact of the full one, and the
+    /// numbers of pairs that touch at the start.
+    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
+    fn free_step<'py>(
+        &mut self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+        keep: f64,
+    ) -> PyResult<(f64, Bound<'py, PyArray2<f64>>, Columns<'py>, [usize; 4])> {
+        let (x0, x1) = (points(&x0)?, points(&x1)?);
+        let options = FreeStepOptions::default().with_keep(keep);
+        let free = self.compute(py, None, |detector| {
+            let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused);
+            detector.search(run, |free| free.contact)
+        })??;
+        let step = Step::new(&self.mesh, x0, x1).map_err(refused)?;
+        let contact = table(py, &step, free.contact.as_slice())?;
+        let positions = rows(py, &free.positions)?;
+        Ok((free.size, positions, contact, by_kind(free.touching)))
+    }
+
+    /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
+    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
+    fn step<'py>(
+        &mut self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<([[usize; 4]; 3], Columns<'py>)> {
+        let (x0, x1) = (points(&x0)?, points(&x1)?);
+        let mesh = self.mesh.clone();
+        let step = Step::new(&mesh, x0, x1).map_err(refused)?;
+        let report = self.compute(py, progress.as_ref(), |detector| {
+            let broad_phase = Interruptible {
+                watch: detector.watch.clone(),
+            };
+            let options = CandidateOptions::default().with_can_collide(detector.rule.clone());
+            let options = options.with_min_distance(detector.min_distance.clone());
+            let progress = |count| detector.watch.add(count);
+            StepReport::with_options(step, &broad_phase, &options, &progress).map_err(refused)
+        })??;
+        let counts = [report.candidates, report.colliding, report.touching];
+        let contact = table(py, &step, report.earliest.as_slice())?;
+        Ok((counts.map(by_kind), contact))
+    }
+
+    /// The edges and faces that meet at rest.
+    fn intersections<'py>(
+        &mut self,
+        py: Python<'py>,
+        x: Positions<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let x = points(&x)?;
+        let found = self.compute(py, None, |detector| {
+            let mesh = &detector.mesh;
+            let mut found = intersections(mesh, x).map_err(refused)?;
+            found.retain(|pair| {
+                let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
+                detector.rule.allows(&edge, &face)
+            });
+            Ok::<_, PyErr>(found)
+        })??;
+        let pairs: Vec<[u32; 2]> = found.iter().map(|pair| [pair.edge, pair.face]).collect();
+        rows(py, &pairs)
+    }
+}
+
+fn points<'a>(positions: &'a Positions<'_>) -> PyResult<&'a [Point]> {
+    Ok(positions.as_slice()?.as_chunks().0)
+}
+
+fn by_kind(counts: PairCounts) -> [usize; 4] {
+    let PairCounts {
+        vertex_face,
+        edge_edge,
+        vertex_edge,
+        vertex_vertex,
+    } = counts;
+    [vertex_face, edge_edge, vertex_edge, vertex_vertex]
+}

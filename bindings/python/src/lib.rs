@@ -1,0 +1,42 @@
+//! The compiled part of the Python package `exact_ccd`: the computations, on the arrays of the caller.
+//!
+//! The Python part converts arguments and has the documentation. Every computation runs without the
+//! interpreter lock.
+
+mod batch;
+mod broad_phase;
+mod compute;
+mod contacts;
+mod detector;
+mod files;
+mod impact;
+mod kind;
+mod mesh;
+mod overlaps;
+mod pool;
+#[cfg(feature = "program")]
+mod program;
+mod queries;
+
+use pyo3::prelude::*;
+
+/// The compiled part of the package.
+#[pymodule]
+mod _native {
+    #[pymodule_export]
+    #[expect(non_upper_case_globals, reason = "the name in Python")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    use crate::detector::Detector;
+    #[pymodule_export]
+    use crate::files::read_mesh;
+    #[pymodule_export]
+    use crate::mesh::Mesh;
+    #[pymodule_export]
+    use crate::overlaps::overlaps;
+    #[cfg(feature = "program")]
+    #[pymodule_export]
+    use crate::program::main;
+    #[pymodule_export]
+    use crate::queries::{collides, contact_count, contact_times, impacts, time_of_impact};
+}

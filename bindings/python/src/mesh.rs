@@ -1,0 +1,116 @@
+//! Meshes, and the pairs that can collide.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use exact_ccd_mesh::{CanCollide, TriangleMesh};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::compute::Watch;
+
+/// A triangle mesh, with the rules for pairs that can collide.
+#[pyclass(frozen, module = "exact_ccd._native")]
+pub(crate) struct Mesh {
+    mesh: Arc<TriangleMesh>,
+    groups: Option<Arc<[u32]>>,
+    /// A function of two vertices.
+    rule: Option<Arc<Py<PyAny>>>,
+}
+
+impl Mesh {
+    pub(crate) fn mesh(&self) -> &Arc<TriangleMesh> {
+        &self.mesh
+    }
+
+    /// Returns true if a function of the caller restricts the pairs that can collide.
+    pub(crate) fn has_rule(&self) -> bool {
+        self.rule.is_some()
+    }
+
+    /// The pairs of different groups.
+    pub(crate) fn groups(&self) -> CanCollide {
+        let groups = self.groups.as_deref().map(<[u32]>::to_vec);
+        groups.map_or_else(CanCollide::all, CanCollide::different_groups)
+    }
+
+    /// The pairs of which two vertices are in different groups and can collide by the rule.
+    ///
+    /// An exception of the rule is kept in `failure`, and ends the computation.
+    pub(crate) fn rule(&self, watch: &Arc<Watch>, failure: &Arc<Mutex<Option<PyErr>>>) -> CanCollide {
+        let Some(rule) = self.rule.clone() else {
+            return self.groups();
+        };
+        let (watch, failure, groups) = (watch.clone(), failure.clone(), self.groups.clone());
+        CanCollide::any_vertices(move |v, w| {
+            // There is a group for each vertex.
+            let same = |groups: &Arc<[u32]>| groups[v as usize] == groups[w as usize];
+            if watch.is_cancelled() || groups.as_ref().is_some_and(same) {
+                return false;
+            }
+            let answer = Python::attach(|py| rule.bind(py).call1((v, w))?.is_truthy());
+            answer.unwrap_or_else(|error| {
+                let mut first = failure.lock().unwrap_or_else(PoisonError::into_inner);
+                first.get_or_insert(error);
+                watch.cancel();
+                false
+            })
+        })
+    }
+}
+
+#[pymethods]
+impl Mesh {
+    #[new]
+    fn new(
+        vertex_count: usize,
+        faces: PyReadonlyArray2<'_, u32>,
+        edges: PyReadonlyArray2<'_, u32>,
+        groups: Option<PyReadonlyArray1<'_, u32>>,
+        rule: Option<Py<PyAny>>,
+    ) -> PyResult<Self> {
+        let faces = faces.as_slice()?.as_chunks().0.to_vec();
+        let mesh = TriangleMesh::with_edges(vertex_count, faces, edges.as_slice()?.as_chunks().0)
+            .map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let groups = groups
+            .map(|groups| groups.as_slice().map(Arc::from))
+            .transpose()?;
+        Ok(Self {
+            mesh: Arc::new(mesh),
+            groups,
+            rule: rule.map(Arc::new),
+        })
+    }
+
+    /// The number of vertices.
+    #[getter]
+    fn vertex_count(&self) -> usize {
+        self.mesh.vertex_count()
+    }
+
+    /// The faces.
+    #[getter]
+    fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        rows(py, self.mesh.faces())
+    }
+
+    /// The edges of the faces, then the loose edges.
+    #[getter]
+    fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        rows(py, self.mesh.edges())
+    }
+
+    /// The number of loose edges.
+    #[getter]
+    fn loose_edge_count(&self) -> usize {
+        self.mesh.loose_edges().len()
+    }
+}
+
+/// An array of rows.
+pub(crate) fn rows<'py, T: numpy::Element + Copy, const N: usize>(
+    py: Python<'py>,
+    rows: &[[T; N]],
+) -> PyResult<Bound<'py, PyArray2<T>>> {
+    PyArray1::from_slice(py, rows.as_flattened()).reshape([rows.len(), N])
+}

@@ -1,0 +1,25 @@
+"""Generated queries with small integer coordinates, of which many are degenerate."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
+
+
+def queries(kind: str, count: int, seed: int = 0) -> NDArray[np.float64]:
+    """Points of queries of a kind, in the shape of the argument `points`."""
+    random = np.random.default_rng(seed)
+    return random.integers(-3, 4, (count, 2 * POINTS[kind], 3)).astype(np.float64)
+
+
+def as_indices(points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """The same queries by the indices of vertices, each of which has one."""
+    count, both, _ = points.shape
+    half = both // 2
+    return {
+        "indices": np.arange(count * half, dtype=np.uint32).reshape(count, half),
+        "vertices_t0": points[:, :half].reshape(-1, 3),
+        "vertices_t1": points[:, half:].reshape(-1, 3),
+    }

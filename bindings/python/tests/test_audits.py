@@ -1,0 +1,68 @@
+"""Sequences of frames."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from exact_ccd import audit
+from test_meshes import FACES, two_triangles
+
+
+def frames(*heights: float) -> np.ndarray:
+    return np.array([two_triangles(height) for height in heights])
+
+
+def test_a_free_motion() -> None:
+    done = []
+    report = audit(frames(3, 2, 1), FACES, progress=done.append)
+    assert report.is_free and report.frames == 3 and sum(done) == 3
+
+
+def test_the_first_violation() -> None:
+    report = audit(frames(3, 1, -3, 1), FACES)
+    assert (report.frames, report.violation.frame, report.violation.contact.time) == (3, 1, 0.25)
+    report = audit(frames(0, 1), FACES)
+    assert (report.frames, report.violation.frame, report.violation.contact) == (1, 0, None)
+    assert report.violation.intersection[1] == 0
+    # Two points at rest in one place.
+    rods = audit(np.zeros((1, 4, 3)), np.empty((0, 3), int), edges=[[0, 1], [2, 3]])
+    assert (rods.violation.frame, rods.violation.contact.kind) == (0, "ee")
+
+
+def test_an_iterator_that_reuses_its_array() -> None:
+    def positions():
+        array = np.empty((6, 3))
+        for height in (3.0, 1.0, -3.0):
+            array[...] = two_triangles(height)
+            yield array
+
+    assert audit(positions(), FACES).violation.contact.time == 0.25
+
+
+def test_files(tmp_path) -> None:
+    for number, height in zip((2, 9, 10), (3.0, 1.0, -3.0)):
+        vertices = "".join("v {} {} {}\n".format(*v) for v in two_triangles(height).tolist())
+        (tmp_path / f"frame{number}.obj").write_text(vertices + "f 1 2 3\nf 4 5 6\n")
+    expected = audit(frames(3, 1, -3), FACES)
+    for form in (tmp_path, str(tmp_path), sorted(tmp_path.iterdir(), key=lambda f: int(f.stem[5:]))):
+        report = audit(form)
+        assert (report.frames, report.violation.frame) == (expected.frames, 1)
+        assert report.violation.contact.time == expected.violation.contact.time
+    (tmp_path / "frame11.obj").write_text("v 0 0 0\n")
+    (tmp_path / "frame10.obj").unlink()
+    with pytest.raises(ValueError, match="frame11.obj has other faces"):
+        audit(tmp_path)
+
+
+def test_errors() -> None:
+    with pytest.raises(ValueError, match="there are no frames"):
+        audit([], FACES)
+    with pytest.raises(TypeError, match="expected the faces"):
+        audit(frames(3, 1))
+    bad = frames(3, 2, 1)
+    bad[1, 4, 2] = np.inf
+    with pytest.raises(ValueError, match="frame 1: .*vertex 4 has z = inf"):
+        audit(bad, FACES)
+    with pytest.raises(ValueError, match="frame 1: "):
+        audit([two_triangles(3.0), two_triangles(2.0)[:5]], FACES)

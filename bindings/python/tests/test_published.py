@@ -1,0 +1,76 @@
+"""The answers for the published data sets are those of the truth."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import exact_ccd
+from published import data, read_queries
+
+KINDS = {"vf": "vertex-face", "ee": "edge-edge"}
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_handcrafted_queries(kind: str) -> None:
+    files = sorted(data().glob(f"handcrafted/*/{KINDS[kind]}/*.csv"))
+    assert files
+    for file in files:
+        points, truth = read_queries(file, kind)
+        np.testing.assert_array_equal(exact_ccd.collides(kind, points), truth, str(file))
+        np.testing.assert_array_equal(exact_ccd.contact_count(kind, points) != 0, truth, str(file))
+        np.testing.assert_array_equal(~np.isnan(exact_ccd.time_of_impact(kind, points)), truth, str(file))
+
+
+@pytest.mark.parametrize("kind", ["vf", "ee", "ve", "vv"])
+def test_separation(kind: str) -> None:
+    files = [file for file in sorted(data().glob(f"separation/{kind}-*.csv")) if ".times" not in file.name]
+    assert files
+    for file in files:
+        d = float(re.search(r"-d([0-9].*)\.csv$", file.name).group(1))
+        points, truth = read_queries(file, kind)
+        collides = exact_ccd.collides(kind, points, min_distance=d)
+        np.testing.assert_array_equal(collides, truth, str(file))
+        times = exact_ccd.contact_times(kind, points, min_distance=d)
+        toi = exact_ccd.time_of_impact(kind, points, min_distance=d)
+        impacts = exact_ccd.impacts(kind, points, min_distance=d)
+        np.testing.assert_array_equal(impacts["time"], toi)
+        counts = exact_ccd.contact_count(kind, points, min_distance=d)
+        with open(file.with_suffix(".times.csv")) as text:
+            rows = list(csv.DictReader(text))
+        assert [int(row["query"]) for row in rows] == np.flatnonzero(truth).tolist()
+        for row in rows:
+            query = int(row["query"])
+            intervals = [[float(end) for end in part.split(":")] for part in row["intervals"].split()]
+            found = times.intervals[times.offsets[query] : times.offsets[query + 1]]
+            assert found.tolist() == intervals, (file, query)
+            assert toi[query] == float(row["toi"]), (file, query)
+            assert d == 0.0 or counts[query] == int(row["count"]), (file, query)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("scene", ["rod-twist", "cloth-funnel"])
+def test_scenes(scene: str, kind: str) -> None:
+    folder = data() / "scenes" / scene
+    (file,) = folder.glob(f"queries/*{kind}.csv")
+    points, _ = read_queries(file, kind)
+    (verdicts,) = folder.glob(f"mma_bool/*{kind}_mma_bool.json")
+    truth = np.array(json.loads(Path(verdicts).read_text()))
+    np.testing.assert_array_equal(exact_ccd.collides(kind, points), truth)
+    toi = exact_ccd.time_of_impact(kind, points)
+    times = exact_ccd.contact_times(kind, points)
+    counts = exact_ccd.contact_count(kind, points)
+    with open(folder / "roots" / f"{kind}.csv") as text:
+        for row in csv.DictReader(text):
+            query = int(row["query"])
+            assert toi[query] == float(row["toi"])
+            if counts[query] >= 0:
+                # Where contact lasts for an interval, the file has its first instant only.
+                found = times.intervals[times.offsets[query] : times.offsets[query + 1], 0]
+                assert found.tolist() == [float(time) for time in row["times"].split()]
+                assert counts[query] == int(row["count"])

@@ -1,0 +1,231 @@
+//! The cost of a query within a distance d, on candidates of the broad phase, with boxes inflated
+//! by d: a thousandth and a tenth of the mean length of an edge.
+//!
+//! `cargo bench -p exact-ccd-bench --bench separation [-- SCENE...]`, on one thread, over the
+//! published data sets.
+//!
+//! The scenes, kinds and distances take turns for some rounds; a figure is the median over the
+//! rounds. The time of one query within d is the least of some attempts.
+
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Instant;
+
+use exact_ccd::separation::{Separation, SeparationStage};
+use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd_data::{DataError, DataFolder, DataKind};
+use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, Motion, Step};
+
+const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+const ROUNDS: usize = 7;
+const ATTEMPTS: usize = 5;
+/// d as fractions of the mean length of an edge.
+const FRACTIONS: [f64; 2] = [1e-3, 1e-1];
+/// The largest number of candidates of a row: every so many, if there are more.
+const CANDIDATES: usize = 200_000;
+/// The number of queries that are timed as a whole.
+const LARGE: usize = 400_000;
+/// The number of queries of which all intervals and the impact are timed.
+const SAMPLE: usize = 20_000;
+
+fn main() -> Result<(), DataError> {
+    let wanted: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|argument| !argument.starts_with('-'))
+        .collect();
+    let mut rows: Vec<Row> = Vec::new();
+    for scene in DataFolder::find(Path::new(REPOSITORY))?.scenes()? {
+        if wanted.is_empty() || wanted.contains(&scene.name()) {
+            let motion = scene.motion()?;
+            for fraction in FRACTIONS {
+                rows.extend(rows_of(&scene.name(), &motion, fraction));
+            }
+        }
+    }
+    for round in 1..=ROUNDS {
+        eprintln!("round {round} of {ROUNDS}");
+        rows.iter_mut().for_each(|row| (row.time)(&mut row.measured));
+    }
+    print_decisions(&rows);
+    print_times(&rows);
+    print_stages(&rows);
+    Ok(())
+}
+
+/// Candidates of one kind in one scene for one distance.
+struct Row {
+    name: String,
+    /// Adds the measurements of one round.
+    time: Box<dyn FnMut(&mut Measured)>,
+    measured: Measured,
+}
+
+/// The measurements of a row. All times are in nanoseconds.
+#[derive(Default)]
+struct Measured {
+    candidates: usize,
+    /// The number of candidates settled at each stage.
+    settled: [usize; SeparationStage::ALL.len()],
+    /// The means over the candidates that do not come within d, round by round.
+    contact: Vec<f64>,
+    outside: Vec<f64>,
+    /// The first time within d, of each query that comes within d, and the same without those of the
+    /// exact path.
+    first: Vec<f64>,
+    first_filtered: Vec<f64>,
+    intervals: Vec<f64>,
+    impacts: Vec<f64>,
+}
+
+fn rows_of(scene: &str, motion: &Motion, fraction: f64) -> [Row; 2] {
+    let step = motion.step().expect("the frames of a scene are sound");
+    let d = fraction * mean_edge(&step);
+    let options = CandidateOptions::default().with_distance(d);
+    let candidates = Candidates::with_options(step, &Bvh, &options).expect("the distance is positive");
+    let d = Separation::new(d).expect("a length is finite");
+    [
+        row::<VertexFace>(
+            format!("{scene} vf, {fraction:e}"),
+            step,
+            candidates.vertex_face(),
+            d,
+        ),
+        row::<EdgeEdge>(
+            format!("{scene} ee, {fraction:e}"),
+            step,
+            candidates.edge_edge(),
+            d,
+        ),
+    ]
+}
+
+/// The mean length of the edges at t = 0.
+fn mean_edge(step: &Step<'_>) -> f64 {
+    let [x0, _] = step.positions();
+    let edges = step.mesh().edges();
+    let length = |edge: &[u32; 2]| {
+        let [a, b] = edge.map(|vertex| x0[vertex as usize]);
+        (0..3).map(|axis| (b[axis] - a[axis]).powi(2)).sum::<f64>().sqrt()
+    };
+    edges.iter().map(length).sum::<f64>() / edges.len() as f64
+}
+
+fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], d: Separation) -> Row {
+    let mut measured = Measured::default();
+    let mut outside: Vec<Query<K>> = Vec::new();
+    let mut within = 0;
+    let stride = pairs.len().div_ceil(CANDIDATES).max(1);
+    for &pair in pairs.iter().step_by(stride) {
+        measured.candidates += 1;
+        let query = K::query(&step, pair);
+        let (first, stage) = query.first_within_with_stage(d);
+        measured.settled[stage as usize] += 1;
+        if first.is_none() {
+            outside.push(query);
+            continue;
+        }
+        let time = nanoseconds(|| query.first_within(d));
+        measured.first.push(time);
+        if stage != SeparationStage::Exact {
+            measured.first_filtered.push(time);
+        }
+        within += 1;
+        if within <= SAMPLE {
+            measured.intervals.push(nanoseconds(|| query.intervals_within(d)));
+            measured.impacts.push(nanoseconds(|| query.impact_within(d)));
+        }
+    }
+    let repetitions = LARGE.div_ceil(outside.len().max(1));
+    let mean = move |queries: &[Query<K>], decide: &dyn Fn(&Query<K>) -> bool| {
+        let clock = Instant::now();
+        for _ in 0..repetitions {
+            black_box(black_box(queries).iter().filter(|query| decide(query)).count());
+        }
+        clock.elapsed().as_secs_f64() * 1e9 / (repetitions * queries.len()) as f64
+    };
+    let time = move |measured: &mut Measured| {
+        measured.contact.push(mean(&outside, &Query::collides));
+        measured
+            .outside
+            .push(mean(&outside, &|query| query.comes_within(d)));
+    };
+    Row {
+        name,
+        time: Box::new(time),
+        measured,
+    }
+}
+
+fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
+    let attempt = |_| {
+        let clock = Instant::now();
+        black_box(task());
+        clock.elapsed().as_secs_f64() * 1e9
+    };
+    (0..ATTEMPTS).map(attempt).fold(f64::INFINITY, f64::min)
+}
+
+fn print_decisions(rows: &[Row]) {
+    println!("Candidates that do not come within d, mean ns: contact, and the distance d.\n");
+    println!("| scene, kind, d | candidates | within d | contact | within d | ratio |");
+    println!("|---|{}", "---:|".repeat(5));
+    for Row { name, measured, .. } in rows {
+        let (contact, outside) = (median(&measured.contact), median(&measured.outside));
+        println!(
+            "| {name} | {} | {} | {contact:.1} | {outside:.1} | {:.2} |",
+            measured.candidates,
+            measured.first.len(),
+            outside / contact
+        );
+    }
+}
+
+fn print_times(rows: &[Row]) {
+    println!("\nCandidates that come within d, in ns: the first time, all intervals, the impact.\n");
+    println!(
+        "| scene, kind, d | first mean | median | worst | worst without exact | intervals mean | impact mean |"
+    );
+    println!("|---|{}", "---:|".repeat(6));
+    for Row { name, measured, .. } in rows {
+        println!(
+            "| {name} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
+            mean(&measured.first),
+            median(&measured.first),
+            worst(&measured.first),
+            worst(&measured.first_filtered),
+            mean(&measured.intervals),
+            mean(&measured.impacts),
+        );
+    }
+}
+
+fn print_stages(rows: &[Row]) {
+    println!("\nCandidates settled at each stage, in %.\n");
+    let names: Vec<String> = SeparationStage::ALL
+        .iter()
+        .map(|stage| format!("{stage:?}"))
+        .collect();
+    println!("| scene, kind, d | {} |", names.join(" | "));
+    println!("|---|{}", "---:|".repeat(names.len()));
+    for Row { name, measured, .. } in rows {
+        let share = |&count: &usize| format!("{:.3}", 100.0 * count as f64 / measured.candidates as f64);
+        let shares: Vec<String> = measured.settled.iter().map(share).collect();
+        println!("| {name} | {} |", shares.join(" | "));
+    }
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
+}
+
+fn worst(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |a, &b| a.max(b))
+}
+
+fn median(values: &[f64]) -> f64 {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,57 @@
+//! The answer of a search.
+
+/// The times of a step before which two curved primitives are certainly more than d apart, and by
+/// which they certainly come within d, or near to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answer {
+    /// The distance is certainly above d at all times before this one. If [`end`](Self::end) is
+    /// [`End::Free`], it is above d in the whole step, t = 1 included.
+    pub free_until: f64,
+    /// The earliest time by which a small distance has been proved, if there is one.
+    pub within: Option<Within>,
+    /// The reason why the search ended.
+    pub end: End,
+    /// The number of chords that were examined.
+    pub chords: usize,
+}
+
+/// A time by which two curved primitives have certainly been near each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Within {
+    /// The distance is small at some time that is not after this one.
+    pub by: f64,
+    /// The meaning of small.
+    pub proximity: Proximity,
+}
+
+/// A distance that was proved to be small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Proximity {
+    /// At most d.
+    Contact,
+    /// At most d + ε, where ε is the tolerance of distances.
+    Near,
+}
+
+/// The reason why a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum End {
+    /// The whole step is free.
+    Free,
+    /// The gap between the free times and the proved proximity is within the tolerance of times.
+    Tolerance,
+    /// The number of chords reached its limit. The free times are certain.
+    ChordLimit,
+    /// The chord at the end of the free times lasts 2⁻⁵³, and a shorter one would not be more precise: the
+    /// tolerances are too small for the errors of the positions. The free times are certain.
+    Precision,
+}
+
+impl Answer {
+    /// Returns true if the distance is certainly above d in the whole step.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        self.end == End::Free
+    }
+}

@@ -1,0 +1,37 @@
+//! Errors of a search.
+
+use exact_ccd::NonFinite;
+
+/// The reason why a search has no answer.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SearchError {
+    /// A trajectory has a position that is not finite.
+    #[error("in the chord for the times from {start} to {end}, {source}")]
+    Position {
+        /// The start of the chord.
+        start: f64,
+        /// The end of the chord.
+        end: f64,
+        /// The coordinate, and the index of the point in its query.
+        source: NonFinite,
+    },
+    /// A trajectory has a bound that is NaN or negative.
+    #[error(
+        "point {point} has an error or a deviation that is negative or NaN, for the times from {start} to {end}"
+    )]
+    Bound {
+        /// The index of the point in its query.
+        point: usize,
+        /// The start of the chord.
+        start: f64,
+        /// The end of the chord.
+        end: f64,
+    },
+    /// The tolerance of times is negative or NaN.
+    #[error("the tolerance of times is {0}, expected a number of at least 0")]
+    Tolerance(f64),
+    /// The thread replaces subnormal numbers by zero, so that no bound of an error holds.
+    #[error("this thread flushes subnormal numbers to zero (FTZ, DAZ): restore gradual underflow")]
+    FlushedSubnormals,
+}

@@ -1,0 +1,197 @@
+//! A mesh in an interval of time, in which its vertices are near their chords.
+
+use exact_ccd::batch::Trajectories;
+use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, MinDistance, Pair, PairKind, Step, TriangleMesh};
+use rayon::prelude::*;
+
+use crate::answer::Answer;
+use crate::error::SearchError;
+use crate::kind::CurvedKind;
+use crate::options::SearchOptions;
+use crate::rounding::add_up;
+use crate::search::search;
+use crate::step::{CurvedStep, CurvedStepError, CurvedStepOptions};
+use crate::straight::time_before;
+use crate::trajectory::{Chord, Trajectory};
+
+/// A mesh, and the chords of its vertices.
+pub(crate) struct Interval<'a, T> {
+    mesh: &'a TriangleMesh,
+    trajectories: &'a [T],
+    chords: Vec<Chord>,
+    start: f64,
+    end: f64,
+}
+
+/// The shortest interval that is cut.
+const SHORTEST: f64 = 1.0 / 65536.0;
+
+/// The number of pairs that a thread decides at a time.
+const GRAIN: usize = 2048;
+
+impl<'a, T: Trajectory + Sync> Interval<'a, T> {
+    pub(crate) fn new(
+        mesh: &'a TriangleMesh,
+        trajectories: &'a [T],
+        start: f64,
+        end: f64,
+    ) -> Result<Self, SearchError> {
+        let chords: Vec<Chord> = trajectories
+            .par_iter()
+            .map(|x| Chord::of(x, start, end))
+            .collect();
+        if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
+            return Err(SearchError::Bound { point, start, end });
+        }
+        Ok(Self {
+            mesh,
+            trajectories,
+            chords,
+            start,
+            end,
+        })
+    }
+
+    /// Returns true if boxes around the chords are much larger by the deviations: by more than an eighth of
+    /// the longest chord, and 2⁻³⁰ of the largest coordinate. Shorter intervals have smaller boxes, but
+    /// each of them costs a broad phase.
+    pub(crate) fn is_coarse(&self) -> bool {
+        let largest = |of: fn(&Chord) -> f64| self.chords.iter().map(of).fold(0.0, f64::max);
+        let coordinate = |chord: &Chord| {
+            let coordinates = chord.ends.as_flattened().iter();
+            coordinates.fold(0.0, |largest: f64, x| largest.max(x.abs()))
+        };
+        let small = (0.125 * largest(Chord::length)).max(largest(coordinate) / f64::from(1 << 30));
+        self.end - self.start > SHORTEST && largest(|chord| chord.deviation) > small
+    }
+
+    /// Decides this interval. The step is free until its start; afterwards it has a pair, or is free until
+    /// the end.
+    pub(crate) fn advance(
+        &self,
+        d: Separation,
+        options: &CurvedStepOptions,
+        step: &mut CurvedStep,
+    ) -> Result<(), CurvedStepError> {
+        step.answer.free_until = self.end;
+        for (relative, pair) in self.near(d, options, step)? {
+            let until = step.answer.free_until;
+            if step.pair.is_some() && time_before(relative, self.start, self.end) >= until
+                || until <= self.start
+            {
+                break;
+            }
+            let answer = self.search(pair, d, &options.search, until);
+            let answer = answer.map_err(|source| CurvedStepError::Pair { pair, source })?;
+            let chords = step.answer.chords + answer.chords;
+            if !answer.is_free() && (step.pair.is_none() || answer.free_until < until) {
+                (step.pair, step.answer) = (Some(pair), answer);
+            }
+            step.answer.chords = chords;
+        }
+        Ok(())
+    }
+
+    /// The pairs whose chords come within d and their deviations, each with the time at which they first
+    /// do, relative to the interval and rounded down; the earliest first.
+    fn near(
+        &self,
+        d: Separation,
+        options: &CurvedStepOptions,
+        step: &mut CurvedStep,
+    ) -> Result<Vec<(f64, Pair)>, CurvedStepError> {
+        let Self { start, end, .. } = *self;
+        let [x0, x1] =
+            [0, 1].map(|time: usize| self.chords.iter().map(|x| x.ends[time]).collect::<Vec<Point>>());
+        let chords = Step::new(self.mesh, &x0, &x1);
+        let chords = chords.map_err(|source| CurvedStepError::Step { start, end, source })?;
+        let half = 0.5 * d.get();
+        // Half of a subnormal number may be rounded down.
+        let half = if half + half < d.get() {
+            half.next_up()
+        } else {
+            half
+        };
+        let thickness: Vec<f64> = self
+            .chords
+            .iter()
+            .map(|chord| add_up(chord.deviation, half))
+            .collect();
+        let thickness = Thickness::new(&thickness);
+        let thickness = thickness.map_err(|source| CurvedStepError::Deviation { start, end, source })?;
+        let candidate_options = CandidateOptions::default()
+            .with_min_distance(MinDistance::thickness(thickness.clone()))
+            .with_can_collide(options.can_collide.clone());
+        // There is a thickness for each vertex, and the positions are finite.
+        let candidates = Candidates::with_options(chords, &Bvh, &candidate_options).unwrap_or_default();
+        let Ok(trajectories) = Trajectories::new(&x0, &x1) else {
+            return Ok(Vec::new());
+        };
+        step.candidates += candidates.counts().total();
+        step.answer.chords += candidates.counts().total();
+        let mut near = self.near_of::<VertexFace>(&trajectories, &thickness, candidates.vertex_face());
+        near.extend(self.near_of::<EdgeEdge>(&trajectories, &thickness, candidates.edge_edge()));
+        near.extend(self.near_of::<VertexEdge>(&trajectories, &thickness, candidates.vertex_edge()));
+        near.extend(self.near_of::<VertexVertex>(&trajectories, &thickness, candidates.vertex_vertex()));
+        near.sort_unstable_by(|(s, p), (t, q)| s.total_cmp(t).then(p.cmp(q)));
+        Ok(near)
+    }
+
+    fn near_of<K: PairKind>(
+        &self,
+        trajectories: &Trajectories,
+        thickness: &Thickness,
+        pairs: &[[u32; 2]],
+    ) -> Vec<(f64, Pair)> {
+        let near_among = |pairs: &[[u32; 2]]| {
+            let exists = |&ids: &[u32; 2]| Some((ids, K::vertices(self.mesh, ids)?));
+            let (ids, queries): (Vec<_>, Vec<_>) = pairs.iter().filter_map(exists).unzip();
+            let mut near = Vec::new();
+            // All vertices are in range.
+            let _ = trajectories.collisions_within::<K>(&queries, thickness.into(), |index, collision| {
+                near.push((collision.first_contact_time().lower(), K::pair(ids[index])));
+            });
+            near
+        };
+        pairs.par_chunks(GRAIN).flat_map_iter(near_among).collect()
+    }
+
+    /// The search of a pair from the start of the interval.
+    fn search(
+        &self,
+        pair: Pair,
+        d: Separation,
+        options: &SearchOptions,
+        until: f64,
+    ) -> Result<Answer, SearchError> {
+        match pair {
+            Pair::VertexFace { vertex, face } => {
+                self.search_of::<VertexFace>([vertex, face], d, options, until)
+            }
+            Pair::EdgeEdge { a, b } => self.search_of::<EdgeEdge>([a, b], d, options, until),
+            Pair::VertexEdge { vertex, edge } => {
+                self.search_of::<VertexEdge>([vertex, edge], d, options, until)
+            }
+            Pair::VertexVertex { a, b } => self.search_of::<VertexVertex>([a, b], d, options, until),
+        }
+    }
+
+    fn search_of<K: PairKind + CurvedKind>(
+        &self,
+        ids: [u32; 2],
+        d: Separation,
+        options: &SearchOptions,
+        until: f64,
+    ) -> Result<Answer, SearchError> {
+        // The pair is one of the mesh.
+        let vertices = K::vertices(self.mesh, ids);
+        let vertices = vertices.as_ref().map_or(&[][..], AsRef::as_ref);
+        let trajectories: Vec<&T> = vertices
+            .iter()
+            .map(|&vertex| &self.trajectories[vertex as usize])
+            .collect();
+        search::<K, _>(&trajectories, d, options, [self.start, until])
+    }
+}

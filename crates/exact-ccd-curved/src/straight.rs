@@ -1,0 +1,131 @@
+//! A query of chords, near the query of curves.
+
+use exact_ccd::separation::Separation;
+use exact_ccd::{NonFinite, Query};
+
+use crate::answer::{Proximity, Within};
+use crate::crossing;
+use crate::error::SearchError;
+use crate::kind::{CurvedKind, points};
+use crate::rounding::add_up;
+use crate::trajectory::{Chord, Trajectory};
+
+/// A query of two primitives whose points move along chords, for an interval of times.
+///
+/// A point of a primitive is a convex combination of its vertices, with the same weights on the curves
+/// and on the chords. So it deviates by at most the largest deviation of a vertex. With Δ, the sum of
+/// the largest deviations of both primitives:
+///
+/// - F on the curves differs from F on the chords by at most Δ, at each (t, u, v).
+/// - The distance of the curved primitives differs from that on the chords by at most Δ, at each time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Straight<K> {
+    pub(crate) query: Query<K>,
+    /// Δ; infinite if nothing is known.
+    pub(crate) deviation: f64,
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+}
+
+impl<K: CurvedKind> Straight<K> {
+    /// The query of some chords.
+    pub(crate) fn new(chords: &[Chord], start: f64, end: f64) -> Result<Self, SearchError> {
+        let [t0, t1] = [0, 1].map(|time: usize| points::<K>(|point| chords[point].ends[time]));
+        let query = Query::new(t0, t1);
+        let query = query.map_err(|source: NonFinite| SearchError::Position { start, end, source })?;
+        if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
+            return Err(SearchError::Bound { point, start, end });
+        }
+        let largest = |chords: &[Chord]| chords.iter().fold(0.0_f64, |m, chord| m.max(chord.deviation));
+        let (first, second) = chords.split_at(K::FIRST);
+        Ok(Self {
+            query,
+            deviation: add_up(largest(first), largest(second)),
+            start,
+            end,
+        })
+    }
+
+    /// The query of the chords of some trajectories.
+    pub(crate) fn of<T: Trajectory>(trajectories: &[T], start: f64, end: f64) -> Result<Self, SearchError> {
+        let chords: Vec<Chord> = trajectories.iter().map(|x| Chord::of(x, start, end)).collect();
+        Self::new(&chords, start, end)
+    }
+
+    /// Before this time, the curved primitives are certainly more than d apart; `None` if they are at
+    /// all times from the start to the end, both included.
+    ///
+    /// Where they are within d, the chords are within d + Δ.
+    pub(crate) fn free_until(&self, d: Separation) -> Option<f64> {
+        let Ok(threshold) = Separation::new(add_up(d.get(), self.deviation)) else {
+            return Some(self.start);
+        };
+        let first = self.query.first_within(threshold)?.lower();
+        Some(time_before(first, self.start, self.end))
+    }
+
+    /// The earliest time by which the chords prove a distance of at most d or else d + ε, or contact.
+    pub(crate) fn proximity(&self, d: Separation, tolerance: Separation) -> Option<Within> {
+        let wider = Separation::new((d.get() + tolerance.get()).next_down()).unwrap_or(d);
+        let is_zero = d == Separation::default();
+        let crossing = || (is_zero && crossing::is_certain(self)).then_some(self.end);
+        let contact = self.within_by(d).or_else(crossing);
+        let near = || if wider > d { self.within_by(wider) } else { None };
+        let within = |by, proximity| Within { by, proximity };
+        contact
+            .map(|by| within(by, Proximity::Contact))
+            .or_else(|| near().map(|by| within(by, Proximity::Near)))
+    }
+
+    /// At a time not after this one, the curved primitives are certainly at most d apart; `None` if
+    /// this does not follow from the chords.
+    ///
+    /// They are where the chords are within d − Δ.
+    fn within_by(&self, d: Separation) -> Option<f64> {
+        let threshold = if self.deviation == 0.0 {
+            d
+        } else {
+            Separation::new((d.get() - self.deviation).next_down()).ok()?
+        };
+        let first = self.query.first_within(threshold)?.upper();
+        Some(self.after(first))
+    }
+
+    /// The end of the next chord, which begins at `start`: twice as far as the time at which this chord
+    /// comes within d, at most in the middle.
+    ///
+    /// The error of the time at which it does is that of the free times, and is quadratic in the length
+    /// of the chord. So the chords shrink quadratically where the distance is not stationary.
+    pub(crate) fn cut(&self, d: Separation, start: f64) -> f64 {
+        let middle = start + 0.5 * (self.end - start);
+        let guess = self.query.first_within(d).map(|first| self.after(first.lower()));
+        guess.map_or(middle, |guess| {
+            middle.min(guess + (guess - start).max(f64::EPSILON))
+        })
+    }
+
+    /// An upper bound of the time at a relative time; that itself in the whole step.
+    fn after(&self, relative: f64) -> f64 {
+        if is_whole(self.start, self.end) {
+            return relative;
+        }
+        let elapsed = (relative * (self.end - self.start).next_up()).next_up();
+        (self.start + elapsed).next_up().clamp(self.start, self.end)
+    }
+}
+
+/// A lower bound of the time at a relative time; that itself in the whole step.
+///
+/// The difference, the product and the sum of lower bounds are each below the real value.
+pub(crate) fn time_before(relative: f64, start: f64, end: f64) -> f64 {
+    if is_whole(start, end) {
+        return relative;
+    }
+    let elapsed = (relative * (end - start).next_down()).next_down();
+    (start + elapsed).next_down().clamp(start, end)
+}
+
+/// Returns true for the whole step: its times are the relative ones.
+fn is_whole(start: f64, end: f64) -> bool {
+    start == 0.0 && end == 1.0
+}

@@ -1,0 +1,44 @@
+//! Straight motion: the answer is that of the exact step.
+
+use exact_ccd::Point;
+use exact_ccd_curved::{CurvedStepOptions, End, Polynomial, curved_step};
+use exact_ccd_mesh::{TriangleMesh, step};
+
+use crate::within;
+
+#[test]
+fn the_times_are_those_of_the_exact_step() {
+    let mut random = fastrand::Rng::with_seed(8);
+    let mut free = 0;
+    for _ in 0..300 {
+        let count = 12;
+        let faces = (0..5).map(|_| [0; 3].map(|_| random.u32(0..count))).collect();
+        let mesh = TriangleMesh::new(count as usize, faces).unwrap();
+        let mut positions = |size: i32| -> Vec<Point> {
+            (0..count)
+                .map(|_| [0; 3].map(|_| f64::from(random.i32(-size..=size))))
+                .collect()
+        };
+        let (x0, moves) = (positions(20), positions(4));
+        let x1: Vec<Point> = x0
+            .iter()
+            .zip(&moves)
+            .map(|(p, v)| [0, 1, 2].map(|k: usize| p[k] + v[k]))
+            .collect();
+        let trajectories: Vec<_> = x0
+            .iter()
+            .zip(&x1)
+            .map(|(&p, &q)| Polynomial::new([p, q]))
+            .collect();
+        let curved = curved_step(&mesh, &trajectories, within(0.0), &CurvedStepOptions::default()).unwrap();
+        let exact = step(&mesh, &x0, &x1).unwrap();
+        match exact.time_of_impact() {
+            None => {
+                free += 1;
+                assert_eq!((curved.answer.end, curved.answer.free_until), (End::Free, 1.0));
+            }
+            Some(time) => assert_eq!(curved.answer.free_until, time),
+        }
+    }
+    assert!((30..270).contains(&free), "{free}");
+}

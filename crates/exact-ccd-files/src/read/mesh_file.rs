@@ -1,0 +1,115 @@
+//! Mesh files as frames, with the facts about the file that a frame does not have.
+
+use std::path::Path;
+
+use exact_ccd_mesh::Frame;
+
+use super::cells::{Assembled, Cells};
+use super::file::{format_of, parse_file};
+use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
+use crate::contents::Contents;
+use crate::error::{Fault, ParseError, Place, ReadError};
+use crate::format::Format;
+
+/// The treatment of faces with more than three corners.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Polygons {
+    /// Each becomes a fan of triangles from its lowest vertex.
+    ///
+    /// The fan is the same in all frames, whichever corner comes first in the file. It covers a
+    /// convex plane polygon; another polygon has no surface of its own, and its fan is one choice.
+    #[default]
+    Triangulate,
+    /// The first one is an error.
+    Refuse,
+}
+
+/// A mesh file that was read: its frame, and its contents in numbers.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct MeshFile {
+    /// The mesh and its positions.
+    pub frame: Frame,
+    /// The numbers of its elements.
+    pub contents: Contents,
+}
+
+impl MeshFile {
+    /// Reads a mesh file. The extension determines the format, see [`Format::of_path`]; `.gz` after
+    /// it stands for compression by gzip.
+    ///
+    /// Vertices and triangles keep their order in the file, and are counted from 0; polygons are
+    /// triangulated in place. Each coordinate is the `f64` nearest to the decimal text, or exactly
+    /// the binary number; nodes of [`Format::Gltf`] place meshes in `f64` arithmetic. An STL file
+    /// has no shared vertices: it reads as three vertices for each face.
+    ///
+    /// Files of cells with volume (tetrahedra, hexahedra, wedges, pyramids) read as the surface:
+    /// the sides that belong to one cell only. A .msh file reads as the surface and the loose
+    /// edges alone. A VTK file reads as the surface, and other faces, lines and points beside it;
+    /// its cells count as positive in the order of their corners.
+    ///
+    /// # Errors
+    /// [`ReadError`] names the file, the place in it, and what was expected there. A file without a
+    /// face, an edge or a point is an error.
+    pub fn read(path: impl AsRef<Path>, polygons: Polygons) -> Result<Self, ReadError> {
+        let path = path.as_ref();
+        let format = format_of(path)?;
+        parse_file(path, |bytes| {
+            Self::assembled(assemble(bytes, format, path.parent())?, polygons)
+        })
+    }
+
+    /// Parses the contents of a file, with the same result as [`MeshFile::read`].
+    ///
+    /// # Errors
+    /// [`ParseError`] names the place and what was expected there.
+    pub fn parse(bytes: &[u8], format: Format, polygons: Polygons) -> Result<Self, ParseError> {
+        Self::assembled(assemble(bytes, format, None)?, polygons)
+    }
+
+    pub(super) fn assembled(assembled: Assembled, polygons: Polygons) -> Result<Self, ParseError> {
+        match assembled.first_polygon {
+            Some(error) if polygons == Polygons::Refuse => return Err(error),
+            _ => {}
+        }
+        let contents = Contents {
+            polygons: assembled.polygons,
+            solids: assembled.solids,
+            ..Contents::of(&assembled.frame)
+        };
+        let frame = assembled.frame;
+        Ok(Self { frame, contents })
+    }
+}
+
+/// The frame in a file, which must not be empty. The files that it refers to are in `folder`.
+pub(super) fn assemble(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Assembled, ParseError> {
+    content::check(bytes, format)?;
+    let cells = match format {
+        Format::Ply => ply::read(bytes)?,
+        Format::Obj => obj::read(bytes)?,
+        Format::Stl => stl::read(bytes)?,
+        Format::Off => off::read(bytes)?,
+        Format::Msh => msh::read(bytes)?,
+        Format::Vtu => vtk::read_grid(bytes, "UnstructuredGrid")?,
+        Format::Vtp => vtk::read_grid(bytes, "PolyData")?,
+        Format::Vtk => vtk::read_legacy(bytes)?,
+        Format::Gltf => gltf::read(bytes, folder)?,
+        Format::Npy => numpy::read_npy(bytes)?.into_single()?,
+        Format::Npz => numpy::read_npz(bytes)?.into_single()?,
+    };
+    assemble_cells(cells, format)
+}
+
+/// The frame of the contents of a file, which must not be empty.
+pub(super) fn assemble_cells(cells: Cells, format: Format) -> Result<Assembled, ParseError> {
+    let read = cells.to_string();
+    let assembled = match format {
+        Format::Msh => cells.into_surface()?,
+        _ => cells.into_scene()?,
+    };
+    if assembled.frame.positions.is_empty() {
+        return Err(Fault::Empty { read }.at(Place::File));
+    }
+    Ok(assembled)
+}

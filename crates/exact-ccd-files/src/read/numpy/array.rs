@@ -1,0 +1,86 @@
+//! Arrays of numbers of any shape.
+
+use std::fmt;
+
+use super::super::binary::ByteOrder;
+use super::super::scalar::Scalar;
+use super::header::Header;
+use crate::error::{Fault, ParseError, Place};
+
+/// An array, of which the last index varies fastest.
+#[derive(Clone, Debug)]
+pub(super) struct Array {
+    scalar: Scalar,
+    order: ByteOrder,
+    pub(super) shape: Vec<usize>,
+    data: Vec<u8>,
+}
+
+impl Array {
+    /// The array in the contents of a `.npy` file.
+    pub(super) fn read(file: &[u8]) -> Result<Self, ParseError> {
+        let header = Header::read(file)?;
+        let data = &file[header.length..];
+        let length = header.data_length().filter(|&length| length == data.len());
+        if length.is_none() {
+            let expected = format!("the numbers of an array {header}");
+            let found = format!("{} bytes", data.len());
+            return Err(Fault::expected(expected, found).at(Place::Byte(header.length)));
+        }
+        let data = match header.is_fortran {
+            true => with_last_index_fastest(data, &header.shape, header.scalar.size()),
+            false => data.to_vec(),
+        };
+        Ok(Self {
+            scalar: header.scalar,
+            order: header.order,
+            shape: header.shape,
+            data,
+        })
+    }
+
+    /// All numbers, none for an array of floating-point numbers.
+    pub(super) fn integers(&self) -> Option<Vec<i64>> {
+        self.scalar.integers(&self.data, self.order)
+    }
+
+    /// The numbers with these indices in the order of the file, as many as there are.
+    pub(super) fn reals(&self, start: usize, count: usize) -> Vec<f64> {
+        let size = self.scalar.size();
+        let from = start.saturating_mul(size).min(self.data.len());
+        let to = from
+            .saturating_add(count.saturating_mul(size))
+            .min(self.data.len());
+        self.scalar.reals(&self.data[from..to], self.order)
+    }
+}
+
+/// The same numbers in an order in which the last index varies fastest, not the first one.
+fn with_last_index_fastest(data: &[u8], shape: &[usize], size: usize) -> Vec<u8> {
+    let mut moved = Vec::with_capacity(data.len());
+    let mut index = vec![0; shape.len()];
+    for _ in 0..data.len() / size {
+        let at = index
+            .iter()
+            .zip(shape)
+            .rev()
+            .fold(0, |at, (i, count)| at * count + i);
+        moved.extend_from_slice(&data[at * size..][..size]);
+        for (i, &count) in index.iter_mut().zip(shape).rev() {
+            *i += 1;
+            if *i < count {
+                break;
+            }
+            *i = 0;
+        }
+    }
+    moved
+}
+
+/// The type and the shape, as `<f4 (2, 10, 3)`.
+impl fmt::Display for Header {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shape: Vec<String> = self.shape.iter().map(usize::to_string).collect();
+        write!(f, "{} ({})", self.descr, shape.join(", "))
+    }
+}

@@ -1,0 +1,138 @@
+//! The header of an array: a dictionary of Python.
+//!
+//! numpy documentation, *A simple file format for NumPy arrays* (`numpy.lib.format`).
+
+use super::super::binary::{ByteOrder, Bytes};
+use super::super::scalar::Scalar;
+use super::super::text::parse;
+use crate::error::{Fault, ParseError, quoted};
+
+/// The type and the shape of an array.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Header {
+    pub(super) scalar: Scalar,
+    pub(super) order: ByteOrder,
+    /// The first index varies fastest.
+    pub(super) is_fortran: bool,
+    pub(super) shape: Vec<usize>,
+    /// The number of bytes before the data.
+    pub(super) length: usize,
+    /// The type as numpy writes it, such as `<f4`.
+    pub(super) descr: String,
+}
+
+/// A value of the dictionary.
+enum Value<'a> {
+    Text(&'a str),
+    Truth(bool),
+    Shape(Vec<usize>),
+}
+
+impl Header {
+    pub(super) fn read(file: &[u8]) -> Result<Self, ParseError> {
+        let mut bytes = Bytes::new(file, 0);
+        let magic: [u8; 8] = bytes.array(|| "`\\x93NUMPY` and a version".to_owned())?;
+        if !magic.starts_with(b"\x93NUMPY") {
+            return Err(Fault::expected("`\\x93NUMPY`", quoted(&magic[..6])).at(bytes.place()));
+        }
+        let size = || "the length of the header".to_owned();
+        let length = match magic[6] {
+            1 => u16::from_le_bytes(bytes.array(size)?).into(),
+            2 | 3 => u32::from_le_bytes(bytes.array(size)?),
+            other => return Err(Fault::expected("version 1 to 3", other.to_string()).at(bytes.place())),
+        };
+        let place = bytes.place();
+        let text = bytes.take(length.into(), || format!("a header of {length} bytes"))?;
+        let header = std::str::from_utf8(text).ok().and_then(dictionary);
+        let Some((descr, is_fortran, shape)) = header else {
+            let expected = "a dictionary of descr, fortran_order and shape of numbers";
+            return Err(Fault::expected(expected, quoted(text)).at(place));
+        };
+        let (scalar, order) = number(descr).ok_or_else(|| {
+            let expected = "an array of floats of 2 to 8 bytes or of integers";
+            Fault::expected(expected, quoted(descr.as_bytes())).at(place)
+        })?;
+        Ok(Self {
+            scalar,
+            order,
+            is_fortran,
+            shape,
+            length: bytes.offset(),
+            descr: descr.to_owned(),
+        })
+    }
+
+    /// The number of bytes of the data, none if it exceeds all bounds.
+    pub(super) fn data_length(&self) -> Option<usize> {
+        let product = |length: usize, &count: &usize| length.checked_mul(count);
+        self.shape.iter().try_fold(self.scalar.size(), product)
+    }
+}
+
+/// The type of the numbers, from a text such as `<f4`.
+fn number(descr: &str) -> Option<(Scalar, ByteOrder)> {
+    let (order, kind) = match descr.split_at_checked(1)? {
+        ("<" | "|", kind) => (ByteOrder::LittleEndian, kind),
+        (">", kind) => (ByteOrder::BigEndian, kind),
+        _ => return None,
+    };
+    let scalar = match kind {
+        "i1" => Scalar::I8,
+        "u1" => Scalar::U8,
+        "i2" => Scalar::I16,
+        "u2" => Scalar::U16,
+        "i4" => Scalar::I32,
+        "u4" => Scalar::U32,
+        "i8" => Scalar::I64,
+        "u8" => Scalar::U64,
+        "f2" => Scalar::F16,
+        "f4" => Scalar::F32,
+        "f8" => Scalar::F64,
+        _ => return None,
+    };
+    Some((scalar, order))
+}
+
+/// The type, the order and the shape in `{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3)}`.
+fn dictionary(text: &str) -> Option<(&str, bool, Vec<usize>)> {
+    let mut rest = text.trim().strip_prefix('{')?.strip_suffix('}')?.trim();
+    let (mut descr, mut is_fortran, mut shape) = (None, None, None);
+    while !rest.is_empty() {
+        let (key, after) = quoted_text(rest)?;
+        let (value, after) = value(after.trim_start().strip_prefix(':')?.trim_start())?;
+        match (key, value) {
+            ("descr", Value::Text(text)) => descr = Some(text),
+            ("fortran_order", Value::Truth(truth)) => is_fortran = Some(truth),
+            ("shape", Value::Shape(counts)) => shape = Some(counts),
+            _ => return None,
+        }
+        let after = after.trim_start();
+        rest = after.strip_prefix(',').unwrap_or(after).trim_start();
+    }
+    Some((descr?, is_fortran?, shape?))
+}
+
+/// The value at the beginning of a text, and the text after it.
+fn value(text: &str) -> Option<(Value<'_>, &str)> {
+    if let Some(rest) = text.strip_prefix("True") {
+        return Some((Value::Truth(true), rest));
+    }
+    if let Some(rest) = text.strip_prefix("False") {
+        return Some((Value::Truth(false), rest));
+    }
+    if let Some(rest) = text.strip_prefix('(') {
+        let (inside, rest) = rest.split_once(')')?;
+        let counts = inside.split(',').map(str::trim);
+        let counts = counts.filter(|count| !count.is_empty());
+        let counts = counts.map(|count| parse(count.trim_end_matches('L').as_bytes()));
+        return Some((Value::Shape(counts.collect::<Option<_>>()?), rest));
+    }
+    let (text, rest) = quoted_text(text)?;
+    Some((Value::Text(text), rest))
+}
+
+/// The text in quotes at the beginning, and the text after it.
+fn quoted_text(text: &str) -> Option<(&str, &str)> {
+    let quote = text.chars().next().filter(|quote| matches!(quote, '\'' | '"'))?;
+    text[1..].split_once(quote)
+}

@@ -1,0 +1,8 @@
+//! Arrays of numpy: `.npy`, and `.npz` archives of several.
+
+mod archive;
+mod array;
+mod header;
+mod scene;
+
+pub(super) use scene::{Arrays, read_npy, read_npz};

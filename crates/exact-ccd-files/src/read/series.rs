@@ -1,0 +1,63 @@
+//! Lists of files, one for each time: collections (`.pvd`) and series (`.series`) of ParaView.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use super::file::parse_file;
+use super::vtk;
+use crate::error::{Fault, ParseError, Place, ReadError, quoted};
+
+/// Reads the times and files of a ParaView collection, `.pvd`, in its order.
+/// [`write_pvd`](crate::write_pvd) writes one.
+///
+/// Paths in the collection are relative to its folder.
+///
+/// # Errors
+/// [`ReadError`] names the file, the line, and what was expected there.
+pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError> {
+    read_list(path.as_ref(), vtk::read_collection)
+}
+
+/// Reads the times and files of a series of ParaView, such as `.vtu.series`, in its order.
+///
+/// Paths in the series are relative to its folder.
+///
+/// # Errors
+/// [`ReadError`] names the file, the line, and what was expected there.
+pub fn read_series(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError> {
+    read_list(path.as_ref(), parse_series)
+}
+
+type List<T> = Vec<(f64, T)>;
+
+fn read_list(
+    path: &Path,
+    parse: impl FnOnce(&[u8]) -> Result<List<String>, ParseError>,
+) -> Result<List<PathBuf>, ReadError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let entries = parse_file(path, parse)?.into_iter();
+    Ok(entries.map(|(time, file)| (time, folder.join(file))).collect())
+}
+
+/// The entries of `{"files": [{"name": "0.vtu", "time": 0}, …]}`.
+fn parse_series(bytes: &[u8]) -> Result<List<String>, ParseError> {
+    let series: Value = serde_json::from_slice(bytes).map_err(|error| {
+        let place = Place::Line(error.line());
+        Fault::expected("JSON", quoted(error.to_string().as_bytes())).at(place)
+    })?;
+    let files = series.get("files").and_then(Value::as_array);
+    let files = files.ok_or_else(|| Fault::expected("a list `files`", "none").at(Place::File))?;
+    let entry = |file: &Value| {
+        let name = file.get("name").and_then(Value::as_str)?;
+        let time = file.get("time").and_then(Value::as_f64)?;
+        time.is_finite().then(|| (time, name.to_owned()))
+    };
+    let with_error = |file: &Value| {
+        entry(file).ok_or_else(|| {
+            let found = quoted(file.to_string().as_bytes());
+            Fault::expected("a file with `name` and `time`", found).at(Place::File)
+        })
+    };
+    files.iter().map(with_error).collect()
+}

@@ -1,0 +1,91 @@
+//! The header of an array, and its data in one piece or in compressed blocks.
+
+use flate2::read::ZlibDecoder;
+
+use super::super::binary::ByteOrder;
+use super::super::compressed::Budget;
+use super::stream::Stream;
+use crate::error::Fault;
+
+/// The compression of the arrays of a file.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Compression {
+    None,
+    Zlib,
+    Lz4,
+}
+
+/// The layout of the headers of arrays.
+#[derive(Clone, Copy)]
+pub(super) struct Layout {
+    pub(super) order: ByteOrder,
+    /// The size of a number of a header in bytes: 4 or 8.
+    pub(super) word: usize,
+    pub(super) compression: Compression,
+}
+
+impl Layout {
+    /// The data of the array at the beginning of a stream.
+    pub(super) fn data(&self, stream: &mut Stream, budget: &mut Budget) -> Result<Vec<u8>, Fault> {
+        let [first] = self.words(stream)?;
+        if self.compression == Compression::None {
+            return take(stream, first);
+        }
+        // The number of blocks, their size, and that of the last one if it is shorter.
+        let [size, last] = self.words(stream)?;
+        let header = take(stream, first.saturating_mul(self.word as u64))?;
+        let compressed: Vec<u64> = header.chunks(self.word).map(|word| self.number(word)).collect();
+        let mut data = Vec::new();
+        for (block, &length) in compressed.iter().enumerate() {
+            let is_short = last > 0 && block + 1 == compressed.len();
+            let expanded = if is_short { last } else { size };
+            let bytes = take(stream, length)?;
+            data.append(&mut self.expand(&bytes, expanded, budget)?);
+        }
+        Ok(data)
+    }
+
+    /// The data of a block, of which the size is known.
+    fn expand(&self, block: &[u8], size: u64, budget: &mut Budget) -> Result<Vec<u8>, Fault> {
+        let wrong = |found: String| Fault::expected(format!("a block of {size} bytes"), found);
+        let data = match self.compression {
+            Compression::None => block.to_vec(),
+            Compression::Zlib => budget.read_all(ZlibDecoder::new(block), "zlib")?,
+            Compression::Lz4 => {
+                budget.take(size)?;
+                // The size is within the budget.
+                let mut data = vec![0; size as usize];
+                let length = lz4_flex::block::decompress_into(block, &mut data);
+                let length = length.map_err(|error| wrong(format!("invalid LZ4 data ({error})")))?;
+                data.truncate(length);
+                data
+            }
+        };
+        match data.len() as u64 == size {
+            true => Ok(data),
+            false => Err(wrong(data.len().to_string())),
+        }
+    }
+
+    /// The next numbers of a header.
+    fn words<const N: usize>(&self, stream: &mut Stream) -> Result<[u64; N], Fault> {
+        let bytes = take(stream, (N * self.word) as u64)?;
+        Ok(std::array::from_fn(|k| {
+            self.number(&bytes[k * self.word..][..self.word])
+        }))
+    }
+
+    fn number(&self, word: &[u8]) -> u64 {
+        let append = |number: u64, &byte: &u8| number << 8 | u64::from(byte);
+        match self.order {
+            ByteOrder::LittleEndian => word.iter().rev().fold(0, append),
+            ByteOrder::BigEndian => word.iter().fold(0, append),
+        }
+    }
+}
+
+fn take(stream: &mut Stream, count: u64) -> Result<Vec<u8>, Fault> {
+    stream
+        .take(count)
+        .map_err(|(expected, found)| Fault::expected(expected, found))
+}

@@ -1,0 +1,65 @@
+//! Cells of VTK by the number of their type.
+
+use super::super::cells::Cells;
+use super::super::solids::Solid;
+use crate::error::{Fault, ParseError, Place};
+
+/// The types of the lists of a surface.
+pub(super) const POLY_VERTEX: i64 = 2;
+pub(super) const POLY_LINE: i64 = 4;
+pub(super) const TRIANGLE_STRIP: i64 = 6;
+pub(super) const POLYGON: i64 = 7;
+
+/// Adds cell number `cell` of a file: its type by VTK's number, and its corners.
+///
+/// # Errors
+/// For types that are not supported and wrong numbers of corners.
+pub(super) fn add(
+    cells: &mut Cells,
+    cell: usize,
+    kind: i64,
+    corners: &[u32],
+    place: impl Fn() -> Place,
+) -> Result<(), ParseError> {
+    match (kind, corners) {
+        // An empty cell.
+        (0, []) => {}
+        (1, [_]) | (POLY_VERTEX, _) => cells.points.extend(corners),
+        (3, [_, _]) | (POLY_LINE, [_, _, ..]) => cells.add_polyline(corners),
+        (5, [_, _, _]) | (POLYGON, _) | (9, [_, _, _, _]) => cells.faces.add(corners, place)?,
+        (TRIANGLE_STRIP, [_, _, _, ..]) => {
+            for (k, triangle) in corners.windows(3).enumerate() {
+                // Every other triangle is the other way round.
+                let [a, b, c] = [triangle[0], triangle[1 + k % 2], triangle[2 - k % 2]];
+                cells.faces.add(&[a, b, c], &place)?;
+            }
+        }
+        // The corners of a pixel and of a voxel are ordered by their coordinates.
+        (8, &[a, b, c, d]) => cells.faces.add(&[a, b, d, c], place)?,
+        (11, &[a, b, c, d, e, f, g, h]) => cells.solids.push(Solid::Hexahedron([a, b, d, c, e, f, h, g])),
+        (10, &[a, b, c, d]) => cells.solids.push(Solid::Tetrahedron([a, b, c, d])),
+        (12, &[a, b, c, d, e, f, g, h]) => cells.solids.push(Solid::Hexahedron([a, b, c, d, e, f, g, h])),
+        (13, &[a, b, c, d, e, f]) => cells.solids.push(Solid::Wedge([a, b, c, d, e, f])),
+        (14, &[a, b, c, d, e]) => cells.solids.push(Solid::Pyramid([a, b, c, d, e])),
+        _ => {
+            let found = format!(
+                "cell {cell} of type {kind}{} with {} corners",
+                name(kind),
+                corners.len()
+            );
+            return Err(Fault::expected("a linear cell (types 1 to 14)", found).at(place()));
+        }
+    }
+    Ok(())
+}
+
+/// The name of a type that is not supported, for messages.
+fn name(kind: i64) -> &'static str {
+    match kind {
+        15 | 16 => " (a prism)",
+        21..=37 => " (a quadratic cell)",
+        42 => " (a polyhedron)",
+        60..=81 => " (a cell of higher order)",
+        _ => "",
+    }
+}

@@ -1,0 +1,191 @@
+//! Bending of rods.
+
+use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+
+use crate::element::{Element, Matrix12, Vector12};
+use crate::psd;
+
+/// A vertex of a rod between two edges, with the energy (E I / M) (κ − κ₀)² of the curvature κ = 2
+/// tan(φ/2). φ is the angle by which the second edge deviates from the direction of the first, κ₀ the
+/// curvature at rest, I the second moment of area of the cross section, and M the sum of the lengths of
+/// both edges at rest.
+///
+/// Source: M. Bergou, M. Wardetzky, S. Robinson, B. Audoly, E. Grinspun, *Discrete elastic rods*, ACM
+/// Transactions on Graphics 27(3), 2008, section 4.2, for an isotropic rod. κ is the length of their
+/// curvature binormal. A vertex stands for the half M / 2 of its edges, on which the curvature of the rod is
+/// κ / (M/2): ½ E I κ² / (M/2) is the energy of a beam. The rods here do not resist twist. Then the
+/// cross sections of a rod that is curved at rest turn until the energy is least, and the energy depends only
+/// on the lengths of the curvatures, not on their directions.
+#[derive(Clone, Debug)]
+pub struct Bend {
+    vertices: [u32; 3],
+    /// E I / M, in J.
+    stiffness: f64,
+    rest: f64,
+}
+
+impl Bend {
+    /// The bending at the second of three vertices, with the rest shape and the flexural rigidity E I in N
+    /// m². `None` if an edge has no length at rest, or if the second edge returns along the first.
+    #[must_use]
+    pub fn new(vertices: [u32; 3], rest: &[Vector3<f64>; 3], rigidity: f64) -> Option<Self> {
+        let lengths = (rest[1] - rest[0]).norm() + (rest[2] - rest[1]).norm();
+        let squared = Shape::new(rest)?.squared();
+        squared.is_finite().then(|| Self {
+            vertices,
+            stiffness: rigidity / lengths,
+            rest: squared.sqrt(),
+        })
+    }
+
+    /// The vertices.
+    #[must_use]
+    pub fn vertices(&self) -> [u32; 3] {
+        self.vertices
+    }
+
+    /// The energy in J, for these positions of the vertices. Infinite if an edge has no length, or if the
+    /// second edge returns along the first.
+    #[must_use]
+    pub fn value(&self, points: &[Vector3<f64>; 3]) -> f64 {
+        let squared = Shape::new(points).map_or(f64::INFINITY, |shape| shape.squared());
+        self.stiffness * (squared.sqrt() - self.rest).powi(2)
+    }
+
+    /// The gradient of the energy. Zero where the energy is infinite.
+    #[must_use]
+    pub fn gradient(&self, points: &[Vector3<f64>; 3]) -> Vector12 {
+        let slope = |shape: Shape| by_points(&(shape.gradient() * self.slopes(&shape)[0]));
+        Shape::new(points).map_or_else(Vector12::zeros, slope)
+    }
+
+    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
+    #[must_use]
+    pub fn derivatives(&self, points: &[Vector3<f64>; 3], projected: bool) -> Element {
+        let hessian = |shape: Shape| {
+            let [first, second] = self.slopes(&shape);
+            let gradient = shape.gradient();
+            let hessian = shape.hessian() * first + gradient * gradient.transpose() * second;
+            let hessian = if projected { psd::project(hessian) } else { hessian };
+            let ends = ends();
+            ends.tr_mul(&(hessian * ends))
+        };
+        Element {
+            vertices: self.vertices.into_iter().collect(),
+            gradient: self.gradient(points),
+            hessian: Shape::new(points).map_or_else(Matrix12::zeros, hessian),
+        }
+    }
+
+    /// The first and the second derivative of the energy by c = cos φ.
+    ///
+    /// With κ² = 4 (1 − c) / (1 + c): ∂κ²/∂c = −8 / (1 + c)² and ∂²κ²/∂c² = 16 / (1 + c)³. The energy has the
+    /// derivatives k (1 − κ₀/κ) and k κ₀ / (2 κ³) by κ². A straight rod that is curved at rest may bend in
+    /// any direction: its energy has a peak there, and no derivatives.
+    fn slopes(&self, shape: &Shape) -> [f64; 2] {
+        let squared = shape.squared();
+        let curvature = squared.sqrt();
+        let sum = 0.5 * shape.sum.norm_squared();
+        let (first, second) = (-8.0 / (sum * sum), 16.0 / (sum * sum * sum));
+        let ratio = if curvature > 0.0 {
+            self.rest / curvature
+        } else {
+            0.0
+        };
+        let slope = self.stiffness * (1.0 - ratio);
+        let bend = if ratio > 0.0 {
+            0.5 * self.stiffness * ratio / squared
+        } else {
+            0.0
+        };
+        let slopes = [slope * first, bend * first * first + slope * second];
+        if slopes.iter().all(|slope| slope.is_finite()) {
+            slopes
+        } else {
+            [0.0; 2]
+        }
+    }
+}
+
+/// The directions of both edges, their difference and sum, and the lengths of the edges.
+struct Shape {
+    directions: [Vector3<f64>; 2],
+    difference: Vector3<f64>,
+    sum: Vector3<f64>,
+    lengths: [f64; 2],
+}
+
+impl Shape {
+    /// `None` if an edge has no length.
+    fn new(points: &[Vector3<f64>; 3]) -> Option<Self> {
+        let edges = [points[1] - points[0], points[2] - points[1]];
+        let directions = [edges[0].try_normalize(0.0)?, edges[1].try_normalize(0.0)?];
+        Some(Self {
+            directions,
+            difference: directions[1] - directions[0],
+            sum: directions[0] + directions[1],
+            lengths: edges.map(|edge| edge.norm()),
+        })
+    }
+
+    /// κ² = 4 tan²(φ/2), from the diagonals of the rhombus of both directions: no digits are lost near φ = 0.
+    fn squared(&self) -> f64 {
+        4.0 * self.difference.norm_squared() / self.sum.norm_squared()
+    }
+
+    /// The gradient of cos φ by both edges.
+    fn gradient(&self) -> SVector<f64, 6> {
+        let [p, q] = self.across();
+        let mut gradient = SVector::<f64, 6>::zeros();
+        gradient.fixed_rows_mut::<3>(0).copy_from(&(p / self.lengths[0]));
+        gradient.fixed_rows_mut::<3>(3).copy_from(&(q / self.lengths[1]));
+        gradient
+    }
+
+    /// The Hessian of cos φ by both edges.
+    fn hessian(&self) -> SMatrix<f64, 6, 6> {
+        let [u, v] = self.directions;
+        let cosine = u.dot(&v);
+        let [p, q] = self.across();
+        let [a, b] = self.lengths;
+        let own = |u: Vector3<f64>, p: Vector3<f64>, length: f64| {
+            let mixed = u * p.transpose();
+            let plane = Matrix3::identity() - u * u.transpose();
+            (mixed + mixed.transpose() + plane * cosine) / (-length * length)
+        };
+        let crossed = (Matrix3::identity() - v * v.transpose() - u * q.transpose()) / (a * b);
+        let mut hessian = SMatrix::<f64, 6, 6>::zeros();
+        hessian.fixed_view_mut::<3, 3>(0, 0).copy_from(&own(u, p, a));
+        hessian.fixed_view_mut::<3, 3>(3, 3).copy_from(&own(v, q, b));
+        hessian.fixed_view_mut::<3, 3>(0, 3).copy_from(&crossed);
+        hessian
+            .fixed_view_mut::<3, 3>(3, 0)
+            .copy_from(&crossed.transpose());
+        hessian
+    }
+
+    /// The part of each direction across the other edge: v − (u · v) u and u − (u · v) v.
+    fn across(&self) -> [Vector3<f64>; 2] {
+        let [u, v] = self.directions;
+        [
+            self.difference - u * u.dot(&self.difference),
+            v * v.dot(&self.difference) - self.difference,
+        ]
+    }
+}
+
+/// A gradient by both edges as one by the three points.
+fn by_points(gradient: &SVector<f64, 6>) -> Vector12 {
+    ends().tr_mul(gradient)
+}
+
+/// The derivative of both edges by the points.
+fn ends() -> SMatrix<f64, 6, 12> {
+    SMatrix::from_fn(
+        |row, column| match (row % 3 == column % 3, (column / 3).checked_sub(row / 3)) {
+            (true, Some(0)) => -1.0,
+            (true, Some(1)) => 1.0,
+            _ => 0.0,
+        },
+    )
+}
