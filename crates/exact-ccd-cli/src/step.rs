@@ -69,7 +69,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     };
     print(&text)?;
     let files = [arguments.start.as_path(), &arguments.end];
-    arguments.view.step(files, &motion, &mut detector, &answer.to_string())?;
+    arguments
+        .view
+        .step(files, &motion, &mut detector, &answer.to_string())?;
     Ok(ExitCode::from(u8::from(!answer.is_free())))
 }
 

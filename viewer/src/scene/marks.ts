@@ -93,7 +93,7 @@ export class Marks {
     geometry.setPositions(ends.flat());
     const dashed = dash > 0;
     const material = this.material(`lines ${color} ${linewidth} ${dashed} ${depthTest}`, () => {
-      return new LineMaterial({ color, linewidth, dashed, depthTest });
+      return new LineMaterial({ color, linewidth, dashed, depthTest, transparent: !depthTest });
     });
     if (dashed) [material.dashSize, material.gapSize] = [0.05 * dash, 0.03 * dash];
     const lines = new LineSegments2(geometry, material);

@@ -57,14 +57,12 @@ impl Recording {
 
     /// Adds a violation in the last frame, or in the step that leads to it.
     pub(crate) fn violation(&mut self, violation: &Violation) -> Result<(), Failure> {
-        match (&mut self.page, violation) {
-            (None, _) => {}
-            (Some(page), Violation::Intersection { intersection, .. }) => {
-                page.add_intersection(*intersection)?
-            }
-            (Some(page), Violation::Contact { contact, .. }) => page.add_contact(contact)?,
-        }
-        Ok(())
+        let Some(page) = &mut self.page else { return Ok(()) };
+        let added = match violation {
+            Violation::Intersection { intersection, .. } => page.add_intersection(*intersection),
+            Violation::Contact { contact, .. } => page.add_contact(contact),
+        };
+        Ok(added?)
     }
 
     /// Writes the page, with the answer that was printed.
