@@ -12,6 +12,8 @@ use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 
+use crate::kind::Kind;
+
 /// The reason why the program has no answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
@@ -37,6 +39,8 @@ pub(crate) enum Failure {
         .0.display()
     )]
     KindMissing(PathBuf),
+    #[error("{}: a folder is a scene, which has queries of the kinds vf and ee, not {kind}", folder.display())]
+    NoPairs { folder: PathBuf, kind: &'static str },
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),
     #[error(transparent)]
@@ -45,6 +49,10 @@ pub(crate) enum Failure {
     SameMethod(String),
     #[error(transparent)]
     Method(#[from] UnknownMethod),
+    #[error("--kind {kind} needs --method exact: the method {method} has the kinds vf and ee")]
+    MethodKind { method: String, kind: Kind },
+    #[error("--min-distance above 0 needs --method exact: the method {method} decides contact")]
+    MethodDistance { method: String },
     #[error(
         "{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, \
          or `frames` with meshes",

@@ -8,6 +8,7 @@ mod convert;
 mod failure;
 mod kind;
 mod method;
+mod min_distance;
 mod output;
 mod progress;
 mod queries;

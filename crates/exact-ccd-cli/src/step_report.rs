@@ -218,6 +218,8 @@ impl fmt::Display for ReportedPair {
         match self.kind {
             Kind::Vf => write!(f, "vertex {i} and face {j} (vertices {b}, {c}, {d})"),
             Kind::Ee => write!(f, "edge {i} (vertices {a}, {b}) and edge {j} (vertices {c}, {d})"),
+            Kind::Ve => write!(f, "vertex {i} and edge {j} (vertices {c}, {d})"),
+            Kind::Vv => write!(f, "vertex {i} and vertex {j}"),
         }
     }
 }

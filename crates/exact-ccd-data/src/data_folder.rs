@@ -64,7 +64,10 @@ impl DataFolder {
     /// If the folder cannot be read.
     pub fn separation<K: QueryKind>(&self) -> Result<Vec<SeparationFile>, DataError> {
         let files = list(&self.0.join("separation"))?;
-        Ok(files.into_iter().filter_map(SeparationFile::of_kind::<K>).collect())
+        Ok(files
+            .into_iter()
+            .filter_map(SeparationFile::of_kind::<K>)
+            .collect())
     }
 
     /// All scenes.

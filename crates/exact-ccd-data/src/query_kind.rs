@@ -33,7 +33,11 @@ impl QueryKind for VertexVertex {
 
 /// The points of a query in the order of the files: all at t = 0, then all at t = 1.
 pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Point> {
-    let at = |time: usize| K::POINTS.iter().map(move |&(_, place)| query.points()[time][place]);
+    let at = |time: usize| {
+        K::POINTS
+            .iter()
+            .map(move |&(_, place)| query.points()[time][place])
+    };
     at(0).chain(at(1))
 }
 

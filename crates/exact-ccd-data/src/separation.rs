@@ -22,7 +22,10 @@ impl SeparationFile {
     /// The file of this name, if it has queries of this kind.
     pub(crate) fn of_kind<K: QueryKind>(queries: PathBuf) -> Option<Self> {
         let stem = queries.file_name()?.to_str()?.strip_suffix(".csv")?;
-        let (family, d) = stem.strip_prefix(K::SHORT)?.strip_prefix('-')?.rsplit_once("-d")?;
+        let (family, d) = stem
+            .strip_prefix(K::SHORT)?
+            .strip_prefix('-')?
+            .rsplit_once("-d")?;
         let d = Separation::new(d.parse().ok()?).ok()?;
         (!family.is_empty()).then_some(Self { queries, d })
     }

@@ -6,7 +6,9 @@ use std::fs;
 use std::path::Path;
 
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
-use exact_ccd_data::{DataError, DataFolder, DataKind, QueryReader, Roots, Rounding, Sample, Scene, TimesWithin, read_roots};
+use exact_ccd_data::{
+    DataError, DataFolder, DataKind, QueryReader, Roots, Rounding, Sample, Scene, TimesWithin, read_roots,
+};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Frame, Motion};
 use tempfile::TempDir;
@@ -45,7 +47,13 @@ fn folder() -> TempDir {
     write("handcrafted/a/vertex-face/notes.txt", b"");
     write("handcrafted/a/edge-edge/0.csv", b"");
     write("handcrafted/b/edge-edge/0.csv", b"");
-    for name in ["ve-fall-d0.5", "vf-fall-d0.5", "ve-fall-d", "ve-d1", "ve-fall-d-1"] {
+    for name in [
+        "ve-fall-d0.5",
+        "vf-fall-d0.5",
+        "ve-fall-d",
+        "ve-d1",
+        "ve-fall-d-1",
+    ] {
         write(&format!("separation/{name}.csv"), b"");
         write(&format!("separation/{name}.times.csv"), b"");
     }
@@ -171,9 +179,18 @@ fn intervals_that_are_none_are_an_error() {
     let file = &data.separation::<VertexEdge>().unwrap()[0];
     let times = folder.path().join("separation/ve-fall-d0.5.times.csv");
     for (row, problem) in [
-        ("0,1,0.5,1,0.5", "expected two times, as from:to as intervals, found \"0.5\""),
-        ("0,1,0.5,1,0.5:2", "expected a time from 0 to 1 as intervals, found \"2\""),
-        ("0,-1,0.5,1,0.5:1", "expected a number of intervals as count, found \"-1\""),
+        (
+            "0,1,0.5,1,0.5",
+            "expected two times, as from:to as intervals, found \"0.5\"",
+        ),
+        (
+            "0,1,0.5,1,0.5:2",
+            "expected a time from 0 to 1 as intervals, found \"2\"",
+        ),
+        (
+            "0,-1,0.5,1,0.5:1",
+            "expected a number of intervals as count, found \"-1\"",
+        ),
     ] {
         fs::write(&times, format!("query,count,toi,toi_is_exact,intervals\n{row}\n")).unwrap();
         let expected = format!("{}, line 2: {problem}", times.display());

@@ -50,11 +50,7 @@ fn check<K: QueryKind>(expected: usize) {
                     assert_same(&exact_intervals, truth, &format!("exactly, {place}"));
                     for first in [fast, exact] {
                         let first = first.map(|time| (time.lower().to_bits(), time.is_exact()));
-                        assert_eq!(
-                            first,
-                            Some((truth.toi.to_bits(), truth.toi_is_exact)),
-                            "{place}"
-                        );
+                        assert_eq!(first, Some((truth.toi.to_bits(), truth.toi_is_exact)), "{place}");
                     }
                 }
                 None => {

@@ -12,6 +12,7 @@ mod meshes;
 mod methods;
 mod queries;
 mod queries_errors;
+mod queries_separation;
 mod query_rows;
 mod round_errors;
 mod round_meshes;

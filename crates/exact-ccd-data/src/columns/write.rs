@@ -41,8 +41,8 @@ impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     /// Those of the writer.
     pub fn new(writer: W) -> io::Result<Self> {
         let schema = parse_message_type(SCHEMA).expect("the schema is well-formed");
-        let file =
-            SerializedFileWriter::new(writer, Arc::new(schema), Arc::new(properties::<K>())).map_err(other)?;
+        let file = SerializedFileWriter::new(writer, Arc::new(schema), Arc::new(properties::<K>()))
+            .map_err(other)?;
         Ok(Self {
             file,
             group: Vec::new(),
