@@ -38,7 +38,8 @@ fn positions(time: f64) -> Vec<Point> {
         // The sheets are turned against each other, so that no edges are parallel.
         let turn = 0.3 * sign;
         (0..SIDE * SIDE).map(move |vertex| {
-            let [x, y] = [vertex % SIDE, vertex / SIDE].map(|index| f64::from(index) / f64::from(SIDE - 1) - 0.5);
+            let [x, y] =
+                [vertex % SIDE, vertex / SIDE].map(|index| f64::from(index) / f64::from(SIDE - 1) - 0.5);
             let (x, y) = (x - turn * y, y + turn * x);
             let fall = FALL * (1.0 - 2.0 * (x * x + y * y));
             [x, y, sign * (0.5 * GAP - fall * time)]
@@ -49,9 +50,11 @@ fn positions(time: f64) -> Vec<Point> {
 
 /// The two triangles of each cell of each sheet.
 fn faces() -> Vec<[u32; 3]> {
-    let cell = |corner: u32| [[0, 1, SIDE + 1], [0, SIDE + 1, SIDE]].map(|face| face.map(|vertex| corner + vertex));
+    let cell =
+        |corner: u32| [[0, 1, SIDE + 1], [0, SIDE + 1, SIDE]].map(|face| face.map(|vertex| corner + vertex));
     let corners = (0..2).flat_map(|sheet| {
-        (0..SIDE - 1).flat_map(move |row| (0..SIDE - 1).map(move |column| (sheet * SIDE + row) * SIDE + column))
+        (0..SIDE - 1)
+            .flat_map(move |row| (0..SIDE - 1).map(move |column| (sheet * SIDE + row) * SIDE + column))
     });
     corners.flat_map(cell).collect()
 }
@@ -84,9 +87,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("1e-3 + 1e-3", MinDistance::thickness(Thickness::from(full))),
     ] {
         let mut detector = Detector::new(mesh.clone()).with_min_distance(d)?;
-        let contact = detector.earliest_contact(&x0, &x1)?.ok_or("the sheets pass through each other")?;
+        let contact = detector
+            .earliest_contact(&x0, &x1)?
+            .ok_or("the sheets pass through each other")?;
         let (time, distance) = (contact.impact.time.lower(), contact.distance);
-        println!("| {name} | {time} | {:?} | {:e} to {:e} |", contact.pair, distance.lower, distance.upper);
+        println!(
+            "| {name} | {time} | {:?} | {:e} to {:e} |",
+            contact.pair, distance.lower, distance.upper
+        );
     }
     Ok(())
 }

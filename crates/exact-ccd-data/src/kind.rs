@@ -7,7 +7,7 @@ use crate::query_kind::QueryKind;
 
 /// A kind of query of the published scenes and folders of query files. The names of its files in a
 /// scene end in its [short name](QueryKind::SHORT).
-pub trait DataKind: QueryKind + Kind<Points = [Point; 4]> {
+pub trait DataKind: QueryKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
 

@@ -3,7 +3,7 @@
 use exact_ccd::{EdgeEdge, Kind, NonFinite, Point, Query, VertexEdge, VertexFace, VertexVertex};
 
 /// A kind of query, with its names in query files.
-pub trait QueryKind: Kind<Points: for<'a> TryFrom<&'a [Point]>> + Send + Sync {
+pub trait QueryKind: Kind + Send + Sync {
     /// The short name of the kind.
     const SHORT: &'static str;
     /// The points of a query in the order of the files: the name of each, and its place in
@@ -49,8 +49,12 @@ pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Poi
 /// # Panics
 /// If the number of points is not that of the kind.
 pub(crate) fn query<K: QueryKind>(points: &[Point]) -> Result<Query<K>, NonFinite> {
-    let (t0, t1) = points.split_at(K::POINTS.len());
-    let [t0, t1] = [t0, t1].map(|points| points.try_into().ok().expect("as many points as the kind has"));
+    let (start, end) = points.split_at(K::POINTS.len());
+    let [t0, t1] = [start, end].map(|points| {
+        let mut all = K::Points::default();
+        all.as_mut().copy_from_slice(points);
+        all
+    });
     Query::new(t0, t1)
 }
 

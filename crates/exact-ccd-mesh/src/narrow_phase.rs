@@ -93,7 +93,7 @@ impl NarrowPhase {
                 }
             }
             self.trajectories
-                .collisions(&vertices[..count], |index, collision| {
+                .collisions::<K>(&vertices[..count], |index, collision| {
                     found(kept[index], collision);
                 })
                 .expect("a mesh has the vertices of its primitives");

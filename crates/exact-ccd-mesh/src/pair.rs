@@ -65,10 +65,7 @@ impl PairCounts {
 }
 
 /// A kind of query whose primitives have indices in a mesh.
-pub trait PairKind: Kind<Points = [Point; 4]> + Send + Sync {
-    /// The number of vertices of the first primitive: they come first among the four.
-    const FIRST: usize;
-
+pub trait PairKind: Kind<Points = [Point; 4], Vertices = [u32; 4]> + Send + Sync {
     /// The four vertices of a pair, in the order of the query; `None` if the mesh has no such
     /// primitives.
     ///
@@ -83,8 +80,6 @@ pub trait PairKind: Kind<Points = [Point; 4]> + Send + Sync {
 }
 
 impl PairKind for VertexFace {
-    const FIRST: usize = 1;
-
     #[inline]
     fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> Option<[u32; 4]> {
         let &[a, b, c] = mesh.faces().get(face as usize)?;
@@ -102,8 +97,6 @@ impl PairKind for VertexFace {
 }
 
 impl PairKind for EdgeEdge {
-    const FIRST: usize = 2;
-
     #[inline]
     fn vertices(mesh: &TriangleMesh, [a, b]: [u32; 2]) -> Option<[u32; 4]> {
         let edge = |index: u32| mesh.edges().get(index as usize).copied();

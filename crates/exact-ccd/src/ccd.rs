@@ -25,10 +25,10 @@ pub trait Decide<K: Kind>: Send + Sync {
     fn collisions(
         &self,
         trajectories: &Trajectories,
-        queries: &[[u32; 4]],
+        queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.check(queries)?;
+        trajectories.check::<K>(queries)?;
         for (index, &vertices) in queries.iter().enumerate() {
             let query = trajectories.query::<K>(vertices);
             if query.is_some_and(|query| self.collides(&query)) {
@@ -46,10 +46,10 @@ pub trait Decide<K: Kind>: Send + Sync {
     fn times_of_impact(
         &self,
         trajectories: &Trajectories,
-        queries: &[[u32; 4]],
+        queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.check(queries)?;
+        trajectories.check::<K>(queries)?;
         for (index, &vertices) in queries.iter().enumerate() {
             let query = trajectories.query::<K>(vertices);
             if let Some(time) = query.and_then(|query| self.time_of_impact(&query)) {
@@ -122,7 +122,7 @@ impl<K: Kind> Decide<K> for Exact {
     fn collisions(
         &self,
         trajectories: &Trajectories,
-        queries: &[[u32; 4]],
+        queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize),
     ) -> Result<(), VertexOutOfRange> {
         trajectories.collisions::<K>(queries, |index, _| sink(index))
@@ -131,7 +131,7 @@ impl<K: Kind> Decide<K> for Exact {
     fn times_of_impact(
         &self,
         trajectories: &Trajectories,
-        queries: &[[u32; 4]],
+        queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
         trajectories.collisions::<K>(queries, |index, collision| {

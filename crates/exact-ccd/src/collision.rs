@@ -1,19 +1,24 @@
 //! A query that collides, and the answers about its contacts.
 
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 
 use crate::exact::FirstContact;
+use crate::exact::separation as exact;
 use crate::filter::{Contact, Decision};
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
+use crate::separation::{DistanceBounds, Separation, TimeInterval};
 use crate::stage::Stage;
 use crate::time::{ContactTime, ContactTimes};
 
-/// A query that [collides](Query::collides), with the intermediate results of that decision.
+/// A query that [collides](Query::collides), or one whose primitives [come within a
+/// separation](Query::comes_within), with the intermediate results of that decision.
 ///
 /// The times and the impact continue from these results: they cost less than
-/// [`Query::contact_times`] and [`Query::impact`], which decide contact first, and are the same.
+/// [`Query::contact_times`] and [`Query::impact`], which decide contact first, and are the same. With
+/// a separation d above 0, *contact* stands for a distance of at most d in all that follows.
 ///
 /// ```
 /// use exact_ccd::{Query, VertexFace};
@@ -39,6 +44,8 @@ pub struct Collision<'a, K> {
 enum Proof<K> {
     Filter(Contact),
     Exact(Box<FirstContact<K>>),
+    /// The first time within a separation above 0.
+    Within(Separation, ContactTime),
 }
 
 impl<'a, K: Kind> Collision<'a, K> {
@@ -54,6 +61,13 @@ impl<'a, K: Kind> Collision<'a, K> {
         Ok(Self { query, proof })
     }
 
+    /// The collision of primitives that are first within a separation above 0 at a time.
+    #[inline]
+    pub(crate) fn within(query: &'a Query<K>, separation: Separation, first: ContactTime) -> Self {
+        let proof = Proof::Within(separation, first);
+        Self { query, proof }
+    }
+
     /// The query.
     #[must_use]
     #[inline]
@@ -61,21 +75,21 @@ impl<'a, K: Kind> Collision<'a, K> {
         self.query
     }
 
-    /// The stage that decided contact.
+    /// The distance at which primitives count as touching: 0 for contact.
     #[must_use]
     #[inline]
-    pub fn stage(&self) -> Stage {
-        match &self.proof {
-            Proof::Filter(contact) => contact.stage(),
-            Proof::Exact(_) => Stage::Exact,
+    pub fn separation(&self) -> Separation {
+        match self.proof {
+            Proof::Filter(_) | Proof::Exact(_) => Separation::default(),
+            Proof::Within(separation, _) => separation,
         }
     }
 
     /// The earliest contact time.
     #[must_use]
     pub fn first_contact_time(&self) -> ContactTime {
-        self.answer(|contact| contact.first(self.query), FirstContact::time)
-            .0
+        let by_filter = |contact: &Contact| contact.first(self.query);
+        self.answer(by_filter, FirstContact::time, |_, first| first)
     }
 
     /// The largest f64 not above the earliest contact time.
@@ -84,7 +98,8 @@ impl<'a, K: Kind> Collision<'a, K> {
         self.first_contact_time().lower()
     }
 
-    /// All times at which the primitives touch.
+    /// All times of contact. With a separation above 0, it is the interval from the first of them, even
+    /// if the primitives leave again: [`intervals`](Self::intervals) has them all.
     #[must_use]
     pub fn contact_times(&self) -> ContactTimes {
         self.contact_times_with_stage().0
@@ -93,33 +108,72 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// [`contact_times`](Self::contact_times), and the stage that determined them.
     #[must_use]
     pub fn contact_times_with_stage(&self) -> (ContactTimes, Stage) {
-        self.answer(|contact| contact.times(self.query), FirstContact::times)
+        self.answer(
+            |contact| Some((contact.times(self.query)?, contact.stage())),
+            |first| (first.times(), Stage::Exact),
+            |_, first| (ContactTimes::Interval { first }, Stage::Exact),
+        )
     }
 
-    /// The earliest contact: time, parameters and normal.
+    /// The maximal closed intervals of contact, in increasing order.
+    #[must_use]
+    pub fn intervals(&self) -> Vec<TimeInterval> {
+        let d = self.separation();
+        if d.is_zero()
+            && let ContactTimes::Finite(times) = self.contact_times()
+        {
+            return times.iter().copied().map(TimeInterval::moment).collect();
+        }
+        exact::intervals_within(self.query, d)
+    }
+
+    /// The earliest contact: time, parameters and normal. With a separation above 0, the parameters
+    /// and the normal are those of the closest points, see [`Query::impact_within`].
     #[must_use]
     pub fn impact(&self) -> Impact {
-        self.answer(|contact| contact.impact(self.query), FirstContact::impact)
-            .0
+        self.answer(
+            |contact| contact.impact(self.query),
+            FirstContact::impact,
+            // Cannot panic: the filters prove what the exact path defines.
+            |d, _| exact::impact_within(self.query, d).expect("a proved contact exists"),
+        )
     }
 
-    /// An answer by the filters if they determine it, otherwise by the exact path, and its stage.
+    /// Bounds of the distance of the primitives at the earliest contact time.
+    ///
+    /// It is the separation itself, unless the primitives are closer already at t = 0.
+    #[must_use]
+    pub fn distance(&self) -> DistanceBounds {
+        let d = self.separation();
+        let first = self.first_contact_time();
+        // By its bits: a subnormal time is not zero in any floating-point environment.
+        let is_at_start = first.is_exact() && first.lower().to_bits() == 0;
+        if is_at_start && !d.is_zero() {
+            return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
+        }
+        DistanceBounds {
+            lower: d.get(),
+            upper: d.get(),
+        }
+    }
+
+    /// An answer by the filters if they determine it, otherwise by the exact path; or that for a
+    /// separation above 0, from it and from the first time.
     fn answer<T>(
         &self,
         by_filter: impl FnOnce(&Contact) -> Option<T>,
         exactly: impl FnOnce(&FirstContact<K>) -> T,
-    ) -> (T, Stage) {
+        within: impl FnOnce(Separation, ContactTime) -> T,
+    ) -> T {
         match &self.proof {
-            Proof::Exact(first) => (exactly(first), Stage::Exact),
-            Proof::Filter(contact) => match by_filter(contact) {
-                Some(answer) => (answer, contact.stage()),
-                None => {
-                    // Cannot panic: the filters prove contact only where the exact path, which
-                    // defines it, finds one.
-                    let first = FirstContact::of(self.query).expect("a proved contact exists");
-                    (exactly(&first), Stage::Exact)
-                }
-            },
+            Proof::Exact(first) => exactly(first),
+            Proof::Filter(contact) => by_filter(contact).unwrap_or_else(|| {
+                // Cannot panic: the filters prove contact only where the exact path, which defines
+                // it, finds one.
+                let first = FirstContact::of(self.query).expect("a proved contact exists");
+                exactly(&first)
+            }),
+            Proof::Within(d, first) => within(*d, *first),
         }
     }
 }

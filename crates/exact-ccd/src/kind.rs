@@ -5,6 +5,8 @@
 //! algorithms in this crate are written once, over these tables. A vertex against an edge or a vertex
 //! is a query of two edges, of which one or both have length zero: a point is repeated.
 
+use core::fmt::Debug;
+
 use crate::point::Point;
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
@@ -73,7 +75,11 @@ pub(crate) use tables::Tables;
 /// Sealed.
 pub trait Kind: Tables + Copy {
     /// The points of a query at one time, in the order that the kind states.
-    type Points: AsRef<[Point]> + Copy;
+    type Points: AsRef<[Point]> + AsMut<[Point]> + Copy + Debug + Default + PartialEq + Send + Sync;
+    /// The indices of those points among the vertices of a mesh, in the same order.
+    type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
+    /// The number of points of the first primitive, which come first.
+    const FIRST: usize;
 }
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
@@ -94,18 +100,26 @@ pub struct VertexVertex;
 
 impl Kind for VertexFace {
     type Points = [Point; 4];
+    type Vertices = [u32; 4];
+    const FIRST: usize = 1;
 }
 
 impl Kind for EdgeEdge {
     type Points = [Point; 4];
+    type Vertices = [u32; 4];
+    const FIRST: usize = 2;
 }
 
 impl Kind for VertexEdge {
     type Points = [Point; 3];
+    type Vertices = [u32; 3];
+    const FIRST: usize = 1;
 }
 
 impl Kind for VertexVertex {
     type Points = [Point; 2];
+    type Vertices = [u32; 2];
+    const FIRST: usize = 1;
 }
 
 const fn side(

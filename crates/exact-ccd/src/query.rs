@@ -42,7 +42,7 @@ impl NonFinite {
 
     /// Checks points at t = 0 and at t = 1.
     #[cold]
-    pub(crate) fn check_moving([start, end]: &[[Point; 4]; 2]) -> Result<(), Self> {
+    pub(crate) fn check_moving([start, end]: [&[Point]; 2]) -> Result<(), Self> {
         Self::check_at(0, start)?;
         Self::check_at(1, end)
     }
@@ -92,7 +92,8 @@ impl<K: Kind> Query<K> {
             .iter()
             .fold(true, |all, x| all & x.is_finite());
         if !finite {
-            NonFinite::check_moving(&points)?;
+            let [start, end] = &points;
+            NonFinite::check_moving([start, end])?;
         }
         Ok(Self::from_finite(points))
     }

@@ -79,11 +79,7 @@ fn instructions() -> impl Iterator<Item = Named> {
     Instructions::available().map(Named)
 }
 
-fn count<K: Kind<Points = [Point; 4]> + Sync>(
-    bencher: Bencher<'_, '_>,
-    instructions: Named,
-    queries: &[[u32; 4]],
-) {
+fn count<K: Kind<Vertices = [u32; 4]>>(bencher: Bencher<'_, '_>, instructions: Named, queries: &[[u32; 4]]) {
     let [x0, x1] = LANDING.step().positions();
     let trajectories = Trajectories::new(x0, x1).expect("the positions of a step are sound");
     let trajectories = trajectories.with_instructions(instructions.0);

@@ -174,7 +174,11 @@ fn assert_answers<K: QueryKind>(points: &[[[Point; 4]; 2]], d: f64) {
     let queries: Vec<Query<K>> = points
         .iter()
         .map(|points| {
-            let [t0, t1] = points.map(|points| points[..K::POINTS.len()].try_into().ok().unwrap());
+            let [t0, t1] = points.map(|points| {
+                let mut first = K::Points::default();
+                first.as_mut().copy_from_slice(&points[..K::POINTS.len()]);
+                first
+            });
             Query::new(t0, t1).unwrap()
         })
         .collect();

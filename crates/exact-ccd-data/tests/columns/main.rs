@@ -76,7 +76,11 @@ type Rest = (
 
 /// A record of the first of these points at t = 0 and at t = 1: as many as the kind has.
 fn record<K: QueryKind>(points: [[Point; 4]; 2], (truth, count, toi, scene, ids): Rest) -> Record<K> {
-    let [t0, t1] = points.map(|points| points[..K::POINTS.len()].try_into().ok().unwrap());
+    let [t0, t1] = points.map(|points| {
+        let mut first = K::Points::default();
+        first.as_mut().copy_from_slice(&points[..K::POINTS.len()]);
+        first
+    });
     Record {
         sample: Sample {
             query: Query::new(t0, t1).unwrap(),

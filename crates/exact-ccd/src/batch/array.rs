@@ -2,13 +2,14 @@
 
 use alloc::vec::Vec;
 
-use super::chunks::{self, CHUNK};
+use super::chunks::{CHUNK, Found};
 use super::instructions::Instructions;
 use super::row::Row;
+use super::within;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::point::Point;
 use crate::query::NonFinite;
+use crate::separation::Separation;
 
 /// A coordinate of a query in an array is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -23,8 +24,8 @@ pub struct NonFiniteQuery {
 /// Calls `found` with the index and the collision of each query that
 /// [collides](crate::Query::collides), in order.
 ///
-/// The arguments of [`Query::new`](crate::Query::new) make one query: four points at t = 0 and at t
-/// = 1. If the queries are those of a mesh, with vertices in common,
+/// The arguments of [`Query::new`](crate::Query::new) make one query: its points at both ends of the
+/// step. If the queries are those of a mesh, with vertices in common,
 /// [`Trajectories`](super::Trajectories) read less memory.
 ///
 /// ```
@@ -44,7 +45,7 @@ pub struct NonFiniteQuery {
 /// [`NonFiniteQuery`] names the first coordinate that is infinite or not a number. All collisions
 /// before that query have been found then, and none after it.
 pub fn collisions<K: Kind>(
-    queries: &[[[Point; 4]; 2]],
+    queries: &[[K::Points; 2]],
     found: impl FnMut(usize, Collision<'_, K>),
 ) -> Result<(), NonFiniteQuery> {
     collisions_with(Instructions::best(), queries, found)
@@ -56,23 +57,54 @@ pub fn collisions<K: Kind>(
 /// The same.
 pub fn collisions_with<K: Kind>(
     instructions: Instructions,
-    queries: &[[[Point; 4]; 2]],
+    queries: &[[K::Points; 2]],
+    found: impl FnMut(usize, Collision<'_, K>),
+) -> Result<(), NonFiniteQuery> {
+    collisions_within_with(instructions, queries, Separation::default(), found)
+}
+
+/// Calls `found` with the index and the collision of each query whose primitives [come within
+/// d](crate::Query::comes_within), in order. For d = 0 these are the [`collisions`].
+///
+/// # Errors
+/// As [`collisions`].
+pub fn collisions_within<K: Kind>(
+    queries: &[[K::Points; 2]],
+    d: Separation,
+    found: impl FnMut(usize, Collision<'_, K>),
+) -> Result<(), NonFiniteQuery> {
+    collisions_within_with(Instructions::best(), queries, d, found)
+}
+
+/// [`collisions_within`] by other vector instructions than the widest.
+///
+/// # Errors
+/// The same.
+pub fn collisions_within_with<K: Kind>(
+    instructions: Instructions,
+    queries: &[[K::Points; 2]],
+    d: Separation,
     mut found: impl FnMut(usize, Collision<'_, K>),
 ) -> Result<(), NonFiniteQuery> {
-    let indices: [[u32; 4]; CHUNK] = core::array::from_fn(|i| [0, 1, 2, 3].map(|k| 4 * i as u32 + k));
+    let indices = consecutive::<K>();
     let mut rows = Vec::with_capacity(4 * CHUNK);
     for (chunk, queries) in queries.chunks(CHUNK).enumerate() {
         rows.clear();
         for [start, end] in queries {
-            rows.extend([0, 1, 2, 3].map(|i: usize| Row::new(start[i], end[i])));
+            let ends = start.as_ref().iter().zip(end.as_ref());
+            rows.extend(ends.map(|(&start, &end)| Row::new(start, end)));
         }
         // Without a branch for each coordinate.
         let finite = rows.iter().fold(true, |all, row| all & row.is_finite());
         let first = CHUNK * chunk;
-        let error = if finite { None } else { first_error(first, queries) };
-        let sound = error.map_or(queries.len(), |error| error.query - first);
-        let found: chunks::Found<'_, K> = &mut |index, collision| found(first + index, collision);
-        chunks::collisions(instructions, &rows, &indices[..sound], found);
+        let error = if finite {
+            None
+        } else {
+            first_error::<K>(first, queries)
+        };
+        let sound = &indices[..error.map_or(queries.len(), |error| error.query - first)];
+        let found: Found<'_, K> = &mut |index, collision| found(first + index, collision);
+        within::collisions::<K>(instructions, &rows, sound, d.into(), found);
         if let Some(error) = error {
             return Err(error);
         }
@@ -80,10 +112,24 @@ pub fn collisions_with<K: Kind>(
     Ok(())
 }
 
+/// The vertices of queries without common ones.
+fn consecutive<K: Kind>() -> [K::Vertices; CHUNK] {
+    let mut next = 0..;
+    core::array::from_fn(|_| {
+        let mut vertices = K::Vertices::default();
+        vertices
+            .as_mut()
+            .iter_mut()
+            .zip(&mut next)
+            .for_each(|(vertex, index)| *vertex = index);
+        vertices
+    })
+}
+
 #[cold]
-fn first_error(first: usize, queries: &[[[Point; 4]; 2]]) -> Option<NonFiniteQuery> {
-    queries.iter().enumerate().find_map(|(index, points)| {
-        let source = NonFinite::check_moving(points).err()?;
+fn first_error<K: Kind>(first: usize, queries: &[[K::Points; 2]]) -> Option<NonFiniteQuery> {
+    queries.iter().enumerate().find_map(|(index, [start, end])| {
+        let source = NonFinite::check_moving([start.as_ref(), end.as_ref()]).err()?;
         Some(NonFiniteQuery {
             query: first + index,
             source,

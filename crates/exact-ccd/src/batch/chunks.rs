@@ -19,25 +19,25 @@ pub(super) const CHUNK: usize = 256;
 /// only once for all callbacks.
 pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
 
-/// Calls `found` with each query of four rows that collides, and its index, in order. All indices
+/// Calls `found` with each query of rows that collides, and its index, in order. All indices
 /// of rows exist.
 pub(super) fn collisions<K: Kind>(
     instructions: Instructions,
     rows: &[Row],
-    queries: &[[u32; 4]],
+    queries: &[K::Vertices],
     found: Found<'_, K>,
 ) {
     if flushes_subnormals() {
-        return without_filters(rows, queries, found);
+        return without_filters::<K>(rows, queries, found);
     }
-    dispatch!(instructions.level(), simd => with_filters(simd, rows, queries, found));
+    dispatch!(instructions.level(), simd => with_filters::<_, K>(simd, rows, queries, found));
 }
 
 /// The same without the filters.
 #[cold]
-fn without_filters<K: Kind>(rows: &[Row], queries: &[[u32; 4]], found: Found<'_, K>) {
+fn without_filters<K: Kind>(rows: &[Row], queries: &[K::Vertices], found: Found<'_, K>) {
     for (index, vertices) in queries.iter().enumerate() {
-        let query = query(rows_of(rows, vertices));
+        let query = query_of(rows, vertices);
         if let Ok(collision) = Collision::from_decision(&query, Decision::Unknown) {
             found(index, collision);
         }
@@ -45,23 +45,23 @@ fn without_filters<K: Kind>(rows: &[Row], queries: &[[u32; 4]], found: Found<'_,
 }
 
 #[inline(always)]
-fn with_filters<S: Simd, K: Kind>(simd: S, rows: &[Row], queries: &[[u32; 4]], found: Found<'_, K>) {
+fn with_filters<S: Simd, K: Kind>(simd: S, rows: &[Row], queries: &[K::Vertices], found: Found<'_, K>) {
     let mut near = [0; CHUNK + LANES];
     for (chunk, queries) in queries.chunks(CHUNK).enumerate() {
         let mut count = 0;
         for (index, query) in queries.iter().enumerate() {
             // Without a branch, which would be hard to predict.
             near[count] = index;
-            count += usize::from(!rows::are_separated::<S, K>(simd, rows_of(rows, query)));
+            count += usize::from(!rows::are_separated::<S, K>(simd, rows_of::<K>(rows, query)));
         }
         // The last vector is filled up with copies of the last query.
         let filled = count.next_multiple_of(LANES);
         let last = near[count.saturating_sub(1)];
         near[count..filled].fill(last);
         for (eight, indices) in near[..filled].chunks_exact(LANES).enumerate() {
-            let mut lanes = [rows_of(rows, &queries[indices[0]]); LANES];
+            let mut lanes = [rows_of::<K>(rows, &queries[indices[0]]); LANES];
             for (lane, &index) in lanes.iter_mut().zip(indices) {
-                *lane = rows_of(rows, &queries[index]);
+                *lane = rows_of::<K>(rows, &queries[index]);
             }
             let rest = planes::screen::<S, K>(simd, &lanes);
             for lane in 0..LANES.min(count - LANES * eight) {
@@ -81,13 +81,18 @@ fn with_filters<S: Simd, K: Kind>(simd: S, rows: &[Row], queries: &[[u32; 4]], f
     }
 }
 
+/// The rows of x₀ … x₃.
 #[inline(always)]
-fn rows_of<'a>(rows: &'a [Row], vertices: &[u32; 4]) -> [&'a Row; 4] {
-    vertices.map(|vertex| &rows[vertex as usize])
+fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [&'a Row; 4] {
+    K::LAYOUT.map(|i| &rows[vertices.as_ref()[i] as usize])
 }
 
-/// The query of four rows, whose coordinates are finite.
-pub(super) fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
+/// The query of vertices whose rows exist, with finite coordinates.
+pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
+    query(rows_of::<K>(rows, vertices))
+}
+
+fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
     let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = rows.map(Row::points);
     Query::from_finite([[a0, b0, c0, d0], [a1, b1, c1, d1]])
 }
@@ -114,10 +119,10 @@ mod tests {
         answers
     }
 
-    fn agree<K: Kind>(rows: &[Row], queries: &[[u32; 4]]) {
+    fn agree<K: Kind>(rows: &[Row], queries: &[K::Vertices]) {
         let instructions = Instructions::best();
-        let with: Answers = answers::<K>(|found| collisions(instructions, rows, queries, found));
-        let without: Answers = answers::<K>(|found| without_filters(rows, queries, found));
+        let with: Answers = answers::<K>(|found| collisions::<K>(instructions, rows, queries, found));
+        let without: Answers = answers::<K>(|found| without_filters::<K>(rows, queries, found));
         assert_eq!(with.len(), without.len());
         for (with, without) in with.into_iter().zip(without) {
             assert_eq!((with.0, with.1), (without.0, without.1));

@@ -7,7 +7,8 @@
 //!
 //! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
 //! ([`collisions`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times
-//! and impact continue from the decision.
+//! and impact continue from the decision. A batch may also be about a minimum separation
+//! ([`Trajectories::collisions_within`], [`collisions_within`]).
 //!
 //! [`collides`]: crate::Query::collides
 //!
@@ -37,7 +38,8 @@ mod planes;
 mod row;
 mod rows;
 mod trajectories;
+mod within;
 
-pub use array::{NonFiniteQuery, collisions, collisions_with};
+pub use array::{NonFiniteQuery, collisions, collisions_with, collisions_within, collisions_within_with};
 pub use instructions::Instructions;
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};

@@ -5,11 +5,13 @@ use alloc::vec::Vec;
 use super::chunks;
 use super::instructions::Instructions;
 use super::row::Row;
+use super::within;
 use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
 use crate::point::Point;
 use crate::query::{NonFinite, Query};
+use crate::separation::Separations;
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries.
@@ -107,47 +109,63 @@ impl Trajectories {
         self.rows.len()
     }
 
-    /// The query of four vertices, in the order of [`VertexFace`](crate::VertexFace) or
-    /// [`EdgeEdge`](crate::EdgeEdge); `None` if one of them does not exist.
+    /// The query of vertices, in the order of the kind; `None` if one of them does not exist.
     #[must_use]
-    pub fn query<K: Kind>(&self, vertices: [u32; 4]) -> Option<Query<K>> {
-        let row = |vertex: u32| self.rows.get(vertex as usize);
-        let [a, b, c, d] = vertices;
-        Some(chunks::query([row(a)?, row(b)?, row(c)?, row(d)?]))
+    pub fn query<K: Kind>(&self, vertices: K::Vertices) -> Option<Query<K>> {
+        let exist = vertices.as_ref().iter().all(|&v| (v as usize) < self.rows.len());
+        exist.then(|| chunks::query_of(&self.rows, &vertices))
     }
 
-    /// Calls `found` with the index and the collision of each query of four vertices that
+    /// Calls `found` with the index and the collision of each query of vertices that
     /// [collides](Query::collides), in order.
     ///
     /// # Errors
     /// [`VertexOutOfRange`] names the first vertex that does not exist; nothing is found then.
     pub fn collisions<K: Kind>(
         &self,
-        queries: &[[u32; 4]],
+        queries: &[K::Vertices],
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
-        self.check(queries)?;
-        chunks::collisions(self.instructions, &self.rows, queries, &mut found);
+        self.check::<K>(queries)?;
+        chunks::collisions::<K>(self.instructions, &self.rows, queries, &mut found);
         Ok(())
     }
 
-    pub(crate) fn check(&self, queries: &[[u32; 4]]) -> Result<(), VertexOutOfRange> {
+    /// Calls `found` with the index and the collision of each query of vertices that [comes
+    /// within](Query::comes_within) its separation, in order.
+    ///
+    /// # Errors
+    /// [`VertexOutOfRange`] names the first vertex that does not exist; nothing is found then.
+    pub fn collisions_within<K: Kind>(
+        &self,
+        queries: &[K::Vertices],
+        separations: Separations<'_>,
+        mut found: impl FnMut(usize, Collision<'_, K>),
+    ) -> Result<(), VertexOutOfRange> {
+        self.check::<K>(queries)?;
+        within::collisions::<K>(self.instructions, &self.rows, queries, separations, &mut found);
+        Ok(())
+    }
+
+    pub(crate) fn check<K: Kind>(&self, queries: &[K::Vertices]) -> Result<(), VertexOutOfRange> {
         let vertex_count = self.rows.len();
+        let largest = |vertices: &K::Vertices| vertices.as_ref().iter().fold(0, |most, &v| v.max(most));
         let largest = queries
-            .as_flattened()
             .iter()
-            .fold(0, |largest, &v| largest.max(v));
+            .fold(0, |most, vertices| largest(vertices).max(most));
         if queries.is_empty() || (largest as usize) < vertex_count {
             return Ok(());
         }
-        let vertices = queries.as_flattened();
-        let index = vertices
-            .iter()
-            .position(|&vertex| vertex as usize >= vertex_count);
-        index.map_or(Ok(()), |index| {
+        let missing = |vertices: &K::Vertices| {
+            let mut vertices = vertices.as_ref().iter().copied();
+            vertices.find(|&vertex| vertex as usize >= vertex_count)
+        };
+        let mut queries = queries.iter().enumerate();
+        let missing = queries.find_map(|(query, vertices)| Some((query, missing(vertices)?)));
+        missing.map_or(Ok(()), |(query, vertex)| {
             Err(VertexOutOfRange {
-                query: index / 4,
-                vertex: vertices[index],
+                query,
+                vertex,
                 vertex_count,
             })
         })

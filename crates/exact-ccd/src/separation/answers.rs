@@ -3,6 +3,7 @@
 use alloc::vec::Vec;
 
 use super::{DistanceBounds, Separation, SeparationStage, TimeInterval, TimeOutOfStep, filter};
+use crate::collision::Collision;
 use crate::exact::separation as exact;
 use crate::impact::Impact;
 use crate::kind::Kind;
@@ -19,6 +20,18 @@ impl<K: Kind> Query<K> {
         }
         filter::first_within(self, d)
             .map_or_else(|| exact::comes_within(self, d), |(first, _)| first.is_some())
+    }
+
+    /// The collision, if the distance of the primitives is at most d at some time of the step:
+    /// [`first_within`](Self::first_within), from which all further answers follow.
+    #[must_use]
+    #[inline]
+    pub fn collision_within(&self, d: Separation) -> Option<Collision<'_, K>> {
+        if d.is_zero() {
+            return self.collision();
+        }
+        let first = self.first_within(d)?;
+        Some(Collision::within(self, d, first))
     }
 
     /// The first time at which the distance of the primitives is at most d, if there is one.
@@ -56,11 +69,7 @@ impl<K: Kind> Query<K> {
         if d.is_zero()
             && let ContactTimes::Finite(times) = self.contact_times()
         {
-            let moment = |&time: &ContactTime| TimeInterval {
-                start: time,
-                end: time,
-            };
-            return times.iter().map(moment).collect();
+            return times.iter().copied().map(TimeInterval::moment).collect();
         }
         if let Some((None, _)) = filter::first_within(self, d) {
             return Vec::new();

@@ -38,9 +38,36 @@ impl Separation {
     }
 
     /// Returns true for 0. By its bits, because a comparison may read a subnormal number as zero.
+    #[must_use]
     #[inline]
-    pub(super) fn is_zero(self) -> bool {
+    pub fn is_zero(self) -> bool {
         self.0.to_bits() == 0
+    }
+
+    /// The larger of two separations. The bits of numbers that are not negative are in their order.
+    #[inline]
+    pub(super) fn max(self, other: Self) -> Self {
+        Self(f64::from_bits(self.0.to_bits().max(other.0.to_bits())))
+    }
+
+    /// The least f64 that is not below the sum of two separations, which is at most the largest f64.
+    ///
+    /// In integers, which no floating-point environment changes. In units in the last place of the
+    /// larger summand, the smaller one is rounded up, and the sum then has at most 54 bits; if it has
+    /// more than 53, half of it is rounded up. Both roundings together are one: ⌈⌈x⌉ / 2⌉ = ⌈x / 2⌉.
+    #[inline]
+    pub(super) fn plus(self, other: Self) -> Self {
+        const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
+        let (a, b) = (self.0.to_bits(), other.0.to_bits());
+        // A subnormal number has the unit of the smallest normal one.
+        let exponent = |bits: u64| (bits >> DIGITS).max(1);
+        let significand = |bits: u64| bits - ((exponent(bits) - 1) << DIGITS);
+        let (small, large) = (a.min(b), a.max(b));
+        let shift = (exponent(large) - exponent(small)).min(63);
+        let sum = significand(large) + significand(small).div_ceil(1 << shift);
+        let carry = u64::from(sum > 2 << DIGITS);
+        let bits = ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry);
+        Self(f64::from_bits(bits))
     }
 }
 

@@ -26,9 +26,11 @@ mod answers;
 mod distance;
 mod filter;
 mod stage;
+mod thickness;
 
 pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
 pub use stage::SeparationStage;
+pub use thickness::{InvalidThickness, Separations, Thickness};
 
 use crate::time::ContactTime;
 
@@ -39,4 +41,14 @@ pub struct TimeInterval {
     pub start: ContactTime,
     /// The last time; equal to `start` for a single moment.
     pub end: ContactTime,
+}
+
+impl TimeInterval {
+    /// The interval of length 0 at a time.
+    pub(crate) fn moment(time: ContactTime) -> Self {
+        Self {
+            start: time,
+            end: time,
+        }
+    }
 }

@@ -114,7 +114,10 @@ fn a_query_of_vertices_is_that_of_their_positions() {
     let queries = queries::<EdgeEdge>();
     let (trajectories, vertices) = meshed::<EdgeEdge>(&queries);
     for (points, vertices) in queries.iter().zip(vertices) {
-        assert_eq!(trajectories.query(vertices), Some(query::<EdgeEdge>(points)));
+        assert_eq!(
+            trajectories.query::<EdgeEdge>(vertices),
+            Some(query::<EdgeEdge>(points))
+        );
     }
     let beyond = trajectories.vertex_count() as u32;
     assert_eq!(trajectories.query::<EdgeEdge>([0, 1, 2, beyond]), None);

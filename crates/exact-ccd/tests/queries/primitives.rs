@@ -6,9 +6,7 @@ use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
 pub(crate) type Points = [[Point; 4]; 2];
 
 /// A kind of query, as the linear combination of its four points that vanishes in contact.
-pub(crate) trait Primitives: Kind<Points = [Point; 4]> + 'static {
-    /// The number of points of the first primitive, which come first.
-    const FIRST: usize;
+pub(crate) trait Primitives: Kind<Points = [Point; 4], Vertices = [u32; 4]> + 'static {
     /// The corners of the domain of (u, v).
     const DOMAIN: &'static [[f64; 2]];
     /// Returns true if (u / one, v / one) lies in the domain.
@@ -22,7 +20,6 @@ pub(crate) trait Primitives: Kind<Points = [Point; 4]> + 'static {
 }
 
 impl Primitives for VertexFace {
-    const FIRST: usize = 1;
     const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     const RENAMINGS: &'static [[usize; 4]] = &[
         [0, 1, 2, 3],
@@ -47,7 +44,6 @@ impl Primitives for VertexFace {
 }
 
 impl Primitives for EdgeEdge {
-    const FIRST: usize = 2;
     const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
     const RENAMINGS: &'static [[usize; 4]] = &[
         [0, 1, 2, 3],

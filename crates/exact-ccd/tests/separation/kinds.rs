@@ -9,41 +9,45 @@ pub(crate) trait FromFour: Kind + 'static {
     /// Orders of the four points that leave the primitives the same.
     const RENAMINGS: &'static [[usize; 4]];
 
-    /// The query of the points that the kind uses, which are finite.
-    fn query(points: &Points) -> Query<Self>;
+    /// The points that the kind uses, at t = 0 and at t = 1.
+    fn points(points: &Points) -> [Self::Points; 2];
+
+    /// The query of these points, which are finite.
+    fn query(points: &Points) -> Query<Self> {
+        let [start, end] = Self::points(points);
+        Query::new(start, end).unwrap()
+    }
 }
 
 impl FromFour for VertexFace {
     const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [0, 2, 1, 3], [0, 3, 1, 2], [0, 3, 2, 1]];
 
-    fn query(points: &Points) -> Query<Self> {
-        Query::new(points[0], points[1]).unwrap()
+    fn points(points: &Points) -> [Self::Points; 2] {
+        *points
     }
 }
 
 impl FromFour for EdgeEdge {
     const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [1, 0, 2, 3], [2, 3, 0, 1], [3, 2, 0, 1]];
 
-    fn query(points: &Points) -> Query<Self> {
-        Query::new(points[0], points[1]).unwrap()
+    fn points(points: &Points) -> [Self::Points; 2] {
+        *points
     }
 }
 
 impl FromFour for VertexEdge {
     const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [0, 1, 3, 2]];
 
-    fn query(points: &Points) -> Query<Self> {
-        let [start, end] = points.map(|now| [now[0], now[2], now[3]]);
-        Query::new(start, end).unwrap()
+    fn points(points: &Points) -> [Self::Points; 2] {
+        points.map(|now| [now[0], now[2], now[3]])
     }
 }
 
 impl FromFour for VertexVertex {
     const RENAMINGS: &'static [[usize; 4]] = &[[0, 1, 2, 3], [2, 3, 0, 1]];
 
-    fn query(points: &Points) -> Query<Self> {
-        let [start, end] = points.map(|now| [now[0], now[2]]);
-        Query::new(start, end).unwrap()
+    fn points(points: &Points) -> [Self::Points; 2] {
+        points.map(|now| [now[0], now[2]])
     }
 }
 

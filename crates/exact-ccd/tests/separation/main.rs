@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod agreement;
+mod batch;
 mod distance;
 mod families;
 #[path = "../queries/generators/mod.rs"]
@@ -20,4 +21,5 @@ mod primitives;
 #[path = "../queries/runner.rs"]
 mod runner;
 mod shorter_edges;
+mod thickness;
 mod zero;

@@ -9,23 +9,17 @@ pub(crate) type Points = [[Point; 4]; 2];
 
 /// A kind of query, as the linear combination of its four points that vanishes in contact.
 pub(crate) trait Primitives: Kind<Points = [Point; 4]> + 'static {
-    /// The number of points, from the first on, that belong to the first primitive.
-    const FIRST: usize;
     /// The factors of the four points in F(·, u, v).
     fn weights(u: f64, v: f64) -> [f64; 4];
 }
 
 impl Primitives for VertexFace {
-    const FIRST: usize = 1;
-
     fn weights(u: f64, v: f64) -> [f64; 4] {
         [1.0, u + v - 1.0, -u, -v]
     }
 }
 
 impl Primitives for EdgeEdge {
-    const FIRST: usize = 2;
-
     fn weights(u: f64, v: f64) -> [f64; 4] {
         [1.0 - u, u, v - 1.0, -v]
     }
