@@ -7,7 +7,7 @@ use exact_ccd::parity::RoundingError;
 use exact_ccd_bench::comparison::PeerError;
 use exact_ccd_data::DataError;
 use exact_ccd_files::{ReadError, ReadMotionError};
-use exact_ccd_mesh::StepError;
+use exact_ccd_mesh::{CandidateError, StepError, ThicknessCount};
 use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
@@ -25,6 +25,10 @@ pub(crate) enum Failure {
     Motion(#[from] ReadMotionError),
     #[error(transparent)]
     Step(#[from] StepError),
+    #[error(transparent)]
+    Candidates(#[from] CandidateError),
+    #[error(transparent)]
+    Thickness(#[from] ThicknessCount),
     #[error("{}, query {query}: {source}", file.display())]
     Query {
         file: PathBuf,

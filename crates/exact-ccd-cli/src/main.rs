@@ -5,6 +5,7 @@
 mod audit;
 mod bench;
 mod convert;
+mod distances;
 mod failure;
 mod kind;
 mod method;

@@ -6,6 +6,7 @@
 mod audit;
 mod bench;
 mod convert;
+mod distances;
 mod examples;
 mod folder;
 mod meshes;
