@@ -83,8 +83,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (name, d) in [
         ("0", MinDistance::default()),
         ("1e-3", MinDistance::uniform(Separation::new(1e-3)?)),
-        ("0.5e-3 + 0.5e-3", MinDistance::thickness(Thickness::from(half))),
-        ("1e-3 + 1e-3", MinDistance::thickness(Thickness::from(full))),
+        ("0.5e-3 + 0.5e-3", MinDistance::thickness(Thickness::new(half))),
+        ("1e-3 + 1e-3", MinDistance::thickness(Thickness::new(full))),
     ] {
         let mut detector = Detector::new(mesh.clone()).with_min_distance(d)?;
         let contact = detector

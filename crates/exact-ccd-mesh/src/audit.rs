@@ -4,6 +4,7 @@ use crate::contact::Contact;
 use crate::detector::Detector;
 use crate::frame::Frame;
 use crate::intersections::{Intersection, IntersectionsError, intersections};
+use crate::min_distance::MinDistance;
 use crate::motion::MotionError;
 use crate::step::StepError;
 
@@ -15,7 +16,11 @@ use crate::step::StepError;
 /// Only the first frame is examined at rest. A mesh that does not intersect itself there can come
 /// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
 /// a contact of the step. Parts that share a vertex are neighbours and may touch. Edges and
-/// vertices without a face are primitives as all others.
+/// vertices without a face are primitives as all others; [`Pair`](crate::Pair) says which are compared.
+///
+/// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either. In the
+/// first frame, the least distance of primitives that do not intersect is that of a vertex and a
+/// face, of two edges, or of loose vertices and edges, and all of these pairs are examined at rest.
 ///
 /// ```
 /// use exact_ccd_mesh::{Audit, Frame, Violation};
@@ -40,6 +45,7 @@ pub struct Audit {
     /// The last frame, and the detector of its mesh.
     last: Option<(Frame, Detector)>,
     frames: usize,
+    min_distance: MinDistance,
 }
 
 /// A place where a mesh touches itself.
@@ -52,7 +58,7 @@ pub enum Violation {
         /// The edge and the face.
         intersection: Intersection,
     },
-    /// A vertex and a face, or two edges, touch: the earliest such contact after a frame, or in it.
+    /// Two primitives touch: the earliest such contact after a frame, or in it.
     Contact {
         /// The frame at which the step begins, from 0.
         frame: usize,
@@ -62,12 +68,22 @@ pub enum Violation {
 }
 
 impl Audit {
+    /// The audit of frames between which primitives keep a minimum distance. The default is 0, which is
+    /// contact.
+    #[must_use]
+    pub fn with_min_distance(min_distance: MinDistance) -> Self {
+        Self {
+            min_distance,
+            ..Self::default()
+        }
+    }
+
     /// Examines the next frame, and the step that leads to it.
     ///
     /// # Errors
     /// [`MotionError`] names the difference between the mesh of this frame, which it calls the end,
-    /// and the mesh of the frames before; or the positions that are not finite. The frame counts as
-    /// not examined.
+    /// and the mesh of the frames before; or the positions that are not finite; or the number of
+    /// thicknesses that is not that of vertices. The frame counts as not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
         let violation = if let Some((last, detector)) = &mut self.last {
             last.mesh.check_same(&frame.mesh)?;
@@ -78,7 +94,8 @@ impl Audit {
                 contact,
             })
         } else {
-            let mut detector = Detector::new(frame.mesh.clone());
+            let detector = Detector::new(frame.mesh.clone());
+            let mut detector = detector.with_min_distance(self.min_distance.clone())?;
             let violation = at_rest(&frame, &mut detector)?;
             self.last = Some((frame, detector));
             violation

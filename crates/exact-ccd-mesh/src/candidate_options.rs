@@ -1,17 +1,20 @@
 //! Options of the search for candidates.
 
-use exact_ccd::Point;
-
 use crate::can_collide::CanCollide;
+use crate::margin::{Margin, half};
+use crate::min_distance::{MinDistance, ThicknessCount};
+use crate::step::Step;
 
 /// Options of the search for [`Candidates`](crate::Candidates). The default is all pairs whose
 /// boxes over the step overlap.
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct CandidateOptions {
-    /// All pairs that come within this distance of each other at some time of the step are
-    /// candidates. 0 for contact.
+    /// All pairs that come within this distance beyond their minimum distance at some time of the step
+    /// are candidates. 0 for contact.
     pub distance: f64,
+    /// The distance within which pairs touch, according to [`Candidates`](crate::Candidates).
+    pub min_distance: MinDistance,
     /// The boxes of primitives over the step.
     pub boxes: BoxKind,
     /// The pairs that can collide.
@@ -31,10 +34,17 @@ pub enum BoxKind {
     Moving,
 }
 
-/// The distance of [`CandidateOptions`] is negative or not a number.
+/// The reason why there are no candidates.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("the distance of candidates is {0}, expected a number that is not negative")]
-pub struct DistanceError(pub f64);
+#[non_exhaustive]
+pub enum CandidateError {
+    /// The distance of [`CandidateOptions`] is negative or not a number.
+    #[error("the distance of candidates is {0}, expected a number that is not negative")]
+    Distance(f64),
+    /// The minimum distance does not fit the mesh.
+    #[error(transparent)]
+    ThicknessCount(#[from] ThicknessCount),
+}
 
 /// The largest error of rounded positions for which moving boxes are prepared, in units of the
 /// largest coordinate.
@@ -53,6 +63,12 @@ impl CandidateOptions {
         Self { distance, ..self }
     }
 
+    /// The same options with another minimum distance.
+    #[must_use]
+    pub fn with_min_distance(self, min_distance: MinDistance) -> Self {
+        Self { min_distance, ..self }
+    }
+
     /// The same options with another kind of boxes.
     #[must_use]
     pub fn with_boxes(self, boxes: BoxKind) -> Self {
@@ -65,33 +81,26 @@ impl CandidateOptions {
         Self { can_collide, ..self }
     }
 
-    /// The amount by which each side of each box is moved outwards.
-    ///
-    /// If two primitives are within d of each other at a time, then each coordinate of two of their
-    /// points differs by at most d there. Each point is in the box of its primitive at that time.
-    /// So boxes that are larger by at least d/2 on each side meet at that time, and no axis
-    /// separates them at both ends in the same order.
+    /// The margins of the boxes in a step.
     ///
     /// Rounded positions on the path: they stay within the swept boxes, which are bounded by
     /// comparisons alone, and within moving boxes that are larger by the error of rounding.
-    pub(crate) fn margin(&self, positions: [&[Point]; 2]) -> Result<f64, DistanceError> {
+    pub(crate) fn margin(&self, step: &Step<'_>) -> Result<Margin, CandidateError> {
         let distance = self.distance;
         if distance.is_nan() || distance < 0.0 {
-            return Err(DistanceError(distance));
+            return Err(CandidateError::Distance(distance));
         }
-        // Half of a subnormal number may be rounded down.
-        let half = match 0.5 * distance {
-            half if half + half < distance => half.next_up(),
-            half => half,
-        };
-        Ok(match self.boxes {
+        self.min_distance.check(step.mesh())?;
+        let half = half(distance);
+        let common = match self.boxes {
             BoxKind::Swept => half,
             BoxKind::Moving => {
-                let coordinates = positions.into_iter().flatten().flatten();
+                let coordinates = step.positions().into_iter().flatten().flatten();
                 let largest = coordinates.fold(0.0_f64, |largest, x| largest.max(x.abs()));
                 // The smallest normal number covers products that underflow.
                 (half + (ROUNDING * largest + f64::MIN_POSITIVE)).next_up()
             }
-        })
+        };
+        Ok(Margin::new(self.min_distance.clone(), common))
     }
 }

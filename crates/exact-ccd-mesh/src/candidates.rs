@@ -2,18 +2,20 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::batch::Trajectories;
-use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
+use exact_ccd::{Ccd, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
-use crate::broad_phase::{BroadPhase, PairCollector, PairSink};
-use crate::candidate_options::{CandidateOptions, DistanceError};
+use crate::broad_phase::{BroadPhase, PairCollector};
+use crate::by_kind::{ByKind, PairCounts};
+use crate::candidate_options::{CandidateError, CandidateOptions};
 use crate::collect::{AnyContact, Collect, ContactsUntil, Earliest};
 use crate::contact::Contact;
-use crate::mesh::TriangleMesh;
+use crate::method;
+use crate::min_distance::MinDistance;
 use crate::narrow_phase::NarrowPhase;
-use crate::overlaps;
-use crate::pair::{PairCounts, PairKind};
+use crate::overlaps::{self, Receive};
+use crate::pair::Pair;
+use crate::pair_kind::{PairKind, Searched};
 use crate::step::Step;
 
 /// Pairs of primitives that come near each other in a step, by their indices.
@@ -21,6 +23,12 @@ use crate::step::Step;
 /// Pairs that share a vertex are never among them. The pairs of a step hold for every step of the
 /// same mesh from the same start to positions in between, such as [`Step::at`] returns: so one
 /// broad phase suffices for a whole line search.
+///
+/// The exact decisions are about contact, or about the [minimum
+/// distance](CandidateOptions::min_distance) of the options. Those of other methods are about contact.
+///
+/// They collect [`Pair`]s from another source, too: each is kept once, and those that a mesh does not
+/// have are no contacts.
 ///
 /// ```
 /// use exact_ccd::Exact;
@@ -41,102 +49,102 @@ use crate::step::Step;
 /// assert!(!candidates.is_free_by(step, &Exact));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Candidates {
-    vertex_face: Vec<[u32; 2]>,
-    edge_edge: Vec<[u32; 2]>,
+    pairs: ByKind<Vec<[u32; 2]>>,
+    min_distance: MinDistance,
 }
 
 /// The number of pairs that a thread examines exactly between two checks for the end of the search.
 const GRAIN: usize = 2048;
 
-/// The same for methods that may be a thousand times slower.
-const GRAIN_OF_METHODS: usize = 64;
-
 impl Candidates {
     /// All pairs whose boxes over the step overlap: all contacts of the step are among them.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase) -> Self {
-        // The default distance is 0.
+        // The default distances are 0.
         Self::with_options(step, broad_phase, &CandidateOptions::default()).unwrap_or_default()
     }
 
     /// The candidates of a step, with options.
     ///
     /// # Errors
-    /// [`DistanceError`], if the distance is negative or not a number.
+    /// [`CandidateError`], if the distance is negative or not a number, or if the number of
+    /// thicknesses is not that of vertices.
     pub fn with_options(
         step: Step<'_>,
         broad_phase: &impl BroadPhase,
         options: &CandidateOptions,
-    ) -> Result<Self, DistanceError> {
-        let [vertex_face, edge_edge] = [PairCollector::default(), PairCollector::default()];
-        let _ = overlaps::stream(
-            step,
-            broad_phase,
-            options,
-            &|pairs| vertex_face.add(pairs.iter().copied()),
-            &|pairs| edge_edge.add(pairs.iter().copied()),
-        )?;
+    ) -> Result<Self, CandidateError> {
+        let collectors = ByKind::<PairCollector>::default();
+        let _ = overlaps::stream(step, broad_phase, options, &collectors)?;
         Ok(Self {
-            vertex_face: vertex_face.into_sorted(),
-            edge_edge: edge_edge.into_sorted(),
+            pairs: collectors.map(PairCollector::into_sorted),
+            min_distance: options.min_distance.clone(),
         })
     }
 
     /// Passes the candidates of a step on as they are found, in batches, from any thread, without
     /// storing them.
     ///
-    /// The order of batches and of pairs in them may differ from run to run. Returns `Break` if a
+    /// The order of batches and of pairs in them may differ from run to run. Returns `Break` if the
     /// sink did.
     ///
     /// # Errors
-    /// [`DistanceError`], if the distance is negative or not a number.
+    /// As [`with_options`](Self::with_options).
     pub fn stream(
         step: Step<'_>,
         broad_phase: &impl BroadPhase,
         options: &CandidateOptions,
-        vertex_face: &PairSink<'_>,
-        edge_edge: &PairSink<'_>,
-    ) -> Result<ControlFlow<()>, DistanceError> {
-        overlaps::stream(step, broad_phase, options, vertex_face, edge_edge)
+        sink: impl Fn(&[Pair]) -> ControlFlow<()> + Sync,
+    ) -> Result<ControlFlow<()>, CandidateError> {
+        overlaps::stream(step, broad_phase, options, &Sink(sink))
     }
 
-    /// Candidates from another source: pairs of a vertex and a face, and pairs of two edges.
-    ///
-    /// They are sorted, and each is kept once. Pairs that a mesh does not have are no contacts.
+    /// The same pairs for decisions about another minimum distance, up to that for which they have
+    /// been found. Vertices without a thickness have thickness 0.
     #[must_use]
-    pub fn from_ids(mut vertex_face: Vec<[u32; 2]>, mut edge_edge: Vec<[u32; 2]>) -> Self {
-        edge_edge.iter_mut().for_each(|pair| pair.sort_unstable());
-        for pairs in [&mut vertex_face, &mut edge_edge] {
-            pairs.par_sort_unstable();
-            pairs.dedup();
-        }
-        Self {
-            vertex_face,
-            edge_edge,
-        }
+    pub fn with_min_distance(self, min_distance: MinDistance) -> Self {
+        Self { min_distance, ..self }
     }
 
     /// Pairs of a vertex and a face that it is no corner of, sorted.
     #[must_use]
     pub fn vertex_face(&self) -> &[[u32; 2]] {
-        &self.vertex_face
+        &self.pairs.vertex_face
     }
 
     /// Pairs of two edges, the smaller index first, without a common vertex, sorted.
     #[must_use]
     pub fn edge_edge(&self) -> &[[u32; 2]] {
-        &self.edge_edge
+        &self.pairs.edge_edge
+    }
+
+    /// Pairs of a loose vertex and a loose edge, sorted.
+    #[must_use]
+    pub fn vertex_edge(&self) -> &[[u32; 2]] {
+        &self.pairs.vertex_edge
+    }
+
+    /// Pairs of two loose vertices, the smaller index first, sorted.
+    #[must_use]
+    pub fn vertex_vertex(&self) -> &[[u32; 2]] {
+        &self.pairs.vertex_vertex
+    }
+
+    /// All pairs, in their order.
+    pub fn pairs(&self) -> impl Iterator<Item = Pair> {
+        let faces = self.vertex_face().iter().copied().map(VertexFace::pair);
+        let edges = self.edge_edge().iter().copied().map(EdgeEdge::pair);
+        let loose = self.vertex_edge().iter().copied().map(VertexEdge::pair);
+        let points = self.vertex_vertex().iter().copied().map(VertexVertex::pair);
+        faces.chain(edges).chain(loose).chain(points)
     }
 
     /// The numbers of pairs of each kind.
     #[must_use]
     pub fn counts(&self) -> PairCounts {
-        PairCounts {
-            vertex_face: self.vertex_face.len(),
-            edge_edge: self.edge_edge.len(),
-        }
+        self.pairs.as_ref().map(Vec::len)
     }
 
     /// Returns true if there are no pairs.
@@ -159,8 +167,8 @@ impl Candidates {
     #[must_use]
     pub fn earliest_contact(&self, step: Step<'_>) -> Option<Contact> {
         let earliest = Earliest::new();
-        self.examine(step, &earliest);
-        earliest.contact(&step)
+        let narrow_phase = self.examine(step, &earliest);
+        narrow_phase.contact(step.mesh(), earliest.pair()?)
     }
 
     /// All contacts of the pairs in the step, exactly, the earliest first.
@@ -180,79 +188,92 @@ impl Candidates {
     }
 
     /// Returns true if none of the pairs touches in the step, according to a method.
+    ///
+    /// This is about contact, whatever the minimum distance. A loose vertex is passed to the method
+    /// as an edge of length zero.
     #[must_use]
     pub fn is_free_by(&self, step: Step<'_>, method: &dyn Ccd) -> bool {
-        let narrow_phase = NarrowPhase::of(&step);
-        let (mesh, trajectories) = (step.mesh(), narrow_phase.trajectories());
-        !has_collision::<VertexFace, _>(method, mesh, trajectories, &self.vertex_face)
-            && !has_collision::<EdgeEdge, _>(method, mesh, trajectories, &self.edge_edge)
+        method::is_free(method, &self.pairs, &step)
     }
 
     /// The earliest time of impact of the pairs in the step, according to a method, or `None` if
     /// the step is free of contact.
     ///
-    /// It is in \[0, 1\]. A time of the method that is not a number counts as 0.
+    /// It is in \[0, 1\]. A time of the method that is not a number counts as 0. As
+    /// [`is_free_by`](Self::is_free_by), this is about contact, whatever the minimum distance.
     #[must_use]
     pub fn earliest_time_by(&self, step: Step<'_>, method: &dyn Ccd) -> Option<f64> {
-        let narrow_phase = NarrowPhase::of(&step);
-        let (mesh, trajectories) = (step.mesh(), narrow_phase.trajectories());
-        let faces = earliest_time::<VertexFace, _>(method, mesh, trajectories, &self.vertex_face);
-        let edges = earliest_time::<EdgeEdge, _>(method, mesh, trajectories, &self.edge_edge);
-        faces.into_iter().chain(edges).reduce(f64::min)
+        method::earliest_time(method, &self.pairs, &step)
     }
 
-    fn examine(&self, step: Step<'_>, collector: &impl Collect) {
-        let mesh = step.mesh();
+    /// Passes all pairs to a collector.
+    fn examine(&self, step: Step<'_>, collector: &impl Collect) -> NarrowPhase {
         // All on threads of the pool: entering it from outside costs a context switch each time.
-        let _ = rayon::scope(|_| {
-            let narrow_phase = &NarrowPhase::of(&step);
-            let faces = self.vertex_face.par_chunks(GRAIN);
-            faces.try_for_each(|pairs| collector.examine::<VertexFace>(narrow_phase, mesh, pairs))?;
-            let edges = self.edge_edge.par_chunks(GRAIN);
-            edges.try_for_each(|pairs| collector.examine::<EdgeEdge>(narrow_phase, mesh, pairs))
-        });
+        rayon::scope(|_| {
+            let narrow_phase = NarrowPhase::of(&step, self.min_distance.clone());
+            let _ = self.examine_all(step, &narrow_phase, collector);
+            narrow_phase
+        })
+    }
+
+    fn examine_all(
+        &self,
+        step: Step<'_>,
+        narrow_phase: &NarrowPhase,
+        collector: &impl Collect,
+    ) -> ControlFlow<()> {
+        self.examine_kind::<VertexFace>(step, narrow_phase, collector)?;
+        self.examine_kind::<EdgeEdge>(step, narrow_phase, collector)?;
+        self.examine_kind::<VertexEdge>(step, narrow_phase, collector)?;
+        self.examine_kind::<VertexVertex>(step, narrow_phase, collector)
+    }
+
+    fn examine_kind<K: Searched>(
+        &self,
+        step: Step<'_>,
+        narrow_phase: &NarrowPhase,
+        collector: &impl Collect,
+    ) -> ControlFlow<()> {
+        let pairs = K::of(&self.pairs).par_chunks(GRAIN);
+        pairs.try_for_each(|pairs| collector.examine::<K>(narrow_phase, step.mesh(), pairs))
     }
 }
 
-/// Returns true if a method decides that any of the pairs collides.
-fn has_collision<K: PairKind, M: Decide<K> + ?Sized>(
-    method: &M,
-    mesh: &TriangleMesh,
-    trajectories: &Trajectories,
-    pairs: &[[u32; 2]],
-) -> bool {
-    pairs.par_chunks(GRAIN_OF_METHODS).any(|pairs| {
-        let mut collides = false;
-        let queries = queries::<K>(mesh, pairs);
-        let outcome = method.collisions(trajectories, &queries, &mut |_| collides = true);
-        // A method that does not accept the queries decides nothing.
-        outcome.is_err() || collides
-    })
+impl FromIterator<Pair> for Candidates {
+    fn from_iter<I: IntoIterator<Item = Pair>>(pairs: I) -> Self {
+        let mut lists = ByKind::<Vec<[u32; 2]>>::default();
+        for pair in pairs {
+            match pair {
+                Pair::VertexFace { vertex, face } => lists.vertex_face.push([vertex, face]),
+                Pair::EdgeEdge { a, b } => lists.edge_edge.push([a.min(b), a.max(b)]),
+                Pair::VertexEdge { vertex, edge } => lists.vertex_edge.push([vertex, edge]),
+                Pair::VertexVertex { a, b } => lists.vertex_vertex.push([a.min(b), a.max(b)]),
+            }
+        }
+        let sorted = |mut pairs: Vec<[u32; 2]>| {
+            pairs.par_sort_unstable();
+            pairs.dedup();
+            pairs
+        };
+        Self {
+            pairs: lists.map(sorted),
+            min_distance: MinDistance::default(),
+        }
+    }
 }
 
-/// The earliest time of impact of the pairs according to a method.
-fn earliest_time<K: PairKind, M: Decide<K> + ?Sized>(
-    method: &M,
-    mesh: &TriangleMesh,
-    trajectories: &Trajectories,
-    pairs: &[[u32; 2]],
-) -> Option<f64> {
-    let earliest = |pairs: &[[u32; 2]]| {
-        let mut earliest: Option<f64> = None;
-        let queries = queries::<K>(mesh, pairs);
-        let outcome = method.times_of_impact(trajectories, &queries, &mut |_, time| {
-            let time = if time > 0.0 { time.min(1.0) } else { 0.0 };
-            earliest = Some(earliest.map_or(time, |earliest| earliest.min(time)));
-        });
-        // A method that does not accept the queries has no later time.
-        outcome.map_or(Some(0.0), |()| earliest)
-    };
-    pairs
-        .par_chunks(GRAIN_OF_METHODS)
-        .filter_map(earliest)
-        .reduce_with(f64::min)
+impl Receive for ByKind<PairCollector> {
+    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
+        K::of(self).add(pairs)
+    }
 }
 
-fn queries<K: PairKind>(mesh: &TriangleMesh, pairs: &[[u32; 2]]) -> Vec<[u32; 4]> {
-    pairs.iter().filter_map(|&ids| K::vertices(mesh, ids)).collect()
+/// A sink of candidates of all kinds.
+struct Sink<F>(F);
+
+impl<F: Fn(&[Pair]) -> ControlFlow<()> + Sync> Receive for Sink<F> {
+    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
+        let pairs: Vec<Pair> = pairs.into_iter().map(K::pair).collect();
+        (self.0)(&pairs)
+    }
 }

@@ -6,11 +6,12 @@ use std::sync::{Mutex, PoisonError};
 
 use exact_ccd::ContactTime;
 
+use crate::by_kind::PairCounts;
 use crate::contact::{Contact, earlier};
 use crate::mesh::TriangleMesh;
 use crate::narrow_phase::NarrowPhase;
-use crate::pair::{Pair, PairKind};
-use crate::step::Step;
+use crate::pair::Pair;
+use crate::pair_kind::PairKind;
 
 /// A collector of contacts: receives batches of candidates in any order, on any thread.
 pub(crate) trait Collect: Sync {
@@ -53,7 +54,11 @@ impl Collect for AnyContact {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        narrow_phase.collisions::<K>(mesh, pairs, |_, _| self.0.store(true, Ordering::Relaxed));
+        narrow_phase.approaches::<K>(mesh, pairs, |_, approach| {
+            if approach.contact().is_some() {
+                self.0.store(true, Ordering::Relaxed);
+            }
+        });
         if self.is_found() {
             ControlFlow::Break(())
         } else {
@@ -68,6 +73,9 @@ pub(crate) struct Earliest {
     /// never increases.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
+    /// The pairs that start within their distance, some of them twice. No search until any time
+    /// misses one.
+    touching: Mutex<Vec<Pair>>,
 }
 
 impl Earliest {
@@ -75,13 +83,22 @@ impl Earliest {
         Self {
             limit: AtomicU64::new(1f64.to_bits()),
             contact: Mutex::new(None),
+            touching: Mutex::default(),
         }
     }
 
-    /// The contact, with the details of its impact in the step.
-    pub(crate) fn contact(self, step: &Step<'_>) -> Option<Contact> {
-        let contact = self.contact.into_inner().unwrap_or_else(PoisonError::into_inner);
-        contact.and_then(|(_, pair)| Contact::of(step, pair))
+    /// The pair of the contact.
+    pub(crate) fn pair(&self) -> Option<Pair> {
+        let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
+        contact.map(|(_, pair)| pair)
+    }
+
+    /// The numbers of pairs that start within their distance.
+    pub(crate) fn touching(self) -> PairCounts {
+        let mut pairs = self.touching.into_inner().unwrap_or_else(PoisonError::into_inner);
+        pairs.sort_unstable();
+        pairs.dedup();
+        PairCounts::of(&pairs)
     }
 
     fn add(&self, time: ContactTime, pair: Pair) {
@@ -106,13 +123,23 @@ impl Collect for Earliest {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        narrow_phase.collisions::<K>(mesh, pairs, |ids, collision| {
-            let time = collision.first_contact_time();
+        let mut touching = Vec::new();
+        narrow_phase.approaches::<K>(mesh, pairs, |ids, approach| {
+            let times = approach.times();
+            if times.starts_within {
+                touching.push(K::pair(ids));
+            }
             // Equal times count: then the lesser pair comes first.
-            if time.lower() <= self.until() {
+            if let Some(time) = times.contact
+                && time.lower() <= self.until()
+            {
                 self.add(time, K::pair(ids));
             }
         });
+        if !touching.is_empty() {
+            let mut pairs = self.touching.lock().unwrap_or_else(PoisonError::into_inner);
+            pairs.append(&mut touching);
+        }
         ControlFlow::Continue(())
     }
 }
@@ -155,12 +182,14 @@ impl Collect for ContactsUntil {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         let mut found = Vec::new();
-        narrow_phase.collisions::<K>(mesh, pairs, |ids, collision| {
+        narrow_phase.approaches::<K>(mesh, pairs, |ids, approach| {
+            let Some(collision) = approach.contact() else {
+                return;
+            };
             let time = collision.first_contact_time();
             // A time that is not an f64 lies above its lower bound.
             if time.lower() < self.time || time.is_exact() && time.lower() <= self.time {
-                let (pair, impact) = (K::pair(ids), collision.impact());
-                found.push(Contact { pair, impact });
+                found.push(Contact::new(K::pair(ids), &collision));
             }
         });
         if !found.is_empty() {

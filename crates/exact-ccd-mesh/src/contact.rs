@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::{ContactTime, Impact};
+use exact_ccd::separation::DistanceBounds;
+use exact_ccd::{Collision, ContactTime, Impact, Kind};
 
 use crate::pair::Pair;
-use crate::step::Step;
 
 /// A pair of primitives that touch in a step, and the first time at which they do.
 ///
@@ -17,16 +17,19 @@ pub struct Contact {
     pub pair: Pair,
     /// The time and the place of its first contact.
     pub impact: Impact,
+    /// Bounds of the distance of the primitives at that time: 0, or the minimum distance of the pair,
+    /// or less than that if the pair starts nearer.
+    pub distance: DistanceBounds,
 }
 
 impl Contact {
-    /// The contact of a pair; `None` if the pair does not touch in the step.
-    pub(crate) fn of(step: &Step<'_>, pair: Pair) -> Option<Self> {
-        let impact = match pair {
-            Pair::VertexFace { vertex, face } => step.vertex_face(vertex, face)?.impact(),
-            Pair::EdgeEdge { a, b } => step.edge_edge(a, b)?.impact(),
-        };
-        impact.map(|impact| Self { pair, impact })
+    /// The contact of a pair.
+    pub(crate) fn new<K: Kind>(pair: Pair, collision: &Collision<'_, K>) -> Self {
+        Self {
+            pair,
+            impact: collision.impact(),
+            distance: collision.distance(),
+        }
     }
 
     /// The order of contacts.

@@ -2,14 +2,17 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{EdgeEdge, Point, VertexFace};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 
 use crate::broad_phase::BroadPhase;
 use crate::can_collide::CanCollide;
 use crate::collect::{AnyContact, Collect, Earliest};
 use crate::contact::Contact;
-use crate::mesh::TriangleMesh;
+use crate::margin::Margin;
+use crate::min_distance::MinDistance;
 use crate::narrow_phase::NarrowPhase;
+use crate::pair::Pair;
+use crate::pair_kind::Searched;
 use crate::step::Step;
 use crate::step_boxes::StepBoxes;
 
@@ -34,26 +37,39 @@ const SHORT_DISPLACEMENT: f64 = 0.25;
 const SHRUNK_TIME: f64 = 0.5;
 
 impl<B: BroadPhase> CulledSearch<B> {
-    /// A search among the pairs that can collide.
-    pub(crate) fn new(broad_phase: B, can_collide: CanCollide) -> Self {
+    /// A search among the pairs that can collide, for those that come within a distance.
+    pub(crate) fn new(broad_phase: B, can_collide: CanCollide, min_distance: MinDistance) -> Self {
+        let margin = Margin::new(min_distance.clone(), 0.0);
         Self {
             broad_phase,
-            narrow_phase: NarrowPhase::new(can_collide),
-            resting: StepBoxes::new(0.0),
-            moving: StepBoxes::new(0.0),
+            narrow_phase: NarrowPhase::new(can_collide, min_distance),
+            resting: StepBoxes::new(margin.clone()),
+            moving: StepBoxes::new(margin),
         }
     }
 
     /// The same broad phase, without memory, for other pairs that can collide.
     pub(crate) fn with_can_collide(self, can_collide: CanCollide) -> Self {
-        Self::new(self.broad_phase, can_collide)
+        let min_distance = self.narrow_phase.min_distance().clone();
+        Self::new(self.broad_phase, can_collide, min_distance)
+    }
+
+    /// The same broad phase, without memory, for another distance.
+    pub(crate) fn with_min_distance(self, min_distance: MinDistance) -> Self {
+        let can_collide = self.narrow_phase.can_collide().clone();
+        Self::new(self.broad_phase, can_collide, min_distance)
     }
 
     /// The earliest contact of a step of the mesh.
     pub(crate) fn earliest_contact(&mut self, step: &Step<'_>) -> Option<Contact> {
         let earliest = Earliest::new();
         self.run(step, &earliest);
-        earliest.contact(step)
+        self.contact(step, earliest.pair()?)
+    }
+
+    /// The contact of a pair in the last step.
+    pub(crate) fn contact(&self, step: &Step<'_>, pair: Pair) -> Option<Contact> {
+        self.narrow_phase.contact(step.mesh(), pair)
     }
 
     /// Returns true if a step of the mesh is free of contact.
@@ -75,29 +91,19 @@ impl<B: BroadPhase> CulledSearch<B> {
         // All on threads of the pool: entering it from outside costs a context switch each time.
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step);
-            let can_collide = narrow_phase.can_collide();
-            let short = time_of_short_displacements(step);
+            resting.end();
+            moving.end();
             let pass = Pass {
                 step,
                 broad_phase: &*broad_phase,
                 narrow_phase: &*narrow_phase,
                 collector,
+                short: time_of_short_displacements(step),
             };
-            let were_short = collector.until() < short;
-            if were_short {
-                resting.begin(step, can_collide);
-                pass.vertices_and_faces(resting)?;
-            } else {
-                moving.begin(step, can_collide);
-                pass.vertices_and_faces(moving)?;
-            }
-            if collector.until() >= short {
-                return pass.edges(moving);
-            }
-            if !were_short {
-                resting.begin(step, can_collide);
-            }
-            pass.edges(resting)
+            pass.examine::<VertexFace>(resting, moving)?;
+            pass.examine::<EdgeEdge>(resting, moving)?;
+            pass.examine::<VertexEdge>(resting, moving)?;
+            pass.examine::<VertexVertex>(resting, moving)
         });
     }
 }
@@ -107,14 +113,14 @@ impl Step<'_> {
     /// a [`Detector`](crate::Detector) is faster.
     #[must_use]
     pub fn earliest_contact(&self, broad_phase: &impl BroadPhase) -> Option<Contact> {
-        CulledSearch::new(broad_phase, CanCollide::all()).earliest_contact(self)
+        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).earliest_contact(self)
     }
 
     /// Returns true if no two primitives touch during the step. For many steps of one mesh, a
     /// [`Detector`](crate::Detector) is faster.
     #[must_use]
     pub fn is_free(&self, broad_phase: &impl BroadPhase) -> bool {
-        CulledSearch::new(broad_phase, CanCollide::all()).is_free(self)
+        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).is_free(self)
     }
 }
 
@@ -138,39 +144,36 @@ struct Pass<'a, B, C> {
     broad_phase: &'a B,
     narrow_phase: &'a NarrowPhase,
     collector: &'a C,
+    /// The time until which all displacements are short.
+    short: f64,
 }
 
 impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
-    fn vertices_and_faces<const T: usize>(&self, boxes: &mut StepBoxes<T>) -> ControlFlow<()> {
-        let mesh: &TriangleMesh = self.step.mesh();
-        let examine = |pairs: &[_]| {
-            self.collector
-                .examine::<VertexFace>(self.narrow_phase, mesh, pairs)
-        };
-        let time = self.collector.until();
-        boxes.vertices_and_faces_until(self.step, time);
-        if C::PROFITS_FROM_SAMPLE {
-            let sample = boxes.vertices.sample(SAMPLE_STRIDE);
-            self.broad_phase.between(&sample, &boxes.faces, &examine)?;
-            if self.collector.until() < SHRUNK_TIME * time {
-                boxes.vertices_and_faces_until(self.step, self.collector.until());
-            }
+    /// Examines the candidates of one kind, by the better boxes.
+    fn examine<K: Searched>(&self, resting: &mut StepBoxes<1>, moving: &mut StepBoxes<2>) -> ControlFlow<()> {
+        if resting.lacks::<K>() || moving.lacks::<K>() {
+            ControlFlow::Continue(())
+        } else if self.collector.until() < self.short {
+            self.examine_among::<K, 1>(resting)
+        } else {
+            self.examine_among::<K, 2>(moving)
         }
-        self.broad_phase.between(&boxes.vertices, &boxes.faces, &examine)
     }
 
-    fn edges<const T: usize>(&self, boxes: &mut StepBoxes<T>) -> ControlFlow<()> {
-        let mesh: &TriangleMesh = self.step.mesh();
-        let examine = |pairs: &[_]| self.collector.examine::<EdgeEdge>(self.narrow_phase, mesh, pairs);
+    fn examine_among<K: Searched, const T: usize>(&self, boxes: &mut StepBoxes<T>) -> ControlFlow<()> {
+        let can_collide = self.narrow_phase.can_collide();
+        let mesh = self.step.mesh();
+        let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
         let time = self.collector.until();
-        boxes.edges_until(self.step, time);
+        boxes.place::<K>(self.step, can_collide, time);
         if C::PROFITS_FROM_SAMPLE {
-            let sample = boxes.edges.sample(SAMPLE_STRIDE);
-            self.broad_phase.between(&sample, &boxes.edges, &examine)?;
+            let [first, second] = K::SETS.map(|set| boxes.get(set));
+            let sample = first.sample(SAMPLE_STRIDE);
+            self.broad_phase.between(&sample, second, &examine)?;
             if self.collector.until() < SHRUNK_TIME * time {
-                boxes.edges_until(self.step, self.collector.until());
+                boxes.place::<K>(self.step, can_collide, self.collector.until());
             }
         }
-        self.broad_phase.within(&boxes.edges, &examine)
+        boxes.pairs::<K>(self.broad_phase, &examine)
     }
 }

@@ -10,6 +10,7 @@ use crate::collect::ContactsUntil;
 use crate::contact::Contact;
 use crate::culled_search::CulledSearch;
 use crate::mesh::TriangleMesh;
+use crate::min_distance::{MinDistance, ThicknessCount};
 use crate::step::{Step, StepError};
 
 /// Finds contact in successive steps of one mesh.
@@ -62,7 +63,7 @@ impl<B: BroadPhase> Detector<B> {
     pub fn with_broad_phase(mesh: impl Into<Arc<TriangleMesh>>, broad_phase: B) -> Self {
         Self {
             mesh: mesh.into(),
-            search: CulledSearch::new(broad_phase, CanCollide::all()),
+            search: CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()),
         }
     }
 
@@ -73,6 +74,18 @@ impl<B: BroadPhase> Detector<B> {
             search: self.search.with_can_collide(can_collide),
             ..self
         }
+    }
+
+    /// The same detector for another minimum distance: pairs within it touch.
+    ///
+    /// # Errors
+    /// [`ThicknessCount`], if there is not one thickness for each vertex.
+    pub fn with_min_distance(self, min_distance: MinDistance) -> Result<Self, ThicknessCount> {
+        min_distance.check(&self.mesh)?;
+        Ok(Self {
+            search: self.search.with_min_distance(min_distance),
+            ..self
+        })
     }
 
     /// The mesh.

@@ -36,9 +36,11 @@
 //! No result depends on the number of threads, and no input causes a panic.
 
 mod aabb;
+mod approach;
 mod audit;
 mod boundary;
 mod broad_phase;
+mod by_kind;
 mod can_collide;
 mod candidate_options;
 mod candidates;
@@ -49,11 +51,15 @@ mod detector;
 mod frame;
 mod intersections;
 mod line_search;
+mod margin;
 mod mesh;
+mod method;
+mod min_distance;
 mod motion;
 mod narrow_phase;
 mod overlaps;
 mod pair;
+mod pair_kind;
 mod positions;
 mod primitive_count;
 mod report;
@@ -68,8 +74,9 @@ pub use aabb::Aabb;
 pub use audit::{Audit, Violation};
 pub use boundary::TetFaces;
 pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep};
+pub use by_kind::{ByKind, PairCounts};
 pub use can_collide::CanCollide;
-pub use candidate_options::{BoxKind, CandidateOptions, DistanceError};
+pub use candidate_options::{BoxKind, CandidateError, CandidateOptions};
 pub use candidates::Candidates;
 pub use contact::Contact;
 pub use detector::Detector;
@@ -80,8 +87,10 @@ pub use line_search::{
     FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
 };
 pub use mesh::{MeshError, TriangleMesh};
+pub use min_distance::{MinDistance, ThicknessCount};
 pub use motion::{Motion, MotionError};
-pub use pair::{Pair, PairCounts, PairKind};
+pub use pair::Pair;
+pub use pair_kind::PairKind;
 pub use positions::{PositionsError, check_positions};
 pub use primitive_count::TooManyPrimitives;
 pub use report::{StepReport, step};

@@ -4,6 +4,7 @@ use exact_ccd::Point;
 
 use crate::frame::Frame;
 use crate::mesh::TriangleMesh;
+use crate::min_distance::ThicknessCount;
 use crate::step::{Step, StepError};
 
 /// A triangle mesh whose vertices move in straight lines, from `x0` at t = 0 to `x1` at t = 1.
@@ -68,6 +69,9 @@ pub enum MotionError {
     /// The positions are not valid.
     #[error(transparent)]
     Positions(#[from] StepError),
+    /// The minimum distance does not fit the mesh.
+    #[error(transparent)]
+    ThicknessCount(#[from] ThicknessCount),
 }
 
 impl Motion {

@@ -1,17 +1,22 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
-use exact_ccd::Collision;
 use exact_ccd::batch::Trajectories;
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 
+use crate::approach::Approach;
 use crate::can_collide::CanCollide;
+use crate::contact::Contact;
 use crate::mesh::TriangleMesh;
-use crate::pair::PairKind;
+use crate::min_distance::MinDistance;
+use crate::pair::Pair;
+use crate::pair_kind::PairKind;
 use crate::step::Step;
 
 /// Exact tests of the candidates of a step, in batches.
 #[derive(Clone, Debug)]
 pub(crate) struct NarrowPhase {
     can_collide: CanCollide,
+    min_distance: MinDistance,
     trajectories: Trajectories,
 }
 
@@ -20,18 +25,19 @@ const CHUNK: usize = 256;
 
 impl NarrowPhase {
     /// A narrow phase without a step, for the pairs that can collide.
-    pub(crate) fn new(can_collide: CanCollide) -> Self {
+    pub(crate) fn new(can_collide: CanCollide, min_distance: MinDistance) -> Self {
         let trajectories =
             Trajectories::new(&[], &[]).expect("there are as many positions at both ends: none");
         Self {
             can_collide,
+            min_distance,
             trajectories,
         }
     }
 
     /// The narrow phase of a step, for all pairs.
-    pub(crate) fn of(step: &Step<'_>) -> Self {
-        let mut narrow_phase = Self::new(CanCollide::all());
+    pub(crate) fn of(step: &Step<'_>, min_distance: MinDistance) -> Self {
+        let mut narrow_phase = Self::new(CanCollide::all(), min_distance);
         narrow_phase.begin(step);
         narrow_phase
     }
@@ -48,55 +54,82 @@ impl NarrowPhase {
         &self.can_collide
     }
 
+    pub(crate) fn min_distance(&self) -> &MinDistance {
+        &self.min_distance
+    }
+
     pub(crate) fn trajectories(&self) -> &Trajectories {
         &self.trajectories
     }
 
-    /// Calls `found` with each pair that is in contact, and its collision.
+    /// Calls `found` with each pair that comes within its minimum distance.
     ///
     /// Pairs with a common vertex are left out, as are those that cannot collide and those that
     /// `mesh`, the mesh of the step, does not have.
-    pub(crate) fn collisions<K: PairKind>(
+    pub(crate) fn approaches<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
-        found: impl FnMut([u32; 2], Collision<'_, K>),
+        found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
         // Two copies of the loop: the usual one has no call of a predicate.
         if self.can_collide.is_all() {
-            self.collisions_if(mesh, pairs, K::are_apart, found);
+            self.approaches_if(mesh, pairs, K::are_apart, found);
         } else {
-            let can_collide = |four: &[u32; 4]| {
-                let (a, b) = four.split_at(K::FIRST);
-                K::are_apart(four) && self.can_collide.allows(a, b)
+            let can_collide = |vertices: &K::Vertices| {
+                let (a, b) = vertices.as_ref().split_at(K::FIRST);
+                K::are_apart(vertices) && self.can_collide.allows(a, b)
             };
-            self.collisions_if(mesh, pairs, can_collide, found);
+            self.approaches_if(mesh, pairs, can_collide, found);
         }
     }
 
-    fn collisions_if<K: PairKind>(
+    fn approaches_if<K: PairKind>(
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
-        can_collide: impl Fn(&[u32; 4]) -> bool,
-        mut found: impl FnMut([u32; 2], Collision<'_, K>),
+        can_collide: impl Fn(&K::Vertices) -> bool,
+        mut found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
-        let (mut kept, mut vertices) = ([[0; 2]; CHUNK], [[0; 4]; CHUNK]);
+        let inner = self.min_distance.inner();
+        let (mut kept, mut queries) = ([[0; 2]; CHUNK], [K::Vertices::default(); CHUNK]);
         for pairs in pairs.chunks(CHUNK) {
             let mut count = 0;
             for &ids in pairs {
-                if let Some(four) = K::vertices(mesh, ids) {
+                if let Some(vertices) = K::vertices(mesh, ids) {
                     // Without a branch: about half of all pairs from a broad phase are neighbours
                     // in the mesh.
-                    (kept[count % CHUNK], vertices[count % CHUNK]) = (ids, four);
-                    count += usize::from(can_collide(&four));
+                    (kept[count % CHUNK], queries[count % CHUNK]) = (ids, vertices);
+                    count += usize::from(can_collide(&vertices));
                 }
             }
             self.trajectories
-                .collisions::<K>(&vertices[..count], |index, collision| {
-                    found(kept[index], collision);
-                })
+                .collisions_within::<K>(
+                    &queries[..count],
+                    self.min_distance.separations(),
+                    |index, collision| found(kept[index], Approach::new(collision, inner)),
+                )
                 .expect("a mesh has the vertices of its primitives");
         }
+    }
+
+    /// The contact of a pair; `None` if the pair does not touch in the step, or if `mesh`, the mesh
+    /// of the step, does not have it.
+    pub(crate) fn contact(&self, mesh: &TriangleMesh, pair: Pair) -> Option<Contact> {
+        match pair {
+            Pair::VertexFace { vertex, face } => self.contact_of::<VertexFace>(mesh, [vertex, face]),
+            Pair::EdgeEdge { a, b } => self.contact_of::<EdgeEdge>(mesh, [a, b]),
+            Pair::VertexEdge { vertex, edge } => self.contact_of::<VertexEdge>(mesh, [vertex, edge]),
+            Pair::VertexVertex { a, b } => self.contact_of::<VertexVertex>(mesh, [a, b]),
+        }
+    }
+
+    fn contact_of<K: PairKind>(&self, mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Contact> {
+        let vertices = K::vertices(mesh, ids)?;
+        let query = self.trajectories.query::<K>(vertices)?;
+        let (a, b) = vertices.as_ref().split_at(K::FIRST);
+        let collision = query.collision_within(self.min_distance.separations().between(a, b))?;
+        let collision = Approach::new(collision, self.min_distance.inner()).contact()?;
+        Some(Contact::new(K::pair(ids), &collision))
     }
 }

@@ -2,38 +2,45 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{EdgeEdge, Point, VertexFace};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
 use crate::aabb::{Aabb, meet};
-use crate::broad_phase::{BroadPhase, PairSink};
+use crate::broad_phase::BroadPhase;
 use crate::can_collide::CanCollide;
-use crate::candidate_options::{BoxKind, CandidateOptions, DistanceError};
-use crate::pair::PairKind;
+use crate::candidate_options::{BoxKind, CandidateError, CandidateOptions};
+use crate::margin::Margin;
+use crate::pair_kind::{PrimitiveSet, Searched};
 use crate::step::Step;
 use crate::step_boxes::StepBoxes;
 
-/// Passes the candidates of a step on to `vertex_face` and `edge_edge`, in batches.
+/// A receiver of candidates, in batches in any order, on any thread.
+pub(crate) trait Receive: Sync {
+    /// Receives candidates of one kind. `Break` ends the search.
+    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()>;
+}
+
+/// Passes the candidates of a step on.
 ///
 /// # Errors
-/// [`DistanceError`], if the distance is negative or not a number.
+/// [`CandidateError`], if the distance is negative or not a number, or if the number of thicknesses
+/// is not that of vertices.
 pub(crate) fn stream(
     step: Step<'_>,
     broad_phase: &impl BroadPhase,
     options: &CandidateOptions,
-    vertex_face: &PairSink<'_>,
-    edge_edge: &PairSink<'_>,
-) -> Result<ControlFlow<()>, DistanceError> {
-    let margin = options.margin(step.positions())?;
+    receiver: &impl Receive,
+) -> Result<ControlFlow<()>, CandidateError> {
+    let margin = options.margin(&step)?;
     let can_collide = &options.can_collide;
     Ok(match options.boxes {
         BoxKind::Swept => {
             let path = |a, b| [Aabb::of(a).union(&Aabb::of(b))];
-            Overlaps::<1>::new(step, can_collide, margin, path).visit(broad_phase, vertex_face, edge_edge)
+            Overlaps::<1>::new(step, can_collide, margin, path).visit(broad_phase, receiver)
         }
         BoxKind::Moving => {
             let ends = |a, b| [Aabb::of(a), Aabb::of(b)];
-            Overlaps::<2>::new(step, can_collide, margin, ends).visit(broad_phase, vertex_face, edge_edge)
+            Overlaps::<2>::new(step, can_collide, margin, ends).visit(broad_phase, receiver)
         }
     })
 }
@@ -53,76 +60,104 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     fn new(
         step: Step<'a>,
         can_collide: &'a CanCollide,
-        margin: f64,
+        margin: Margin,
         of_vertex: impl Fn(Point, Point) -> [Aabb; T] + Sync,
     ) -> Self {
         let [x0, x1] = step.positions();
         let ends = x0.par_iter().zip(x1);
-        let vertices: Vec<[Aabb; T]> = if margin == 0.0 {
-            ends.map(|(&a, &b)| of_vertex(a, b)).collect()
-        } else {
-            ends.map(|(&a, &b)| of_vertex(a, b).map(|aabb| aabb.inflated(margin)))
-                .collect()
-        };
-        let mesh = step.mesh();
+        let bare: Vec<[Aabb; T]> = ends.map(|(&a, &b)| of_vertex(a, b)).collect();
+        let faces = around(&bare, step.mesh().faces(), &margin);
+        let edges = around(&bare, step.mesh().edges(), &margin);
+        let vertices = inflated(bare, &margin);
         let mut boxes = StepBoxes::new(margin);
-        boxes.begin(&step, can_collide);
-        boxes.vertices_and_faces_until(&step, 1.0);
-        boxes.edges_until(&step, 1.0);
-        let [faces, edges] = [Vec::new(), Vec::new()];
-        let mut overlaps = Self {
+        boxes.place::<VertexFace>(&step, can_collide, 1.0);
+        boxes.place::<EdgeEdge>(&step, can_collide, 1.0);
+        // Those of loose vertices, too.
+        boxes.place::<VertexEdge>(&step, can_collide, 1.0);
+        Self {
             step,
             can_collide,
             boxes,
             vertices,
             faces,
             edges,
-        };
-        overlaps.faces = overlaps.around(mesh.faces());
-        overlaps.edges = overlaps.around(mesh.edges());
-        overlaps
+        }
     }
 
-    fn around<const N: usize>(&self, primitives: &[[u32; N]]) -> Vec<[Aabb; T]> {
-        let around = |vertices: &[u32; N]| {
-            core::array::from_fn(|time| {
-                vertices.iter().fold(Aabb::EMPTY, |all, &vertex| {
-                    all.union(&self.vertices[vertex as usize][time])
-                })
-            })
-        };
-        primitives.par_iter().map(around).collect()
+    /// Passes the candidates of all kinds on, in batches.
+    fn visit(&self, broad_phase: &impl BroadPhase, receiver: &impl Receive) -> ControlFlow<()> {
+        self.visit_kind::<VertexFace>(broad_phase, receiver)?;
+        self.visit_kind::<EdgeEdge>(broad_phase, receiver)?;
+        self.visit_kind::<VertexEdge>(broad_phase, receiver)?;
+        self.visit_kind::<VertexVertex>(broad_phase, receiver)
     }
 
-    /// Passes the candidates of both kinds on, in batches.
-    fn visit(
+    fn visit_kind<K: Searched>(
         &self,
         broad_phase: &impl BroadPhase,
-        vertex_face: &PairSink<'_>,
-        edge_edge: &PairSink<'_>,
+        receiver: &impl Receive,
     ) -> ControlFlow<()> {
-        let boxes = &self.boxes;
-        broad_phase.between(&boxes.vertices, &boxes.faces, &|pairs| {
-            vertex_face(&self.among::<VertexFace>(&self.vertices, &self.faces, pairs))
-        })?;
-        broad_phase.within(&boxes.edges, &|pairs| {
-            edge_edge(&self.among::<EdgeEdge>(&self.edges, &self.edges, pairs))
-        })
+        let sink = |pairs: &[_]| receiver.receive::<K>(self.among::<K>(pairs));
+        self.boxes.pairs::<K>(broad_phase, &sink)
     }
 
     /// The pairs that can collide and whose boxes meet in double precision.
-    fn among<K: PairKind>(&self, a: &[[Aabb; T]], b: &[[Aabb; T]], pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    fn among<K: Searched>(&self, pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
         let all_can_collide = self.can_collide.is_all();
+        let [a, b] = K::SETS.map(|set| self.of_set(set));
         let is_candidate = |ids: &&[u32; 2]| {
-            K::vertices(self.step.mesh(), **ids).is_some_and(|four| {
-                K::are_apart(&four)
+            K::vertices(self.step.mesh(), **ids).is_some_and(|vertices| {
+                K::are_apart(&vertices)
                     && meet(&a[ids[0] as usize], &b[ids[1] as usize])
                     && (all_can_collide || {
-                        let (first, second) = four.split_at(K::FIRST);
+                        let (first, second) = vertices.as_ref().split_at(K::FIRST);
                         self.can_collide.allows(first, second)
                     })
             })
         };
         pairs.iter().filter(is_candidate).copied().collect()
     }
+
+    /// The boxes of a set, by the indices of the primitives in the mesh.
+    fn of_set(&self, set: PrimitiveSet) -> &[[Aabb; T]] {
+        match set {
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices => &self.vertices,
+            PrimitiveSet::Faces => &self.faces,
+            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => &self.edges,
+        }
+    }
+}
+
+/// The boxes of primitives, from those of their vertices without margins.
+fn around<const T: usize, const N: usize>(
+    bare: &[[Aabb; T]],
+    primitives: &[[u32; N]],
+    margin: &Margin,
+) -> Vec<[Aabb; T]> {
+    let around = |vertices: &[u32; N]| -> [Aabb; T] {
+        core::array::from_fn(|time| {
+            let boxes = vertices.iter().map(|&vertex| &bare[vertex as usize][time]);
+            boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb))
+        })
+    };
+    let primitives = primitives.par_iter();
+    if margin.uniform() == Some(0.0) {
+        return primitives.map(around).collect();
+    }
+    let inflated = |vertices: &[u32; N]| {
+        let margin = margin.of(vertices);
+        around(vertices).map(|aabb| aabb.inflated(margin))
+    };
+    primitives.map(inflated).collect()
+}
+
+/// The boxes of vertices, with margins.
+fn inflated<const T: usize>(mut bare: Vec<[Aabb; T]>, margin: &Margin) -> Vec<[Aabb; T]> {
+    if margin.uniform() != Some(0.0) {
+        bare.par_iter_mut().enumerate().for_each(|(vertex, boxes)| {
+            let margin = margin.of(&[vertex as u32]);
+            *boxes = boxes.map(|aabb| aabb.inflated(margin));
+        });
+    }
+    bare
 }

@@ -1,13 +1,37 @@
 //! Pairs of primitives of a mesh, and their vertices.
 
-use exact_ccd::{EdgeEdge, Kind, Point, VertexFace};
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 
+use crate::by_kind::PairCounts;
 use crate::mesh::TriangleMesh;
+use crate::pair_kind::PairKind;
 
-/// Two primitives of a mesh.
+/// Two primitives of a mesh without a common vertex.
 ///
-/// Pairs are ordered: vertices against faces before edges against edges, then by the first index,
-/// then by the second.
+/// Pairs are ordered by their kind, as below, then by the first index, then by the second.
+///
+/// # All distances
+///
+/// These four kinds of pairs cover the distance of any two primitives without a common vertex, except
+/// near the ends of rods as stated below. The least distance of two primitives, neither of which is a
+/// vertex, is that of a vertex and a face or of two edges among them, or 0 where an edge passes through
+/// a face. To get there they come into contact as a pair of these kinds first, unless they intersect at
+/// the start, which [`intersections`](crate::intersections) finds. What remains is a vertex p against
+/// an edge e, or against a vertex q. Primitives contain their edges and vertices. So a pair of which
+/// one contains p, and the other e or q, is at most as far apart. There is one, if
+///
+/// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;
+/// - p is an end of an edge that has no vertex in common with e, or with an edge of q: both edges;
+/// - p belongs to no edge, and e or q to no face: the loose vertex p and the loose edge e, or an edge
+///   of q, or the loose vertex q.
+///
+/// There is none in two cases, and the two are not compared then, whatever the distance:
+///
+/// - p against e, if p has edges, all of them share a vertex with e, and all faces of e contain p: the
+///   end of a rod against the edge before the last, with which its only edge shares a vertex; the
+///   corner of a face, or of a triangle of rods, against the opposite edge;
+/// - p against q, if both have edges, each edge of p shares a vertex with each of q, and all faces of
+///   either contain both: the two ends of an edge, or of a rod of two edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Pair {
     /// A vertex against a face.
@@ -24,95 +48,60 @@ pub enum Pair {
         /// The index of the second edge.
         b: u32,
     },
+    /// A loose vertex against a loose edge.
+    VertexEdge {
+        /// The index of the vertex.
+        vertex: u32,
+        /// The index of the edge in [`TriangleMesh::edges`].
+        edge: u32,
+    },
+    /// Two loose vertices, a < b.
+    VertexVertex {
+        /// The index of the first vertex.
+        a: u32,
+        /// The index of the second vertex.
+        b: u32,
+    },
 }
 
 impl Pair {
-    /// The four vertices of the pair, in the order of the query; `None` if the mesh has no such
-    /// primitives.
+    /// The vertices of the pair, in the order of the query: those of the first primitive, then those
+    /// of the second. `None` if the mesh has no such primitives.
     ///
     /// ```
     /// use exact_ccd_mesh::{Pair, TriangleMesh};
     ///
     /// let mesh = TriangleMesh::new(4, vec![[2, 0, 1]])?;
-    /// assert_eq!(Pair::VertexFace { vertex: 3, face: 0 }.vertices(&mesh), Some([3, 2, 0, 1]));
+    /// assert_eq!(Pair::VertexFace { vertex: 3, face: 0 }.vertices(&mesh), Some(vec![3, 2, 0, 1]));
     /// assert_eq!(Pair::VertexFace { vertex: 3, face: 1 }.vertices(&mesh), None);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
-    pub fn vertices(&self, mesh: &TriangleMesh) -> Option<[u32; 4]> {
+    pub fn vertices(&self, mesh: &TriangleMesh) -> Option<Vec<u32>> {
+        fn of<K: PairKind>(mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Vec<u32>> {
+            K::vertices(mesh, ids).map(|vertices| vertices.as_ref().to_vec())
+        }
         match *self {
-            Self::VertexFace { vertex, face } => VertexFace::vertices(mesh, [vertex, face]),
-            Self::EdgeEdge { a, b } => EdgeEdge::vertices(mesh, [a, b]),
+            Self::VertexFace { vertex, face } => of::<VertexFace>(mesh, [vertex, face]),
+            Self::EdgeEdge { a, b } => of::<EdgeEdge>(mesh, [a, b]),
+            Self::VertexEdge { vertex, edge } => of::<VertexEdge>(mesh, [vertex, edge]),
+            Self::VertexVertex { a, b } => of::<VertexVertex>(mesh, [a, b]),
         }
     }
-}
-
-/// Numbers of pairs, by their kind.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PairCounts {
-    /// The number of pairs of a vertex and a face.
-    pub vertex_face: usize,
-    /// The number of pairs of two edges.
-    pub edge_edge: usize,
 }
 
 impl PairCounts {
-    /// The number of pairs of both kinds.
-    #[must_use]
-    pub fn total(&self) -> usize {
-        self.vertex_face + self.edge_edge
-    }
-}
-
-/// A kind of query whose primitives have indices in a mesh.
-pub trait PairKind: Kind<Points = [Point; 4], Vertices = [u32; 4]> + Send + Sync {
-    /// The four vertices of a pair, in the order of the query; `None` if the mesh has no such
-    /// primitives.
-    ///
-    /// `ids` are the indices of the vertex and the face, or of the two edges.
-    fn vertices(mesh: &TriangleMesh, ids: [u32; 2]) -> Option<[u32; 4]>;
-
-    /// The pair with these indices.
-    fn pair(ids: [u32; 2]) -> Pair;
-
-    /// Returns true if the two primitives have no vertex in common.
-    fn are_apart(vertices: &[u32; 4]) -> bool;
-}
-
-impl PairKind for VertexFace {
-    #[inline]
-    fn vertices(mesh: &TriangleMesh, [vertex, face]: [u32; 2]) -> Option<[u32; 4]> {
-        let &[a, b, c] = mesh.faces().get(face as usize)?;
-        ((vertex as usize) < mesh.vertex_count()).then_some([vertex, a, b, c])
-    }
-
-    #[inline]
-    fn are_apart([vertex, a, b, c]: &[u32; 4]) -> bool {
-        (vertex != a) & (vertex != b) & (vertex != c)
-    }
-
-    fn pair([vertex, face]: [u32; 2]) -> Pair {
-        Pair::VertexFace { vertex, face }
-    }
-}
-
-impl PairKind for EdgeEdge {
-    #[inline]
-    fn vertices(mesh: &TriangleMesh, [a, b]: [u32; 2]) -> Option<[u32; 4]> {
-        let edge = |index: u32| mesh.edges().get(index as usize).copied();
-        let ([a0, a1], [b0, b1]) = (edge(a)?, edge(b)?);
-        Some([a0, a1, b0, b1])
-    }
-
-    #[inline]
-    fn are_apart([a0, a1, b0, b1]: &[u32; 4]) -> bool {
-        (a0 != b0) & (a0 != b1) & (a1 != b0) & (a1 != b1)
-    }
-
-    fn pair([a, b]: [u32; 2]) -> Pair {
-        Pair::EdgeEdge {
-            a: a.min(b),
-            b: a.max(b),
+    /// The numbers of pairs of each kind.
+    pub(crate) fn of(pairs: &[Pair]) -> Self {
+        let mut counts = Self::default();
+        for pair in pairs {
+            *match pair {
+                Pair::VertexFace { .. } => &mut counts.vertex_face,
+                Pair::EdgeEdge { .. } => &mut counts.edge_edge,
+                Pair::VertexEdge { .. } => &mut counts.vertex_edge,
+                Pair::VertexVertex { .. } => &mut counts.vertex_vertex,
+            } += 1;
         }
+        counts
     }
 }

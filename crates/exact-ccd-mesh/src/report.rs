@@ -3,18 +3,21 @@
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
 
-use exact_ccd::{ContactTime, EdgeEdge, Point, VertexFace};
+use exact_ccd::{ContactTime, Point};
 
 use crate::broad_phase::{BroadPhase, Bvh};
-use crate::candidate_options::{CandidateOptions, DistanceError};
+use crate::by_kind::{ByKind, PairCounts};
+use crate::candidate_options::{CandidateError, CandidateOptions};
 use crate::contact::{Contact, earlier};
 use crate::mesh::TriangleMesh;
 use crate::narrow_phase::NarrowPhase;
-use crate::overlaps;
-use crate::pair::{Pair, PairCounts, PairKind};
+use crate::overlaps::{self, Receive};
+use crate::pair::Pair;
+use crate::pair_kind::Searched;
 use crate::step::{Step, StepError};
 
-/// The contacts of a step of a mesh, counted.
+/// The contacts of a step of a mesh, counted. With a minimum distance, they are as
+/// [`MinDistance`](crate::MinDistance) says.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
     /// The number of pairs of primitives that come near each other; see
@@ -22,7 +25,8 @@ pub struct StepReport {
     pub candidates: PairCounts,
     /// The number of candidates that are in contact at some time of the step.
     pub colliding: PairCounts,
-    /// The number of candidates that are in contact at t = 0.
+    /// The number of candidates that touch at t = 0: pairs within their minimum distance, even if an
+    /// [inner one](crate::MinDistance::with_inner) holds for them.
     pub touching: PairCounts,
     /// The earliest contact, or `None` if the step is free of contact.
     pub earliest: Option<Contact>,
@@ -64,41 +68,41 @@ impl StepReport {
     /// call from there.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
-        // The default distance is 0.
+        // The default distances are 0.
         Self::with_options(step, broad_phase, &CandidateOptions::default(), progress).unwrap_or_default()
     }
 
-    /// The same among other candidates.
+    /// The same among other candidates, and for another minimum distance.
     ///
     /// # Errors
-    /// [`DistanceError`], if the distance is negative or not a number.
+    /// [`CandidateError`], if the distance is negative or not a number, or if the number of
+    /// thicknesses is not that of vertices.
     pub fn with_options(
         step: Step<'_>,
         broad_phase: &impl BroadPhase,
         options: &CandidateOptions,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<Self, DistanceError> {
-        let narrow_phase = NarrowPhase::of(&step);
-        let [vertex_face, edge_edge] = [Mutex::default(), Mutex::default()];
-        let _ = overlaps::stream(
-            step,
-            broad_phase,
-            options,
-            &|pairs| Tally::add::<VertexFace>(&vertex_face, &narrow_phase, step.mesh(), pairs, progress),
-            &|pairs| Tally::add::<EdgeEdge>(&edge_edge, &narrow_phase, step.mesh(), pairs, progress),
-        )?;
-        let [vertex_face, edge_edge] = [vertex_face, edge_edge]
-            .map(|tally: Mutex<Tally>| tally.into_inner().unwrap_or_else(PoisonError::into_inner));
-        let counts = |count: fn(&Tally) -> usize| PairCounts {
-            vertex_face: count(&vertex_face),
-            edge_edge: count(&edge_edge),
+    ) -> Result<Self, CandidateError> {
+        let tallies = Tallies {
+            narrow_phase: NarrowPhase::of(&step, options.min_distance.clone()),
+            mesh: step.mesh(),
+            progress,
+            tallies: ByKind::default(),
         };
+        let _ = overlaps::stream(step, broad_phase, options, &tallies)?;
+        let Tallies {
+            narrow_phase,
+            tallies,
+            ..
+        } = tallies;
+        let tallies = tallies.map(|tally| tally.into_inner().unwrap_or_else(PoisonError::into_inner));
+        let earliest = tallies.into_array().map(|tally| tally.earliest);
+        let earliest = earliest.into_iter().fold(None, earlier);
         Ok(Self {
-            candidates: counts(|tally| tally.candidates),
-            colliding: counts(|tally| tally.colliding),
-            touching: counts(|tally| tally.touching),
-            earliest: earlier(vertex_face.earliest, edge_edge.earliest)
-                .and_then(|(_, pair)| Contact::of(&step, pair)),
+            candidates: tallies.map(|tally| tally.candidates),
+            colliding: tallies.map(|tally| tally.colliding),
+            touching: tallies.map(|tally| tally.touching),
+            earliest: earliest.and_then(|(_, pair)| narrow_phase.contact(step.mesh(), pair)),
         })
     }
 
@@ -115,6 +119,14 @@ impl StepReport {
     }
 }
 
+/// The counts of each kind of pairs.
+struct Tallies<'a> {
+    narrow_phase: NarrowPhase,
+    mesh: &'a TriangleMesh,
+    progress: &'a (dyn Fn(usize) + Sync),
+    tallies: ByKind<Mutex<Tally>>,
+}
+
 /// The counts of one kind of pairs.
 #[derive(Clone, Copy, Default)]
 struct Tally {
@@ -124,36 +136,36 @@ struct Tally {
     earliest: Option<(ContactTime, Pair)>,
 }
 
-impl Tally {
-    fn add<K: PairKind>(
-        all: &Mutex<Self>,
-        narrow_phase: &NarrowPhase,
-        mesh: &TriangleMesh,
-        candidates: &[[u32; 2]],
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> ControlFlow<()> {
+impl Receive for Tallies<'_> {
+    fn receive<K: Searched>(&self, candidates: Vec<[u32; 2]>) -> ControlFlow<()> {
         if candidates.is_empty() {
             return ControlFlow::Continue(());
         }
-        let mut tally = Self {
+        let mut tally = Tally {
             candidates: candidates.len(),
-            ..Self::default()
+            ..Tally::default()
         };
-        narrow_phase.collisions::<K>(mesh, candidates, |ids, collision| {
-            tally.colliding += 1;
-            let time = collision.first_contact_time();
-            tally.touching += usize::from(time.is_exact() && time.lower() == 0.0);
-            tally.earliest = earlier(tally.earliest, Some((time, K::pair(ids))));
-        });
+        self.narrow_phase
+            .approaches::<K>(self.mesh, &candidates, |ids, approach| {
+                let times = approach.times();
+                tally.touching += usize::from(times.starts_within);
+                tally.colliding += usize::from(times.contact.is_some());
+                let contact = times.contact.map(|time| (time, K::pair(ids)));
+                tally.earliest = earlier(tally.earliest, contact);
+            });
         {
-            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut all = K::of(&self.tallies)
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner);
             *all = all.merge(tally);
         }
         // After the lock is released: the callback may take long, or wait for other threads.
-        progress(candidates.len());
+        (self.progress)(candidates.len());
         ControlFlow::Continue(())
     }
+}
 
+impl Tally {
     fn merge(self, other: Self) -> Self {
         Self {
             candidates: self.candidates + other.candidates,

@@ -3,7 +3,7 @@
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 
 use crate::mesh::TriangleMesh;
-use crate::pair::PairKind;
+use crate::pair_kind::PairKind;
 use crate::positions::{self, PositionsError};
 use crate::primitive_count::{self, TooManyPrimitives};
 
@@ -93,12 +93,15 @@ impl<'a> Step<'a> {
     /// both.
     #[must_use]
     pub fn query<K: PairKind>(&self, ids: [u32; 2]) -> Option<Query<K>> {
-        let [a, b, c, d] = K::vertices(self.mesh, ids)?;
-        let [x0, x1] = self.positions;
+        let vertices = K::vertices(self.mesh, ids)?;
         let at = |x: &[Point]| {
-            let point = |vertex: u32| x.get(vertex as usize).copied();
-            Some([point(a)?, point(b)?, point(c)?, point(d)?])
+            let mut points = K::Points::default();
+            for (point, &vertex) in points.as_mut().iter_mut().zip(vertices.as_ref()) {
+                *point = *x.get(vertex as usize)?;
+            }
+            Some(points)
         };
+        let [x0, x1] = self.positions;
         // All positions are finite.
         Query::new(at(x0)?, at(x1)?).ok()
     }

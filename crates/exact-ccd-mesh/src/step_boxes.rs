@@ -1,34 +1,41 @@
 //! The boxes of a mesh's primitives during a step.
 
+use std::ops::ControlFlow;
+
 use exact_ccd::Point;
 use rayon::prelude::*;
 
 use crate::aabb::Aabb;
-use crate::broad_phase::{Boxes, MovingBox, extent, order};
+use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
 use crate::can_collide::CanCollide;
+use crate::margin::Margin;
 use crate::mesh::TriangleMesh;
+use crate::pair_kind::{PrimitiveSet, Searched};
 use crate::step::Step;
 
-/// The boxes of the vertices, faces and edges, in successive steps of one mesh: boxes that move (T =
-/// 2), or boxes at rest, each around the whole path of a primitive (T = 1).
+/// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
+/// rest, each around the whole path of a primitive (T = 1).
 ///
 /// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
 /// where the first of their vertices does. The order is kept from step to step until it has become
 /// too long.
 #[derive(Clone, Debug)]
 pub(crate) struct StepBoxes<const T: usize> {
-    pub(crate) vertices: Boxes<T>,
-    pub(crate) faces: Boxes<T>,
-    pub(crate) edges: Boxes<T>,
+    /// The boxes of each [`PrimitiveSet`].
+    sets: [Boxes<T>; PrimitiveSet::COUNT],
     /// The boxes of the vertices, in the order of the mesh.
     moving: Vec<MovingBox<T>>,
-    /// The amount by which all boxes are larger on each side.
-    margin: f64,
+    /// The amounts by which boxes are larger on each side.
+    margin: Margin,
+    /// Those of the vertices, if they differ.
+    margins: Vec<f64>,
     /// The start of a vertex amid many others: coordinates are relative to it, so that single
     /// precision is fine.
     origin: Point,
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
+    /// True if the boxes are those of the current step.
+    has_begun: bool,
     /// The number of vertices of the mesh for which the order was made, if it was made.
     ordered: Option<usize>,
     /// The shortest extent of the order since it was made.
@@ -40,27 +47,33 @@ const MAX_GROWTH: f64 = 1.5;
 
 impl<const T: usize> StepBoxes<T> {
     /// No boxes yet.
-    pub(crate) fn new(margin: f64) -> Self {
-        let none = || Boxes::in_order(Vec::new());
+    pub(crate) fn new(margin: Margin) -> Self {
         Self {
-            vertices: none(),
-            faces: none(),
-            edges: none(),
+            sets: [(); PrimitiveSet::COUNT].map(|()| Boxes::in_order(Vec::new())),
             moving: Vec::new(),
             margin,
+            margins: Vec::new(),
             origin: [0.0; 3],
             time: f64::NAN,
+            has_begun: false,
             ordered: None,
             extent: 0.0,
         }
     }
 
-    /// Begins another step of the same mesh with the same predicate: orders the primitives, but
-    /// places no boxes.
-    pub(crate) fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
+    /// Ends the current step. The next one is of the same mesh, with the same predicate.
+    pub(crate) fn end(&mut self) {
+        self.has_begun = false;
+    }
+
+    /// Orders the primitives for a new step, if it has not begun; places no boxes.
+    fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
+        if self.has_begun {
+            return;
+        }
         let [x0, _] = step.positions();
-        self.time = f64::NAN;
-        let now = extent(x0, self.vertices.ids());
+        (self.has_begun, self.time) = (true, f64::NAN);
+        let now = extent(x0, self.get(PrimitiveSet::Vertices).ids());
         if self.ordered != Some(x0.len()) || now > MAX_GROWTH * self.extent {
             self.order(step.mesh(), x0, can_collide);
         } else {
@@ -68,38 +81,94 @@ impl<const T: usize> StepBoxes<T> {
         }
         // A vertex in the middle of the order is amid many others, even if some vertices are far
         // away.
-        let ids = self.vertices.ids();
+        let ids = self.get(PrimitiveSet::Vertices).ids();
         let middle = ids.get(ids.len() / 2);
         self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
     }
 
     fn order(&mut self, mesh: &TriangleMesh, x0: &[Point], can_collide: &CanCollide) {
         let ids = (0..x0.len() as u32).filter(|&vertex| can_collide.takes_part(&[vertex]));
-        let ids = order(x0, ids.collect());
-        self.extent = extent(x0, &ids);
+        let vertices = order(x0, ids.collect());
+        self.extent = extent(x0, &vertices);
         let mut rank = vec![0; x0.len()];
-        for (place, &id) in (0..).zip(&ids) {
+        for (place, &id) in (0..).zip(&vertices) {
             rank[id as usize] = place;
         }
-        self.vertices = Boxes::in_order(ids);
-        self.faces = Boxes::in_order(by_first_vertex(&rank, mesh.faces(), can_collide));
-        self.edges = Boxes::in_order(by_first_vertex(&rank, mesh.edges(), can_collide));
+        let faces = by_first_vertex(&rank, mesh.faces(), can_collide);
+        let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
+
+        let mut is_loose = vec![true; x0.len()];
+        for &vertex in mesh
+            .faces()
+            .as_flattened()
+            .iter()
+            .chain(mesh.loose_edges().as_flattened())
+        {
+            is_loose[vertex as usize] = false;
+        }
+        let loose_vertices = vertices
+            .iter()
+            .copied()
+            .filter(|&id| is_loose[id as usize])
+            .collect();
+        let first_loose = mesh.edges().len() - mesh.loose_edges().len();
+        let loose_edges = edges
+            .iter()
+            .copied()
+            .filter(|&id| id as usize >= first_loose)
+            .collect();
+
+        // In the order of `PrimitiveSet`.
+        self.sets = [vertices, faces, edges, loose_vertices, loose_edges].map(Boxes::in_order);
+        if self.margin.uniform().is_none() {
+            self.margins = self.margin.largest(mesh);
+        }
         self.ordered = Some(x0.len());
     }
 
-    /// Places the boxes of vertices and faces for the step until `time`.
-    pub(crate) fn vertices_and_faces_until(&mut self, step: &Step<'_>, time: f64) {
-        self.move_vertices(step, time);
-        let (moving, faces) = (&self.moving, step.mesh().faces());
-        self.vertices.set(|id| moving[id as usize]);
-        self.faces.set(|id| around(moving, &faces[id as usize]));
+    pub(crate) fn get(&self, set: PrimitiveSet) -> &Boxes<T> {
+        &self.sets[set as usize]
     }
 
-    /// Places the boxes of edges for the step until `time`.
-    pub(crate) fn edges_until(&mut self, step: &Step<'_>, time: f64) {
+    /// Places the boxes of all primitives of a kind of pairs for the step until `time`.
+    pub(crate) fn place<K: Searched>(&mut self, step: &Step<'_>, can_collide: &CanCollide, time: f64) {
+        self.begin(step, can_collide);
+        let [first, second] = K::SETS;
         self.move_vertices(step, time);
-        let (moving, edges) = (&self.moving, step.mesh().edges());
-        self.edges.set(|id| around(moving, &edges[id as usize]));
+        self.place_set(step.mesh(), first);
+        if second != first {
+            self.place_set(step.mesh(), second);
+        }
+    }
+
+    fn place_set(&mut self, mesh: &TriangleMesh, set: PrimitiveSet) {
+        let (moving, boxes) = (&self.moving, &mut self.sets[set as usize]);
+        match set {
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices => boxes.set(|id| moving[id as usize]),
+            PrimitiveSet::Faces => boxes.set(|id| around(moving, &mesh.faces()[id as usize])),
+            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => {
+                boxes.set(|id| around(moving, &mesh.edges()[id as usize]));
+            }
+        }
+    }
+
+    /// Returns true if the current step has begun, and its mesh has no pairs of a kind.
+    pub(crate) fn lacks<K: Searched>(&self) -> bool {
+        self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
+    }
+
+    /// Finds the pairs of a kind whose boxes meet.
+    pub(crate) fn pairs<K: Searched>(
+        &self,
+        broad_phase: &impl BroadPhase,
+        sink: &PairSink<'_>,
+    ) -> ControlFlow<()> {
+        let [first, second] = K::SETS;
+        if first == second {
+            broad_phase.within(self.get(first), sink)
+        } else {
+            broad_phase.between(self.get(first), self.get(second), sink)
+        }
     }
 
     fn move_vertices(&mut self, step: &Step<'_>, time: f64) {
@@ -108,19 +177,25 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        let (origin, margin) = (self.origin, self.margin);
+        let origin = self.origin;
         let ends = x0.par_iter().zip(x1).with_min_len(512);
         let moving = &mut self.moving;
-        // Two copies of the loop: the usual one does not inflate.
-        if margin == 0.0 {
-            ends.map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
-                .collect_into_vec(moving);
-        } else {
-            ends.map(|(&x0, &x1)| {
-                let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
-                MovingBox::new(places, origin)
-            })
-            .collect_into_vec(moving);
+        let inflated = |margin: f64, x0: Point, x1: Point| {
+            let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
+            MovingBox::new(places, origin)
+        };
+        // Copies of the loop: the usual one does not inflate.
+        match self.margin.uniform() {
+            Some(0.0) => ends
+                .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+                .collect_into_vec(moving),
+            Some(margin) => ends
+                .map(|(&x0, &x1)| inflated(margin, x0, x1))
+                .collect_into_vec(moving),
+            None => ends
+                .zip(&self.margins)
+                .map(|((&x0, &x1), &margin)| inflated(margin, x0, x1))
+                .collect_into_vec(moving),
         }
     }
 }

@@ -27,6 +27,15 @@ impl Marks {
                 edges: [a, b].into_iter().filter_map(|edge| ends(mesh, edge)).collect(),
                 ..Self::default()
             },
+            Pair::VertexEdge { vertex, edge } => Self {
+                vertices: vec![vertex],
+                edges: ends(mesh, edge).into_iter().collect(),
+                faces: Vec::new(),
+            },
+            Pair::VertexVertex { a, b } => Self {
+                vertices: vec![a, b],
+                ..Self::default()
+            },
         }
     }
 

@@ -13,7 +13,7 @@ pub(crate) fn edge_edge(step: Step<'_>) -> Vec<[u32; 4]> {
     queries::<EdgeEdge>(step, Candidates::new(step, &Bvh).edge_edge())
 }
 
-fn queries<K: PairKind>(step: Step<'_>, pairs: &[[u32; 2]]) -> Vec<[u32; 4]> {
+fn queries<K: PairKind>(step: Step<'_>, pairs: &[[u32; 2]]) -> Vec<K::Vertices> {
     let vertices = |&ids| K::vertices(step.mesh(), ids);
     pairs.iter().filter_map(vertices).collect()
 }

@@ -8,6 +8,7 @@ use super::advance::advance;
 use super::error::LineSearchError;
 use super::watched::{Watch, Watched};
 use crate::broad_phase::BroadPhase;
+use crate::by_kind::PairCounts;
 use crate::collect::{AnyContact, Collect, Earliest};
 use crate::contact::Contact;
 use crate::culled_search::CulledSearch;
@@ -71,7 +72,7 @@ impl fmt::Debug for FreeStepOptions<'_> {
     }
 }
 
-/// A step that is free of contact.
+/// A step that is free of contact, for the minimum distance of the detector.
 ///
 /// Unless `size` is 0, the straight motion from the start to `positions` has been checked to be
 /// free of contact, exactly, for the positions as they are, rounded.
@@ -87,6 +88,9 @@ pub struct FreeStep {
     pub positions: Vec<Point>,
     /// The earliest contact of the full step, or `None` if the full step is free of contact.
     pub contact: Option<Contact>,
+    /// The numbers of pairs that touch at the start: those within their minimum distance, even if an
+    /// [inner one](crate::MinDistance::with_inner) holds for them.
+    pub touching: PairCounts,
 }
 
 impl<B: BroadPhase> Detector<B> {
@@ -171,12 +175,16 @@ fn free_step<B: BroadPhase>(
     let watch = Watch::new(options.progress, options.cancel);
     let earliest = watched(search, &step, Earliest::new(), &watch)?;
     let [x0, x1] = step.positions();
-    let Some(contact) = earliest.contact(&step) else {
-        return Ok(FreeStep {
-            size: 1.0,
-            positions: x1.to_vec(),
-            contact: None,
-        });
+    let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));
+    let touching = earliest.touching();
+    let free = |size, positions| FreeStep {
+        size,
+        positions,
+        contact,
+        touching,
+    };
+    let Some(contact) = contact else {
+        return Ok(free(1.0, x1.to_vec()));
     };
     let first = keep * contact.impact.time.lower();
     let (mut size, mut retreat) = (first, first - first.next_down());
@@ -184,20 +192,12 @@ fn free_step<B: BroadPhase>(
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
         if !watched(search, &shorter, AnyContact::default(), &watch)?.is_found() {
-            return Ok(FreeStep {
-                size,
-                positions,
-                contact: Some(contact),
-            });
+            return Ok(free(size, positions));
         }
         size = first - retreat;
         retreat *= 2.0;
     }
-    Ok(FreeStep {
-        size: 0.0,
-        positions: x0.to_vec(),
-        contact: Some(contact),
-    })
+    Ok(free(0.0, x0.to_vec()))
 }
 
 /// Runs a search that can be cancelled.

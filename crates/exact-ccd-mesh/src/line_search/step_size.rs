@@ -11,6 +11,7 @@ use crate::can_collide::CanCollide;
 use crate::candidates::Candidates;
 use crate::culled_search::CulledSearch;
 use crate::mesh::TriangleMesh;
+use crate::min_distance::MinDistance;
 use crate::positions;
 use crate::step::Step;
 
@@ -64,7 +65,7 @@ pub fn step_size(
 ) -> Result<f64, LineSearchError> {
     match search {
         LineSearch::Exact => {
-            let mut search = CulledSearch::new(Bvh, CanCollide::all());
+            let mut search = CulledSearch::new(Bvh, CanCollide::all(), MinDistance::default());
             let options = FreeStepOptions::default().with_keep(1.0);
             Ok(free_step_along(&mut search, mesh, start, direction, &options)?.size)
         }

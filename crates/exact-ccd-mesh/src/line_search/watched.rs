@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use crate::collect::Collect;
 use crate::mesh::TriangleMesh;
 use crate::narrow_phase::NarrowPhase;
-use crate::pair::PairKind;
+use crate::pair_kind::PairKind;
 
 /// The caller's callbacks during a search.
 pub(super) struct Watch<'a> {

@@ -1,12 +1,13 @@
 //! The searches among candidates, compared with loops over all pairs.
 
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, DistanceError, PairCollector, Step,
-    StepError, Sweep, TriangleMesh,
+    AllPairs, BoxKind, Bvh, CanCollide, CandidateError, CandidateOptions, Candidates, Pair, Step, StepError,
+    Sweep, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -84,16 +85,13 @@ fn stored_and_streamed_candidates_are_the_same_with_every_broad_phase() {
                     .with_boxes(boxes);
                 let stored = Candidates::with_options(step, &Bvh, &options).unwrap();
                 assert_eq!(Candidates::with_options(step, &Sweep, &options).unwrap(), stored);
-                let [faces, edges] = [PairCollector::default(), PairCollector::default()];
-                let flow = Candidates::stream(
-                    step,
-                    &AllPairs,
-                    &options,
-                    &|pairs| faces.add(pairs.iter().copied()),
-                    &|pairs| edges.add(pairs.iter().copied()),
-                );
+                let streamed = Mutex::new(Vec::new());
+                let flow = Candidates::stream(step, &AllPairs, &options, |pairs| {
+                    streamed.lock().unwrap().extend_from_slice(pairs);
+                    ControlFlow::Continue(())
+                });
                 assert_eq!(flow.unwrap(), ControlFlow::Continue(()));
-                let streamed = Candidates::from_ids(faces.into_sorted(), edges.into_sorted());
+                let streamed: Candidates = streamed.into_inner().unwrap().into_iter().collect();
                 assert_eq!(streamed, stored);
             }
         }
@@ -126,8 +124,18 @@ fn the_number_of_threads_does_not_matter() {
 #[test]
 fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
     let (scene, _) = Scene::pieces(&mut Rng::with_seed(9));
-    let nonsense = Candidates::from_ids(vec![[u32::MAX, 0], [0, u32::MAX]], vec![[1000, 0], [u32::MAX; 2]]);
-    assert_eq!(nonsense.counts().total(), 4);
+    let nonsense: Candidates = [[u32::MAX, 0], [1000, u32::MAX], [u32::MAX; 2]]
+        .into_iter()
+        .flat_map(|[i, j]| {
+            [
+                Pair::VertexFace { vertex: i, face: j },
+                Pair::EdgeEdge { a: i, b: j },
+                Pair::VertexEdge { vertex: i, edge: j },
+                Pair::VertexVertex { a: i, b: j },
+            ]
+        })
+        .collect();
+    assert_eq!(nonsense.counts().total(), 12);
     assert!(nonsense.is_free(scene.step()));
     assert!(nonsense.is_free_by(scene.step(), &RootParity::default()));
     assert_eq!(nonsense.contacts(scene.step()), []);
@@ -140,7 +148,10 @@ fn distances_that_are_no_distances_are_errors() {
     let (scene, _) = Scene::pieces(&mut Rng::with_seed(10));
     for distance in [-1.0, f64::NEG_INFINITY, f64::NAN] {
         let options = CandidateOptions::default().with_distance(distance);
-        let DistanceError(found) = Candidates::with_options(scene.step(), &Bvh, &options).unwrap_err();
+        let error = Candidates::with_options(scene.step(), &Bvh, &options).unwrap_err();
+        let CandidateError::Distance(found) = error else {
+            panic!("{error}");
+        };
         assert_eq!(found.to_bits(), distance.to_bits());
     }
     // All pairs are within an infinite distance.

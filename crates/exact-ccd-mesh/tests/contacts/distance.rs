@@ -1,8 +1,10 @@
 //! Candidates within a distance, compared with distances of sampled points at sampled times.
 
-use exact_ccd::{EdgeEdge, VertexFace};
+use std::collections::HashSet;
+
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{
-    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, PairKind, Point, Step, advance,
+    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, advance,
 };
 use fastrand::Rng;
 
@@ -34,8 +36,8 @@ fn points(x: &[Point], vertices: &[u32]) -> Vec<Point> {
 
 /// True if two sampled points are nearer than a distance: then the primitives are, too.
 fn are_within<K: PairKind>(scene: &Scene, x: &[Point], ids: [u32; 2], distance: f64) -> bool {
-    let four = K::vertices(&scene.mesh, ids).unwrap();
-    let (a, b) = four.split_at(K::FIRST);
+    let vertices = K::vertices(&scene.mesh, ids).unwrap();
+    let (a, b) = vertices.as_ref().split_at(K::FIRST);
     let (a, b) = (points(x, a), points(x, b));
     a.iter().any(|p| {
         b.iter().any(|q| {
@@ -50,26 +52,19 @@ fn within(scene: &Scene, x: &[Point], all: &Candidates, distance: f64) -> Candid
     // The rounding errors of the sampling are less than this.
     let largest = x.as_flattened().iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let distance = distance * (1.0 - 1e-9) - 16.0 * f64::EPSILON * largest;
-    let faces = all.vertex_face().iter().copied();
-    let edges = all.edge_edge().iter().copied();
-    Candidates::from_ids(
-        faces
-            .filter(|&ids| are_within::<VertexFace>(scene, x, ids, distance))
-            .collect(),
-        edges
-            .filter(|&ids| are_within::<EdgeEdge>(scene, x, ids, distance))
-            .collect(),
-    )
+    let is_within = |pair: &Pair| match *pair {
+        Pair::VertexFace { vertex, face } => are_within::<VertexFace>(scene, x, [vertex, face], distance),
+        Pair::EdgeEdge { a, b } => are_within::<EdgeEdge>(scene, x, [a, b], distance),
+        Pair::VertexEdge { vertex, edge } => are_within::<VertexEdge>(scene, x, [vertex, edge], distance),
+        Pair::VertexVertex { a, b } => are_within::<VertexVertex>(scene, x, [a, b], distance),
+    };
+    all.pairs().filter(is_within).collect()
 }
 
 fn assert_has_all(candidates: &Candidates, expected: &Candidates, what: &str) {
-    for pair in expected.vertex_face() {
-        let found = candidates.vertex_face().binary_search(pair);
-        assert!(found.is_ok(), "{what}: vertex and face {pair:?}");
-    }
-    for pair in expected.edge_edge() {
-        let found = candidates.edge_edge().binary_search(pair);
-        assert!(found.is_ok(), "{what}: edges {pair:?}");
+    let found: HashSet<Pair> = candidates.pairs().collect();
+    for pair in expected.pairs() {
+        assert!(found.contains(&pair), "{what}: {pair:?}");
     }
 }
 

@@ -8,3 +8,4 @@ mod candidates;
 mod distance;
 mod free_step;
 mod scene;
+mod within;

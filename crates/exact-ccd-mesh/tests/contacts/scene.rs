@@ -1,7 +1,10 @@
 //! Random scenes and their pairs, by definition.
 
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_mesh::{CanCollide, Candidates, Contact, Pair, PairKind, Point, Step, TriangleMesh};
+use exact_ccd::separation::{DistanceBounds, Separation};
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_mesh::{
+    CanCollide, Candidates, Contact, MinDistance, Pair, PairKind, Point, Step, TriangleMesh,
+};
 use fastrand::Rng;
 
 pub(crate) struct Scene {
@@ -63,35 +66,65 @@ impl Scene {
         Self { mesh, x0, x1 }
     }
 
+    /// Two pairs of faces, two rods of three vertices and four points, in motion, and their scale. On a
+    /// grid, many distances are those that are drawn for queries.
+    pub(crate) fn mixed(random: &mut Rng) -> (Self, f64) {
+        let scale = [1.0, 1e-6][random.usize(..2)];
+        let motion = [0.0, 0.2, 1.0][random.usize(..3)];
+        let grid = [0.0, 0.125][random.usize(..2)];
+        let mut ids: Vec<u32> = (0..18).collect();
+        random.shuffle(&mut ids);
+        let at = |vertex: usize| ids[vertex];
+        let faces = [[0, 1, 2], [3, 2, 1], [4, 5, 6], [7, 6, 5]].map(|face| face.map(at));
+        let rods = [[8, 9], [9, 10], [11, 12], [12, 13]].map(|edge| edge.map(at));
+        let mesh = TriangleMesh::with_edges(18, faces.to_vec(), &rods).unwrap();
+        let mut coordinate = |size: f64| {
+            let x = size * (random.f64() - 0.5);
+            scale * if grid > 0.0 { grid * (x / grid).round() } else { x }
+        };
+        let x0: Vec<Point> = (0..18).map(|_| [0; 3].map(|_| coordinate(2.0))).collect();
+        let by = |x: &Point| x.map(|x| x + coordinate(motion));
+        let x1 = x0.iter().map(by).collect();
+        (Self { mesh, x0, x1 }, scale)
+    }
+
     pub(crate) fn step(&self) -> Step<'_> {
         Step::new(&self.mesh, &self.x0, &self.x1).unwrap()
     }
 
-    /// All pairs without a common vertex that can collide.
+    /// All pairs without a common vertex that can collide, the last two kinds among loose primitives.
     pub(crate) fn pairs(&self, can_collide: &CanCollide) -> Candidates {
+        let mesh = &self.mesh;
         let ids = |count: usize| 0..count as u32;
-        let [vertices, faces, edges] = [
-            self.mesh.vertex_count(),
-            self.mesh.faces().len(),
-            self.mesh.edges().len(),
-        ]
-        .map(ids);
-        let vertex_face = vertices.flat_map(|vertex| faces.clone().map(move |face| [vertex, face]));
-        let edge_edge = edges.clone().flat_map(|a| (0..a).map(move |b| [b, a]));
-        Candidates::from_ids(
-            vertex_face
-                .filter(|&ids| self.is_pair::<VertexFace>(ids, can_collide))
-                .collect(),
-            edge_edge
-                .filter(|&ids| self.is_pair::<EdgeEdge>(ids, can_collide))
-                .collect(),
-        )
+        let (vertices, faces) = (ids(mesh.vertex_count()), ids(mesh.faces().len()));
+        let edges = ids(mesh.edges().len());
+        let loose_edges = (mesh.edges().len() - mesh.loose_edges().len()) as u32..edges.end;
+        let points: Vec<u32> = mesh.loose_vertices().collect();
+
+        let with_faces = vertices.flat_map(|vertex| faces.clone().map(move |face| [vertex, face]));
+        let of_edges = edges.flat_map(|b| (0..b).map(move |a| [a, b]));
+        let with_edges = points
+            .iter()
+            .flat_map(|&p| loose_edges.clone().map(move |edge| [p, edge]));
+        let of_points = points.iter().flat_map(|&p| points.iter().map(move |&q| [p, q]));
+        self.filtered::<VertexFace>(with_faces, can_collide)
+            .chain(self.filtered::<EdgeEdge>(of_edges, can_collide))
+            .chain(self.filtered::<VertexEdge>(with_edges, can_collide))
+            .chain(self.filtered::<VertexVertex>(of_points, can_collide))
+            .collect()
     }
 
-    fn is_pair<K: PairKind>(&self, ids: [u32; 2], can_collide: &CanCollide) -> bool {
-        let four = K::vertices(&self.mesh, ids).unwrap();
-        let (a, b) = four.split_at(K::FIRST);
-        a.iter().all(|vertex| !b.contains(vertex)) && can_collide.allows(a, b)
+    fn filtered<K: PairKind>(
+        &self,
+        ids: impl Iterator<Item = [u32; 2]>,
+        can_collide: &CanCollide,
+    ) -> impl Iterator<Item = Pair> {
+        ids.filter(|&ids| {
+            let vertices = K::vertices(&self.mesh, ids).unwrap();
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            a.iter().all(|vertex| !b.contains(vertex)) && can_collide.allows(a, b)
+        })
+        .map(K::pair)
     }
 }
 
@@ -104,22 +137,79 @@ pub(crate) fn moved(random: &mut Rng, x: &[Point], by: f64) -> Vec<Point> {
 
 /// The contacts of a step among some pairs, one query at a time, the earliest first.
 pub(crate) fn contacts(step: Step<'_>, pairs: &Candidates) -> Vec<Contact> {
-    let faces = pairs.vertex_face().iter().filter_map(|&[vertex, face]| {
-        let impact = step.vertex_face(vertex, face).unwrap().impact()?;
-        let pair = Pair::VertexFace { vertex, face };
-        Some(Contact { pair, impact })
-    });
-    let edges = pairs.edge_edge().iter().filter_map(|&[a, b]| {
-        let impact = step.edge_edge(a, b).unwrap().impact()?;
-        let pair = Pair::EdgeEdge { a, b };
-        Some(Contact { pair, impact })
-    });
-    let mut contacts: Vec<Contact> = faces.chain(edges).collect();
+    contacts_within(step, pairs, &MinDistance::default())
+}
+
+/// The same for a minimum distance.
+pub(crate) fn contacts_within(
+    step: Step<'_>,
+    pairs: &Candidates,
+    min_distance: &MinDistance,
+) -> Vec<Contact> {
+    let contact = |pair: Pair| match pair {
+        Pair::VertexFace { vertex, face } => contact::<VertexFace>(step, [vertex, face], min_distance),
+        Pair::EdgeEdge { a, b } => contact::<EdgeEdge>(step, [a, b], min_distance),
+        Pair::VertexEdge { vertex, edge } => contact::<VertexEdge>(step, [vertex, edge], min_distance),
+        Pair::VertexVertex { a, b } => contact::<VertexVertex>(step, [a, b], min_distance),
+    };
+    let mut contacts: Vec<Contact> = pairs.pairs().filter_map(contact).collect();
     contacts.sort_by(|a, b| {
         let times = a.impact.time.partial_cmp(&b.impact.time).unwrap();
         times.then(a.pair.cmp(&b.pair))
     });
     contacts
+}
+
+fn contact<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Option<Contact> {
+    let query = step.query::<K>(ids).unwrap();
+    let d = allowed::<K>(step, ids, min_distance);
+    let impact = query.impact_within(d)?;
+    let distance = if impact.touching_at_start() && !d.is_zero() {
+        query.distance_at(0.0).unwrap()
+    } else {
+        let (lower, upper) = (d.get(), d.get());
+        DistanceBounds { lower, upper }
+    };
+    Some(Contact {
+        pair: K::pair(ids),
+        impact,
+        distance,
+    })
+}
+
+/// The pairs that are within their distance at t = 0.
+pub(crate) fn touching(
+    step: Step<'_>,
+    pairs: &Candidates,
+    min_distance: &MinDistance,
+) -> impl Iterator<Item = Pair> {
+    pairs.pairs().filter(move |&pair| match pair {
+        Pair::VertexFace { vertex, face } => touches::<VertexFace>(step, [vertex, face], min_distance),
+        Pair::EdgeEdge { a, b } => touches::<EdgeEdge>(step, [a, b], min_distance),
+        Pair::VertexEdge { vertex, edge } => touches::<VertexEdge>(step, [vertex, edge], min_distance),
+        Pair::VertexVertex { a, b } => touches::<VertexVertex>(step, [a, b], min_distance),
+    })
+}
+
+fn touches<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> bool {
+    let distance = step.query::<K>(ids).unwrap().distance_at(0.0).unwrap();
+    distance.upper <= outer::<K>(step, ids, min_distance).get()
+}
+
+/// The distance that a pair must not come within if it starts beyond it.
+fn outer<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Separation {
+    let vertices = K::vertices(step.mesh(), ids).unwrap();
+    let (a, b) = vertices.as_ref().split_at(K::FIRST);
+    min_distance.separations().between(a, b)
+}
+
+/// The distance that a pair must not come within.
+fn allowed<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Separation {
+    let d = outer::<K>(step, ids, min_distance);
+    match min_distance.inner() {
+        Some(inner) if touches::<K>(step, ids, min_distance) && inner < d => inner,
+        _ => d,
+    }
 }
 
 /// The result on a pool of some threads.

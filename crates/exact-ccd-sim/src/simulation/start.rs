@@ -77,6 +77,8 @@ fn primitives(system: &System, mesh: &TriangleMesh, violation: &Violation) -> [P
         Violation::Contact { contact, .. } => match contact.pair {
             Pair::VertexFace { vertex, face: f } => [Primitive::Vertex(vertex), face(f)],
             Pair::EdgeEdge { a, b } => [edge(a), edge(b)],
+            Pair::VertexEdge { vertex, edge: e } => [Primitive::Vertex(vertex), edge(e)],
+            Pair::VertexVertex { a, b } => [Primitive::Vertex(a), Primitive::Vertex(b)],
         },
     };
     primitives.map(|primitive| primitive.map(|vertex| system.surface_vertices[vertex as usize]))

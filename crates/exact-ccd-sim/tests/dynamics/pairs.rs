@@ -2,7 +2,7 @@
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, PairKind, Point, Step, TriangleMesh,
+    Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
 };
 use exact_ccd_sim::distance::{edge_edge, point_triangle};
 use fastrand::Rng;
@@ -74,22 +74,19 @@ impl Scene {
     /// All pairs without a common vertex that do not belong to two obstacles.
     fn all(&self) -> Candidates {
         let is_obstacle = |vertex: u32| [0, PIECES - 1].contains(&(vertex as usize / 4));
-        let is_of_concern = |vertices: [u32; 4], first: usize| {
+        let is_of_concern = |vertices: &[u32], first: usize| {
             let (a, b) = vertices.split_at(first);
-            a.iter().all(|vertex| !b.contains(vertex)) && !vertices.into_iter().all(is_obstacle)
+            a.iter().all(|vertex| !b.contains(vertex)) && !vertices.iter().copied().all(is_obstacle)
         };
         let mesh = &self.mesh;
         let counts = [mesh.faces().len() as u32, mesh.edges().len() as u32];
-        let faces = (0..4 * PIECES as u32).flat_map(|v| (0..counts[0]).map(move |face| [v, face]));
-        let edges = (0..counts[1]).flat_map(|a| (a + 1..counts[1]).map(move |b| [a, b]));
-        Candidates::from_ids(
-            faces
-                .filter(|&pair| is_of_concern(VertexFace::vertices(&self.mesh, pair).unwrap(), 1))
-                .collect(),
-            edges
-                .filter(|&pair| is_of_concern(EdgeEdge::vertices(&self.mesh, pair).unwrap(), 2))
-                .collect(),
-        )
+        let faces = (0..4 * PIECES as u32)
+            .flat_map(|vertex| (0..counts[0]).map(move |face| Pair::VertexFace { vertex, face }));
+        let edges = (0..counts[1]).flat_map(|a| (a + 1..counts[1]).map(move |b| Pair::EdgeEdge { a, b }));
+        faces
+            .filter(|pair| is_of_concern(&pair.vertices(mesh).unwrap(), 1))
+            .chain(edges.filter(|pair| is_of_concern(&pair.vertices(mesh).unwrap(), 2)))
+            .collect()
     }
 
     /// All pairs with a property of their four vertices.
@@ -98,17 +95,14 @@ impl Scene {
         vertex_face: impl Fn([u32; 4]) -> bool,
         edge_edge: impl Fn([u32; 4]) -> bool,
     ) -> Candidates {
-        let all = self.all();
-        let faces = all.vertex_face().iter().copied();
-        let edges = all.edge_edge().iter().copied();
-        Candidates::from_ids(
-            faces
-                .filter(|&pair| vertex_face(VertexFace::vertices(&self.mesh, pair).unwrap()))
-                .collect(),
-            edges
-                .filter(|&pair| edge_edge(EdgeEdge::vertices(&self.mesh, pair).unwrap()))
-                .collect(),
-        )
+        let of_concern = |pair: &Pair| match *pair {
+            Pair::VertexFace { vertex, face } => {
+                vertex_face(VertexFace::vertices(&self.mesh, [vertex, face]).unwrap())
+            }
+            Pair::EdgeEdge { a, b } => edge_edge(EdgeEdge::vertices(&self.mesh, [a, b]).unwrap()),
+            Pair::VertexEdge { .. } | Pair::VertexVertex { .. } => unreachable!("nothing is loose"),
+        };
+        self.all().pairs().filter(of_concern).collect()
     }
 
     /// The pairs that are closer than the distance.

@@ -1,0 +1,257 @@
+//! Contacts within a minimum distance, compared with loops over all pairs.
+
+use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd_mesh::{
+    AllPairs, BoxKind, Bvh, CanCollide, CandidateError, CandidateOptions, Candidates, Contact, Detector,
+    FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Step, StepReport, Sweep, ThicknessCount,
+    step_size,
+};
+use fastrand::Rng;
+
+use crate::scene::{Scene, contacts, contacts_within, on_threads, touching};
+
+fn separation(d: f64) -> Separation {
+    Separation::new(d).unwrap()
+}
+
+/// One distance for all, thicknesses, and both with an inner distance.
+fn min_distances(random: &mut Rng, vertices: usize, scale: f64) -> Vec<MinDistance> {
+    let d = scale * [0.125, 0.25, 0.3][random.usize(..3)];
+    let values: Vec<f64> = (0..vertices)
+        .map(|_| scale * [0.0, 0.0625, 0.125, 0.07][random.usize(..4)])
+        .collect();
+    let uniform = MinDistance::uniform(separation(d));
+    let thickness = MinDistance::thickness(Thickness::new(&values).unwrap());
+    let inner = separation(scale * [0.0, 0.0625][random.usize(..2)]);
+    vec![
+        MinDistance::default(),
+        uniform.clone().with_inner(inner),
+        thickness.clone().with_inner(inner),
+        uniform,
+        thickness,
+    ]
+}
+
+fn counts(pairs: impl Iterator<Item = Pair>) -> PairCounts {
+    pairs.collect::<Candidates>().counts()
+}
+
+#[test]
+fn answers_are_those_of_all_pairs() {
+    let mut random = Rng::with_seed(30);
+    let (mut free, mut kinds) = (0, PairCounts::default());
+    for case in 0..60 {
+        let (scene, scale) = Scene::mixed(&mut random);
+        let (mesh, step) = (&scene.mesh, scene.step());
+        let all = scene.pairs(&CanCollide::all());
+        for min_distance in min_distances(&mut random, mesh.vertex_count(), scale) {
+            let expected = contacts_within(step, &all, &min_distance);
+            let earliest = expected.first().copied();
+            let name = format!("case {case}, {min_distance:?}");
+
+            let mut detector = Detector::new(mesh.clone())
+                .with_min_distance(min_distance.clone())
+                .unwrap();
+            let (x0, x1) = (&scene.x0[..], &scene.x1[..]);
+            assert_eq!(detector.earliest_contact(x0, x1).unwrap(), earliest, "{name}");
+            assert_eq!(detector.is_free(x0, x1).unwrap(), expected.is_empty(), "{name}");
+            assert_eq!(detector.contacts(x0, x1, 1.0).unwrap(), expected, "{name}");
+
+            for boxes in [BoxKind::Swept, BoxKind::Moving] {
+                let options = CandidateOptions::default()
+                    .with_min_distance(min_distance.clone())
+                    .with_boxes(boxes);
+                let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
+                assert_eq!(
+                    Candidates::with_options(step, &Sweep, &options).unwrap(),
+                    candidates
+                );
+                assert_eq!(
+                    Candidates::with_options(step, &AllPairs, &options).unwrap(),
+                    candidates
+                );
+                assert_eq!(candidates.contacts(step), expected, "{name}");
+                assert_eq!(candidates.earliest_contact(step), earliest, "{name}");
+                assert_eq!(candidates.is_free(step), expected.is_empty(), "{name}");
+                let end = step.at(random.f64());
+                let shorter = Step::new(mesh, x0, &end).unwrap();
+                let expected_before = contacts_within(shorter, &all, &min_distance);
+                assert_eq!(candidates.contacts(shorter), expected_before, "{name}");
+
+                let report = StepReport::with_options(step, &Bvh, &options, &|_| ()).unwrap();
+                assert_eq!(report.candidates, candidates.counts(), "{name}");
+                let colliding = counts(expected.iter().map(|contact| contact.pair));
+                assert_eq!(report.colliding, colliding, "{name}");
+                assert_eq!(
+                    report.touching,
+                    counts(touching(step, &all, &min_distance)),
+                    "{name}"
+                );
+                assert_eq!(report.earliest, earliest, "{name}");
+            }
+            free += usize::from(expected.is_empty());
+            for Contact { pair, .. } in expected {
+                let count = counts(std::iter::once(pair));
+                kinds.vertex_face += count.vertex_face;
+                kinds.edge_edge += count.edge_edge;
+                kinds.vertex_edge += count.vertex_edge;
+                kinds.vertex_vertex += count.vertex_vertex;
+            }
+        }
+    }
+    let PairCounts {
+        vertex_face,
+        edge_edge,
+        vertex_edge,
+        vertex_vertex,
+    } = kinds;
+    let least = [vertex_face, edge_edge, vertex_edge, vertex_vertex]
+        .into_iter()
+        .min();
+    assert!(free > 10 && least > Some(30), "{free} {kinds:?}");
+}
+
+#[test]
+fn a_larger_distance_has_all_contacts_of_a_smaller_one_and_no_later_ones() {
+    let mut random = Rng::with_seed(31);
+    for _ in 0..60 {
+        let (scene, scale) = Scene::mixed(&mut random);
+        let mut detector = Detector::new(scene.mesh.clone());
+        let mut last: Option<Vec<Contact>> = None;
+        for d in [0.0, 0.05, 0.125, 0.2, 0.5] {
+            let min_distance = MinDistance::uniform(separation(scale * d));
+            detector = detector.with_min_distance(min_distance).unwrap();
+            let contacts = detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap();
+            for before in last.iter().flatten() {
+                let now = contacts.iter().find(|now| now.pair == before.pair).unwrap();
+                assert!(now.impact.time <= before.impact.time);
+            }
+            last = Some(contacts);
+        }
+    }
+}
+
+/// A free step is free for the rounded positions, and with `keep` 1 as long as it may be. The next step
+/// starts where it ends, so that nearly all pairs are at their distance.
+#[test]
+fn free_steps_are_free_within_the_distance() {
+    let mut random = Rng::with_seed(32);
+    let (mut moved, mut touching_at_start) = (0, 0);
+    for _ in 0..40 {
+        let (scene, scale) = Scene::mixed(&mut random);
+        for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.2 * scale) {
+            let mut detector = Detector::new(scene.mesh.clone())
+                .with_min_distance(min_distance.clone())
+                .unwrap();
+            let mut now = Scene {
+                mesh: scene.mesh.clone(),
+                x0: scene.x0.clone(),
+                x1: scene.x1.clone(),
+            };
+            for keep in [1.0, 0.5, 1.0] {
+                let options = FreeStepOptions::default().with_keep(keep);
+                let all = now.pairs(&CanCollide::all());
+                let free = detector.free_step(&now.x0, &now.x1, &options).unwrap();
+                let expected = contacts_within(now.step(), &all, &min_distance);
+                assert_eq!(free.contact, expected.first().copied());
+                let starting = counts(touching(now.step(), &all, &min_distance));
+                assert_eq!(free.touching, starting);
+                touching_at_start += starting.total();
+                if free.size == 0.0 {
+                    assert_eq!(free.positions, now.x0);
+                } else {
+                    let taken = Step::new(&now.mesh, &now.x0, &free.positions).unwrap();
+                    assert_eq!(contacts_within(taken, &all, &min_distance), []);
+                    moved += usize::from(free.size < 1.0);
+                }
+                if let Some(contact) = free.contact {
+                    let largest = keep * contact.impact.time.lower();
+                    assert!(free.size <= largest);
+                    if free.size < largest {
+                        let end = now.step().at(largest);
+                        let longer = Step::new(&now.mesh, &now.x0, &end).unwrap();
+                        assert_ne!(contacts_within(longer, &all, &min_distance), []);
+                    }
+                } else {
+                    assert_eq!(free.size, 1.0);
+                }
+                now.x0 = free.positions;
+            }
+        }
+    }
+    assert!(
+        moved > 100 && touching_at_start > 100,
+        "{moved} {touching_at_start}"
+    );
+}
+
+#[test]
+fn the_number_of_threads_does_not_matter() {
+    let mut random = Rng::with_seed(33);
+    let scene = Scene::sheets(&mut random, 12, 0.0, 1.0);
+    let min_distance = MinDistance::uniform(separation(0.3)).with_inner(separation(0.01));
+    let [on_one, on_two, on_five] = [1, 2, 5].map(|threads| {
+        on_threads(threads, || {
+            let mut detector = Detector::new(scene.mesh.clone())
+                .with_min_distance(min_distance.clone())
+                .unwrap();
+            let contacts = detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap();
+            let free = detector
+                .free_step(&scene.x0, &scene.x1, &FreeStepOptions::default())
+                .unwrap();
+            let options = CandidateOptions::default().with_min_distance(min_distance.clone());
+            let report = StepReport::with_options(scene.step(), &Bvh, &options, &|_| ()).unwrap();
+            assert_eq!((report.touching, report.earliest), (free.touching, free.contact));
+            (contacts, free, report)
+        })
+    });
+    assert!(on_one.0.len() > 100 && on_one.1.touching.total() > 10);
+    assert_eq!(on_one, on_two);
+    assert_eq!(on_one, on_five);
+}
+
+/// Without a minimum distance, the answers of a mesh with loose parts agree in all ways of asking.
+#[test]
+fn loose_parts_are_in_contact_for_every_search() {
+    let mut random = Rng::with_seed(34);
+    for _ in 0..60 {
+        let (scene, _) = Scene::mixed(&mut random);
+        let step = scene.step();
+        let expected = contacts(step, &scene.pairs(&CanCollide::all()));
+        let candidates = Candidates::new(step, &Bvh);
+        assert_eq!(candidates.contacts(step), expected);
+        assert_eq!(
+            candidates.is_free_by(step, &exact_ccd::Exact),
+            expected.is_empty()
+        );
+        let earliest = expected.first().map(|contact| contact.impact.time.lower());
+        assert_eq!(candidates.earliest_time_by(step, &exact_ccd::Exact), earliest);
+        assert_eq!(StepReport::new(step, &Bvh, &|_| ()).time_of_impact(), earliest);
+        let direction = vec![[0.0; 3]; scene.x0.len()];
+        let at_rest = step_size(&scene.mesh, &scene.x0, &direction, LineSearch::Exact).unwrap();
+        let touches = expected.iter().any(|contact| contact.impact.touching_at_start());
+        assert_eq!(at_rest, if touches { 0.0 } else { 1.0 });
+    }
+}
+
+#[test]
+fn a_number_of_thicknesses_that_is_not_that_of_vertices_is_an_error() {
+    let (scene, _) = Scene::mixed(&mut Rng::with_seed(35));
+    let thickness = MinDistance::thickness(Thickness::new(&[0.5; 17]).unwrap());
+    let expected = ThicknessCount {
+        count: 17,
+        vertex_count: 18,
+    };
+    assert_eq!(
+        expected.to_string(),
+        "17 thicknesses, expected one for each of the 18 vertices"
+    );
+    let detector = Detector::new(scene.mesh.clone()).with_min_distance(thickness.clone());
+    assert_eq!(detector.unwrap_err(), expected);
+    let options = CandidateOptions::default().with_min_distance(thickness.clone());
+    let candidates = Candidates::with_options(scene.step(), &Bvh, &options);
+    assert_eq!(candidates.unwrap_err(), CandidateError::ThicknessCount(expected));
+    // Decisions have no errors: the last vertex has thickness 0.
+    let candidates = Candidates::new(scene.step(), &Bvh).with_min_distance(thickness);
+    assert!(candidates.contacts(scene.step()).len() <= candidates.counts().total());
+}

@@ -1,0 +1,82 @@
+//! The kinds of pairs cover all distances, except where the documentation of [`Pair`] says so.
+
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
+use exact_ccd_mesh::{CandidateOptions, Candidates, Pair, Step, TriangleMesh};
+use proptest::prelude::*;
+
+const VERTICES: u32 = 9;
+
+/// The vertices of both primitives of each pair of a mesh.
+fn pairs(mesh: &TriangleMesh) -> Vec<[Vec<u32>; 2]> {
+    let x = vec![[0.0; 3]; VERTICES as usize];
+    let step = Step::new(mesh, &x, &x).unwrap();
+    // All boxes meet.
+    let all = Candidates::with_options(step, &exact_ccd_mesh::Bvh, &CandidateOptions::default()).unwrap();
+    let both = |pair: Pair| {
+        let first = match pair {
+            Pair::EdgeEdge { .. } => 2,
+            Pair::VertexFace { .. } | Pair::VertexEdge { .. } | Pair::VertexVertex { .. } => 1,
+        };
+        let vertices = pair.vertices(mesh).unwrap();
+        let (a, b) = vertices.split_at(first);
+        [a.to_vec(), b.to_vec()]
+    };
+    all.pairs().map(both).collect()
+}
+
+fn contains(all: &[u32], some: &[u32]) -> bool {
+    some.iter().all(|vertex| all.contains(vertex))
+}
+
+fn meet(a: &[u32], b: &[u32]) -> bool {
+    a.iter().any(|vertex| b.contains(vertex))
+}
+
+/// The documented exceptions.
+fn is_exception(mesh: &TriangleMesh, p: u32, other: &[u32]) -> bool {
+    let edges_of = |q: u32| mesh.edges().iter().filter(move |edge| edge.contains(&q));
+    let faces_of = |q: u32| mesh.faces().iter().filter(move |face| face.contains(&q));
+    match *other {
+        [a, b] => {
+            edges_of(p).count() > 0
+                && edges_of(p).all(|edge| meet(edge, other))
+                && faces_of(a)
+                    .filter(|face| face.contains(&b))
+                    .all(|face| face.contains(&p))
+        }
+        [q] => {
+            edges_of(p).count() > 0
+                && edges_of(q).count() > 0
+                && edges_of(p).all(|edge| edges_of(q).all(|other| meet(edge, other)))
+                && faces_of(p).all(|face| face.contains(&q))
+                && faces_of(q).all(|face| face.contains(&p))
+        }
+        _ => unreachable!("an edge or a vertex"),
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn vertices_are_compared_with_edges_and_vertices_but_for_the_exceptions(
+        faces in prop::collection::vec(prop::array::uniform3(0..VERTICES), 0..4),
+        edges in prop::collection::vec(prop::array::uniform2(0..VERTICES), 0..8),
+    ) {
+        let distinct = |face: &[u32; 3]| face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+        let faces = faces.into_iter().filter(distinct).collect();
+        let mesh = TriangleMesh::with_edges(VERTICES as usize, faces, &edges).unwrap();
+        let pairs = pairs(&mesh);
+        let is_covered = |p: u32, other: &[u32]| pairs.iter().any(|[a, b]| {
+            a.contains(&p) && contains(b, other) || b.contains(&p) && contains(a, other)
+        });
+        let edges = mesh.edges().iter().map(|edge| edge.to_vec());
+        let others: Vec<Vec<u32>> = (0..VERTICES).map(|vertex| vec![vertex]).chain(edges).collect();
+        for p in 0..VERTICES {
+            for other in others.iter().filter(|other| !other.contains(&p)) {
+                prop_assert_eq!(is_covered(p, other), !is_exception(&mesh, p, other), "{} {:?}", p, other);
+            }
+        }
+    }
+}
