@@ -78,13 +78,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     println!("| distance kept | first time | pair | distance then |\n|---|---|---|---|");
-    let half = vec![Separation::new(0.5e-3)?; x0.len()];
-    let full = vec![Separation::new(1e-3)?; x0.len()];
+    let thickness = |each: f64| Thickness::new(&vec![each; x0.len()]).map(MinDistance::thickness);
     for (name, d) in [
         ("0", MinDistance::default()),
         ("1e-3", MinDistance::uniform(Separation::new(1e-3)?)),
-        ("0.5e-3 + 0.5e-3", MinDistance::thickness(Thickness::new(half))),
-        ("1e-3 + 1e-3", MinDistance::thickness(Thickness::new(full))),
+        ("0.5e-3 + 0.5e-3", thickness(0.5e-3)?),
+        ("1e-3 + 1e-3", thickness(1e-3)?),
     ] {
         let mut detector = Detector::new(mesh.clone()).with_min_distance(d)?;
         let contact = detector

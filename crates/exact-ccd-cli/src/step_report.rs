@@ -252,7 +252,11 @@ impl fmt::Display for ReportedPair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let ([i, j], v) = (self.ids, &self.vertices);
         match self.kind {
-            Kind::Vf => write!(f, "vertex {i} and face {j} (vertices {}, {}, {})", v[1], v[2], v[3])?,
+            Kind::Vf => write!(
+                f,
+                "vertex {i} and face {j} (vertices {}, {}, {})",
+                v[1], v[2], v[3]
+            )?,
             Kind::Ee => write!(
                 f,
                 "edge {i} (vertices {}, {}) and edge {j} (vertices {}, {})",

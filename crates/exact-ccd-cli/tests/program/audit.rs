@@ -96,7 +96,8 @@ fn json_names_the_violation() {
         }
         (run.status, report)
     };
-    let free = json!({"min_distance": 0.0, "collision_free": true, "frames": 2, "examined": 2, "violation": null});
+    let free =
+        json!({"min_distance": 0.0, "collision_free": true, "frames": 2, "examined": 2, "violation": null});
     assert_eq!(report(&["0.ply", "1.ply"]), (0, free));
     let contact = json!({"min_distance": 0.0, "collision_free": false, "frames": 3, "examined": 3, "violation": {
         "kind": "contact", "frame": 1, "file": "1.ply", "next": "2.ply", "toi": 0.3333333333333333,

@@ -40,19 +40,26 @@ fn primitives_at_the_distance_touch() {
     // The tip stops at the distance, or just before it.
     for (d, status) in [(0.5, 1), (0.5f64.next_down(), 0)] {
         for mode in [&[][..], &["--toi"], &["--any"]] {
-            let run = step(&fall(1.0, 0.5), &[&["--min-distance", &d.to_string()], mode].concat());
+            let run = step(
+                &fall(1.0, 0.5),
+                &[&["--min-distance", &d.to_string()], mode].concat(),
+            );
             assert_eq!(run.status, status, "{run:?}");
         }
     }
 }
 
+/// The tip starts at 1/4 above one face, and 0.306 from the other one.
 #[test]
 fn pairs_that_start_within_the_distance_are_counted() {
     let folder = fall(0.25, 1.0);
-    let run = step(&folder, &["--min-distance", "0.5", "--json"]);
+    let run = step(&folder, &["--min-distance", "0.275", "--json"]);
     assert_eq!(run.status, 1);
     let report = json_of(&run);
-    assert_eq!((&report["min_distance"], &report["toi"]), (&json!(0.5), &json!(0.0)));
+    assert_eq!(
+        (&report["min_distance"], &report["toi"]),
+        (&json!(0.275), &json!(0.0))
+    );
     assert_eq!(report.get("inner_distance"), None);
     assert_eq!(
         report["pair"],
@@ -60,9 +67,13 @@ fn pairs_that_start_within_the_distance_are_counted() {
     );
     let count = report["touching_at_start"].as_u64().unwrap();
     assert!(count >= 1, "{report}");
-    let run = step(&folder, &["--min-distance", "0.5"]);
+    let run = step(&folder, &["--min-distance", "0.275"]);
     assert!(run.stdout.contains("contact at t = 0: vertex 4"), "{run:?}");
-    assert!(run.stdout.contains(&format!("touching at t = 0: {count} pairs\n")), "{run:?}");
+    assert!(
+        run.stdout
+            .contains(&format!("touching at t = 0: {count} pairs\n")),
+        "{run:?}"
+    );
 }
 
 #[test]
@@ -71,18 +82,29 @@ fn pairs_that_start_within_the_distance_may_have_another_one() {
     let with = |mode: &[&'static str]| [&distances, mode].concat();
     let mut counts = Vec::new();
     // The tip starts at 1/4. It goes up and comes back, stays above 1/8, or falls through it.
-    for (end, toi) in [(1.0, None), (0.1875, None), (0.125, Some(1.0)), (-0.25, Some(0.25))] {
+    for (end, toi) in [
+        (1.0, None),
+        (0.1875, None),
+        (0.125, Some(1.0)),
+        (-0.25, Some(0.25)),
+    ] {
         let folder = fall(0.25, end);
         for mode in [&[][..], &["--toi"], &["--any"]] {
             let run = step(&folder, &with(mode));
             assert_eq!(run.status, i32::from(toi.is_some()), "{run:?}");
         }
         let report = json_of(&step(&folder, &with(&["--json"])));
-        assert_eq!((&report["toi"], &report["inner_distance"]), (&json!(toi), &json!(0.125)));
+        assert_eq!(
+            (&report["toi"], &report["inner_distance"]),
+            (&json!(toi), &json!(0.125))
+        );
         counts.push(report["touching_at_start"].as_u64().unwrap());
     }
     // The distances at the start do not depend on the end.
-    assert!(counts[0] >= 1 && counts.iter().all(|&count| count == counts[0]), "{counts:?}");
+    assert!(
+        counts[0] >= 1 && counts.iter().all(|&count| count == counts[0]),
+        "{counts:?}"
+    );
 
     let run = step(&fall(0.25, -0.25), &with(&["--toi"]));
     assert_eq!(
@@ -94,7 +116,13 @@ fn pairs_that_start_within_the_distance_may_have_another_one() {
 
 /// Two rods and a point, at the height z above the first rod, in the order of the vertices.
 fn rods(point: f64, rod: f64) -> String {
-    let positions = [[0.0, -4.0, 0.0], [0.0, 4.0, 0.0], [-4.0, 2.0, rod], [4.0, 2.0, rod], [0.0, 0.0, point]];
+    let positions = [
+        [0.0, -4.0, 0.0],
+        [0.0, 4.0, 0.0],
+        [-4.0, 2.0, rod],
+        [4.0, 2.0, rod],
+        [0.0, 0.0, point],
+    ];
     let vertex = |[x, y, z]: &Point| format!("v {x} {y} {z}\n");
     positions.iter().map(vertex).collect::<String>() + "l 1 2\nl 3 4\np 5\n"
 }
@@ -113,7 +141,10 @@ fn loose_vertices_and_edges_have_pairs_of_their_own() {
         text.contains("contact at t = 0.5: vertex 4 and edge 0 (vertices 0, 1), 1 apart\n"),
         "{text}"
     );
-    assert!(text.contains(" vertex-edge pairs, 0 vertex-vertex pairs\n"), "{text}");
+    assert!(
+        text.contains(" vertex-edge pairs, 0 vertex-vertex pairs\n"),
+        "{text}"
+    );
     let points = |z: f64| format!("v 0 0 0\nv 0 0 {z}\np 1\np 2\n");
     assert_eq!(
         report(points(3.0), points(-1.0)),
@@ -130,11 +161,16 @@ fn an_audit_certifies_the_distance() {
     for (frame, height) in [1.0, 0.75, 0.25].into_iter().enumerate() {
         folder.write(&format!("{frame}.ply"), ply(&tip_above_square(height)));
     }
-    let audit = |arguments: &[&str]| folder.run(&[&["audit", "--min-distance", "0.5"], arguments].concat());
+    let audit_within =
+        |d, arguments: &[&str]| folder.run(&[&["audit", "--min-distance", d], arguments].concat());
+    let audit = |arguments: &[&str]| audit_within("0.5", arguments);
     let run = audit(&["0.ply", "1.ply"]);
     assert_eq!(
         (run.status, without_seconds(&run)),
-        (0, "minimum distance: 0.5\nfree of contact\nframes: 2 of 2 examined\n")
+        (
+            0,
+            "minimum distance: 0.5\nfree of contact\nframes: 2 of 2 examined\n"
+        )
     );
     let run = audit(&["0.ply", "1.ply", "2.ply"]);
     assert_eq!(
@@ -147,19 +183,22 @@ fn an_audit_certifies_the_distance() {
              frames: 3 of 3 examined\n"
         )
     );
-    let run = audit(&["2.ply"]);
+    let run = audit_within("0.275", &["2.ply"]);
     assert_eq!(
         (run.status, without_seconds(&run)),
         (
             1,
-            "minimum distance: 0.5\n\
+            "minimum distance: 0.275\n\
              contact in frame 0 (2.ply): vertex 4 and face 1 (vertices 2, 1, 3), 0.25 apart\n\
              frames: 1 of 1 examined\n"
         )
     );
-    let report = json_of(&audit(&["--json", "2.ply"]));
-    assert_eq!(report["min_distance"], 0.5);
-    assert_eq!(report["violation"]["pair"]["distance"], json!({"lower": 0.25, "upper": 0.25}));
+    let report = json_of(&audit_within("0.275", &["--json", "2.ply"]));
+    assert_eq!(report["min_distance"], 0.275);
+    assert_eq!(
+        report["violation"]["pair"]["distance"],
+        json!({"lower": 0.25, "upper": 0.25})
+    );
 }
 
 #[test]
@@ -172,10 +211,21 @@ fn a_distance_that_is_none_is_an_error_with_the_reason() {
         ("1mm", "expected a number"),
     ] {
         for (option, arguments) in [
-            ("--min-distance", &["step", "start.ply", "end.ply", "--min-distance", d][..]),
+            (
+                "--min-distance",
+                &["step", "start.ply", "end.ply", "--min-distance", d][..],
+            ),
             (
                 "--inner-distance",
-                &["step", "start.ply", "end.ply", "--min-distance", "1", "--inner-distance", d],
+                &[
+                    "step",
+                    "start.ply",
+                    "end.ply",
+                    "--min-distance",
+                    "1",
+                    "--inner-distance",
+                    d,
+                ],
             ),
             ("--min-distance", &["audit", "start.ply", "--min-distance", d]),
         ] {
