@@ -72,9 +72,10 @@ def write_ply(path, positions, faces):
 class Ipctk:
     """One combination of a broad and a narrow phase."""
 
-    def __init__(self, mesh, broad, narrow, ask):
+    def __init__(self, mesh, broad, narrow, ask, min_distance):
         self.name = f"ipctk {broad} + {narrow}"
         self.mesh, self.broad, self.narrow = mesh, BROAD_PHASES[broad], NARROW_PHASES[narrow]
+        self.min_distance = min_distance
         self.ask = {
             "step": ipctk.compute_collision_free_stepsize,
             "any": ipctk.is_step_collision_free,
@@ -85,7 +86,7 @@ class Ipctk:
         for _ in range(repeat):
             clock = time.perf_counter()
             answer = self.ask(
-                self.mesh, x0, x1, 0.0, broad_phase=self.broad(), narrow_phase_ccd=self.narrow()
+                self.mesh, x0, x1, self.min_distance, broad_phase=self.broad(), narrow_phase_ccd=self.narrow()
             )
             seconds.append(time.perf_counter() - clock)
         return statistics.median(seconds), answer
@@ -144,24 +145,35 @@ def compare(scene, options, threads):
     mesh = ipctk.CollisionMesh(x0, ipctk.edges(faces), faces)
     files = [str(frame) for frame in frames]
 
+    d = options.min_distance
+    # The shortest decimal that reads back to the same f64.
+    distance = ["--min-distance", repr(d)] if d > 0 else []
+
     def ours(*flags):
-        return Exact(options.program, flags, threads)
+        return Exact(options.program, [*flags, *distance], threads)
 
     def theirs(ask, *broad_phases):
-        return [Ipctk(mesh, b, n, ask) for b in broad_phases for n in NARROW_PHASES]
+        return [Ipctk(mesh, b, n, ask, d) for b in broad_phases for n in NARROW_PHASES]
 
     title = f"{scene.name}, {threads} thread{'s' * (threads > 1)}"
+    if d > 0:
+        title += f", minimum distance {d!r}"
     contestants = [ours("--toi"), ours(), *theirs("step", *options.broad)]
     seconds, answers = medians(contestants, options, x0, x1, files)
     print_table(f"{title}: the collision-free step", contestants, seconds, answers)
     ours_is_largest = answers[0] >= max(answers[2:])
     print(f"\nOur step is {'' if ours_is_largest else 'NOT '}at least as large as theirs.")
+    if options.only_step:
+        return
     size = FREE_FRACTION * min(answers[2:])
 
     contestants = [ours("--any"), *theirs("any", *options.broad)]
     result = medians(contestants, options, x0, x1, files)
     print_table(f"{title}: yes or no", contestants, *result)
 
+    if size == 0:
+        print("\nNo step is free: a pair is within the minimum distance at the start.")
+        return
     with tempfile.TemporaryDirectory() as folder:
         free = np.asfortranarray(x0 + size * (x1 - x0))
         end = str(Path(folder) / "end.ply")
@@ -185,6 +197,8 @@ def main():
     parser.add_argument("--threads", help="how many threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--broad", help="broad phases of ipctk", nargs="+", default=["LBVH"], choices=BROAD_PHASES)
     parser.add_argument("--only", help="the scene with this name")
+    parser.add_argument("--only-step", help="only the collision-free step", action="store_true")
+    parser.add_argument("--min-distance", help="the distance to keep", type=float, default=0.0, metavar="D")
     options = parser.parse_args()
     for threads in options.threads:
         for scene in sorted(options.scenes.iterdir()):

@@ -6,8 +6,8 @@ use std::fmt::Debug;
 
 use arbitrary::{Result, Unstructured};
 use dashu_ratio::RBig;
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample};
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{QueryKind, QueryReader, Rounding, Sample};
 use exact_ccd_fuzz::file;
 use libfuzzer_sys::fuzz_target;
 
@@ -43,10 +43,12 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     let text = file(bytes, WORDS)?;
     check_kind::<VertexFace>(&text);
     check_kind::<EdgeEdge>(&text);
+    check_kind::<VertexEdge>(&text);
+    check_kind::<VertexVertex>(&text);
     Ok(())
 }
 
-fn check_kind<K: DataKind + Debug + PartialEq>(text: &[u8]) {
+fn check_kind<K: QueryKind + Debug + PartialEq>(text: &[u8]) {
     let exactly = read::<K>(text, Rounding::Refuse);
     let nearly = read::<K>(text, Rounding::ToNearest);
     assert_eq!(
@@ -61,23 +63,26 @@ fn check_kind<K: DataKind + Debug + PartialEq>(text: &[u8]) {
 }
 
 /// The queries before the first error.
-fn read<K: DataKind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
+fn read<K: QueryKind>(text: &[u8], rounding: Rounding) -> Vec<Sample<K>> {
     QueryReader::new("input", text, rounding)
         .inspect(|sample| drop(sample.as_ref().map_err(ToString::to_string)))
         .map_while(std::result::Result::ok)
         .collect()
 }
 
-fn rows<K: DataKind>(sample: &Sample<K>) -> String {
+fn rows<K: QueryKind>(sample: &Sample<K>) -> String {
     let truth = sample
         .truth
         .map_or(String::new(), |truth| format!(",{}", u8::from(truth)));
-    let row = |point: &[f64; 3]| {
+    let row = |point: [f64; 3]| {
         let fields = point.map(|x| {
             let ratio = RBig::try_from(x).expect("coordinates are finite");
             format!("{},{}", ratio.numerator(), ratio.denominator())
         });
         fields.join(",") + &truth + "\n"
     };
-    sample.query.points().as_flattened().iter().map(row).collect()
+    let at = |points: &[[f64; 3]; 4]| -> String {
+        K::POINTS.iter().map(|&(_, place)| row(points[place])).collect()
+    };
+    sample.query.points().each_ref().map(at).concat()
 }

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_data::{DataKind, Record, Rounding, Scene, Seventh};
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
@@ -22,8 +22,9 @@ const BATCH: usize = 4096;
 /// go to one file, which is Parquet if its name ends in .parquet, else CSV.
 ///
 /// Parquet has a row for each query, with these columns:
-///   kind        vf or ee
-///   points      24 f64: x, y, z of the four points at t = 0, then at t = 1
+///   kind        vf, ee, ve or vv
+///   points      a list of f64: x, y, z of the points at t = 0, then at t = 1;
+///               24 for vf and ee, 18 for ve, 12 for vv
 ///   truth       the ground truth: true for contact
 ///   count       the number of distinct contact times, -1 for an interval
 ///   toi         the earliest, rounded down to f64
@@ -31,7 +32,8 @@ const BATCH: usize = 4096;
 ///   id_a, id_b  the ids of the two primitives in the scene, which count its
 ///               vertices, then its edges, then its faces
 /// All but kind and points may be null. CSV files fill in truth only. A scene
-/// fills in truth, scene and ids, and, if it has a folder `roots`, count and toi.
+/// fills in truth, scene and ids, and, if it has a folder `roots`, count and toi;
+/// it has queries of the kinds vf and ee.
 ///
 /// In Parquet, every f64 keeps its bits. A CSV file that is converted to Parquet
 /// and back has the same bytes if it has the form that this program writes:
@@ -43,7 +45,8 @@ const BATCH: usize = 4096;
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// A vertex against a face, or an edge against an edge.
+    /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
+    /// against a vertex.
     #[arg(long)]
     kind: Kind,
     /// Fill in count and toi of all queries, as computed by the exact method.
@@ -63,19 +66,28 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     during(progress::queries(), |progress| match arguments.kind {
-        Kind::Vf => convert::<VertexFace>(arguments, progress),
-        Kind::Ee => convert::<EdgeEdge>(arguments, progress),
+        Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
+        Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),
+        Kind::Ve => convert::<VertexEdge>(arguments, no_scene, progress),
+        Kind::Vv => convert::<VertexVertex>(arguments, no_scene, progress),
     })?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn convert<K: DataKind + 'static>(
+/// Converts queries of a kind; `scene` reads those of a scene.
+fn convert<K: QueryKind + 'static>(
     arguments: &Arguments,
+    scene: fn(&Path) -> Result<Records<K>, Failure>,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(), Failure> {
     let seventh = query_files::seventh(arguments.roots);
     let open = |input: &PathBuf| {
-        open(input, seventh).unwrap_or_else(|failure| Box::new(std::iter::once(Err(failure))))
+        let records = if input.is_dir() {
+            scene(input)
+        } else {
+            query_files::records(input, Rounding::Refuse, seventh)
+        };
+        records.unwrap_or_else(|failure| Box::new(std::iter::once(Err(failure))))
     };
     let mut records = arguments.inputs.iter().flat_map(open);
     let batches = std::iter::from_fn(|| {
@@ -94,13 +106,18 @@ fn convert<K: DataKind + 'static>(
     query_files::write(&arguments.output, seventh, answered)
 }
 
-/// The queries of a file or of a scene.
-fn open<K: DataKind + 'static>(input: &Path, seventh: Seventh) -> Result<Records<K>, Failure> {
-    if !input.is_dir() {
-        return query_files::records(input, Rounding::Refuse, seventh);
-    }
-    let scene = Scene::new(input.to_owned());
+/// The queries of a scene.
+fn scene<K: DataKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
+    let scene = Scene::new(folder.to_owned());
     let motion = scene.motion()?;
     let records = scene.records(&motion.step()?)?;
     Ok(Box::new(records.into_iter().map(Ok)))
+}
+
+/// The error of a folder of queries of another kind than those of scenes.
+fn no_scene<K: QueryKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
+    Err(Failure::NoPairs {
+        folder: folder.to_owned(),
+        kind: K::SHORT,
+    })
 }

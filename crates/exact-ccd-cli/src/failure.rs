@@ -7,11 +7,13 @@ use exact_ccd::parity::RoundingError;
 use exact_ccd_bench::comparison::PeerError;
 use exact_ccd_data::DataError;
 use exact_ccd_files::{ReadError, ReadMotionError};
-use exact_ccd_mesh::StepError;
+use exact_ccd_mesh::{CandidateError, StepError, ThicknessCount};
 use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 use exact_ccd_view::PageError;
+
+use crate::kind::Kind;
 
 /// The reason why the program has no answer.
 #[derive(Debug, thiserror::Error)]
@@ -24,6 +26,10 @@ pub(crate) enum Failure {
     Motion(#[from] ReadMotionError),
     #[error(transparent)]
     Step(#[from] StepError),
+    #[error(transparent)]
+    Candidates(#[from] CandidateError),
+    #[error(transparent)]
+    Thickness(#[from] ThicknessCount),
     #[error("{}, query {query}: {source}", file.display())]
     Query {
         file: PathBuf,
@@ -38,6 +44,8 @@ pub(crate) enum Failure {
         .0.display()
     )]
     KindMissing(PathBuf),
+    #[error("{}: a folder is a scene, which has queries of the kinds vf and ee, not {kind}", folder.display())]
+    NoPairs { folder: PathBuf, kind: &'static str },
     #[error("two meshes would be written to {}", .0.display())]
     SameOutput(PathBuf),
     #[error(transparent)]
@@ -46,6 +54,10 @@ pub(crate) enum Failure {
     SameMethod(String),
     #[error(transparent)]
     Method(#[from] UnknownMethod),
+    #[error("--kind {kind} needs --method exact: the method {method} has the kinds vf and ee")]
+    MethodKind { method: String, kind: Kind },
+    #[error("--min-distance above 0 needs --method exact: the method {method} decides contact")]
+    MethodDistance { method: String },
     #[error(
         "{}: expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, \
          or `frames` with meshes",

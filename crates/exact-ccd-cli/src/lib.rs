@@ -5,9 +5,11 @@
 mod audit;
 mod bench;
 mod convert;
+mod distances;
 mod failure;
 mod kind;
 mod method;
+mod min_distance;
 mod output;
 mod progress;
 mod queries;

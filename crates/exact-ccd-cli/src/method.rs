@@ -5,9 +5,12 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use exact_ccd::parity::{self, Parity, Rounded, RoundingError};
+use exact_ccd::separation::Separation;
 use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, TimeGuarantee};
 use exact_ccd_methods::{UnknownMethod, by_name};
 
+use crate::failure::Failure;
+use crate::kind::Kind as AnyKind;
 use crate::shortest::shortest;
 
 /// A registered method, or the parity in integers. Those that count contacts are apart.
@@ -41,19 +44,37 @@ impl FromStr for Method {
 }
 
 impl Method {
-    pub(crate) fn answer<K: Kind>(&self, query: &Query<K>) -> Result<Answer, RoundingError>
+    fn name(&self) -> &str {
+        match self {
+            Self::Exact => "exact",
+            Self::Parity => "parity",
+            Self::ParityRational => PARITY_RATIONAL,
+            Self::Other(method) => method.name(),
+        }
+    }
+
+    /// Checks that the method has queries of a kind, and, if the distance is not 0, times within a
+    /// distance. The exact method has both.
+    pub(crate) fn check(&self, kind: AnyKind, d: Separation) -> Result<(), Failure> {
+        let method = || self.name().to_owned();
+        match (self, kind) {
+            (Self::Exact, _) => Ok(()),
+            (_, AnyKind::Ve | AnyKind::Vv) => Err(Failure::MethodKind {
+                method: method(),
+                kind,
+            }),
+            _ if d != Separation::default() => Err(Failure::MethodDistance { method: method() }),
+            _ => Ok(()),
+        }
+    }
+
+    /// The answer to a query within a distance, which [`check`](Self::check) accepts.
+    pub(crate) fn answer<K: Kind>(&self, query: &Query<K>, d: Separation) -> Result<Answer, RoundingError>
     where
         dyn Ccd: Decide<K>,
     {
         Ok(match self {
-            Self::Exact => {
-                let times = query.contact_times();
-                Answer {
-                    collides: times.first().is_some(),
-                    count: times.count().map_or("-1".to_owned(), |count| count.to_string()),
-                    toi: times.first().map(ContactTime::lower),
-                }
-            }
+            Self::Exact => Answer::exact(query, d),
             Self::Parity => Rounded::shift(query)?.parity().into(),
             Self::ParityRational => parity::rational(query).into(),
             Self::Other(method) => {
@@ -72,9 +93,30 @@ impl Method {
 /// The answer of a method to a query.
 pub(crate) struct Answer {
     pub(crate) collides: bool,
-    /// The number of contacts or its parity; empty from a method that does not count.
+    /// The number of contacts or its parity, or the number of intervals of times within a distance; empty
+    /// from a method that does not count.
     count: String,
     toi: Option<f64>,
+}
+
+impl Answer {
+    /// The answer of the exact method: contact, or the times within a distance above 0.
+    pub(crate) fn exact<K: Kind>(query: &Query<K>, d: Separation) -> Self {
+        let (count, first) = if d == Separation::default() {
+            let times = query.contact_times();
+            let count = times.count().map_or("-1".to_owned(), |count| count.to_string());
+            (count, times.first())
+        } else {
+            let intervals = query.intervals_within(d);
+            let first = intervals.first().map(|interval| interval.start);
+            (intervals.len().to_string(), first)
+        };
+        Self {
+            collides: first.is_some(),
+            count,
+            toi: first.map(ContactTime::lower),
+        }
+    }
 }
 
 impl From<Parity> for Answer {

@@ -4,16 +4,18 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use exact_ccd::parity::RoundingError;
 use exact_ccd::separation::Separation;
-use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
-use exact_ccd_data::{DataKind, Rounding, Sample};
+use exact_ccd::{EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{QueryKind, Rounding, Sample};
 use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::kind::Kind;
-use crate::method::Method;
+use crate::method::{Answer, Method};
+use crate::min_distance;
 use crate::progress::{self, during};
 use crate::query_files::{self, Samples};
 use crate::tally::Tally;
@@ -24,12 +26,16 @@ const BATCH: usize = 4096;
 
 /// The contacts of the queries in files, by the exact method or another one
 ///
-/// A query is eight rows: its four points at t = 0, then the same at t = 1.
-/// These are the vertex and the corners of the face, or the ends of the first
-/// edge and those of the second. A row is the numerators and denominators of
-/// x, y and z. In all rows or in none, a seventh column is the ground truth,
-/// 1 for contact and 0 for none. Files whose names end in .parquet have the
-/// columns of `exact-ccd convert` instead.
+/// A query is a row for each of its points at t = 0, then the same at t = 1.
+/// The points are, by the kind of the queries,
+///   vf  the vertex and the corners of the face: eight rows
+///   ee  the ends of the first edge and those of the second: eight rows
+///   ve  the vertex and the ends of the edge: six rows
+///   vv  the two vertices: four rows
+/// A row is the numerators and denominators of x, y and z. In all rows or in
+/// none, a seventh column is the ground truth, 1 for contact and 0 for none.
+/// Files whose names end in .parquet have the columns of `exact-ccd convert`
+/// instead.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
@@ -37,6 +43,11 @@ const BATCH: usize = 4096;
 ///   count    the number of distinct contact times, -1 for an interval
 ///   toi      the earliest, rounded down to f64, as the shortest decimal that
 ///            reads back to it; empty if there is none
+///
+/// With --min-distance D, primitives at most D apart are in contact. If D is
+/// above 0, count is the number of maximal closed intervals of contact times.
+/// D is the f64 nearest to the number given, and the distance of the primitives
+/// is compared with it exactly.
 ///
 /// Two methods count the parity of the number of contacts, as in the paper
 /// "Fast and Exact Root Parity for Continuous Collision Detection" (2022):
@@ -47,7 +58,8 @@ const BATCH: usize = 4096;
 ///            an edge of the face, or with an end of an edge
 ///
 /// The other methods are those of `exact-ccd bench`. Their count is empty, and
-/// so is the toi of those without times.
+/// so is the toi of those without times. Only the exact method has the kinds ve
+/// and vv, and distances above 0.
 ///
 /// If there is ground truth, the numbers of false positives and of false
 /// negatives go to standard error.
@@ -57,9 +69,13 @@ const BATCH: usize = 4096;
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// A vertex against a face, or an edge against an edge.
+    /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
+    /// against a vertex.
     #[arg(long)]
     kind: Kind,
+    /// Count primitives at most D apart as touching, in the unit of the coordinates.
+    #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    min_distance: Separation,
     /// The method, in upper or lower case: exact, parity, parity-rational, or one of `exact-ccd bench`.
     #[arg(long, default_value = "exact")]
     method: Method,
@@ -80,9 +96,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     } else {
         progress::queries()
     };
+    let (method, d) = (&arguments.method, arguments.min_distance);
+    method.check(arguments.kind, d)?;
     let tally = during(bar, |progress| match arguments.kind {
-        Kind::Vf => answer_all::<VertexFace>(arguments, progress),
-        Kind::Ee => answer_all::<EdgeEdge>(arguments, progress),
+        Kind::Vf => answer_all::<VertexFace>(arguments, &|query| method.answer(query, d), progress),
+        Kind::Ee => answer_all::<EdgeEdge>(arguments, &|query| method.answer(query, d), progress),
+        Kind::Ve => answer_all::<VertexEdge>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
+        Kind::Vv => answer_all::<VertexVertex>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
     });
     match tally {
         Ok(tally) => tally.report(),
@@ -91,13 +111,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn answer_all<K: DataKind + PageKind + 'static>(
+/// The decision of one query.
+type Decision<'a, K> = &'a (dyn Fn(&Query<K>) -> Result<Answer, RoundingError> + Sync);
+
+fn answer_all<K: QueryKind + PageKind + 'static>(
     arguments: &Arguments,
+    decide: Decision<'_, K>,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<Tally, Failure>
-where
-    dyn Ccd: Decide<K>,
-{
+) -> Result<Tally, Failure> {
     let rounding = if arguments.round_input {
         Rounding::ToNearest
     } else {
@@ -112,7 +133,7 @@ where
         answer(
             file,
             samples,
-            &arguments.method,
+            decide,
             &mut tally,
             &mut choice,
             &mut output,
@@ -122,31 +143,25 @@ where
     let flushed = output.flush();
     answered?;
     flushed?;
-    choice.finish(Separation::default())?;
+    choice.finish(arguments.min_distance)?;
     Ok(tally)
 }
 
-fn answer<K: DataKind + PageKind>(
+fn answer<K: QueryKind + PageKind>(
     file: &Path,
     mut samples: Samples<K>,
-    method: &Method,
+    decide: Decision<'_, K>,
     tally: &mut Tally,
     choice: &mut ChosenQuery<K>,
     output: &mut impl Write,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(), Failure>
-where
-    dyn Ccd: Decide<K>,
-{
+) -> Result<(), Failure> {
     let first = tally.queries();
     loop {
         let mut read = Ok(());
         let or_stop = |sample: Result<_, _>| sample.map_err(|error| read = Err(error)).ok();
         let batch: Vec<Sample<K>> = samples.by_ref().take(BATCH).map_while(or_stop).collect();
-        let answers: Vec<_> = batch
-            .par_iter()
-            .map(|sample| method.answer(&sample.query))
-            .collect();
+        let answers: Vec<_> = batch.par_iter().map(|sample| decide(&sample.query)).collect();
         for (sample, answer) in batch.iter().zip(answers) {
             let query = tally.queries();
             let answer =

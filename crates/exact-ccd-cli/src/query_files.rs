@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use exact_ccd_data::{
-    ColumnReader, ColumnWriter, DataError, DataKind, QueryReader, QueryWriter, Record, Rounding, Sample,
+    ColumnReader, ColumnWriter, DataError, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample,
     Seventh,
 };
 
@@ -23,7 +23,7 @@ pub(crate) fn seventh(roots: bool) -> Seventh {
 }
 
 /// The queries in a file; - is standard input.
-pub(crate) fn open<K: DataKind + 'static>(file: &Path, rounding: Rounding) -> Result<Samples<K>, Failure> {
+pub(crate) fn open<K: QueryKind + 'static>(file: &Path, rounding: Rounding) -> Result<Samples<K>, Failure> {
     let records = records(file, rounding, Seventh::Contact)?;
     Ok(Box::new(
         records.map(|record| record.map(|record: Record<K>| record.sample)),
@@ -31,7 +31,7 @@ pub(crate) fn open<K: DataKind + 'static>(file: &Path, rounding: Rounding) -> Re
 }
 
 /// The queries in a file with all their data; - is standard input.
-pub(crate) fn records<K: DataKind + 'static>(
+pub(crate) fn records<K: QueryKind + 'static>(
     file: &Path,
     rounding: Rounding,
     seventh: Seventh,
@@ -52,7 +52,7 @@ fn failing<K: 'static>(records: impl Iterator<Item = Result<Record<K>, DataError
 }
 
 /// Writes queries to a file, which is replaced.
-pub(crate) fn write<K: DataKind>(
+pub(crate) fn write<K: QueryKind>(
     file: &Path,
     seventh: Seventh,
     mut records: impl Iterator<Item = Result<Record<K>, Failure>>,

@@ -5,13 +5,16 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use clap::value_parser;
+use exact_ccd::separation::Separation;
 use exact_ccd_files::read_motion;
-use exact_ccd_mesh::{Bvh, Detector, Motion, StepError, StepReport};
+use exact_ccd_mesh::{Bvh, CandidateOptions, Detector, MinDistance, Motion, StepReport};
 
+use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::min_distance;
 use crate::output::print;
 use crate::progress::{self, during};
-use crate::step_report::{Answer, Free, Report, Seconds};
+use crate::step_report::{Answer, Free, Output, Report, Seconds};
 use crate::timed::Timed;
 use crate::view::View;
 
@@ -19,7 +22,10 @@ use crate::view::View;
 ///
 /// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to
 /// where it is in END at t = 1. Contact is a common point of a vertex and a face, or of two edges,
-/// that have no vertex in common.
+/// that have no vertex in common. Vertices and edges without a face take part too.
+///
+/// With --min-distance D, primitives at most D apart are in contact. The pairs are then those above,
+/// and loose vertices against loose edges and against each other.
 ///
 /// The time of impact is the earliest contact time, rounded down to f64: until then the step is
 /// free of contact for certain. Exit status: 0 free, 1 contact, 2 error.
@@ -36,6 +42,20 @@ pub(crate) struct Arguments {
     /// Only decide if there is contact: the search ends at the first contact found.
     #[arg(long)]
     any: bool,
+    /// Count primitives at most D apart as touching, in the unit of the coordinates.
+    #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    min_distance: Separation,
+    /// Count pairs that start within the minimum distance as touching only if they come within D, a
+    /// smaller distance, which may be 0. A line search that starts there can move on so. For all
+    /// other pairs, the minimum distance holds.
+    #[arg(
+        long,
+        value_name = "D",
+        requires = "min_distance",
+        value_parser = min_distance::parse,
+        allow_hyphen_values = true
+    )]
+    inner_distance: Option<Separation>,
     /// Repeat the computation N times, for measurements, and report the run of median duration.
     /// With --toi or --any, memory and the order of the primitives are kept from run to run, as in
     /// a simulation.
@@ -56,23 +76,28 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let read = clock.elapsed();
 
     let broad_phase = Timed::new(Bvh);
-    let mut detector = Detector::with_broad_phase(motion.mesh.clone(), &broad_phase);
+    let distance = kept(arguments.min_distance, arguments.inner_distance);
+    let detector = Detector::with_broad_phase(motion.mesh.clone(), &broad_phase);
+    let mut detector = detector.with_min_distance(distance.clone())?;
     let mut answers = (0..arguments.repeat)
-        .map(|_| arguments.answer(&motion, &broad_phase, &mut detector, read))
-        .collect::<Result<Vec<Answer>, StepError>>()?;
+        .map(|_| arguments.answer(&motion, &broad_phase, &mut detector, &distance, read))
+        .collect::<Result<Vec<Answer>, Failure>>()?;
     answers.sort_by(|a, b| a.seconds().total_cmp(&b.seconds()));
-    let answer = answers.swap_remove(answers.len() / 2);
+    let output = Output {
+        distances: Distances::new(arguments.min_distance, arguments.inner_distance),
+        answer: answers.swap_remove(answers.len() / 2),
+    };
     let text = if arguments.json {
-        answer.to_json()
+        output.to_json()
     } else {
-        answer.to_string()
+        output.to_string()
     };
     print(&text)?;
     let files = [arguments.start.as_path(), &arguments.end];
     arguments
         .view
-        .step(files, &motion, &mut detector, &answer.to_string())?;
-    Ok(ExitCode::from(u8::from(!answer.is_free())))
+        .step(files, &motion, &mut detector, &output.to_string())?;
+    Ok(ExitCode::from(u8::from(!output.answer.is_free())))
 }
 
 impl Arguments {
@@ -81,8 +106,9 @@ impl Arguments {
         motion: &Motion,
         broad_phase: &Timed<Bvh>,
         detector: &mut Detector<&Timed<Bvh>>,
+        distance: &MinDistance,
         read: Duration,
-    ) -> Result<Answer, StepError> {
+    ) -> Result<Answer, Failure> {
         let Motion { mesh, x0, x1 } = motion;
         let clock = Instant::now();
         let seconds = || Seconds::new(read, clock.elapsed(), broad_phase.take_time_in_sinks());
@@ -95,9 +121,10 @@ impl Arguments {
             Answer::Report(Report::earliest(mesh, earliest, seconds()))
         } else {
             let step = motion.step()?;
+            let options = CandidateOptions::default().with_min_distance(distance.clone());
             let report = during(progress::pairs(), |progress| {
-                StepReport::new(step, broad_phase, progress)
-            });
+                StepReport::with_options(step, broad_phase, &options, progress)
+            })?;
             Answer::Report(Report::new(mesh, &report, seconds()))
         })
     }

@@ -6,7 +6,18 @@ use std::time::Duration;
 use exact_ccd_mesh::{Contact, Pair, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
+use crate::distances::{Distances, Reached};
+use crate::kind::Kind;
 use crate::shortest::shortest;
+
+/// The answer, and the distances within which pairs touch.
+#[derive(Serialize)]
+pub(crate) struct Output {
+    #[serde(flatten)]
+    pub(crate) distances: Distances,
+    #[serde(flatten)]
+    pub(crate) answer: Answer,
+}
 
 /// The answer to one of the questions of the command line.
 #[derive(Serialize)]
@@ -46,13 +57,12 @@ struct Counted {
 /// The pair that touches first.
 #[derive(Serialize)]
 pub(crate) struct ReportedPair {
-    /// `vf`, `ee`, `ve` or `vv`.
-    kind: &'static str,
+    kind: Kind,
     /// The indices of the two primitives.
     ids: [u32; 2],
-    /// The pair, and the vertices of the first primitive, then those of the second, for the text.
-    #[serde(skip)]
-    pair: Pair,
+    /// The distance of the pair then.
+    distance: Reached,
+    /// The vertices of the first primitive, then those of the second, for the text.
     #[serde(skip)]
     vertices: Vec<u32>,
 }
@@ -103,7 +113,9 @@ impl Answer {
             Self::Free(Free { seconds, .. }) | Self::Report(Report { seconds, .. }) => seconds.total,
         }
     }
+}
 
+impl Output {
     pub(crate) fn to_json(&self) -> String {
         serde_json::to_string(self).expect("numbers and names only")
     }
@@ -135,7 +147,7 @@ impl Report {
         Self {
             collision_free: earliest.is_none(),
             toi: earliest.map(|contact| contact.impact.time.lower()),
-            pair: earliest.map(|contact| ReportedPair::new(mesh, contact.pair)),
+            pair: earliest.map(|contact| ReportedPair::new(mesh, &contact)),
             counts: None,
             seconds,
         }
@@ -143,19 +155,18 @@ impl Report {
 }
 
 impl ReportedPair {
-    pub(crate) fn new(mesh: &TriangleMesh, pair: Pair) -> Self {
-        let (kind, ids) = match pair {
-            Pair::VertexFace { vertex, face } => ("vf", [vertex, face]),
-            Pair::EdgeEdge { a, b } => ("ee", [a, b]),
-            Pair::VertexEdge { vertex, edge } => ("ve", [vertex, edge]),
-            Pair::VertexVertex { a, b } => ("vv", [a, b]),
+    pub(crate) fn new(mesh: &TriangleMesh, contact: &Contact) -> Self {
+        let (kind, ids) = match contact.pair {
+            Pair::VertexFace { vertex, face } => (Kind::Vf, [vertex, face]),
+            Pair::EdgeEdge { a, b } => (Kind::Ee, [a, b]),
+            Pair::VertexEdge { vertex, edge } => (Kind::Ve, [vertex, edge]),
+            Pair::VertexVertex { a, b } => (Kind::Vv, [a, b]),
         };
-        let vertices = pair.vertices(mesh).expect("the pair is one of the mesh");
         Self {
             kind,
             ids,
-            pair,
-            vertices,
+            distance: contact.distance.into(),
+            vertices: contact.pair.vertices(mesh).expect("the pair is one of the mesh"),
         }
     }
 }
@@ -183,10 +194,18 @@ impl fmt::Display for Report {
             touching_at_start,
         }) = &self.counts
         {
-            let Counts { vf, ee, ve, vv } = candidates;
-            write!(f, "candidates: {vf} vertex-face pairs, {ee} edge-edge pairs")?;
-            if ve + vv > 0 {
-                write!(f, ", {ve} vertex-edge pairs, {vv} vertex-vertex pairs")?;
+            write!(
+                f,
+                "candidates: {} vertex-face pairs, {} edge-edge pairs",
+                candidates.vf, candidates.ee
+            )?;
+            // A mesh of faces alone has none of these.
+            if candidates.ve + candidates.vv > 0 {
+                write!(
+                    f,
+                    ", {} vertex-edge pairs, {} vertex-vertex pairs",
+                    candidates.ve, candidates.vv
+                )?;
             }
             writeln!(f)?;
             writeln!(f, "touching at t = 0: {touching_at_start} pairs")?;
@@ -207,11 +226,14 @@ impl fmt::Display for Free {
     }
 }
 
-impl fmt::Display for Answer {
+impl fmt::Display for Output {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Free(free) => free.fmt(f),
-            Self::Report(report) => report.fmt(f),
+        if !self.distances.are_zero() {
+            writeln!(f, "{}", self.distances)?;
+        }
+        match &self.answer {
+            Answer::Free(free) => free.fmt(f),
+            Answer::Report(report) => report.fmt(f),
         }
     }
 }
@@ -228,20 +250,21 @@ impl fmt::Display for Seconds {
 
 impl fmt::Display for ReportedPair {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.pair, &self.vertices[..]) {
-            (Pair::EdgeEdge { a: i, b: j }, [a, b, c, d]) => {
-                write!(f, "edge {i} (vertices {a}, {b}) and edge {j} (vertices {c}, {d})")
-            }
-            (Pair::VertexFace { vertex, face }, [_, a, b, c]) => {
-                write!(f, "vertex {vertex} and face {face} (vertices {a}, {b}, {c})")
-            }
-            (Pair::VertexEdge { vertex, edge }, [_, a, b]) => {
-                write!(f, "vertex {vertex} and edge {edge} (vertices {a}, {b})")
-            }
-            _ => {
-                let [i, j] = self.ids;
-                write!(f, "vertex {i} and vertex {j}")
-            }
+        let ([i, j], v) = (self.ids, &self.vertices);
+        match self.kind {
+            Kind::Vf => write!(
+                f,
+                "vertex {i} and face {j} (vertices {}, {}, {})",
+                v[1], v[2], v[3]
+            )?,
+            Kind::Ee => write!(
+                f,
+                "edge {i} (vertices {}, {}) and edge {j} (vertices {}, {})",
+                v[0], v[1], v[2], v[3]
+            )?,
+            Kind::Ve => write!(f, "vertex {i} and edge {j} (vertices {}, {})", v[1], v[2])?,
+            Kind::Vv => write!(f, "vertex {i} and vertex {j}")?,
         }
+        self.distance.fmt(f)
     }
 }

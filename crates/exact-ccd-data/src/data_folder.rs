@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use crate::error::DataError;
 use crate::kind::DataKind;
 use crate::list::list;
+use crate::query_kind::QueryKind;
 use crate::scene::Scene;
+use crate::separation::SeparationFile;
 
 /// The environment variable that names the folder.
 const VARIABLE: &str = "EXACT_CCD_DATA";
@@ -14,7 +16,7 @@ const VARIABLE: &str = "EXACT_CCD_DATA";
 /// The folder without the variable, relative to the root of the repository.
 const DEFAULT: &str = "../shared/data";
 
-/// The folder of published data sets: handcrafted queries and simulated scenes.
+/// The folder of published data sets: handcrafted queries, simulated scenes, times within a distance.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DataFolder(PathBuf);
 
@@ -56,12 +58,16 @@ impl DataFolder {
         list(&self.0.join("meshes"))
     }
 
-    /// All files of queries with the times within a distance.
+    /// All files of queries of a kind with the times within a distance, sorted by name.
     ///
     /// # Errors
     /// If the folder cannot be read.
-    pub fn separation(&self) -> Result<Vec<PathBuf>, DataError> {
-        list(&self.0.join("separation"))
+    pub fn separation<K: QueryKind>(&self) -> Result<Vec<SeparationFile>, DataError> {
+        let files = list(&self.0.join("separation"))?;
+        Ok(files
+            .into_iter()
+            .filter_map(SeparationFile::of_kind::<K>)
+            .collect())
     }
 
     /// All scenes.

@@ -148,8 +148,13 @@ pub enum Problem {
         found: i64,
     },
     /// The file ends before the query does.
-    #[error("the file ends after {0} of the 8 rows of a query")]
-    CutShort(usize),
+    #[error("the file ends after {found} of the {expected} rows of a query")]
+    CutShort {
+        /// The number of rows of a query.
+        expected: usize,
+        /// The number of rows left for the last one.
+        found: usize,
+    },
     /// A field is not the expected number.
     #[error("expected {expected} as {column}, found \"{found}\"")]
     Field {
@@ -197,6 +202,12 @@ pub enum RecordProblem {
         expected: &'static str,
         /// The contents found.
         found: String,
+    },
+    /// The list of coordinates is missing or has another length than expected.
+    #[error("expected {expected} coordinates as points, found null or another number")]
+    Points {
+        /// The number of coordinates of a query.
+        expected: usize,
     },
     /// A coordinate is infinite or not a number.
     #[error(transparent)]

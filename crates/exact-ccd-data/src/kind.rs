@@ -1,16 +1,15 @@
-//! The names and numbers of the two kinds of query in the data sets.
+//! The names and numbers of the two kinds of query in the published scenes.
 
 use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_mesh::{Candidates, PairKind, Step, TriangleMesh};
 
-/// A kind of query with its names and numbers in the data sets.
-pub trait DataKind: Kind<Points = [Point; 4], Vertices = [u32; 4]> + Send + Sync {
+use crate::query_kind::QueryKind;
+
+/// A kind of query of the published scenes and folders of query files. The names of its files in a
+/// scene end in its [short name](QueryKind::SHORT).
+pub trait DataKind: QueryKind + Kind<Points = [Point; 4], Vertices = [u32; 4]> {
     /// The folder of its handcrafted query files.
     const FOLDER: &'static str;
-    /// The ending of the names of its files in a scene, which is also its short name.
-    const SHORT: &'static str;
-    /// The names of the four points.
-    const POINTS: [&'static str; 4];
 
     /// The indices of the two primitives of a mesh with these global ids, or `None` if they are not
     /// a pair of this kind. Ids count the vertices, then the edges, then the faces.
@@ -37,8 +36,6 @@ pub trait DataKind: Kind<Points = [Point; 4], Vertices = [u32; 4]> + Send + Sync
 
 impl DataKind for VertexFace {
     const FOLDER: &'static str = "vertex-face";
-    const SHORT: &'static str = "vf";
-    const POINTS: [&'static str; 4] = ["p", "v1", "v2", "v3"];
 
     fn indices([vertex, face]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
         let face = face.checked_sub(mesh.vertex_count() + mesh.edges().len())?;
@@ -68,8 +65,6 @@ impl DataKind for VertexFace {
 
 impl DataKind for EdgeEdge {
     const FOLDER: &'static str = "edge-edge";
-    const SHORT: &'static str = "ee";
-    const POINTS: [&'static str; 4] = ["a0", "a1", "b0", "b1"];
 
     fn indices([a, b]: [usize; 2], mesh: &TriangleMesh) -> Option<[u32; 2]> {
         let edge = |id: usize| index(id.checked_sub(mesh.vertex_count())?, mesh.edges().len());

@@ -2,10 +2,11 @@
 //!
 //! | files | types |
 //! |---|---|
-//! | query files: CSV, eight rows a query | [`QueryReader`], [`QueryWriter`], [`write_query`] |
+//! | query files: CSV, a row for each point at t = 0 and at t = 1 | [`QueryReader`], [`QueryWriter`], [`write_query`] |
 //! | Parquet files, a row a query, with all fields of a [`Record`] | [`ColumnReader`], [`ColumnWriter`] |
 //! | scenes: two meshes of a recorded time step, the queried pairs, and verdicts | [`Scene`] |
 //! | root files: the contact times of the queries of a scene | [`read_roots`] |
+//! | queries with the times within a distance | [`SeparationFile`] |
 //! | the folder of the published data sets | [`DataFolder`] |
 //!
 //! Readers are iterators that need little memory, whatever the size of the file, and end after the
@@ -27,15 +28,18 @@ mod columns;
 mod data_folder;
 mod error;
 mod excerpt;
+mod fields;
 mod json;
 mod kind;
 mod list;
 mod queries;
+mod query_kind;
 mod rational;
 mod record;
 mod roots;
 mod rows;
 mod scene;
+mod separation;
 mod write;
 
 pub use columns::{ColumnReader, ColumnWriter};
@@ -44,9 +48,11 @@ pub use error::{ColumnProblem, DataError, Problem, RecordProblem};
 pub use kind::DataKind;
 pub use list::list;
 pub use queries::QueryReader;
+pub use query_kind::QueryKind;
 pub use rational::{CoordinateError, Rounding};
 pub use record::{Record, Sample};
 pub use roots::{Roots, read_roots};
 pub use rows::Seventh;
 pub use scene::Scene;
+pub use separation::{SeparationFile, TimesWithin};
 pub use write::{QueryWriter, write_query};

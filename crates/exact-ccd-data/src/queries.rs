@@ -1,24 +1,23 @@
-//! Query files: eight rows a query, a point of rational coordinates in each.
+//! Query files: a row for each point of a query at each end of the step, of rational coordinates.
 
 use std::fs::File;
 use std::io::Read;
 use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
-use exact_ccd::Query;
-
 use crate::error::{DataError, Problem};
-use crate::kind::DataKind;
+use crate::query_kind::{self, QueryKind};
 use crate::rational::Rounding;
 use crate::record::{Record, Sample};
 use crate::rows::{Row, RowReader, Seventh};
 
 /// Reads queries one after the other, from files of any size. It ends after the first error.
 ///
-/// A query is eight rows: its four points at t = 0 and then at t = 1, in the order of
-/// [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge). A row is the
-/// numerators and denominators of x, y and z. In all rows of the file or in none, the ground truth
-/// follows, 1 for contact and 0 for none, which is the same in the eight rows. Fields may have
+/// A query is its points at t = 0 and then at t = 1, a row for each, in the order of the kind: eight
+/// rows of [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge), six of
+/// [`VertexEdge`](exact_ccd::VertexEdge), four of [`VertexVertex`](exact_ccd::VertexVertex). A row is
+/// the numerators and denominators of x, y and z. In all rows of the file or in none, the ground truth
+/// follows, 1 for contact and 0 for none, which is the same in all rows of a query. Fields may have
 /// blanks around them. Blank lines are skipped.
 pub struct QueryReader<K, R> {
     rows: RowReader<R>,
@@ -26,7 +25,7 @@ pub struct QueryReader<K, R> {
     kind: PhantomData<K>,
 }
 
-impl<K: DataKind> QueryReader<K, File> {
+impl<K: QueryKind> QueryReader<K, File> {
     /// A reader of the queries in a file.
     ///
     /// # Errors
@@ -37,7 +36,7 @@ impl<K: DataKind> QueryReader<K, File> {
     }
 }
 
-impl<K: DataKind, R: Read> QueryReader<K, R> {
+impl<K: QueryKind, R: Read> QueryReader<K, R> {
     /// A reader of the queries in any text, which errors call `name`. It has a buffer of its own.
     pub fn new(name: impl Into<PathBuf>, text: R, rounding: Rounding) -> Self {
         Self {
@@ -69,17 +68,22 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
     }
 
     fn record(&mut self) -> Result<Option<Record<K>>, DataError> {
-        let mut points = [[[0.0; 3]; 4]; 2];
+        // As many as the largest kinds have.
+        let mut points = [[0.0; 3]; 8];
+        let points = &mut points[..2 * K::POINTS.len()];
         let mut first = None;
         let mut last_line = 0;
-        for index in 0..8 {
+        for index in 0..points.len() {
             let Some(Row { point, seventh, line }) = self.rows.next(index)? else {
                 return match index {
                     0 => Ok(None),
-                    rows => Err(self.rows.error(last_line, Problem::CutShort(rows))),
+                    found => {
+                        let expected = points.len();
+                        Err(self.rows.error(last_line, Problem::CutShort { found, expected }))
+                    }
                 };
             };
-            points[index / 4][index % 4] = point;
+            points[index] = point;
             last_line = line;
             if index == 0 {
                 first = seventh;
@@ -89,7 +93,7 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
                 return Err(self.rows.error(line, Problem::TruthDiffers { expected, found }));
             }
         }
-        let query = Query::new(points[0], points[1]).expect("`rational::parse` returns finite numbers");
+        let query = query_kind::query(points).expect("`rational::parse` returns finite numbers");
         let truth = first.map(|seventh| seventh != 0);
         Ok(Some(Record {
             count: first.filter(|_| self.rows.seventh() == Seventh::Count),
@@ -98,7 +102,7 @@ impl<K: DataKind, R: Read> QueryReader<K, R> {
     }
 }
 
-impl<K: DataKind, R: Read> Iterator for QueryReader<K, R> {
+impl<K: QueryKind, R: Read> Iterator for QueryReader<K, R> {
     type Item = Result<Sample<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {

@@ -27,8 +27,8 @@ pub(crate) struct RowReader<R> {
     record: ByteRecord,
     rounding: Rounding,
     seventh: Seventh,
-    /// The names of the points of a query.
-    points: [&'static str; 4],
+    /// The points of a query, as [`QueryKind`](crate::QueryKind) names them.
+    points: &'static [(&'static str, usize)],
     /// The number of fields in the first row.
     fields: Option<usize>,
 }
@@ -43,7 +43,12 @@ pub(crate) struct Row {
 }
 
 impl<R: Read> RowReader<R> {
-    pub(crate) fn new(file: PathBuf, text: R, rounding: Rounding, points: [&'static str; 4]) -> Self {
+    pub(crate) fn new(
+        file: PathBuf,
+        text: R,
+        rounding: Rounding,
+        points: &'static [(&'static str, usize)],
+    ) -> Self {
         let csv = ReaderBuilder::new()
             .has_headers(false)
             .flexible(true)
@@ -111,8 +116,8 @@ impl<R: Read> RowReader<R> {
             *coordinate = rational::parse(numerator, denominator, self.rounding).map_err(|source| {
                 Problem::Coordinate {
                     axis: ['x', 'y', 'z'][axis],
-                    point: self.points[index % 4],
-                    time: index / 4,
+                    point: self.points[index % self.points.len()].0,
+                    time: index / self.points.len(),
                     source,
                 }
             })?;

@@ -11,6 +11,7 @@ use crate::error::DataError;
 use crate::json::{read_pairs, read_verdicts};
 use crate::kind::DataKind;
 use crate::list::list;
+use crate::query_kind::QueryKind;
 use crate::record::{Record, Sample, number};
 use crate::roots::{Roots, read_roots};
 

@@ -3,8 +3,9 @@
 use std::io::{self, Write};
 
 use dashu_ratio::RBig;
-use exact_ccd::{Kind, Point, Query};
+use exact_ccd::{Point, Query};
 
+use crate::query_kind::{self, QueryKind};
 use crate::record::Record;
 use crate::rows::Seventh;
 
@@ -29,12 +30,12 @@ impl<W: Write> QueryWriter<W> {
         }
     }
 
-    /// Adds a query: its eight rows, as [`write_query`] writes them, with the ground truth or the
+    /// Adds a query: its rows, as [`write_query`] writes them, with the ground truth or the
     /// count at the end of each. The other fields of the record are left out.
     ///
     /// # Errors
     /// Those of the writer. If only some of the queries have a ground truth, or if a count is missing.
-    pub fn write<K: Kind>(&mut self, record: &Record<K>) -> io::Result<()> {
+    pub fn write<K: QueryKind>(&mut self, record: &Record<K>) -> io::Result<()> {
         let value = match self.seventh {
             Seventh::Contact => record.sample.truth.map(i64::from),
             Seventh::Count => record.count,
@@ -66,23 +67,22 @@ impl<W: Write> QueryWriter<W> {
     }
 }
 
-/// Writes the eight rows of a query, without ground truth, as [`QueryReader`](crate::QueryReader) reads them.
+/// Writes the rows of a query, without ground truth, as [`QueryReader`](crate::QueryReader) reads them.
 ///
 /// Every coordinate is a fraction in lowest terms, which is exactly the `f64`; −0.0 becomes 0/1.
 ///
 /// # Errors
 /// Those of the writer.
-pub fn write_query<K: Kind>(writer: &mut impl Write, query: &Query<K>) -> io::Result<()> {
+pub fn write_query<K: QueryKind>(writer: &mut impl Write, query: &Query<K>) -> io::Result<()> {
     write_rows(writer, query, "")
 }
 
 /// Writes the rows of a query, each with this ending.
-fn write_rows<K: Kind>(writer: &mut impl Write, query: &Query<K>, ending: &str) -> io::Result<()> {
-    let mut points = query.points().as_flattened().iter();
-    points.try_for_each(|point| write_row(writer, point, ending))
+fn write_rows<K: QueryKind>(writer: &mut impl Write, query: &Query<K>, ending: &str) -> io::Result<()> {
+    query_kind::points(query).try_for_each(|point| write_row(writer, point, ending))
 }
 
-fn write_row(writer: &mut impl Write, point: &Point, ending: &str) -> io::Result<()> {
+fn write_row(writer: &mut impl Write, point: Point, ending: &str) -> io::Result<()> {
     let [x, y, z] = point.map(|x| RBig::try_from(x).expect("a query's coordinates are finite"));
     let row = [&x, &y, &z].map(|x| format!("{},{}", x.numerator(), x.denominator()));
     writeln!(writer, "{}{ending}", row.join(","))
@@ -90,15 +90,14 @@ fn write_row(writer: &mut impl Write, point: &Point, ending: &str) -> io::Result
 
 #[cfg(test)]
 mod tests {
-    use exact_ccd::{EdgeEdge, Query, VertexFace};
+    use exact_ccd::{EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
     use proptest::prelude::*;
 
     use super::*;
-    use crate::kind::DataKind;
     use crate::queries::QueryReader;
     use crate::rational::Rounding;
 
-    fn text<K: Kind>(queries: &[Query<K>]) -> String {
+    fn text<K: QueryKind>(queries: &[Query<K>]) -> String {
         let mut bytes = Vec::new();
         for query in queries {
             write_query(&mut bytes, query).unwrap();
@@ -123,15 +122,16 @@ mod tests {
         assert_eq!(lines.len(), 8);
     }
 
-    fn points() -> impl Strategy<Value = [[Point; 4]; 2]> {
+    fn points() -> impl Strategy<Value = [Point; 8]> {
         let finite = prop::num::f64::ANY.prop_map(|x| if x.is_finite() { x } else { 0.0 });
-        prop::array::uniform2(prop::array::uniform4(prop::array::uniform3(finite)))
+        prop::array::uniform8(prop::array::uniform3(finite))
     }
 
-    fn assert_survive<K: DataKind + PartialEq>(points: &[[[Point; 4]; 2]]) {
+    /// Of the eight points, each query has as many as its kind needs.
+    fn assert_survive<K: QueryKind + PartialEq>(points: &[[Point; 8]]) {
         let queries: Vec<Query<K>> = points
             .iter()
-            .map(|[t0, t1]| Query::new(*t0, *t1).unwrap())
+            .map(|points| query_kind::query(&points[..2 * K::POINTS.len()]).unwrap())
             .collect();
         let read: Vec<_> = QueryReader::<K, _>::new("text", text(&queries).as_bytes(), Rounding::Refuse)
             .map(|sample| sample.unwrap())
@@ -146,6 +146,8 @@ mod tests {
         fn every_query_reads_back(points in prop::collection::vec(points(), 0..4)) {
             assert_survive::<VertexFace>(&points);
             assert_survive::<EdgeEdge>(&points);
+            assert_survive::<VertexEdge>(&points);
+            assert_survive::<VertexVertex>(&points);
         }
     }
 }

@@ -5,8 +5,10 @@
 use std::fs;
 use std::path::Path;
 
-use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_data::{DataError, DataFolder, DataKind, Roots, Sample, Scene, read_roots};
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
+use exact_ccd_data::{
+    DataError, DataFolder, DataKind, QueryReader, Roots, Rounding, Sample, Scene, TimesWithin, read_roots,
+};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Frame, Motion};
 use tempfile::TempDir;
@@ -45,6 +47,16 @@ fn folder() -> TempDir {
     write("handcrafted/a/vertex-face/notes.txt", b"");
     write("handcrafted/a/edge-edge/0.csv", b"");
     write("handcrafted/b/edge-edge/0.csv", b"");
+    for name in [
+        "ve-fall-d0.5",
+        "vf-fall-d0.5",
+        "ve-fall-d",
+        "ve-d1",
+        "ve-fall-d-1",
+    ] {
+        write(&format!("separation/{name}.csv"), b"");
+        write(&format!("separation/{name}.times.csv"), b"");
+    }
     folder
 }
 
@@ -120,6 +132,70 @@ fn missing_published_data_are_no_error() {
     assert_eq!(scene.queries::<VertexFace>().unwrap(), None);
     fs::remove_dir_all(scene.roots::<VertexFace>().unwrap().unwrap().parent().unwrap()).unwrap();
     assert_eq!(scene.roots::<VertexFace>().unwrap(), None);
+}
+
+/// Two falls of a vertex on an edge: one ends at the distance 1/2, the other one at 3/4.
+#[test]
+fn queries_have_their_times_within_a_distance() {
+    let folder = folder();
+    let data = DataFolder::new(folder.path().to_owned());
+    let [file] = data.separation::<VertexEdge>().unwrap().try_into().unwrap();
+    assert_eq!(file.queries, folder.path().join("separation/ve-fall-d0.5.csv"));
+    assert_eq!(file.d.get(), 0.5);
+
+    let [high, edge] = ["0,1,0,1,1,1", "-1,1,0,1,0,1\n1,1,0,1,0,1"];
+    let text = [(1, 2), (3, 4)].map(|(n, d)| format!("{high}\n{edge}\n0,1,0,1,{n},{d}\n{edge}\n"));
+    fs::write(&file.queries, text.concat()).unwrap();
+    fs::write(
+        folder.path().join("separation/ve-fall-d0.5.times.csv"),
+        "query,count,toi,toi_is_exact,intervals\n0,1,1.0,1,1.0:1.0\n",
+    )
+    .unwrap();
+    let mut within = Vec::new();
+    for (query, sample) in QueryReader::<VertexEdge, _>::open(&file.queries, Rounding::Refuse)
+        .unwrap()
+        .enumerate()
+    {
+        let intervals = sample.unwrap().query.intervals_within(file.d);
+        let Some(first) = intervals.first() else {
+            continue;
+        };
+        within.push(TimesWithin {
+            query,
+            count: intervals.len(),
+            toi: first.start.lower(),
+            toi_is_exact: first.start.is_exact(),
+            intervals: vec![[first.start.lower(), first.end.lower()]],
+        });
+    }
+    assert_eq!(file.times().unwrap(), within);
+    assert_eq!(within.len(), 1);
+}
+
+#[test]
+fn intervals_that_are_none_are_an_error() {
+    let folder = folder();
+    let data = DataFolder::new(folder.path().to_owned());
+    let file = &data.separation::<VertexEdge>().unwrap()[0];
+    let times = folder.path().join("separation/ve-fall-d0.5.times.csv");
+    for (row, problem) in [
+        (
+            "0,1,0.5,1,0.5",
+            "expected two times, as from:to as intervals, found \"0.5\"",
+        ),
+        (
+            "0,1,0.5,1,0.5:2",
+            "expected a time from 0 to 1 as intervals, found \"2\"",
+        ),
+        (
+            "0,-1,0.5,1,0.5:1",
+            "expected a number of intervals as count, found \"-1\"",
+        ),
+    ] {
+        fs::write(&times, format!("query,count,toi,toi_is_exact,intervals\n{row}\n")).unwrap();
+        let expected = format!("{}, line 2: {problem}", times.display());
+        assert_eq!(file.times().unwrap_err().to_string(), expected);
+    }
 }
 
 /// The error that a change to the scene leads to, without the path of the scene.

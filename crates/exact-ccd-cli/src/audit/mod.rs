@@ -7,9 +7,12 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+use exact_ccd::separation::Separation;
 use exact_ccd_mesh::Audit;
 
+use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::min_distance;
 use crate::output::print;
 use crate::progress::{self, during};
 use crate::view::View;
@@ -24,6 +27,9 @@ use report::{Report, ReportedViolation, Seconds};
 /// does the mesh at any time between; otherwise, the first violation is named. Parts of the mesh
 /// that have a vertex in common are neighbours and may touch.
 ///
+/// With --min-distance D, no two of them may come within D of each other, in the first frame and
+/// after it.
+///
 /// Of a run of `exact-ccd simulate --out DIR --path`, DIR/path is the motion that is free of
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
 /// around each other may touch.
@@ -36,6 +42,9 @@ pub(crate) struct Arguments {
     /// numbers in their names, or a .pvd collection.
     #[arg(required = true)]
     frames: Vec<PathBuf>,
+    /// Count primitives at most D apart as touching, in the unit of the coordinates.
+    #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    min_distance: Separation,
     /// Print the report as a JSON object.
     #[arg(long)]
     json: bool,
@@ -47,8 +56,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let clock = Instant::now();
     let frames = Frames::find(&arguments.frames)?;
     let mut read = clock.elapsed();
-    let mut audit = Audit::default();
     let mut recording = arguments.view.recording(&arguments.frames);
+    let mut audit = Audit::with_min_distance(kept(arguments.min_distance, None));
     let violation = during(progress::frames(frames.count()), |progress| {
         for index in 0..frames.count() {
             let start = Instant::now();
@@ -71,6 +80,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let total = clock.elapsed();
     let seconds = |duration: Duration| duration.as_secs_f64();
     let report = Report {
+        distances: Distances::new(arguments.min_distance, None),
         collision_free: violation.is_none(),
         frames: frames.count(),
         examined: audit.frames(),

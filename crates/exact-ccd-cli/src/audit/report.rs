@@ -6,12 +6,15 @@ use exact_ccd_mesh::{TriangleMesh, Violation};
 use serde::Serialize;
 
 use super::frames::Frames;
+use crate::distances::Distances;
 use crate::shortest::shortest;
 use crate::step_report::ReportedPair;
 
 /// The answer, in the shape of the JSON object.
 #[derive(Serialize)]
 pub(super) struct Report {
+    #[serde(flatten)]
+    pub(super) distances: Distances,
     pub(super) collision_free: bool,
     /// The number of frames.
     pub(super) frames: usize,
@@ -79,7 +82,7 @@ impl ReportedViolation {
                 file: file(frame),
                 next: (index > frame).then(|| file(index)),
                 toi: contact.impact.time.lower(),
-                pair: ReportedPair::new(mesh, contact.pair),
+                pair: ReportedPair::new(mesh, &contact),
             },
         }
     }
@@ -88,6 +91,9 @@ impl ReportedViolation {
 /// The text on a terminal.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.distances.are_zero() {
+            writeln!(f, "{}", self.distances)?;
+        }
         match &self.violation {
             None => writeln!(f, "free of contact")?,
             Some(violation) => writeln!(f, "{violation}")?,

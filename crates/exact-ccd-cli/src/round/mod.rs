@@ -15,7 +15,6 @@ use exact_ccd::{Axis, EdgeEdge, VertexFace};
 use exact_ccd_mesh::Aabb;
 
 use crate::failure::Failure;
-use crate::kind::Kind;
 use crate::output::{print, write_file};
 use crate::progress::{self, during};
 
@@ -61,6 +60,14 @@ pub(crate) struct Arguments {
     /// Query files, of which - is standard input, or meshes: .ply, .obj, .stl, .off, .msh or .vtu files.
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
+}
+
+/// The kinds for which parity is defined.
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Kind {
+    // Without documentation: clap would show it as help.
+    Vf,
+    Ee,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {

@@ -96,14 +96,15 @@ fn json_names_the_violation() {
         }
         (run.status, report)
     };
-    let free = json!({"collision_free": true, "frames": 2, "examined": 2, "violation": null});
+    let free =
+        json!({"min_distance": 0.0, "collision_free": true, "frames": 2, "examined": 2, "violation": null});
     assert_eq!(report(&["0.ply", "1.ply"]), (0, free));
-    let contact = json!({"collision_free": false, "frames": 3, "examined": 3, "violation": {
+    let contact = json!({"min_distance": 0.0, "collision_free": false, "frames": 3, "examined": 3, "violation": {
         "kind": "contact", "frame": 1, "file": "1.ply", "next": "2.ply", "toi": 0.3333333333333333,
-        "pair": {"kind": "vf", "ids": [4, 1]},
+        "pair": {"kind": "vf", "ids": [4, 1], "distance": {"lower": 0.0, "upper": 0.0}},
     }});
     assert_eq!(report(&["0.ply", "1.ply", "2.ply"]), (1, contact));
-    let intersection = json!({"collision_free": false, "frames": 1, "examined": 1, "violation": {
+    let intersection = json!({"min_distance": 0.0, "collision_free": false, "frames": 1, "examined": 1, "violation": {
         "kind": "intersection", "frame": 0, "file": "3.ply", "edge": 5, "face": 1,
     }});
     assert_eq!(report(&["3.ply"]), (1, intersection));

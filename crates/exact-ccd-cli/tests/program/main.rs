@@ -6,12 +6,14 @@
 mod audit;
 mod bench;
 mod convert;
+mod distances;
 mod examples;
 mod folder;
 mod meshes;
 mod methods;
 mod queries;
 mod queries_errors;
+mod queries_separation;
 mod query_rows;
 mod round_errors;
 mod round_meshes;

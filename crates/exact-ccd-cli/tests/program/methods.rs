@@ -1,7 +1,8 @@
 //! The methods of `exact-ccd queries`.
 
 use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd_data::DataKind;
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -112,7 +113,7 @@ fn columns(parity: Parity) -> &'static str {
     }
 }
 
-fn assert_answers<K: Kind<Points = [Point; 4]>>(kind: &str, points: &[[[Point; 4]; 2]]) {
+fn assert_answers<K: DataKind>(kind: &str, points: &[[[Point; 4]; 2]]) {
     let queries: Vec<Query<K>> = points
         .iter()
         .map(|&[t0, t1]| Query::new(t0, t1).unwrap())

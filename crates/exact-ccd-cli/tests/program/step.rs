@@ -1,6 +1,6 @@
 //! Reports of `exact-ccd step`.
 
-use exact_ccd_mesh::{Frame, Motion, Pair, Point, StepReport, step};
+use exact_ccd_mesh::{Contact, Frame, Motion, Pair, Point, StepReport, step};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -15,24 +15,32 @@ pub(crate) fn without_seconds(run: &Run) -> &str {
     &run.stdout[..end]
 }
 
+/// The expected JSON object of a pair.
+fn pair(kind: &str, ids: [u32; 2], contact: &Contact) -> Value {
+    let distance = json!({"lower": contact.distance.lower, "upper": contact.distance.upper});
+    json!({"kind": kind, "ids": ids, "distance": distance})
+}
+
 /// The expected fields of the JSON object, without the seconds.
 fn expected(report: &StepReport) -> Value {
     let pair = report.earliest.map(|earliest| match earliest.pair {
-        Pair::VertexFace { vertex, face } => json!({"kind": "vf", "ids": [vertex, face]}),
-        Pair::EdgeEdge { a, b } => json!({"kind": "ee", "ids": [a, b]}),
-        Pair::VertexEdge { vertex, edge } => json!({"kind": "ve", "ids": [vertex, edge]}),
-        Pair::VertexVertex { a, b } => json!({"kind": "vv", "ids": [a, b]}),
+        Pair::VertexFace { vertex, face } => pair("vf", [vertex, face], &earliest),
+        Pair::EdgeEdge { a, b } => pair("ee", [a, b], &earliest),
+        Pair::VertexEdge { vertex, edge } => pair("ve", [vertex, edge], &earliest),
+        Pair::VertexVertex { a, b } => pair("vv", [a, b], &earliest),
     });
+    let candidates = report.candidates;
     json!({
+        "min_distance": 0.0,
         "collision_free": report.is_free(),
         "toi": report.time_of_impact(),
         "pair": pair,
         "touching_at_start": report.touching.total(),
         "candidates": {
-            "vf": report.candidates.vertex_face,
-            "ee": report.candidates.edge_edge,
-            "ve": report.candidates.vertex_edge,
-            "vv": report.candidates.vertex_vertex,
+            "vf": candidates.vertex_face,
+            "ee": candidates.edge_edge,
+            "ve": candidates.vertex_edge,
+            "vv": candidates.vertex_vertex,
         },
     })
 }
@@ -93,7 +101,8 @@ fn the_report_of_a_decision_has_no_counts() {
         let run = folder.run(&["step", "start.ply", "end.ply", "--any", "--json"]);
         let json: Value = serde_json::from_str(&run.stdout).unwrap();
         assert_eq!(json["collision_free"], json!(status == 0));
-        assert_eq!(json.as_object().unwrap().len(), 2);
+        assert_eq!(json["min_distance"], 0.0);
+        assert_eq!(json.as_object().unwrap().len(), 3);
     }
     let both = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--any", "--toi"]);
     assert_eq!(both.status, 2);
@@ -142,22 +151,29 @@ fn json_is_one_line_with_these_keys_in_this_order() {
     assert_eq!(run.status, 1);
     assert_eq!(
         without_seconds(&run),
-        "{\"collision_free\":false,\"toi\":0.3333333333333333,\"pair\":{\"kind\":\"vf\",\"ids\":[4,1]},\
-         \"touching_at_start\":0,\"candidates\":{\"vf\":8,\"ee\":5},\""
+        "{\"min_distance\":0.0,\"collision_free\":false,\"toi\":0.3333333333333333,\
+         \"pair\":{\"kind\":\"vf\",\"ids\":[4,1],\"distance\":{\"lower\":0.0,\"upper\":0.0}},\
+         \"touching_at_start\":0,\"candidates\":{\"vf\":8,\"ee\":5,\"ve\":0,\"vv\":0},\""
     );
     assert_eq!(run.stdout.find('\n'), Some(run.stdout.len() - 1));
     assert_eq!(
         keys(&run.stdout),
         [
+            "min_distance",
             "collision_free",
             "toi",
             "pair",
             "kind",
             "ids",
+            "distance",
+            "lower",
+            "upper",
             "touching_at_start",
             "candidates",
             "vf",
             "ee",
+            "ve",
+            "vv",
             "seconds",
             "read",
             "broad",
@@ -180,8 +196,8 @@ fn json_of_a_free_step_has_nulls() {
     assert_eq!(run.status, 0);
     assert_eq!(
         without_seconds(&run),
-        "{\"collision_free\":true,\"toi\":null,\"pair\":null,\"touching_at_start\":0,\
-         \"candidates\":{\"vf\":2,\"ee\":0},\""
+        "{\"min_distance\":0.0,\"collision_free\":true,\"toi\":null,\"pair\":null,\"touching_at_start\":0,\
+         \"candidates\":{\"vf\":2,\"ee\":0,\"ve\":0,\"vv\":0},\""
     );
 }
 

@@ -11,6 +11,8 @@ fn wrong_usage_has_status_2() {
         &["step", "start.ply"],
         &["step", "start.ply", "end.ply", "third.ply"],
         &["step", "start.ply", "end.ply", "--xml"],
+        &["step", "start.ply", "end.ply", "--min-distance"],
+        &["step", "start.ply", "end.ply", "--inner-distance", "1"],
         &["step", "start.ply", "end.ply", "--threads"],
         &["step", "start.ply", "end.ply", "--threads", "0"],
         &["step", "start.ply", "end.ply", "--threads", "-1"],

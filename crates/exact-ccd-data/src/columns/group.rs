@@ -5,7 +5,6 @@ use std::sync::Arc;
 use parquet::data_type::{BoolType, ByteArrayType, DoubleType, Int64Type};
 use parquet::file::metadata::{ParquetMetaData, RowGroupMetaData};
 
-use super::COORDINATES;
 use super::guard::GuardedFile;
 use super::leaf::{Column, Expected, Leaf};
 use super::row::Row;
@@ -50,7 +49,7 @@ impl Leaves {
         let integer = |name| Leaf::find::<Int64Type>(columns, &expected(name, "INT64", false));
         Ok(Self {
             kind: text("kind")?,
-            points: Leaf::find::<DoubleType>(columns, &expected("points", "lists of 24 DOUBLE", true))?,
+            points: Leaf::find::<DoubleType>(columns, &expected("points", "lists of DOUBLE", true))?,
             truth: Leaf::find::<BoolType>(columns, &expected("truth", "BOOLEAN", false))?,
             count: integer("count")?,
             toi: double("toi")?,
@@ -61,10 +60,12 @@ impl Leaves {
 }
 
 impl Group {
+    /// The columns of a row group of queries with this number of coordinates.
     pub(super) fn open(
         file: &Arc<GuardedFile>,
         group: &RowGroupMetaData,
         leaves: &Leaves,
+        coordinates: usize,
     ) -> Result<Self, ColumnProblem> {
         let rows = usize::try_from(group.num_rows())
             .ok()
@@ -79,7 +80,7 @@ impl Group {
             rows_left: rows,
             kind: Column::open(file, group, leaves.kind, rows, 1)?,
             // Twice the length: a list of a slightly wrong length is an error of its query, not of the file.
-            points: Column::open(file, group, leaves.points, rows, 2 * COORDINATES)?,
+            points: Column::open(file, group, leaves.points, rows, 2 * coordinates)?,
             truth: Column::open(file, group, leaves.truth, rows, 1)?,
             count: integer(leaves.count)?,
             toi: Column::open(file, group, leaves.toi, rows, 1)?,

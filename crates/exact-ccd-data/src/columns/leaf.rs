@@ -9,7 +9,6 @@ use parquet::file::metadata::RowGroupMetaData;
 use parquet::file::serialized_reader::SerializedPageReader;
 use parquet::schema::types::ColumnDescriptor;
 
-use super::COORDINATES;
 use super::guard::{GuardedFile, GuardedPages, catch};
 use crate::error::ColumnProblem;
 
@@ -157,8 +156,8 @@ impl<T: DataType> Column<T> {
 }
 
 impl<T: DataType<T = f64>> Column<T> {
-    /// The lists of coordinates in the next rows. `None` is a list of another length or with a null in it.
-    pub(super) fn lists(&mut self, rows: usize) -> Result<Vec<Option<[f64; COORDINATES]>>, ColumnProblem> {
+    /// The lists in the next rows. `None` is a null, or a list with a null in it.
+    pub(super) fn lists(&mut self, rows: usize) -> Result<Vec<Option<Vec<f64>>>, ColumnProblem> {
         let (definition, repetition, values) = self.levels(rows)?;
         let starts = (0..repetition.len()).filter(|&index| repetition[index] == 0);
         let ends = starts.clone().skip(1).chain([repetition.len()]);
@@ -167,7 +166,7 @@ impl<T: DataType<T = f64>> Column<T> {
             let is_value = |level: &&i16| **level == self.max_definition;
             let present = definition[start..end].iter().filter(is_value).count();
             let list: Vec<f64> = values.by_ref().take(present).collect();
-            list.try_into().ok().filter(|_| end - start == COORDINATES)
+            (present == end - start).then_some(list)
         };
         Ok(starts.zip(ends).map(list).collect())
     }

@@ -1,6 +1,6 @@
 //! Queries in columns: a Parquet file, a row for each query.
 //!
-//! The coordinates are one column of lists, not 24 columns, so that neighbouring queries share the
+//! The coordinates are one column of lists, not a column each, so that neighbouring queries share the
 //! entries of one dictionary: half the bytes on most data sets. Compression is gzip: every reader
 //! of Parquet supports it, it needs no C library, and its checksum detects damaged data.
 
@@ -10,6 +10,8 @@ mod leaf;
 mod read;
 mod row;
 mod write;
+
+use crate::query_kind::QueryKind;
 
 pub use read::ColumnReader;
 pub use write::ColumnWriter;
@@ -31,5 +33,7 @@ const SCHEMA: &str = "message queries {
     optional int64 id_b;
 }";
 
-/// The number of coordinates of a query: x, y, z of its four points at t = 0, then at t = 1.
-const COORDINATES: usize = 24;
+/// The number of coordinates of a query: x, y, z of its points at t = 0, then at t = 1.
+const fn coordinates<K: QueryKind>() -> usize {
+    3 * 2 * K::POINTS.len()
+}

@@ -8,10 +8,11 @@ use std::vec;
 
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 
+use super::coordinates;
 use super::group::{Group, Leaves};
 use super::guard::{GuardedFile, catch};
 use crate::error::{ColumnProblem, DataError};
-use crate::kind::DataKind;
+use crate::query_kind::QueryKind;
 use crate::record::{Record, Sample};
 
 /// The number of queries that are read at once.
@@ -37,7 +38,7 @@ pub struct ColumnReader<K> {
     kind: PhantomData<K>,
 }
 
-impl<K: DataKind> ColumnReader<K> {
+impl<K: QueryKind> ColumnReader<K> {
     /// A reader of the queries in a file.
     ///
     /// # Errors
@@ -101,7 +102,8 @@ impl<K: DataKind> ColumnReader<K> {
                         ))),
                     };
                 };
-                self.group = Some(Group::open(&self.file, metadata, &self.leaves).map_err(wrong)?);
+                let group = Group::open(&self.file, metadata, &self.leaves, coordinates::<K>());
+                self.group = Some(group.map_err(wrong)?);
                 self.next_group += 1;
                 continue;
             };
@@ -130,7 +132,7 @@ impl<K: DataKind> ColumnReader<K> {
     }
 }
 
-impl<K: DataKind> Iterator for ColumnReader<K> {
+impl<K: QueryKind> Iterator for ColumnReader<K> {
     type Item = Result<Sample<K>, DataError>;
 
     fn next(&mut self) -> Option<Self::Item> {

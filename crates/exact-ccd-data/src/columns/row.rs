@@ -2,19 +2,18 @@
 
 use std::sync::Arc;
 
-use exact_ccd::Query;
 use parquet::data_type::ByteArray;
 
-use super::COORDINATES;
+use super::coordinates;
 use crate::error::RecordProblem;
 use crate::excerpt::excerpt;
-use crate::kind::DataKind;
+use crate::query_kind::{self, QueryKind};
 use crate::record::{Record, Sample};
 
-/// The fields of a row. `None` is a null, or a list of coordinates of another length.
+/// The fields of a row. `None` is a null, or a list of coordinates with a null in it.
 pub(super) struct Row {
     pub(super) kind: Option<ByteArray>,
-    pub(super) points: Option<[f64; COORDINATES]>,
+    pub(super) points: Option<Vec<f64>>,
     pub(super) truth: Option<bool>,
     pub(super) count: Option<i64>,
     pub(super) toi: Option<f64>,
@@ -24,18 +23,17 @@ pub(super) struct Row {
 
 impl Row {
     /// The query and its data.
-    pub(super) fn record<K: DataKind>(self) -> Result<Record<K>, RecordProblem> {
+    pub(super) fn record<K: QueryKind>(self) -> Result<Record<K>, RecordProblem> {
         let kind = self.kind.as_ref().map(ByteArray::data);
         if kind != Some(K::SHORT.as_bytes()) {
             let found = kind.map_or("null".into(), excerpt);
             return Err(RecordProblem::field("kind", K::SHORT, found));
         }
-        let Some(coordinates) = self.points else {
-            let found = "null or another number";
-            return Err(RecordProblem::field("points", "24 coordinates", found));
+        let expected = coordinates::<K>();
+        let Some(points) = self.points.filter(|points| points.len() == expected) else {
+            return Err(RecordProblem::Points { expected });
         };
-        let (points, _) = coordinates.as_chunks::<3>();
-        let (times, _) = points.as_chunks::<4>();
+        let (points, _) = points.as_chunks::<3>();
         let count_is_wrong = |count: &i64| *count < -1;
         if let Some(count) = self.count.filter(count_is_wrong) {
             return Err(RecordProblem::field("count", "a number of contacts or -1", count));
@@ -62,7 +60,7 @@ impl Row {
         };
         Ok(Record {
             sample: Sample {
-                query: Query::new(times[0], times[1])?,
+                query: query_kind::query(points)?,
                 truth: self.truth,
             },
             count: self.count,

@@ -11,8 +11,8 @@ use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::parser::parse_message_type;
 use parquet::schema::types::ColumnPath;
 
-use super::{COORDINATES, SCHEMA};
-use crate::kind::DataKind;
+use super::{SCHEMA, coordinates};
+use crate::query_kind::{self, QueryKind};
 use crate::record::Record;
 
 /// The number of queries in a row group, except the last one. The writer keeps as many in memory.
@@ -21,10 +21,10 @@ const GROUP: usize = 1 << 16;
 /// Writes queries as a Parquet file, row group by row group, so that a file of any size needs little memory.
 ///
 /// Its columns are
-/// - `kind`: `vf` or `ee`;
-/// - `points`: a list of 24 f64, which are x, y and z of the four points at t = 0, then the same at
-///   t = 1, in the order of [`VertexFace`](exact_ccd::VertexFace) or
-///   [`EdgeEdge`](exact_ccd::EdgeEdge);
+/// - `kind`: `vf`, `ee`, `ve` or `vv`;
+/// - `points`: a list of f64, which are x, y and z of the points at t = 0, then the same at t = 1, in the
+///   order of the kind: 24 of [`VertexFace`](exact_ccd::VertexFace) and [`EdgeEdge`](exact_ccd::EdgeEdge),
+///   18 of [`VertexEdge`](exact_ccd::VertexEdge), 12 of [`VertexVertex`](exact_ccd::VertexVertex);
 /// - the fields of [`Record`], which can be null: `truth`, `count`, `toi`, `scene`, and the ids of
 ///   the pair, `id_a` and `id_b`.
 ///
@@ -34,15 +34,15 @@ pub struct ColumnWriter<K, W: Write + Send> {
     group: Vec<Record<K>>,
 }
 
-impl<K: DataKind, W: Write + Send> ColumnWriter<K, W> {
+impl<K: QueryKind, W: Write + Send> ColumnWriter<K, W> {
     /// Begins a file.
     ///
     /// # Errors
     /// Those of the writer.
     pub fn new(writer: W) -> io::Result<Self> {
         let schema = parse_message_type(SCHEMA).expect("the schema is well-formed");
-        let file =
-            SerializedFileWriter::new(writer, Arc::new(schema), Arc::new(properties())).map_err(other)?;
+        let file = SerializedFileWriter::new(writer, Arc::new(schema), Arc::new(properties::<K>()))
+            .map_err(other)?;
         Ok(Self {
             file,
             group: Vec::new(),
@@ -88,11 +88,11 @@ impl<K: DataKind, W: Write + Send> ColumnWriter<K, W> {
     }
 }
 
-fn properties() -> WriterProperties {
+fn properties<K: QueryKind>() -> WriterProperties {
     let mut properties = WriterProperties::builder()
         .set_compression(Compression::GZIP(GzipLevel::default()))
         // Large enough for all coordinates of a row group.
-        .set_dictionary_page_size_limit(GROUP * COORDINATES * size_of::<f64>())
+        .set_dictionary_page_size_limit(GROUP * coordinates::<K>() * size_of::<f64>())
         .set_statistics_enabled(EnabledStatistics::Chunk);
     for id in ["id_a", "id_b"].map(ColumnPath::from) {
         properties = properties
@@ -105,24 +105,24 @@ fn properties() -> WriterProperties {
 }
 
 /// The columns, in the order of the schema.
-fn write_group<K: DataKind, W: Write + Send>(
+fn write_group<K: QueryKind, W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
     records: &[Record<K>],
 ) -> Result<(), ParquetError> {
     let kinds = vec![ByteArray::from(K::SHORT); records.len()];
     column::<ByteArrayType, _>(group, &kinds, None, None)?;
 
-    let coordinates: Vec<f64> = records
+    let values: Vec<f64> = records
         .iter()
-        .flat_map(|record| record.sample.query.points().as_flattened().as_flattened())
-        .copied()
+        .flat_map(|record| query_kind::points(&record.sample.query))
+        .flatten()
         .collect();
     // A list begins where the repetition level is 0.
-    let repetition: Vec<i16> = (0..coordinates.len())
-        .map(|index| (index % COORDINATES != 0).into())
+    let repetition: Vec<i16> = (0..values.len())
+        .map(|index| (index % coordinates::<K>() != 0).into())
         .collect();
-    let definition = vec![1; coordinates.len()];
-    column::<DoubleType, _>(group, &coordinates, Some(&definition), Some(&repetition))?;
+    let definition = vec![1; values.len()];
+    column::<DoubleType, _>(group, &values, Some(&definition), Some(&repetition))?;
 
     let scene = |record: &Record<K>| record.scene.as_deref().map(ByteArray::from);
     let id = |index: usize| move |record: &Record<K>| record.ids.map(|ids| ids[index] as i64);

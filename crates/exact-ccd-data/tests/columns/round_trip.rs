@@ -1,14 +1,14 @@
 //! Lossless round trips of records and of rows.
 
-use exact_ccd::{EdgeEdge, Point, VertexFace};
-use exact_ccd_data::{ColumnWriter, DataKind, QueryReader, QueryWriter, Record, Rounding, Seventh};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{ColumnWriter, QueryKind, QueryReader, QueryWriter, Record, Rounding, Seventh};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use crate::{Reader, Rest, bits, full, record, written};
 
 #[track_caller]
-fn assert_survive<K: DataKind>(records: &[Record<K>]) {
+fn assert_survive<K: QueryKind>(records: &[Record<K>]) {
     let read = Reader::new().read::<K>(&written(records)).unwrap();
     assert!(
         read.iter().map(bits).eq(records.iter().map(bits)),
@@ -44,31 +44,46 @@ proptest! {
 
     #[test]
     fn every_record_survives(records in prop::collection::vec((points(), rest()), 0..20)) {
-        let records = || records.iter().cloned();
-        assert_survive(&records().map(|(points, rest)| record::<VertexFace>(points, rest)).collect::<Vec<_>>());
-        assert_survive(&records().map(|(points, rest)| record::<EdgeEdge>(points, rest)).collect::<Vec<_>>());
+        fn check<K: QueryKind>(records: &[([[Point; 4]; 2], Rest)]) {
+            let records = records.iter().cloned();
+            assert_survive(&records.map(|(points, rest)| record::<K>(points, rest)).collect::<Vec<_>>());
+        }
+        check::<VertexFace>(&records);
+        check::<EdgeEdge>(&records);
+        check::<VertexEdge>(&records);
+        check::<VertexVertex>(&records);
     }
 
     #[test]
     fn rows_come_back_byte_for_byte(queries in prop::collection::vec((points(), any::<bool>(), -1i64..5), 0..20)) {
         for seventh in [None, Some(Seventh::Contact), Some(Seventh::Count)] {
-            let mut rows = QueryWriter::new(Vec::new(), seventh.unwrap_or_default());
-            for &(points, truth, count) in &queries {
-                let truth = seventh.map(|_| truth);
-                let rest = (truth, (seventh == Some(Seventh::Count)).then_some(count), None, None, None);
-                rows.write(&record::<EdgeEdge>(points, rest)).unwrap();
-            }
-            let text = rows.into_inner();
-            let reader = QueryReader::<EdgeEdge, _>::new("rows", text.as_slice(), Rounding::Refuse)
-                .with_seventh(seventh.unwrap_or_default());
-            let records: Vec<_> = reader.records().collect::<Result<_, _>>().unwrap();
-            let mut again = QueryWriter::new(Vec::new(), seventh.unwrap_or_default());
-            for record in Reader::new().read::<EdgeEdge>(&written(&records)).unwrap() {
-                again.write(&record).unwrap();
-            }
-            prop_assert_eq!(again.into_inner(), text);
+            assert_rows_come_back::<EdgeEdge>(&queries, seventh);
+            assert_rows_come_back::<VertexEdge>(&queries, seventh);
+            assert_rows_come_back::<VertexVertex>(&queries, seventh);
         }
     }
+}
+
+/// Queries with their truth and count, of which the file has the seventh column only.
+fn assert_rows_come_back<K: QueryKind>(queries: &[([[Point; 4]; 2], bool, i64)], seventh: Option<Seventh>) {
+    let meaning = seventh.unwrap_or_default();
+    let mut rows = QueryWriter::new(Vec::new(), meaning);
+    for &(points, truth, count) in queries {
+        let truth = seventh.map(|_| truth);
+        let count = (seventh == Some(Seventh::Count)).then_some(count);
+        let record = record::<K>(points, (truth, count, None, None, None));
+        rows.write(&record).unwrap();
+    }
+    let text = rows.into_inner();
+    let lines = text.iter().filter(|&&byte| byte == b'\n').count();
+    assert_eq!(lines, queries.len() * 2 * K::POINTS.len());
+    let reader = QueryReader::<K, _>::new("rows", text.as_slice(), Rounding::Refuse).with_seventh(meaning);
+    let records: Vec<_> = reader.records().collect::<Result<_, _>>().unwrap();
+    let mut again = QueryWriter::new(Vec::new(), meaning);
+    for record in Reader::new().read::<K>(&written(&records)).unwrap() {
+        again.write(&record).unwrap();
+    }
+    assert_eq!(again.into_inner(), text);
 }
 
 #[test]

@@ -1,0 +1,20 @@
+//! Sets `cfg(no_data)` for the tests if the published data sets are missing.
+
+use std::env;
+use std::path::{Path, PathBuf};
+
+/// The folder is that of `exact_ccd_data::DataFolder::find`.
+fn main() {
+    const VARIABLE: &str = "EXACT_CCD_DATA";
+    let default = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/data");
+    let folder = env::var_os(VARIABLE).map_or(default, PathBuf::from);
+    println!("cargo::rerun-if-changed=build.rs");
+    println!("cargo::rustc-check-cfg=cfg(no_data)");
+    println!("cargo::rerun-if-env-changed={VARIABLE}");
+    if folder.is_dir() {
+        println!("cargo::rerun-if-changed={}", folder.display());
+    } else {
+        // A watched folder that does not exist would cause a new build every time.
+        println!("cargo::rustc-cfg=no_data");
+    }
+}

@@ -1,0 +1,70 @@
+//! The fields of the rows of CSV files with a header.
+
+use std::path::Path;
+use std::str::FromStr;
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+
+use crate::error::{DataError, Problem};
+use crate::excerpt::excerpt;
+
+/// All rows of a file after its header, which `parse` converts. Each must have five fields.
+pub(crate) fn read_rows<T>(
+    file: &Path,
+    parse: impl Fn([&str; 5]) -> Result<T, Problem>,
+) -> Result<Vec<T>, DataError> {
+    let io = |error: csv::Error| DataError::io(file, error.into());
+    let mut reader = ReaderBuilder::new()
+        .trim(Trim::All)
+        .flexible(true)
+        .from_path(file)
+        .map_err(io)?;
+    let row = |record: Result<StringRecord, csv::Error>| {
+        let record = record.map_err(io)?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let fields: Vec<&str> = record.iter().collect();
+        <[&str; 5]>::try_from(fields.as_slice())
+            .map_err(|_| Problem::Fields {
+                expected: "5 fields",
+                found: record.len(),
+            })
+            .and_then(&parse)
+            .map_err(|problem| DataError::line(file, line, problem))
+    };
+    reader.records().map(row).collect()
+}
+
+pub(crate) fn time(text: &str, column: &'static str) -> Result<f64, Problem> {
+    let expected = "a time from 0 to 1";
+    let time = field(text, column, expected)?;
+    if (0.0..=1.0).contains(&time) {
+        Ok(time)
+    } else {
+        Err(other(text, column, expected))
+    }
+}
+
+pub(crate) fn flag(text: &str, column: &'static str) -> Result<bool, Problem> {
+    match text {
+        "0" => Ok(false),
+        "1" => Ok(true),
+        _ => Err(other(text, column, "0 or 1")),
+    }
+}
+
+pub(crate) fn field<T: FromStr>(
+    text: &str,
+    column: &'static str,
+    expected: &'static str,
+) -> Result<T, Problem> {
+    text.parse().map_err(|_| other(text, column, expected))
+}
+
+/// The error of a field that is not as expected.
+pub(crate) fn other(text: &str, column: &'static str, expected: &'static str) -> Problem {
+    Problem::Field {
+        column,
+        expected,
+        found: excerpt(text.as_bytes()),
+    }
+}

@@ -1,0 +1,79 @@
+//! The names of the kinds of query, and of their points, in query files.
+
+use exact_ccd::{EdgeEdge, Kind, NonFinite, Point, Query, VertexEdge, VertexFace, VertexVertex};
+
+/// A kind of query, with its names in query files.
+pub trait QueryKind: Kind + Send + Sync {
+    /// The short name of the kind.
+    const SHORT: &'static str;
+    /// The points of a query in the order of the files: the name of each, and its place in
+    /// [`Query::points`].
+    const POINTS: &'static [(&'static str, usize)];
+}
+
+impl QueryKind for VertexFace {
+    const SHORT: &'static str = "vf";
+    const POINTS: &'static [(&'static str, usize)] = &[("p", 0), ("v1", 1), ("v2", 2), ("v3", 3)];
+}
+
+impl QueryKind for EdgeEdge {
+    const SHORT: &'static str = "ee";
+    const POINTS: &'static [(&'static str, usize)] = &[("a0", 0), ("a1", 1), ("b0", 2), ("b1", 3)];
+}
+
+impl QueryKind for VertexEdge {
+    const SHORT: &'static str = "ve";
+    const POINTS: &'static [(&'static str, usize)] = &[("p", 0), ("a", 2), ("b", 3)];
+}
+
+impl QueryKind for VertexVertex {
+    const SHORT: &'static str = "vv";
+    const POINTS: &'static [(&'static str, usize)] = &[("p", 0), ("q", 2)];
+}
+
+/// The points of a query in the order of the files: all at t = 0, then all at t = 1.
+pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Point> {
+    let at = |time: usize| {
+        K::POINTS
+            .iter()
+            .map(move |&(_, place)| query.points()[time][place])
+    };
+    at(0).chain(at(1))
+}
+
+/// The query of these points, in the order of [`points`].
+///
+/// # Errors
+/// [`NonFinite`] names the first coordinate that is infinite or not a number.
+///
+/// # Panics
+/// If the number of points is not that of the kind.
+pub(crate) fn query<K: QueryKind>(points: &[Point]) -> Result<Query<K>, NonFinite> {
+    let (start, end) = points.split_at(K::POINTS.len());
+    let [t0, t1] = [start, end].map(|points| {
+        let mut all = K::Points::default();
+        all.as_mut().copy_from_slice(points);
+        all
+    });
+    Query::new(t0, t1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn assert_inverse<K: QueryKind + PartialEq>(count: usize) {
+        let row = |i: usize| [0.0, 1.0, 2.0].map(|axis| 3.0 * i as f64 + axis);
+        let rows: Vec<Point> = (0..2 * count).map(row).collect();
+        let query = query::<K>(&rows).unwrap();
+        assert_eq!(points(&query).collect::<Vec<_>>(), rows, "{}", K::SHORT);
+    }
+
+    #[test]
+    fn each_point_of_a_query_is_one_row() {
+        assert_inverse::<VertexFace>(4);
+        assert_inverse::<EdgeEdge>(4);
+        assert_inverse::<VertexEdge>(3);
+        assert_inverse::<VertexVertex>(2);
+    }
+}
