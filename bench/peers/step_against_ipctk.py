@@ -200,6 +200,8 @@ def main():
     parser.add_argument("--only-step", help="only the collision-free step", action="store_true")
     parser.add_argument("--min-distance", help="the distance to keep", type=float, default=0.0, metavar="D")
     options = parser.parse_args()
+    # A warning for each pair that starts within the minimum distance would take longer than the answer.
+    ipctk.set_logger_level(ipctk.LoggerLevel.error)
     for threads in options.threads:
         for scene in sorted(options.scenes.iterdir()):
             if (scene / "frames").is_dir() and options.only in (None, scene.name):

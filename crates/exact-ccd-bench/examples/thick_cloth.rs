@@ -1,8 +1,9 @@
-//! The first time at which two thick sheets touch: `cargo run --release -p exact-ccd-bench --example thick_cloth`.
+//! The first time at which two thick sheets touch:
+//! `cargo run --release -p exact-ccd-bench --example thick_cloth`.
 //!
-//! Two flat sheets without thickness are 2e-3 apart, move towards each other and bulge. Each stands for cloth that
-//! is 1e-3 thick, half of it on either side: the cloth touches when the sheets are 1e-3 apart. The last row has
-//! cloth with 1e-3 on either side, which touches at the start, at a distance of exactly 2e-3.
+//! Two flat sheets without thickness are 2e-3 apart, move towards each other and bulge. Each stands for
+//! cloth that is 1e-3 thick, half of it on either side: the cloth touches when the sheets are 1e-3 apart.
+//! The last row has cloth with 1e-3 on either side, which touches at the start: its distance is exactly 2e-3.
 //!
 //! With the name of a folder, it writes the two frames there, as a scene that other programs can answer:
 //!
