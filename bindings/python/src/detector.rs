@@ -221,7 +221,6 @@ impl Detector {
     }
 
     /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
-    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
     fn step<'py>(
         &mut self,
         py: Python<'py>,
