@@ -207,7 +207,12 @@ impl Detector {
         let options = FreeStepOptions::default().with_keep(keep);
         let free = self.compute(py, None, |detector| {
             let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused);
-            detector.search(run, |free| free.contact)
+            let free = detector.search(run, |free| free.contact)?;
+            match &mut detector.ruled {
+                // The pairs that touch at the start have been counted without the rule.
+                Some(ruled) if free.touching.total() > 0 => run(ruled),
+                _ => Ok(free),
+            }
         })??;
         let step = Step::new(&self.mesh, x0, x1).map_err(refused)?;
         let contact = table(py, &step, free.contact.as_slice())?;
@@ -216,7 +221,6 @@ impl Detector {
     }
 
     /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
-    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
     fn step<'py>(
         &mut self,
         py: Python<'py>,

@@ -23,6 +23,10 @@ pub(crate) fn collides<'py>(
 
 /// The first time of contact, rounded down, or NaN.
 #[pyfunction]
+#[expect(
+    clippy::redundant_closure_for_method_calls,
+    reason = "the method is not general enough over lifetimes"
+)]
 pub(crate) fn time_of_impact<'py>(
     py: Python<'py>,
     kind: &str,
@@ -45,7 +49,7 @@ pub(crate) fn contact_count<'py>(
     min_distance: f64,
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, threads, 0, |c| count(c)))?;
+    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, threads, 0, count))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
@@ -62,6 +66,7 @@ fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
 /// The intervals of contact of all queries, each end rounded down, and the index of the first of each
 /// query.
 #[pyfunction]
+#[expect(clippy::type_complexity, reason = "a tuple for Python")]
 pub(crate) fn contact_times<'py>(
     py: Python<'py>,
     kind: &str,

@@ -109,6 +109,8 @@ def test_groups_and_rules() -> None:
     assert len(never.contacts(x0, x1)) == 0 and never.free_step(x0, x1).size == 1.0
     assert (3, 0) in calls
     assert never.step(x0, x1).candidates == (0, 0, 0, 0)
+    resting = never.free_step(two_triangles(0.0), two_triangles(0.0))
+    assert (resting.size, sum(resting.touching)) == (1.0, 0)
     one = Detector(Mesh(6, FACES, can_collide=lambda i, j: {i, j} == {3, 2}))
     assert one.earliest_contact(x0, x1).first == 3
     assert len(one.intersections(two_triangles(-1.0))) == 2

@@ -36,7 +36,6 @@ from .steps import compute_collision_free_stepsize, has_intersections, is_step_c
 
 __all__ = [
     "Candidates",
-    "ExactCCD",
     "compute_collision_free_stepsize",
     "edge_edge_ccd",
     "has_intersections",

@@ -212,8 +212,9 @@ def ends(mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) ->
 
 def fraction(narrow_phase_ccd: object, conservative_rescaling: Optional[float]) -> float:
     """The fraction of the exact time to keep."""
-    if conservative_rescaling is None:
+    keep = conservative_rescaling
+    if keep is None:
         is_exact = type(narrow_phase_ccd).__module__.startswith("exact_ccd.")
-        conservative_rescaling = getattr(narrow_phase_ccd, "conservative_rescaling", KEEP) if is_exact else KEEP
-    check_keep(conservative_rescaling)
-    return conservative_rescaling
+        keep = float(getattr(narrow_phase_ccd, "conservative_rescaling", KEEP)) if is_exact else KEEP
+    check_keep(keep)
+    return keep
