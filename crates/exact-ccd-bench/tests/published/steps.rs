@@ -38,6 +38,7 @@ fn earliest(report: &StepReport) -> Option<Contact> {
         let (kind, ids) = match earliest.pair {
             Pair::VertexFace { vertex, face } => (0, [vertex, face]),
             Pair::EdgeEdge { a, b } => (1, [a, b]),
+            other => panic!("the scenes have no loose primitives: {other:?}"),
         };
         Contact {
             toi: earliest.impact.time.lower().to_bits(),
