@@ -26,6 +26,8 @@
 //! - [`StepReport`] counts the contacts of a step and has the earliest one.
 //! - [`Detector`] finds contact in step after step, without a test of every candidate, and
 //!   [certifies the step](Detector::free_step) that a solver can take.
+//! - [`MinDistance`] makes all of this about a distance that primitives keep: one for all, or a
+//!   thickness of each vertex. [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
 //! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
 //!   certifies a sequence of frames.

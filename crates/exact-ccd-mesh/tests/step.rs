@@ -5,7 +5,7 @@
 use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexFace, exact};
+use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexEdge, VertexFace, VertexVertex, exact};
 use exact_ccd_mesh::{
     AllPairs, Boxes, BroadPhase, Bvh, Candidates, Detector, Motion, Pair, PairCounts, PairSink, Point, Step,
     StepError, StepReport, Sweep, TriangleMesh, advance, step,
@@ -26,6 +26,8 @@ fn report(motion: &Motion, broad_phase: &impl BroadPhase) -> StepReport {
 struct Truth {
     vertex_face: Vec<[u32; 2]>,
     edge_edge: Vec<[u32; 2]>,
+    vertex_edge: Vec<[u32; 2]>,
+    vertex_vertex: Vec<[u32; 2]>,
     colliding: PairCounts,
     touching: PairCounts,
     earliest: Option<(Pair, Impact)>,
@@ -67,7 +69,37 @@ impl Truth {
             }
         }
         truth.edge_edge.sort_unstable();
+        truth.count_loose(motion);
         truth
+    }
+
+    /// Counts the pairs of loose vertices with loose edges and with each other.
+    fn count_loose(&mut self, motion: &Motion) {
+        let points: Vec<u32> = motion.mesh.loose_vertices().collect();
+        let rods = motion.mesh.loose_edges();
+        let first_rod = (motion.mesh.edges().len() - rods.len()) as u32;
+        for (i, &p) in points.iter().enumerate() {
+            for (edge, &[a, b]) in (first_rod..).zip(rods) {
+                let [t0, t1] = [&motion.x0, &motion.x1].map(|x| gather(x, [p, a, b]));
+                if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {
+                    self.vertex_edge.push([p, edge]);
+                }
+                let pair = Pair::VertexEdge { vertex: p, edge };
+                let (colliding, touching) = self.count(pair, Query::<VertexEdge>::new(t0, t1).unwrap());
+                self.colliding.vertex_edge += colliding;
+                self.touching.vertex_edge += touching;
+            }
+            for &q in &points[i + 1..] {
+                let [t0, t1] = [&motion.x0, &motion.x1].map(|x| gather(x, [p, q]));
+                if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {
+                    self.vertex_vertex.push([p, q]);
+                }
+                let pair = Pair::VertexVertex { a: p, b: q };
+                let (colliding, touching) = self.count(pair, Query::<VertexVertex>::new(t0, t1).unwrap());
+                self.colliding.vertex_vertex += colliding;
+                self.touching.vertex_vertex += touching;
+            }
+        }
     }
 
     /// Counts a pair: 1 if it collides, and 1 if it touches at t = 0. Keeps the earliest contact.
@@ -89,7 +121,7 @@ impl Truth {
     }
 }
 
-fn gather(x: &[Point], vertices: [u32; 4]) -> [Point; 4] {
+fn gather<const N: usize>(x: &[Point], vertices: [u32; N]) -> [Point; N] {
     vertices.map(|vertex| x[vertex as usize])
 }
 
@@ -108,15 +140,19 @@ fn boxes_meet(a: [&[Point]; 2], b: [&[Point]; 2]) -> bool {
     })
 }
 
-/// Motions of a few faces, with or without area, between whole numbers, so that many contacts
-/// coincide in time.
+/// Motions of a few faces, with or without area, rods and points between whole numbers, so that many
+/// contacts coincide in time.
 fn small_motion() -> impl Strategy<Value = Motion> {
     let coordinate = || (-2..=2).prop_map(f64::from);
     let positions = move |count| prop::collection::vec(prop::array::uniform3(coordinate()), count);
     let faces = |count: usize| prop::collection::vec(prop::array::uniform3(0..count as u32), 2..9);
-    (3_usize..13)
-        .prop_flat_map(move |count| (positions(count), positions(count), faces(count)))
-        .prop_map(|(x0, x1, faces)| motion(x0, x1, faces))
+    let rods = |count: usize| prop::collection::vec(prop::array::uniform2(0..count as u32), 0..4);
+    (3_usize..20)
+        .prop_flat_map(move |count| (positions(count), positions(count), faces(count), rods(count)))
+        .prop_map(|(x0, x1, faces, rods)| {
+            let mesh = TriangleMesh::with_edges(x0.len(), faces, &rods).unwrap();
+            Motion { mesh, x0, x1 }
+        })
 }
 
 /// Triangles that pass through each other, far from the origin, at speeds between powers of 2.
@@ -180,6 +216,8 @@ proptest! {
         let candidates = Candidates::new(motion.step().unwrap(), &Bvh);
         prop_assert_eq!(candidates.vertex_face(), truth.vertex_face);
         prop_assert_eq!(candidates.edge_edge(), truth.edge_edge);
+        prop_assert_eq!(candidates.vertex_edge(), truth.vertex_edge);
+        prop_assert_eq!(candidates.vertex_vertex(), truth.vertex_vertex);
 
         let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
         prop_assert_eq!(report.candidates, candidates.counts());
@@ -320,8 +358,22 @@ fn one_face_alone_is_free() {
 fn no_mesh_is_free() {
     let nothing = motion(vec![], vec![], vec![]);
     assert!(report(&nothing, &Bvh).is_free());
-    let points = motion(vec![[0.0; 3]; 2], vec![[0.0; 3]; 2], vec![]);
-    assert!(report(&points, &Bvh).is_free());
+    let point = motion(vec![[0.0; 3]], vec![[0.0; 3]], vec![]);
+    assert!(report(&point, &Bvh).is_free());
+}
+
+#[test]
+fn points_that_coincide_touch() {
+    let (a, b) = ([0.0; 3], [1.0, 0.0, 0.0]);
+    let points = motion(vec![a, b, a], vec![a, a, b], vec![]);
+    let report = report(&points, &Bvh);
+    assert_eq!(
+        (report.colliding.vertex_vertex, report.touching.vertex_vertex),
+        (3, 1)
+    );
+    let earliest = report.earliest.unwrap();
+    assert_eq!(earliest.pair, Pair::VertexVertex { a: 0, b: 2 });
+    assert!(earliest.impact.touching_at_start());
 }
 
 #[test]

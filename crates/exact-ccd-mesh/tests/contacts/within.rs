@@ -2,9 +2,9 @@
 
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CanCollide, CandidateError, CandidateOptions, Candidates, Contact, Detector,
-    FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Step, StepReport, Sweep, ThicknessCount,
-    step_size,
+    AllPairs, Audit, BoxKind, Bvh, CanCollide, CandidateError, CandidateOptions, Candidates, Contact,
+    Detector, Frame, FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Point, Step, StepReport,
+    Sweep, ThicknessCount, Violation, step_size,
 };
 use fastrand::Rng;
 
@@ -183,6 +183,45 @@ fn free_steps_are_free_within_the_distance() {
         moved > 50 && touching_at_start > 50,
         "{moved} {touching_at_start}"
     );
+}
+
+/// The frames of certified steps pass an audit with the same distance, and one with a larger distance finds
+/// the first contact within it.
+#[test]
+fn audits_certify_the_distance() {
+    let mut random = Rng::with_seed(36);
+    let (mut certified, mut violated) = (0, 0);
+    for _ in 0..30 {
+        let (scene, scale) = Scene::mixed(&mut random);
+        for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.1 * scale) {
+            let detector = Detector::new(scene.mesh.clone());
+            let mut detector = detector.with_min_distance(min_distance.clone()).unwrap();
+            let free = detector
+                .free_step(&scene.x0, &scene.x1, &FreeStepOptions::default())
+                .unwrap();
+            let frame = |x: &[Point]| Frame {
+                mesh: scene.mesh.clone(),
+                positions: x.to_vec(),
+            };
+            let mut audit = Audit::with_min_distance(min_distance.clone());
+            let at_rest = detector.earliest_contact(&scene.x0, &scene.x0).unwrap();
+            let first = audit.examine(frame(&scene.x0)).unwrap();
+            assert!(first.is_some() || at_rest.is_none());
+            if first.is_some() {
+                continue;
+            }
+            let step = audit.clone().examine(frame(&free.positions)).unwrap();
+            assert_eq!(step, None);
+            certified += 1;
+            let full = audit.examine(frame(&scene.x1)).unwrap();
+            let expected = free
+                .contact
+                .map(|contact| Violation::Contact { frame: 0, contact });
+            assert_eq!(full, expected);
+            violated += usize::from(full.is_some());
+        }
+    }
+    assert!(certified > 20 && violated > 5, "{certified} {violated}");
 }
 
 #[test]
