@@ -7,6 +7,7 @@
 
 use core::fmt::Debug;
 
+use crate::batch::Batch;
 use crate::point::Point;
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
@@ -80,6 +81,11 @@ pub trait Kind: Tables + Copy {
     type Vertices: AsRef<[u32]> + AsMut<[u32]> + Copy + Debug + Default + PartialEq + Send + Sync;
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
+
+    /// Runs a batch. A function of each kind, not a generic one, so that this crate contains the vector
+    /// code, and the crates that call it do not compile it again.
+    #[doc(hidden)]
+    fn run(batch: Batch<'_, Self>);
 }
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
@@ -102,24 +108,44 @@ impl Kind for VertexFace {
     type Points = [Point; 4];
     type Vertices = [u32; 4];
     const FIRST: usize = 1;
+
+    #[inline(never)]
+    fn run(batch: Batch<'_, Self>) {
+        batch.run();
+    }
 }
 
 impl Kind for EdgeEdge {
     type Points = [Point; 4];
     type Vertices = [u32; 4];
     const FIRST: usize = 2;
+
+    #[inline(never)]
+    fn run(batch: Batch<'_, Self>) {
+        batch.run();
+    }
 }
 
 impl Kind for VertexEdge {
     type Points = [Point; 3];
     type Vertices = [u32; 3];
     const FIRST: usize = 1;
+
+    #[inline(never)]
+    fn run(batch: Batch<'_, Self>) {
+        batch.run();
+    }
 }
 
 impl Kind for VertexVertex {
     type Points = [Point; 2];
     type Vertices = [u32; 2];
     const FIRST: usize = 1;
+
+    #[inline(never)]
+    fn run(batch: Batch<'_, Self>) {
+        batch.run();
+    }
 }
 
 const fn side(

@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use super::chunks::{CHUNK, Found};
 use super::instructions::Instructions;
 use super::row::Row;
-use super::within;
+use super::within::Batch;
 use crate::collision::Collision;
 use crate::kind::Kind;
 use crate::query::NonFinite;
@@ -104,7 +104,13 @@ pub fn collisions_within_with<K: Kind>(
         };
         let sound = &indices[..error.map_or(queries.len(), |error| error.query - first)];
         let found: Found<'_, K> = &mut |index, collision| found(first + index, collision);
-        within::collisions::<K>(instructions, &rows, sound, d.into(), found);
+        K::run(Batch {
+            instructions,
+            rows: &rows,
+            queries: sound,
+            separations: d.into(),
+            found,
+        });
         if let Some(error) = error {
             return Err(error);
         }

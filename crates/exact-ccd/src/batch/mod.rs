@@ -40,6 +40,8 @@ mod rows;
 mod trajectories;
 mod within;
 
+pub(crate) use within::Batch;
+
 pub use array::{NonFiniteQuery, collisions, collisions_with, collisions_within, collisions_within_with};
 pub use instructions::Instructions;
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};

@@ -5,13 +5,13 @@ use alloc::vec::Vec;
 use super::chunks;
 use super::instructions::Instructions;
 use super::row::Row;
-use super::within;
+use super::within::Batch;
 use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
 use crate::point::Point;
 use crate::query::{NonFinite, Query};
-use crate::separation::Separations;
+use crate::separation::{Separation, Separations};
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries.
@@ -124,11 +124,9 @@ impl Trajectories {
     pub fn collisions<K: Kind>(
         &self,
         queries: &[K::Vertices],
-        mut found: impl FnMut(usize, Collision<'_, K>),
+        found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
-        self.check::<K>(queries)?;
-        chunks::collisions::<K>(self.instructions, &self.rows, queries, &mut found);
-        Ok(())
+        self.collisions_within(queries, Separation::default().into(), found)
     }
 
     /// Calls `found` with the index and the collision of each query of vertices that [comes
@@ -143,7 +141,13 @@ impl Trajectories {
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
         self.check::<K>(queries)?;
-        within::collisions::<K>(self.instructions, &self.rows, queries, separations, &mut found);
+        K::run(Batch {
+            instructions: self.instructions,
+            rows: &self.rows,
+            queries,
+            separations,
+            found: &mut found,
+        });
         Ok(())
     }
 

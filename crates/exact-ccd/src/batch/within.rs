@@ -13,22 +13,37 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::separation::{Screening, Separations};
 
-/// Calls `found` with each query of rows that comes within its separation, and its index, in order.
-/// All indices of rows exist.
-pub(super) fn collisions<K: Kind>(
-    instructions: Instructions,
-    rows: &[Row],
-    queries: &[K::Vertices],
-    separations: Separations<'_>,
-    found: Found<'_, K>,
-) {
-    if separations.is_contact() {
-        return chunks::collisions::<K>(instructions, rows, queries, found);
+/// A batch of one kind: calls `found` with each query of rows that comes within its separation, and
+/// its index, in order. All indices of rows exist.
+#[expect(
+    unnameable_types,
+    reason = "an argument of a hidden function of a sealed trait"
+)]
+pub struct Batch<'a, K: Kind> {
+    pub(super) instructions: Instructions,
+    pub(super) rows: &'a [Row],
+    pub(super) queries: &'a [K::Vertices],
+    pub(super) separations: Separations<'a>,
+    pub(super) found: Found<'a, K>,
+}
+
+impl<K: Kind> Batch<'_, K> {
+    pub(crate) fn run(self) {
+        let Self {
+            instructions,
+            rows,
+            queries,
+            separations,
+            found,
+        } = self;
+        if separations.is_contact() {
+            return chunks::collisions::<K>(instructions, rows, queries, found);
+        }
+        if flushes_subnormals() {
+            return one_by_one::<K>(rows, queries, separations, found);
+        }
+        dispatch!(instructions.level(), simd => with_filters::<_, K>(simd, rows, queries, separations, found));
     }
-    if flushes_subnormals() {
-        return one_by_one::<K>(rows, queries, separations, found);
-    }
-    dispatch!(instructions.level(), simd => with_filters::<_, K>(simd, rows, queries, separations, found));
 }
 
 /// The same for single queries, which use no filter then.
