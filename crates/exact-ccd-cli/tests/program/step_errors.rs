@@ -48,8 +48,8 @@ fn a_folder_in_place_of_a_file() {
 
 #[test]
 fn an_extension_without_a_format() {
-    assert_error("mesh.txt", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
-    assert_error("mesh", "", &[".ply, .obj, .stl, .off, .msh or .vtu"]);
+    assert_error("mesh.txt", "", &[".ply, .obj, .stl, .off, .msh, .vtu"]);
+    assert_error("mesh", "", &[".ply, .obj, .stl, .off, .msh, .vtu"]);
 }
 
 #[test]
@@ -88,18 +88,22 @@ fn a_face_index_out_of_range() {
 }
 
 #[test]
-fn a_face_that_is_no_triangle() {
+fn a_face_of_two_corners() {
+    let off = off(&tip_above_square(-2.0));
+    let expected = ["face 2", "at least 3"];
+    assert_error("end.off", off.replace("3 4 5 6", "2 4 5"), &expected);
+    let obj = obj(&tip_above_square(-2.0));
+    assert_error("end.obj", obj.replace("f 5 6 7", "f 5 6"), &expected);
+}
+
+/// A polygon is the fan of its triangles: another mesh than one triangle.
+#[test]
+fn a_polygon_in_place_of_a_triangle() {
     let off = off(&tip_above_square(-2.0));
     assert_error(
         "end.off",
         off.replace("3 4 5 6", "4 4 5 6 0"),
-        &["face 2", "triangle"],
-    );
-    let obj = obj(&tip_above_square(-2.0));
-    assert_error(
-        "end.obj",
-        obj.replace("f 5 6 7", "f 5 6 7 1"),
-        &["face 2", "triangle"],
+        &["face 2", "the same mesh"],
     );
 }
 
