@@ -1,0 +1,375 @@
+// The C++17 interface of exact-ccd: the functions of exact_ccd.h with exceptions, RAII and
+// std::optional. Header only.
+//
+// Points are passed as views of contiguous doubles, three for each point: std::vector and std::array
+// of double[3], std::array<double, 3> or any struct of three doubles, and row-major Eigen matrices of
+// three columns. Nothing is copied.
+
+#ifndef EXACT_CCD_HPP
+#define EXACT_CCD_HPP
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "exact_ccd.h"
+
+namespace exact_ccd {
+
+/// A call that failed: `what()` names the argument, the vertex or the query that is wrong.
+class Error : public std::runtime_error {
+public:
+    Error(exact_ccd_status status, const char* message) : std::runtime_error(message), status_(status) {}
+
+    exact_ccd_status status() const noexcept { return status_; }
+
+private:
+    exact_ccd_status status_;
+};
+
+/// Throws the error of a call that failed.
+inline void check(exact_ccd_status status)
+{
+    if (status != EXACT_CCD_STATUS_OK) {
+        throw Error(status, exact_ccd_last_error());
+    }
+}
+
+enum class Kind : std::uint32_t {
+    vertex_face = EXACT_CCD_KIND_VERTEX_FACE,
+    edge_edge = EXACT_CCD_KIND_EDGE_EDGE,
+    vertex_edge = EXACT_CCD_KIND_VERTEX_EDGE,
+    vertex_vertex = EXACT_CCD_KIND_VERTEX_VERTEX,
+};
+
+/// The number of points of a query.
+constexpr std::size_t point_count(Kind kind)
+{
+    return kind == Kind::vertex_vertex ? 2 : kind == Kind::vertex_edge ? 3 : 4;
+}
+
+using Point = std::array<double, 3>;
+using Impact = exact_ccd_impact_t;
+using Interval = exact_ccd_interval_t;
+using Contact = exact_ccd_contact_t;
+
+/// A view of `size` elements of `N` numbers each.
+template <typename T, std::size_t N>
+class View {
+public:
+    View() = default;
+    View(const T* data, std::size_t size) : data_(data), size_(size) {}
+
+    /// Any contiguous container of elements that consist of `N` numbers `T`.
+    template <typename Container,
+              typename Element = std::remove_reference_t<decltype(*std::declval<const Container&>().data())>,
+              typename = std::enable_if_t<sizeof(Element) == N * sizeof(T)
+                                          && std::is_trivially_copyable_v<Element>>>
+    View(const Container& container)
+        : data_(reinterpret_cast<const T*>(container.data())), size_(container.size())
+    {
+    }
+
+    const T* data() const noexcept { return data_; }
+    std::size_t size() const noexcept { return size_; }
+
+private:
+    const T* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+using Points = View<double, 3>;
+using Faces = View<std::uint32_t, 3>;
+using Edges = View<std::uint32_t, 2>;
+
+namespace detail {
+
+inline void check_points(Kind kind, Points t0, Points t1)
+{
+    if (t0.size() != point_count(kind) || t1.size() != point_count(kind)) {
+        throw std::invalid_argument("exact_ccd: " + std::to_string(t0.size()) + " points at t = 0 and "
+                                    + std::to_string(t1.size()) + " at t = 1, expected "
+                                    + std::to_string(point_count(kind)));
+    }
+}
+
+inline void check_counts(Points x0, Points x1)
+{
+    if (x0.size() != x1.size()) {
+        throw std::invalid_argument("exact_ccd: " + std::to_string(x1.size())
+                                    + " positions at t = 1, expected as many as at t = 0: "
+                                    + std::to_string(x0.size()));
+    }
+}
+
+}  // namespace detail
+
+/// Decides if two primitives come within a distance of each other, or touch if it is 0.
+inline bool collides(Kind kind, Points t0, Points t1, double min_distance = 0)
+{
+    detail::check_points(kind, t0, t1);
+    bool answer = false;
+    check(exact_ccd_collides(static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, &answer));
+    return answer;
+}
+
+/// The first time within a distance, rounded down; none if the primitives never come within it.
+inline std::optional<double> time_of_impact(Kind kind, Points t0, Points t1, double min_distance = 0)
+{
+    detail::check_points(kind, t0, t1);
+    double time = 0;
+    check(exact_ccd_time_of_impact(
+        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, &time));
+    return std::isnan(time) ? std::nullopt : std::optional(time);
+}
+
+/// The first time within a distance, with the closest points and the normal then.
+inline std::optional<Impact> impact(Kind kind, Points t0, Points t1, double min_distance = 0)
+{
+    detail::check_points(kind, t0, t1);
+    bool is_found = false;
+    Impact answer{};
+    check(exact_ccd_impact(
+        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, &is_found, &answer));
+    return is_found ? std::optional(answer) : std::nullopt;
+}
+
+/// The times within a distance: the maximal closed intervals, in increasing order.
+inline std::vector<Interval> intervals(Kind kind, Points t0, Points t1, double min_distance = 0)
+{
+    detail::check_points(kind, t0, t1);
+    std::vector<Interval> answer(32);
+    std::size_t count = 0;
+    check(exact_ccd_intervals(static_cast<std::uint32_t>(kind),
+                              t0.data(),
+                              t1.data(),
+                              min_distance,
+                              answer.data(),
+                              answer.size(),
+                              &count));
+    answer.resize(count);
+    return answer;
+}
+
+/// Bounds of the distance at a time of the step: the nearest doubles not above and not below it.
+inline std::pair<double, double> distance_at(Kind kind, Points t0, Points t1, double time)
+{
+    detail::check_points(kind, t0, t1);
+    std::pair<double, double> bounds;
+    check(exact_ccd_distance_at(
+        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), time, &bounds.first, &bounds.second));
+    return bounds;
+}
+
+/// The first time of each of many queries about the same vertices, NaN for none. `indices` has the
+/// vertices of each query, as many as the kind has points.
+inline std::vector<double> times_of_impact(Kind kind,
+                                           Points x0,
+                                           Points x1,
+                                           View<std::uint32_t, 1> indices,
+                                           double min_distance = 0)
+{
+    detail::check_counts(x0, x1);
+    std::vector<double> times(indices.size() / point_count(kind));
+    if (times.size() * point_count(kind) != indices.size()) {
+        throw std::invalid_argument("exact_ccd: the number of indices is no multiple of "
+                                    + std::to_string(point_count(kind)));
+    }
+    check(exact_ccd_batch_times(static_cast<std::uint32_t>(kind),
+                                x0.data(),
+                                x1.data(),
+                                x0.size(),
+                                indices.data(),
+                                times.size(),
+                                min_distance,
+                                times.data()));
+    return times;
+}
+
+/// The connectivity of a mesh.
+class Mesh {
+public:
+    Mesh(std::size_t vertex_count, Faces faces, Edges edges = {})
+    {
+        exact_ccd_mesh* mesh = nullptr;
+        check(exact_ccd_mesh_new(
+            vertex_count, faces.data(), faces.size(), edges.data(), edges.size(), &mesh));
+        handle_.reset(mesh);
+    }
+
+    /// The edges of the faces, then those of no face: contacts name edges by their index here.
+    std::vector<std::array<std::uint32_t, 2>> edges() const
+    {
+        std::size_t face_count = 0, edge_count = 0, loose_edge_count = 0;
+        check(exact_ccd_mesh_counts(handle(), &face_count, &edge_count, &loose_edge_count));
+        std::vector<std::array<std::uint32_t, 2>> edges(edge_count);
+        check(exact_ccd_mesh_edges(
+            handle(), reinterpret_cast<std::uint32_t*>(edges.data()), edges.size()));
+        return edges;
+    }
+
+    /// True if an edge and a face without a common vertex meet at rest.
+    bool has_intersections(Points x) const
+    {
+        bool answer = false;
+        check(exact_ccd_has_intersections(handle(), x.data(), x.size(), &answer, nullptr, nullptr));
+        return answer;
+    }
+
+    const exact_ccd_mesh* handle() const noexcept { return handle_.get(); }
+
+private:
+    struct Free {
+        void operator()(exact_ccd_mesh* mesh) const noexcept { exact_ccd_mesh_free(mesh); }
+    };
+    std::unique_ptr<exact_ccd_mesh, Free> handle_;
+};
+
+/// Contact in successive steps of one mesh. Not for several threads at the same time.
+class Detector {
+public:
+    /// A step that is certified to be free of contact.
+    struct FreeStep {
+        double size;
+        std::vector<Point> positions;
+    };
+
+    explicit Detector(const Mesh& mesh)
+    {
+        exact_ccd_detector* detector = nullptr;
+        check(exact_ccd_detector_new(mesh.handle(), &detector));
+        handle_.reset(detector);
+    }
+
+    void set_min_distance(double min_distance)
+    {
+        check(exact_ccd_detector_set_min_distance(handle(), min_distance));
+    }
+
+    /// Pairs that start within `min_distance` are in contact only if they come within `inner_distance`.
+    void set_inner_distance(double min_distance, double inner_distance)
+    {
+        check(exact_ccd_detector_set_inner_distance(handle(), min_distance, inner_distance));
+    }
+
+    void set_thickness(View<double, 1> thickness)
+    {
+        check(exact_ccd_detector_set_thickness(handle(), thickness.data(), thickness.size()));
+    }
+
+    void set_groups(View<std::uint32_t, 1> groups)
+    {
+        check(exact_ccd_detector_set_groups(handle(), groups.data(), groups.size()));
+    }
+
+    /// The callback and its data are used as long as the detector exists, from several threads.
+    void set_can_collide(exact_ccd_can_collide_t can_collide, void* data)
+    {
+        check(exact_ccd_detector_set_can_collide(handle(), can_collide, data));
+    }
+
+    bool is_free(Points x0, Points x1)
+    {
+        detail::check_counts(x0, x1);
+        bool answer = false;
+        check(exact_ccd_detector_is_free(handle(), x0.data(), x1.data(), x0.size(), &answer));
+        return answer;
+    }
+
+    std::optional<Contact> earliest_contact(Points x0, Points x1)
+    {
+        detail::check_counts(x0, x1);
+        bool is_found = false;
+        Contact contact{};
+        check(exact_ccd_detector_earliest_contact(
+            handle(), x0.data(), x1.data(), x0.size(), &is_found, &contact));
+        return is_found ? std::optional(contact) : std::nullopt;
+    }
+
+    /// The contacts until a time, the earliest first.
+    std::vector<Contact> contacts(Points x0, Points x1, double until = 1)
+    {
+        detail::check_counts(x0, x1);
+        exact_ccd_contacts* contacts = nullptr;
+        check(exact_ccd_detector_contacts(
+            handle(), x0.data(), x1.data(), x0.size(), until, &contacts));
+        struct Free {
+            void operator()(exact_ccd_contacts* contacts) const noexcept
+            {
+                exact_ccd_contacts_free(contacts);
+            }
+        };
+        const std::unique_ptr<exact_ccd_contacts, Free> owner(contacts);
+        const Contact* data = nullptr;
+        std::size_t count = 0;
+        check(exact_ccd_contacts_data(contacts, &data, &count));
+        return std::vector<Contact>(data, data + count);
+    }
+
+    /// The size of a step without contact, at most `keep` times the time of impact, and the certified
+    /// positions at its end.
+    FreeStep free_step(Points x0, Points x1, double keep = 0.9)
+    {
+        detail::check_counts(x0, x1);
+        FreeStep step{0, std::vector<Point>(x0.size())};
+        check(exact_ccd_detector_free_step(handle(),
+                                           x0.data(),
+                                           x1.data(),
+                                           x0.size(),
+                                           keep,
+                                           &step.size,
+                                           reinterpret_cast<double*>(step.positions.data())));
+        return step;
+    }
+
+    exact_ccd_detector* handle() const noexcept { return handle_.get(); }
+
+private:
+    struct Free {
+        void operator()(exact_ccd_detector* detector) const noexcept { exact_ccd_detector_free(detector); }
+    };
+    std::unique_ptr<exact_ccd_detector, Free> handle_;
+};
+
+/// Examines the frames of a mesh one after the other.
+class Audit {
+public:
+    struct Violation {
+        exact_ccd_audit_result kind;
+        Contact contact;
+    };
+
+    explicit Audit(const Mesh& mesh, double min_distance = 0)
+    {
+        exact_ccd_audit* audit = nullptr;
+        check(exact_ccd_audit_new(mesh.handle(), min_distance, &audit));
+        handle_.reset(audit);
+    }
+
+    /// Examines the next frame and the step that leads to it.
+    std::optional<Violation> examine(Points x)
+    {
+        Violation violation{};
+        check(exact_ccd_audit_examine(
+            handle_.get(), x.data(), x.size(), &violation.kind, &violation.contact));
+        return violation.kind == EXACT_CCD_AUDIT_RESULT_FREE ? std::nullopt : std::optional(violation);
+    }
+
+private:
+    struct Free {
+        void operator()(exact_ccd_audit* audit) const noexcept { exact_ccd_audit_free(audit); }
+    };
+    std::unique_ptr<exact_ccd_audit, Free> handle_;
+};
+
+}  // namespace exact_ccd
+
+#endif

@@ -1,0 +1,137 @@
+// exact-ccd in place of the continuous collision detection of the IPC Toolkit (ipc-toolkit 1.4 and
+// later, which have ipc::NarrowPhaseCCD). Needs the headers of the IPC Toolkit and Eigen.
+//
+//   exact_ccd::ExactCCD narrow_phase;           // wherever an ipc::NarrowPhaseCCD is expected
+//   ipc::compute_collision_free_stepsize(mesh, x0, x1, min_distance, broad_phase, narrow_phase);
+//
+// For both phases at once, see ipc_collision_mesh.hpp.
+//
+// The time of impact is exact: the first time at which the distance is at most `min_distance`,
+// rounded down. A step of exactly that size may end in contact. Hence `toi` is that time multiplied by
+// `conservative_rescaling`, 0.9 unless it is set.
+
+#ifndef EXACT_CCD_IPC_TOOLKIT_HPP
+#define EXACT_CCD_IPC_TOOLKIT_HPP
+
+#include <ipc/ccd/narrow_phase_ccd.hpp>
+
+#include "../exact_ccd.hpp"
+
+namespace exact_ccd {
+
+/// The narrow phase, pair by pair. In two dimensions, z is 0.
+///
+/// `toi` is at most `tmax`, and 0 if the primitives are within `min_distance` at the start. Where
+/// there is no contact, it keeps its value, as in the methods of the IPC Toolkit. Coordinates that are
+/// not finite, and a negative `min_distance`, throw exact_ccd::Error.
+class ExactCCD : public ipc::NarrowPhaseCCD {
+public:
+    static constexpr double DEFAULT_CONSERVATIVE_RESCALING = 0.9;
+
+    explicit ExactCCD(double rescaling = DEFAULT_CONSERVATIVE_RESCALING)
+    {
+        conservative_rescaling = rescaling;
+    }
+
+    bool point_point_ccd(Eigen::ConstRef<ipc::VectorMax3d> p0_t0,
+                         Eigen::ConstRef<ipc::VectorMax3d> p1_t0,
+                         Eigen::ConstRef<ipc::VectorMax3d> p0_t1,
+                         Eigen::ConstRef<ipc::VectorMax3d> p1_t1,
+                         double& toi,
+                         const double min_distance = 0.0,
+                         const double tmax = 1.0) const override
+    {
+        return ccd<2>(Kind::vertex_vertex,
+                      {point(p0_t0), point(p1_t0)},
+                      {point(p0_t1), point(p1_t1)},
+                      toi,
+                      min_distance,
+                      tmax);
+    }
+
+    bool point_edge_ccd(Eigen::ConstRef<ipc::VectorMax3d> p_t0,
+                        Eigen::ConstRef<ipc::VectorMax3d> e0_t0,
+                        Eigen::ConstRef<ipc::VectorMax3d> e1_t0,
+                        Eigen::ConstRef<ipc::VectorMax3d> p_t1,
+                        Eigen::ConstRef<ipc::VectorMax3d> e0_t1,
+                        Eigen::ConstRef<ipc::VectorMax3d> e1_t1,
+                        double& toi,
+                        const double min_distance = 0.0,
+                        const double tmax = 1.0) const override
+    {
+        return ccd<3>(Kind::vertex_edge,
+                      {point(p_t0), point(e0_t0), point(e1_t0)},
+                      {point(p_t1), point(e0_t1), point(e1_t1)},
+                      toi,
+                      min_distance,
+                      tmax);
+    }
+
+    bool point_triangle_ccd(Eigen::ConstRef<Eigen::Vector3d> p_t0,
+                            Eigen::ConstRef<Eigen::Vector3d> t0_t0,
+                            Eigen::ConstRef<Eigen::Vector3d> t1_t0,
+                            Eigen::ConstRef<Eigen::Vector3d> t2_t0,
+                            Eigen::ConstRef<Eigen::Vector3d> p_t1,
+                            Eigen::ConstRef<Eigen::Vector3d> t0_t1,
+                            Eigen::ConstRef<Eigen::Vector3d> t1_t1,
+                            Eigen::ConstRef<Eigen::Vector3d> t2_t1,
+                            double& toi,
+                            const double min_distance = 0.0,
+                            const double tmax = 1.0) const override
+    {
+        return ccd<4>(Kind::vertex_face,
+                      {point(p_t0), point(t0_t0), point(t1_t0), point(t2_t0)},
+                      {point(p_t1), point(t0_t1), point(t1_t1), point(t2_t1)},
+                      toi,
+                      min_distance,
+                      tmax);
+    }
+
+    bool edge_edge_ccd(Eigen::ConstRef<Eigen::Vector3d> ea0_t0,
+                       Eigen::ConstRef<Eigen::Vector3d> ea1_t0,
+                       Eigen::ConstRef<Eigen::Vector3d> eb0_t0,
+                       Eigen::ConstRef<Eigen::Vector3d> eb1_t0,
+                       Eigen::ConstRef<Eigen::Vector3d> ea0_t1,
+                       Eigen::ConstRef<Eigen::Vector3d> ea1_t1,
+                       Eigen::ConstRef<Eigen::Vector3d> eb0_t1,
+                       Eigen::ConstRef<Eigen::Vector3d> eb1_t1,
+                       double& toi,
+                       const double min_distance = 0.0,
+                       const double tmax = 1.0) const override
+    {
+        return ccd<4>(Kind::edge_edge,
+                      {point(ea0_t0), point(ea1_t0), point(eb0_t0), point(eb1_t0)},
+                      {point(ea0_t1), point(ea1_t1), point(eb0_t1), point(eb1_t1)},
+                      toi,
+                      min_distance,
+                      tmax);
+    }
+
+private:
+    template <typename Vector>
+    static Point point(const Vector& vector)
+    {
+        return {vector[0], vector[1], vector.size() > 2 ? vector[2] : 0.0};
+    }
+
+    template <std::size_t N>
+    bool ccd(Kind kind,
+             const std::array<Point, N>& t0,
+             const std::array<Point, N>& t1,
+             double& toi,
+             double min_distance,
+             double tmax) const
+    {
+        const auto time = time_of_impact(kind, t0, t1, min_distance);
+        // A time just above tmax that is rounded down to it counts: the earlier answer is the safe one.
+        if (!time || *time > tmax) {
+            return false;
+        }
+        toi = conservative_rescaling * *time;
+        return true;
+    }
+};
+
+}  // namespace exact_ccd
+
+#endif

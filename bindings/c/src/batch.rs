@@ -1,0 +1,99 @@
+//! Many queries about the same vertices.
+
+use exact_ccd::Kind;
+use exact_ccd::batch::Trajectories;
+use exact_ccd::separation::{Separation, Separations, Thickness};
+use rayon::prelude::*;
+
+use crate::border::call;
+use crate::detector::positions;
+use crate::error::{Error, Status};
+use crate::kind::with_kind;
+use crate::pointers::{array, array_mut};
+
+/// The number of queries that a thread answers at a time.
+const GRAIN: usize = 4096;
+
+/// The first time of each of `query_count` queries, rounded down to `double`; NaN for those whose
+/// primitives never come within `min_distance`.
+///
+/// `x0` and `x1` are the positions of `vertex_count` vertices at t = 0 and t = 1. `vertices` has the
+/// indices of the vertices of each query, as many as the kind has points, in its order. `times` has
+/// room for `query_count` numbers. Runs on all threads of the library.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_batch_times(
+    kind: u32,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    vertices: *const u32,
+    query_count: usize,
+    min_distance: f64,
+    times: *mut f64,
+) -> Status {
+    call(|| {
+        let separations = Separations::Uniform(Separation::new(min_distance)?);
+        // SAFETY: the documentation of the function states the promise.
+        unsafe {
+            let trajectories = trajectories(x0, x1, vertex_count)?;
+            let times = array_mut("times", times, query_count)?;
+            with_kind!(kind, K => {
+                let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
+                first_times::<K>(&trajectories, vertices, separations, times)
+            })
+        }
+    })
+}
+
+/// `exact_ccd_batch_times` for vertices of different thickness: a number for each of the
+/// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the distance of a
+/// query the sum of both, rounded up.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_batch_times_thick(
+    kind: u32,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    vertices: *const u32,
+    query_count: usize,
+    thickness: *const f64,
+    times: *mut f64,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        unsafe {
+            let thickness = Thickness::new(array("thickness", thickness, vertex_count)?)?;
+            let trajectories = trajectories(x0, x1, vertex_count)?;
+            let times = array_mut("times", times, query_count)?;
+            with_kind!(kind, K => {
+                let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
+                first_times::<K>(&trajectories, vertices, Separations::Thickness(&thickness), times)
+            })
+        }
+    })
+}
+
+/// # Safety
+/// As for [`positions`].
+unsafe fn trajectories(x0: *const f64, x1: *const f64, count: usize) -> Result<Trajectories, Error> {
+    // SAFETY: the caller's promise.
+    let (x0, x1) = unsafe { (positions("x0", x0, count)?, positions("x1", x1, count)?) };
+    Ok(Trajectories::new(x0, x1)?)
+}
+
+fn first_times<K: Kind + Send + Sync>(
+    trajectories: &Trajectories,
+    queries: &[K::Vertices],
+    separations: Separations<'_>,
+    times: &mut [f64],
+) -> Result<(), Error> {
+    let answer = |(index, (queries, times)): (usize, (&[K::Vertices], &mut [f64]))| {
+        times.fill(f64::NAN);
+        let found = trajectories.collisions_within::<K>(queries, separations, |index, collision| {
+            times[index] = collision.time_of_impact();
+        });
+        found.map_err(|error| Error::of_batch(error, index * GRAIN))
+    };
+    let chunks = queries.par_chunks(GRAIN).zip(times.par_chunks_mut(GRAIN));
+    chunks.enumerate().try_for_each(answer)
+}

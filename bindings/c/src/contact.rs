@@ -1,0 +1,116 @@
+//! Contacts as C structures.
+
+use exact_ccd::separation::TimeInterval;
+use exact_ccd_mesh::{Pair, TriangleMesh};
+
+use crate::kind::Kind;
+
+/// The first time at which two primitives touch or come within a distance, and the place.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Impact {
+    /// The time, from 0 to 1, rounded down to `double`.
+    pub time: f64,
+    /// True if the time is exactly that, false if it lies above.
+    pub time_is_exact: bool,
+    /// True if there is a normal.
+    pub has_normal: bool,
+    /// u and v, from 0 to 1: the points (1 - u - v) v1 + u v2 + v v3 of a face, or (1 - u) a0 + u a1
+    /// and (1 - v) b0 + v b1 of two edges.
+    pub parameters: [f64; 2],
+    /// The unit normal, from the second primitive towards the first; zero if there is none.
+    pub normal: [f64; 3],
+}
+
+impl From<&exact_ccd::Impact> for Impact {
+    fn from(impact: &exact_ccd::Impact) -> Self {
+        Self {
+            time: impact.time.lower(),
+            time_is_exact: impact.time.is_exact(),
+            has_normal: impact.normal.is_some(),
+            parameters: impact.parameters,
+            normal: impact.normal.unwrap_or_default(),
+        }
+    }
+}
+
+/// A closed interval of times, whose ends are rounded down to `double`. The end is rounded down as
+/// well: an interval that ends at 1 has `end` = 1.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Interval {
+    /// The first time.
+    pub start: f64,
+    /// The last time; that of `start` for a single moment.
+    pub end: f64,
+}
+
+impl From<&TimeInterval> for Interval {
+    fn from(interval: &TimeInterval) -> Self {
+        Self {
+            start: interval.start.lower(),
+            end: interval.end.lower(),
+        }
+    }
+}
+
+/// Two primitives of a mesh that touch in a step, or come within the distance of the detector.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// The kind of the pair, of `exact_ccd_kind`.
+    pub kind: u32,
+    /// The index of the first primitive: the vertex, or the edge of the smaller index.
+    pub first: u32,
+    /// The index of the second: the face, the edge or the vertex.
+    pub second: u32,
+    /// The vertices, in the order of the kind; 4294967295 in the places that the kind does not use.
+    pub vertices: [u32; 4],
+    /// Bounds of the distance at that time: 0 for a minimum distance of 0.
+    pub distance: [f64; 2],
+    /// The time and the place.
+    pub impact: Impact,
+}
+
+impl Contact {
+    pub(crate) fn of(mesh: &TriangleMesh, contact: &exact_ccd_mesh::Contact) -> Self {
+        let (kind, first, second) = ids(contact.pair);
+        let mut vertices = [u32::MAX; 4];
+        // A contact is between primitives that the mesh has.
+        let of_pair = contact.pair.vertices(mesh).unwrap_or_default();
+        for (place, &vertex) in vertices.iter_mut().zip(&of_pair) {
+            *place = vertex;
+        }
+        Self {
+            kind: kind as u32,
+            first,
+            second,
+            vertices,
+            distance: [contact.distance.lower, contact.distance.upper],
+            impact: (&contact.impact).into(),
+        }
+    }
+}
+
+impl Contact {
+    /// An edge that meets a face at rest: only the indices have a meaning.
+    pub(crate) fn of_intersection(edge: u32, face: u32) -> Self {
+        Self {
+            kind: u32::MAX,
+            first: edge,
+            second: face,
+            vertices: [u32::MAX; 4],
+            distance: [0.0; 2],
+            impact: Impact::default(),
+        }
+    }
+}
+
+fn ids(pair: Pair) -> (Kind, u32, u32) {
+    match pair {
+        Pair::VertexFace { vertex, face } => (Kind::VertexFace, vertex, face),
+        Pair::EdgeEdge { a, b } => (Kind::EdgeEdge, a, b),
+        Pair::VertexEdge { vertex, edge } => (Kind::VertexEdge, vertex, edge),
+        Pair::VertexVertex { a, b } => (Kind::VertexVertex, a, b),
+    }
+}

@@ -1,0 +1,113 @@
+//! The outcome of a call: a status, and a message for each thread.
+
+use core::cell::RefCell;
+use core::ffi::c_char;
+use std::ffi::CString;
+
+use exact_ccd::batch::{TrajectoriesError, VertexOutOfRange};
+use exact_ccd::separation::{InvalidSeparation, InvalidThickness, TimeOutOfStep};
+use exact_ccd_mesh::{
+    IntersectionsError, LineSearchError, MeshError, MotionError, StepError, ThicknessCount,
+};
+
+/// The outcome of a call.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// The results have been written.
+    Ok = 0,
+    /// An argument is wrong: a null pointer, an unknown kind, a distance or a time out of range.
+    InvalidArgument = 1,
+    /// Positions are wrong: their number, or a coordinate that is infinite or not a number.
+    InvalidPositions = 2,
+    /// A mesh or a query names a vertex that does not exist, or a mesh is too large.
+    InvalidMesh = 3,
+    /// A callback has cancelled the call.
+    Cancelled = 4,
+    /// A defect of the library. The handle of the call may only be freed.
+    Internal = 5,
+}
+
+/// The reason why a call has no result.
+#[derive(Debug, thiserror::Error)]
+#[error("{message}")]
+pub(crate) struct Error {
+    pub(crate) status: Status,
+    message: String,
+}
+
+impl Error {
+    pub(crate) fn new(status: Status, message: impl ToString) -> Self {
+        let message = message.to_string();
+        Self { status, message }
+    }
+
+    pub(crate) fn argument(message: impl ToString) -> Self {
+        Self::new(Status::InvalidArgument, message)
+    }
+
+    /// The error of a part of a batch that begins with query `first`.
+    pub(crate) fn of_batch(error: VertexOutOfRange, first: usize) -> Self {
+        VertexOutOfRange {
+            query: first + error.query,
+            ..error
+        }
+        .into()
+    }
+
+    /// Keeps the message for `exact_ccd_last_error`, and returns the status.
+    #[cold]
+    pub(crate) fn record(self) -> Status {
+        // A message has no zero bytes: numbers and names of this library.
+        let message = CString::new(self.message).unwrap_or_default();
+        LAST.with_borrow_mut(|last| *last = message);
+        self.status
+    }
+}
+
+macro_rules! status_of {
+    ($($error:ty => $status:ident),* $(,)?) => {$(
+        impl From<$error> for Error {
+            fn from(error: $error) -> Self {
+                Self::new(Status::$status, error)
+            }
+        }
+    )*};
+}
+
+status_of! {
+    InvalidSeparation => InvalidArgument,
+    InvalidThickness => InvalidArgument,
+    ThicknessCount => InvalidArgument,
+    TimeOutOfStep => InvalidArgument,
+    exact_ccd::NonFinite => InvalidPositions,
+    TrajectoriesError => InvalidPositions,
+    VertexOutOfRange => InvalidMesh,
+    MeshError => InvalidMesh,
+    StepError => InvalidPositions,
+    MotionError => InvalidPositions,
+    IntersectionsError => InvalidPositions,
+}
+
+impl From<LineSearchError> for Error {
+    fn from(error: LineSearchError) -> Self {
+        let status = match error {
+            LineSearchError::Step(_) | LineSearchError::Direction(_) => Status::InvalidPositions,
+            LineSearchError::Cancelled => Status::Cancelled,
+            _ => Status::InvalidArgument,
+        };
+        Self::new(status, error)
+    }
+}
+
+thread_local! {
+    static LAST: RefCell<CString> = RefCell::default();
+}
+
+/// The message of the last call on this thread that failed; empty if none has. It names the argument,
+/// the vertex or the query that is wrong. The string is valid until the next call that fails on this
+/// thread.
+#[unsafe(no_mangle)]
+pub extern "C" fn exact_ccd_last_error() -> *const c_char {
+    LAST.with_borrow(|last| last.as_ptr())
+}

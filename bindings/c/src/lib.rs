@@ -1,0 +1,45 @@
+//! The C interface of `exact-ccd`: the functions of `exact_ccd.h`.
+//!
+//! Every function returns a [`Status`], and writes its results through pointers. The functions are
+//! documented here as C programmers read them; the header is made from this file by cbindgen.
+//!
+//! Rules for all functions:
+//!
+//! - Coordinates are `double`, three for each point, one point after the other. They need the
+//!   alignment of `double` only.
+//! - A null pointer where a value is expected, an index out of range, a coordinate that is not
+//!   finite: all are errors with a message, [`exact_ccd_last_error`]. Nothing is written then, unless
+//!   the function says so.
+//! - No panic and no exception leaves the library.
+//! - Functions without a handle, and functions with different handles, can be called from several
+//!   threads at the same time. Calls with the same handle must not overlap, unless all of them take
+//!   it as `const`.
+//! - The floating-point environment of the caller (flushed subnormal numbers, rounding) does not
+//!   change any answer, and is the same after the call.
+
+mod audit;
+mod batch;
+mod border;
+mod contact;
+mod contacts;
+mod detector;
+mod environment;
+mod error;
+mod kind;
+mod mesh;
+mod pointers;
+mod query;
+mod threads;
+mod version;
+
+pub use audit::*;
+pub use batch::*;
+pub use contact::*;
+pub use contacts::*;
+pub use detector::*;
+pub use error::*;
+pub use kind::*;
+pub use mesh::*;
+pub use query::*;
+pub use threads::*;
+pub use version::*;

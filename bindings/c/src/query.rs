@@ -1,0 +1,187 @@
+//! Single queries.
+
+use exact_ccd::Query;
+use exact_ccd::separation::Separation;
+
+use crate::border::call;
+use crate::contact::{Impact, Interval};
+use crate::error::{Error, Status};
+use crate::kind::with_kind;
+use crate::pointers::{array_mut, reference, reference_mut};
+
+/// The points of one end of a step: an array of `double[3]`, as many as the kind has.
+///
+/// # Safety
+/// `pointer` is null, or points to the points of a query of kind `K`.
+unsafe fn points<K: exact_ccd::Kind>(name: &str, pointer: *const f64) -> Result<K::Points, Error> {
+    let pointer = pointer.cast::<K::Points>();
+    // SAFETY: `Points` is an array of `[f64; 3]`; the rest is the caller's promise.
+    unsafe { reference(name, pointer) }.copied()
+}
+
+/// # Safety
+/// As for [`points`].
+#[inline]
+unsafe fn query<K: exact_ccd::Kind>(points_t0: *const f64, points_t1: *const f64) -> Result<Query<K>, Error> {
+    // SAFETY: the caller's promise.
+    let ends = unsafe {
+        [
+            points::<K>("points_t0", points_t0)?,
+            points::<K>("points_t1", points_t1)?,
+        ]
+    };
+    let [t0, t1] = ends;
+    Ok(Query::new(t0, t1)?)
+}
+
+/// Decides if two primitives come within a distance of each other in a time step; for
+/// `min_distance` = 0, if they touch. Exact.
+///
+/// `points_t0` and `points_t1` are the points of the query, in the order of its kind, at t = 0 and at
+/// t = 1; in between, each moves in a straight line. `min_distance` is a finite number of at least 0.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_collides(
+    kind: u32,
+    points_t0: *const f64,
+    points_t1: *const f64,
+    min_distance: f64,
+    collides: *mut bool,
+) -> Status {
+    call(|| {
+        let d = Separation::new(min_distance)?;
+        // SAFETY: the documentation of the function states the promise.
+        let (collides, answer) = unsafe {
+            let collides = reference_mut("collides", collides)?;
+            let answer = with_kind!(kind, K => {
+                Ok(query::<K>(points_t0, points_t1)?.comes_within(d))
+            })?;
+            (collides, answer)
+        };
+        *collides = answer;
+        Ok(())
+    })
+}
+
+/// The first time at which two primitives come within a distance of each other, rounded down to
+/// `double`; for `min_distance` = 0, at which they touch. It is 0 if they are within it at the
+/// start, and NaN if they never come within it.
+///
+/// Arguments as in `exact_ccd_collides`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_time_of_impact(
+    kind: u32,
+    points_t0: *const f64,
+    points_t1: *const f64,
+    min_distance: f64,
+    time: *mut f64,
+) -> Status {
+    call(|| {
+        let d = Separation::new(min_distance)?;
+        // SAFETY: the documentation of the function states the promise.
+        let (time, answer) = unsafe {
+            let time = reference_mut("time", time)?;
+            let answer = with_kind!(kind, K => {
+                Ok(query::<K>(points_t0, points_t1)?.time_within(d))
+            })?;
+            (time, answer)
+        };
+        *time = answer.unwrap_or(f64::NAN);
+        Ok(())
+    })
+}
+
+/// The first time at which two primitives come within a distance of each other, with the closest
+/// points and the normal then. `impact` is written only if `collides` is.
+///
+/// Arguments as in `exact_ccd_collides`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_impact(
+    kind: u32,
+    points_t0: *const f64,
+    points_t1: *const f64,
+    min_distance: f64,
+    collides: *mut bool,
+    impact: *mut Impact,
+) -> Status {
+    call(|| {
+        let d = Separation::new(min_distance)?;
+        // SAFETY: the documentation of the function states the promise.
+        let (collides, impact, answer) = unsafe {
+            let collides = reference_mut("collides", collides)?;
+            let impact = reference_mut("impact", impact)?;
+            let answer = with_kind!(kind, K => {
+                Ok(query::<K>(points_t0, points_t1)?.impact_within(d))
+            })?;
+            (collides, impact, answer)
+        };
+        *collides = answer.is_some();
+        if let Some(answer) = &answer {
+            *impact = answer.into();
+        }
+        Ok(())
+    })
+}
+
+/// The times at which two primitives are within a distance of each other: the maximal closed
+/// intervals, in increasing order. For `min_distance` = 0, the times at which they touch.
+///
+/// The first `capacity` intervals are written to `intervals`, which may be null for 0, and their
+/// number to `count`, even if that is larger. There are at most 32. Other arguments as in
+/// `exact_ccd_collides`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_intervals(
+    kind: u32,
+    points_t0: *const f64,
+    points_t1: *const f64,
+    min_distance: f64,
+    intervals: *mut Interval,
+    capacity: usize,
+    count: *mut usize,
+) -> Status {
+    call(|| {
+        let d = Separation::new(min_distance)?;
+        // SAFETY: the documentation of the function states the promise.
+        let (intervals, count, answer) = unsafe {
+            let intervals = array_mut("intervals", intervals, capacity)?;
+            let count = reference_mut("count", count)?;
+            let answer = with_kind!(kind, K => {
+                Ok(query::<K>(points_t0, points_t1)?.intervals_within(d))
+            })?;
+            (intervals, count, answer)
+        };
+        *count = answer.len();
+        for (place, interval) in intervals.iter_mut().zip(&answer) {
+            *place = interval.into();
+        }
+        Ok(())
+    })
+}
+
+/// Bounds of the distance of two primitives at a time of the step, which is in [0, 1]: the nearest
+/// `double` that are not above and not below it.
+///
+/// `upper` is infinite if the distance exceeds all `double`. Other arguments as in
+/// `exact_ccd_collides`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_distance_at(
+    kind: u32,
+    points_t0: *const f64,
+    points_t1: *const f64,
+    time: f64,
+    lower: *mut f64,
+    upper: *mut f64,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (lower, upper, answer) = unsafe {
+            let lower = reference_mut("lower", lower)?;
+            let upper = reference_mut("upper", upper)?;
+            let answer = with_kind!(kind, K => {
+                Ok(query::<K>(points_t0, points_t1)?.distance_at(time)?)
+            })?;
+            (lower, upper, answer)
+        };
+        (*lower, *upper) = (answer.lower, answer.upper);
+        Ok(())
+    })
+}

@@ -1,0 +1,98 @@
+// The C++ interface: views, exceptions, optional results.
+
+#include <exact_ccd.hpp>
+
+#include "check.h"
+
+using exact_ccd::Kind;
+using exact_ccd::Point;
+
+namespace {
+
+struct Vector {
+    double x, y, z;
+};
+
+void queries()
+{
+    const std::array<Point, 4> start{{{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    auto end = start;
+    end[0][2] = -1;
+    CHECK(exact_ccd::collides(Kind::vertex_face, start, end));
+    CHECK(exact_ccd::time_of_impact(Kind::vertex_face, start, end) == 0.5);
+    CHECK(exact_ccd::time_of_impact(Kind::vertex_face, start, end, 0.5) == 0.25);
+    CHECK(!exact_ccd::time_of_impact(Kind::vertex_face, start, start));
+    CHECK(exact_ccd::impact(Kind::vertex_face, start, end)->has_normal);
+    CHECK(!exact_ccd::impact(Kind::vertex_face, start, start));
+    CHECK(exact_ccd::intervals(Kind::vertex_face, start, end, 0.5).size() == 1);
+    CHECK(exact_ccd::intervals(Kind::vertex_face, start, start, 0.5).empty());
+    CHECK(exact_ccd::distance_at(Kind::vertex_face, start, end, 0.25).first == 0.5);
+
+    // Points of any layout of three doubles.
+    const std::vector<Vector> points_start{{0, 3, -8}, {0, 0, 0}}, points_end{{0, 3, 8}, {0, 0, 0}};
+    CHECK(exact_ccd::time_of_impact(Kind::vertex_vertex, points_start, points_end, 5) == 0.25);
+
+    const std::vector<std::uint32_t> indices{0, 1, 2, 3, 0, 1, 2, 3};
+    const auto times = exact_ccd::times_of_impact(Kind::vertex_face, start, end, indices);
+    CHECK(times.size() == 2 && times[0] == 0.5 && times[1] == 0.5);
+}
+
+template <typename Exception, typename Call>
+void throws(Call call)
+{
+    try {
+        call();
+    } catch (const Exception& error) {
+        CHECK(error.what()[0] != '\0');
+        return;
+    }
+    CHECK(!"an exception is thrown");
+}
+
+void errors()
+{
+    const std::array<Point, 4> start{{{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
+    throws<std::invalid_argument>([&] { exact_ccd::collides(Kind::vertex_edge, start, start); });
+    throws<exact_ccd::Error>([&] { exact_ccd::collides(Kind::vertex_face, start, start, -1); });
+    const std::vector<std::uint32_t> three{0, 1, 2};
+    throws<std::invalid_argument>([&] { exact_ccd::times_of_impact(Kind::vertex_face, start, start, three); });
+    const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 4}};
+    throws<exact_ccd::Error>([&] { exact_ccd::Mesh(4, faces); });
+}
+
+void meshes()
+{
+    const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {3, 4, 5}};
+    const std::vector<Point> x0{{0, 0, 0}, {8, 0, 0}, {0, 8, 0}, {1, 1, 1}, {1, 2, 5}, {2, 1, 5}};
+    auto x1 = x0;
+    for (std::size_t vertex = 3; vertex < 6; ++vertex) {
+        x1[vertex][2] -= 2;
+    }
+    const exact_ccd::Mesh mesh(x0.size(), faces);
+    CHECK(mesh.edges().size() == 6);
+    CHECK(!mesh.has_intersections(x0) && mesh.has_intersections(x1));
+
+    exact_ccd::Detector detector(mesh);
+    CHECK(!detector.is_free(x0, x1));
+    CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.5);
+    CHECK(detector.contacts(x0, x1).size() == 1);
+    const auto step = detector.free_step(x0, x1);
+    CHECK(step.size == 0.45 && detector.is_free(x0, step.positions));
+    detector.set_min_distance(0.5);
+    CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.25);
+    throws<std::invalid_argument>([&] { detector.is_free(x0, exact_ccd::Points(x1.data()->data(), 5)); });
+
+    exact_ccd::Audit audit(mesh);
+    CHECK(!audit.examine(x0));
+    CHECK(audit.examine(x1)->contact.impact.time == 0.5);
+}
+
+}  // namespace
+
+int main()
+{
+    queries();
+    errors();
+    meshes();
+    return 0;
+}

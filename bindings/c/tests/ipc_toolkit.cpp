@@ -1,0 +1,44 @@
+// The narrow phase of the IPC Toolkit, compiled against its header.
+
+#include <memory>
+
+#include <exact_ccd/ipc_toolkit.hpp>
+
+#include "check.h"
+
+int main()
+{
+    const std::unique_ptr<ipc::NarrowPhaseCCD> ccd = std::make_unique<exact_ccd::ExactCCD>();
+    CHECK(ccd->conservative_rescaling == 0.9);
+    ccd->conservative_rescaling = 0.5;
+
+    using Eigen::Vector3d;
+    const Vector3d p0(0.25, 0.25, 1), p1(0.25, 0.25, -1), a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+    double toi = 7;
+    CHECK(ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi));
+    CHECK(toi == 0.25);
+    CHECK(ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 0.5));
+    CHECK(toi == 0.125);
+    toi = 7;
+    CHECK(!ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 0.0, 0.25));
+    CHECK(toi == 7);
+    // Within the distance at the start: time 0.
+    CHECK(ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 1.0));
+    CHECK(toi == 0);
+
+    const Vector3d e0(-1, 0, 1), e1(1, 0, 1), f0(0, -1, 0), f1(0, 1, 0), down(0, 0, 2);
+    CHECK(ccd->edge_edge_ccd(e0, e1, f0, f1, e0 - down, e1 - down, f0, f1, toi));
+    CHECK(toi == 0.25);
+
+    // In two dimensions.
+    ipc::VectorMax3d q0(2), q1(2), g0(2), g1(2);
+    q0 << 0.5, 1;
+    q1 << 0.5, -1;
+    g0 << 0, 0;
+    g1 << 1, 0;
+    CHECK(ccd->point_edge_ccd(q0, g0, g1, q1, g0, g1, toi));
+    CHECK(toi == 0.25);
+    CHECK(ccd->point_point_ccd(q0, q1, q1, q0, toi, 0.5));
+    CHECK(toi == 0.5 * 0.375);
+    return 0;
+}
