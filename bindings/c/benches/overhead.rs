@@ -2,6 +2,8 @@
 //!
 //! `cargo bench --manifest-path bindings/c/Cargo.toml`
 
+#![expect(clippy::print_stdout, reason = "this is its output")]
+
 use std::hint::black_box;
 use std::time::Instant;
 
