@@ -6,6 +6,7 @@ import importlib.util
 import re
 import subprocess
 import sys
+import sysconfig
 from pathlib import Path
 
 import pytest
@@ -32,10 +33,13 @@ def test_readme() -> None:
 
 
 def mypy(*arguments: object) -> None:
-    """Run mypy, or a module of it, in the folder of the package: it finds the package there."""
+    """Run mypy, or a module of it, where it finds the package: installed, or in its folder."""
     if importlib.util.find_spec("mypy") is None:
         pytest.skip("mypy is not installed: pip install mypy")
-    folder = Path(exact_ccd.__file__).parents[1]
+    folder = Path(exact_ccd.__file__).parents[1].resolve()
+    # In the folder of installed packages, mypy takes all of them for the user's own.
+    if folder == Path(sysconfig.get_path("platlib")).resolve():
+        folder = PACKAGE
     done = subprocess.run([sys.executable, "-m", *arguments], capture_output=True, text=True, cwd=folder)
     assert done.returncode == 0, done.stdout + done.stderr
 
