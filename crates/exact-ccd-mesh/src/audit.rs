@@ -69,11 +69,11 @@ pub enum Violation {
 
 impl Audit {
     /// The audit of frames between which primitives keep a minimum distance. The default is 0, which is
-    /// contact.
+    /// contact. An inner distance does not count: no pair may come within the other one.
     #[must_use]
     pub fn with_min_distance(min_distance: MinDistance) -> Self {
         Self {
-            min_distance,
+            min_distance: min_distance.without_inner(),
             ..Self::default()
         }
     }

@@ -155,7 +155,8 @@ impl ContactsUntil {
     /// negative times and NaN.
     pub(crate) fn new(time: f64) -> Option<Self> {
         (time >= 0.0).then(|| Self {
-            time: time.min(1.0),
+            // Not −0.0.
+            time: time.min(1.0).abs(),
             contacts: Mutex::default(),
         })
     }
@@ -187,8 +188,10 @@ impl Collect for ContactsUntil {
                 return;
             };
             let time = collision.first_contact_time();
-            // A time that is not an f64 lies above its lower bound.
-            if time.lower() < self.time || time.is_exact() && time.lower() <= self.time {
+            // By their bits: a comparison may read a subnormal number as zero. A time that is not an f64
+            // lies above its lower bound.
+            let (lower, until) = (time.lower().to_bits(), self.time.to_bits());
+            if lower < until || time.is_exact() && lower == until {
                 found.push(Contact::new(K::pair(ids), &collision));
             }
         });

@@ -47,6 +47,5 @@ pub(crate) fn earlier(
 }
 
 fn compare((s, p): (ContactTime, Pair), (t, q): (ContactTime, Pair)) -> Ordering {
-    // No time is NaN.
-    s.partial_cmp(&t).unwrap_or(Ordering::Equal).then(p.cmp(&q))
+    (s, p).cmp(&(t, q))
 }

@@ -12,7 +12,7 @@ use crate::mesh::TriangleMesh;
 /// Two primitives *touch* if their distance is at most the minimum distance of the pair, and all that
 /// is said about contact holds for this. The distance is taken exactly; with
 /// [thicknesses](Self::thickness), that of a pair is the sum of those of both primitives, rounded up.
-/// Pairs that share a vertex are no pairs. So the minimum distance should be smaller than the edges
+/// Primitives that share a vertex do not form a pair. So the minimum distance should be smaller than the edges
 /// of the mesh: primitives that are two edges apart along the surface come near each other too.
 ///
 /// ```
@@ -27,7 +27,7 @@ use crate::mesh::TriangleMesh;
 /// let mut detector = Detector::new(mesh).with_min_distance(d.clone())?;
 /// let contact = detector.earliest_contact(&at(2.5), &at(-1.5))?.expect("the point gets through");
 /// assert_eq!((contact.impact.time.lower(), contact.distance.upper), (0.5, 0.5));
-/// // It starts within 0.5, but keeps 0.25.
+/// // It starts within 0.5, but stays 0.25 away.
 /// assert!(!detector.is_free(&at(0.5), &at(0.375))?);
 /// let mut detector = detector.with_min_distance(d.with_inner(Separation::new(0.25)?))?;
 /// assert!(detector.is_free(&at(0.5), &at(0.375))?);
@@ -94,6 +94,12 @@ impl MinDistance {
         }
     }
 
+    /// The same without an inner distance: it holds for all pairs.
+    #[must_use]
+    pub(crate) fn without_inner(self) -> Self {
+        Self { inner: None, ..self }
+    }
+
     /// The distance for pairs that start beyond it.
     #[must_use]
     pub fn separations(&self) -> Separations<'_> {
@@ -103,10 +109,26 @@ impl MinDistance {
         }
     }
 
-    /// The distance for pairs that start within the other one, if it is not the same.
+    /// The inner distance, if there is one.
     #[must_use]
     pub fn inner(&self) -> Option<Separation> {
         self.inner
+    }
+
+    /// The same with a thickness of 0 for each vertex of a mesh that has none, if there are any.
+    pub(crate) fn padded(self, mesh: &TriangleMesh) -> Self {
+        match &self.outer {
+            Outer::Thickness(thickness) if thickness.vertex_count() < mesh.vertex_count() => {
+                let vertices = 0..mesh.vertex_count() as u32;
+                let values: Vec<f64> = vertices.map(|vertex| thickness.of(&[vertex]).get()).collect();
+                let padded = Thickness::new(&values).expect("these are thicknesses, and zeros");
+                Self {
+                    outer: Outer::Thickness(padded.into()),
+                    ..self
+                }
+            }
+            Outer::Uniform(_) | Outer::Thickness(_) => self,
+        }
     }
 
     /// Checks that each vertex of a mesh has a thickness, if there are any.

@@ -37,7 +37,7 @@ impl NarrowPhase {
 
     /// The narrow phase of a step, for all pairs.
     pub(crate) fn of(step: &Step<'_>, min_distance: MinDistance) -> Self {
-        let mut narrow_phase = Self::new(CanCollide::all(), min_distance);
+        let mut narrow_phase = Self::new(CanCollide::all(), min_distance.padded(step.mesh()));
         narrow_phase.begin(step);
         narrow_phase
     }
@@ -109,7 +109,7 @@ impl NarrowPhase {
                     self.min_distance.separations(),
                     |index, collision| found(kept[index], Approach::new(collision, inner)),
                 )
-                .expect("a mesh has the vertices of its primitives");
+                .expect("a mesh has the vertices of its primitives, and each has a thickness");
         }
     }
 

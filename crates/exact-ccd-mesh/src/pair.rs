@@ -12,6 +12,10 @@ use crate::pair_kind::PairKind;
 ///
 /// # All distances
 ///
+/// A *loose* vertex belongs to no edge here, even if it is all three corners of a face; a loose edge
+/// belongs to no face. Primitives that do not take part, see [`CanCollide::among`](crate::CanCollide::among),
+/// are as if they did not exist.
+///
 /// These four kinds of pairs cover the distance of any two primitives without a common vertex, except
 /// near the ends of rods as stated below. The least distance of two primitives, neither of which is a
 /// vertex, is that of a vertex and a face or of two edges among them, or 0 where an edge passes through

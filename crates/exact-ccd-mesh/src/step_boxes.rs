@@ -1,5 +1,6 @@
 //! The boxes of a mesh's primitives during a step.
 
+use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use exact_ccd::Point;
@@ -98,25 +99,14 @@ impl<const T: usize> StepBoxes<T> {
         let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
 
         let mut is_loose = vec![true; x0.len()];
-        for &vertex in mesh
-            .faces()
-            .as_flattened()
-            .iter()
-            .chain(mesh.loose_edges().as_flattened())
-        {
-            is_loose[vertex as usize] = false;
+        for &edge in &edges {
+            for vertex in mesh.edges()[edge as usize] {
+                is_loose[vertex as usize] = false;
+            }
         }
-        let loose_vertices = vertices
-            .iter()
-            .copied()
-            .filter(|&id| is_loose[id as usize])
-            .collect();
-        let first_loose = mesh.edges().len() - mesh.loose_edges().len();
-        let loose_edges = edges
-            .iter()
-            .copied()
-            .filter(|&id| id as usize >= first_loose)
-            .collect();
+        let mut loose_vertices = vertices.clone();
+        loose_vertices.retain(|&id| is_loose[id as usize]);
+        let loose_edges = loose(mesh, &edges, can_collide);
 
         // In the order of `PrimitiveSet`.
         self.sets = [vertices, faces, edges, loose_vertices, loose_edges].map(Boxes::in_order);
@@ -227,6 +217,21 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })
+}
+
+/// Those of some edges that are not edges of a face that takes part.
+fn loose(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
+    let first_loose = mesh.edges().len() - mesh.loose_edges().len();
+    let mut loose = edges.to_vec();
+    if mesh.faces().iter().all(|face| can_collide.takes_part(face)) {
+        loose.retain(|&id| id as usize >= first_loose);
+        return loose;
+    }
+    let faces = mesh.faces().iter().filter(|face| can_collide.takes_part(*face));
+    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
+    let sides: HashSet<[u32; 2]> = faces.flat_map(sides).collect();
+    loose.retain(|&id| !sides.contains(&mesh.edges()[id as usize]));
+    loose
 }
 
 /// The indices of the primitives that take part, in the order of the ranks of their first vertices.

@@ -1,5 +1,6 @@
 //! Contact times: algebraic numbers, each given as an f64 or as the two adjacent f64 around it.
 
+use core::cmp::Ordering;
 use core::ops::Deref;
 
 use arrayvec::ArrayVec;
@@ -7,7 +8,7 @@ use arrayvec::ArrayVec;
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
 ///
 /// Two different times between the same two adjacent f64 compare equal.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug)]
 pub struct ContactTime {
     lower: f64,
     /// True if the time is above `lower`, hence after the one that is exactly `lower`.
@@ -17,7 +18,8 @@ pub struct ContactTime {
 impl ContactTime {
     pub(crate) fn exactly(time: f64) -> Self {
         Self {
-            lower: time,
+            // Not −0.0.
+            lower: time.abs(),
             is_above: false,
         }
     }
@@ -25,9 +27,21 @@ impl ContactTime {
     /// A time strictly between `lower` and the next larger f64.
     pub(crate) fn just_above(lower: f64) -> Self {
         Self {
-            lower,
+            lower: lower.abs(),
             is_above: true,
         }
+    }
+
+    /// Returns true if the time is exactly 0, the start of the step.
+    #[must_use]
+    pub fn is_start(self) -> bool {
+        self == Self::exactly(0.0)
+    }
+
+    /// The order of times is that of these, in any floating-point environment: a comparison of
+    /// subnormal numbers may read them as zero.
+    fn order(self) -> (u64, bool) {
+        (self.lower.to_bits(), self.is_above)
     }
 
     /// The largest f64 that is not above the time.
@@ -50,6 +64,26 @@ impl ContactTime {
     #[must_use]
     pub fn is_exact(self) -> bool {
         !self.is_above
+    }
+}
+
+impl PartialEq for ContactTime {
+    fn eq(&self, other: &Self) -> bool {
+        self.order() == other.order()
+    }
+}
+
+impl Eq for ContactTime {}
+
+impl PartialOrd for ContactTime {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for ContactTime {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.order().cmp(&other.order())
     }
 }
 

@@ -94,18 +94,47 @@ impl Scene {
 
     /// All pairs without a common vertex that can collide, the last two kinds among loose primitives.
     pub(crate) fn pairs(&self, can_collide: &CanCollide) -> Candidates {
-        let mesh = &self.mesh;
-        let ids = |count: usize| 0..count as u32;
-        let (vertices, faces) = (ids(mesh.vertex_count()), ids(mesh.faces().len()));
-        let edges = ids(mesh.edges().len());
-        let loose_edges = (mesh.edges().len() - mesh.loose_edges().len()) as u32..edges.end;
-        let points: Vec<u32> = mesh.loose_vertices().collect();
+        self.pairs_among(can_collide, |_| true)
+    }
 
-        let with_faces = vertices.flat_map(|vertex| faces.clone().map(move |face| [vertex, face]));
-        let of_edges = edges.flat_map(|b| (0..b).map(move |a| [a, b]));
+    /// The same if only some vertices take part: primitives are loose among those that do.
+    pub(crate) fn pairs_among(
+        &self,
+        can_collide: &CanCollide,
+        takes_part: impl Fn(u32) -> bool,
+    ) -> Candidates {
+        let mesh = &self.mesh;
+        let all_take_part = |vertices: &[u32]| vertices.iter().all(|&vertex| takes_part(vertex));
+        let among = |count: usize, vertices: &dyn Fn(usize) -> Vec<u32>| -> Vec<u32> {
+            let ids = (0..count).filter(|&id| all_take_part(&vertices(id)));
+            ids.map(|id| id as u32).collect()
+        };
+        let vertices = among(mesh.vertex_count(), &|id| vec![id as u32]);
+        let faces = among(mesh.faces().len(), &|id| mesh.faces()[id].to_vec());
+        let edges = among(mesh.edges().len(), &|id| mesh.edges()[id].to_vec());
+        let edge = |id: u32| mesh.edges()[id as usize];
+        let is_side = |&id: &u32| {
+            let holds = |&face: &u32| {
+                edge(id)
+                    .iter()
+                    .all(|end| mesh.faces()[face as usize].contains(end))
+            };
+            faces.iter().any(holds)
+        };
+        let is_end = |vertex: &u32| edges.iter().any(|&id| edge(id).contains(vertex));
+        let loose_edges: Vec<u32> = edges.iter().copied().filter(|id| !is_side(id)).collect();
+        let points: Vec<u32> = vertices.iter().copied().filter(|id| !is_end(id)).collect();
+
+        let with_faces = vertices
+            .iter()
+            .flat_map(|&vertex| faces.iter().map(move |&face| [vertex, face]));
+        let of_edges = edges
+            .iter()
+            .flat_map(|&b| edges.iter().map(move |&a| [a, b]))
+            .filter(|[a, b]| a < b);
         let with_edges = points
             .iter()
-            .flat_map(|&p| loose_edges.clone().map(move |edge| [p, edge]));
+            .flat_map(|&p| loose_edges.iter().map(move |&edge| [p, edge]));
         let of_points = points.iter().flat_map(|&p| points.iter().map(move |&q| [p, q]));
         self.filtered::<VertexFace>(with_faces, can_collide)
             .chain(self.filtered::<EdgeEdge>(of_edges, can_collide))

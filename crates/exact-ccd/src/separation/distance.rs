@@ -1,10 +1,12 @@
 //! Distances: the threshold of a query, and bounds of the distance at one time.
 
+use core::cmp::Ordering;
+
 /// A distance d below which two primitives count as close: a finite f64, at least 0, in the unit of
 /// the coordinates.
 ///
 /// It is taken exactly. −0.0 is 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Separation(f64);
 
 /// A separation is negative, infinite or not a number.
@@ -44,12 +46,6 @@ impl Separation {
         self.0.to_bits() == 0
     }
 
-    /// The larger of two separations. The bits of numbers that are not negative are in their order.
-    #[inline]
-    pub(super) fn max(self, other: Self) -> Self {
-        Self(f64::from_bits(self.0.to_bits().max(other.0.to_bits())))
-    }
-
     /// The least f64 that is not below the sum of two separations, which is at most the largest f64.
     ///
     /// In integers, which no floating-point environment changes. In units in the last place of the
@@ -68,6 +64,31 @@ impl Separation {
         let carry = u64::from(sum > 2 << DIGITS);
         let bits = ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry);
         Self(f64::from_bits(bits))
+    }
+}
+
+impl PartialEq for Separation {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Separation {}
+
+impl PartialOrd for Separation {
+    #[inline]
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// By their bits, which are in the order of numbers that are not negative: a comparison of subnormal
+/// numbers may read them as zero.
+impl Ord for Separation {
+    #[inline]
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.0.to_bits().cmp(&other.0.to_bits())
     }
 }
 
@@ -98,9 +119,11 @@ pub struct TimeOutOfStep {
 }
 
 impl TimeOutOfStep {
-    /// Checks that a time is in [0, 1].
+    /// Checks that a time is in [0, 1]: by its bits, because a comparison may read a subnormal number as
+    /// zero.
     pub(crate) fn check(time: f64) -> Result<(), Self> {
-        if (0.0..=1.0).contains(&time) {
+        let bits = time.to_bits();
+        if bits <= 1.0_f64.to_bits() || bits == (-0.0_f64).to_bits() {
             Ok(())
         } else {
             Err(Self { time })
