@@ -191,7 +191,7 @@ fn free_steps_are_free_within_the_distance() {
 fn audits_certify_the_distance() {
     let mut random = Rng::with_seed(36);
     let (mut certified, mut violated) = (0, 0);
-    for _ in 0..30 {
+    for _ in 0..90 {
         let (scene, scale) = Scene::mixed(&mut random);
         for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.1 * scale) {
             let detector = Detector::new(scene.mesh.clone());
