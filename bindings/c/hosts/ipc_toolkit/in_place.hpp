@@ -10,14 +10,15 @@
 
 namespace ipc {
 
+// The rescaling of Tight Inclusion is that of a distance, of 10⁻⁴ at most: the time is not rescaled.
 struct ExactAsTightInclusion : exact_ccd::ExactCCD {
     static constexpr double DEFAULT_TOLERANCE = TightInclusionCCD::DEFAULT_TOLERANCE;
     static constexpr long DEFAULT_MAX_ITERATIONS = TightInclusionCCD::DEFAULT_MAX_ITERATIONS;
 
     explicit ExactAsTightInclusion(double /* tolerance */ = DEFAULT_TOLERANCE,
                                    long /* max_iterations */ = DEFAULT_MAX_ITERATIONS,
-                                   double rescaling = TightInclusionCCD::DEFAULT_CONSERVATIVE_RESCALING)
-        : ExactCCD(rescaling)
+                                   double /* rescaling */ = 1.0)
+        : ExactCCD(1.0)
     {
     }
 };

@@ -11,13 +11,15 @@ use core::ffi::CStr;
 use arbitrary::Unstructured;
 use exact_ccd_c::{Status, exact_ccd_last_error};
 
-/// Decodes calls from bytes, and checks them.
-pub(crate) fn check(bytes: &[u8]) {
+/// Decodes calls from bytes, and checks them. Returns the number of contacts found, at most one by a
+/// query and one by a mesh.
+pub(crate) fn check(bytes: &[u8]) -> usize {
     let mut bytes = Unstructured::new(bytes);
     // Too few bytes are no call.
-    let _ = queries::check(&mut bytes);
+    let of_query = queries::check(&mut bytes).unwrap_or_default();
     let _ = batches::check(&mut bytes);
-    let _ = meshes::check(&mut bytes);
+    let of_mesh = meshes::check(&mut bytes).unwrap_or_default();
+    usize::from(of_query) + usize::from(of_mesh)
 }
 
 /// Returns true if a call has results. A call that fails has a message.

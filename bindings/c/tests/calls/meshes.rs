@@ -15,7 +15,8 @@ use exact_ccd_c::{
 
 use super::{input, succeeds};
 
-pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
+/// Returns true if a step has contact.
+pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<bool> {
     let vertices = bytes.int_in_range(0..=9)?;
     let face_count = bytes.int_in_range(0..=4)?;
     let edge_count = bytes.int_in_range(0..=2)?;
@@ -30,7 +31,7 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
         let status = exact_ccd_detector_new(mesh, &raw mut detector);
         assert_eq!(succeeds(status), !mesh.is_null());
         let result = if mesh.is_null() {
-            Ok(())
+            Ok(false)
         } else {
             steps(bytes, vertices, mesh, detector)
         };
@@ -47,7 +48,7 @@ unsafe fn steps(
     vertices: usize,
     mesh: *const Mesh,
     detector: *mut Detector,
-) -> Result<()> {
+) -> Result<bool> {
     let (x0, x1) = (input::points(bytes, vertices)?, input::points(bytes, vertices)?);
     let d = input::distance(bytes)?;
     // SAFETY: the arrays have the lengths that are passed on.
@@ -57,8 +58,8 @@ unsafe fn steps(
         if is_plain && let Some(earliest) = earliest {
             audit(mesh, d, &x0, &x1, earliest);
         }
+        Ok(earliest.is_some_and(|time| time <= 1.0))
     }
-    Ok(())
 }
 
 /// Sets the distance `d`, and one other option. Returns true if the distance alone is set.

@@ -10,7 +10,8 @@ use super::{input, succeeds};
 
 const UNWRITTEN: f64 = -7.0;
 
-pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
+/// Returns true if the query collides.
+pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<bool> {
     let (kind, count) = input::kind(bytes)?;
     let (t0, t1) = (input::points(bytes, count)?, input::points(bytes, count)?);
     let (t0, t1) = (input::pointer(bytes, &t0)?, input::pointer(bytes, &t1)?);
@@ -72,5 +73,5 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
     } else {
         assert_eq!([lower, upper], [UNWRITTEN; 2]);
     }
-    Ok(())
+    Ok(collides)
 }
