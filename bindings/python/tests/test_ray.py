@@ -31,7 +31,7 @@ from ray.cluster_utils import Cluster
 
 import exact_ccd.ray
 
-SIDE = 24
+SIDE = 16
 """The number of vertices along a side of each of two sheets."""
 GRID = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
 CORNERS = [GRID[:-1, :-1], GRID[1:, :-1], GRID[1:, 1:], GRID[:-1, 1:]]
@@ -63,7 +63,7 @@ def same(a: AuditReport, b: AuditReport) -> bool:
 def cluster():
     """Two nodes of one core each: this process is connected to the first."""
     os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
-    node = {"num_cpus": 1, "object_store_memory": 2**28, "node_ip_address": "127.0.0.1"}
+    node = {"num_cpus": 1, "object_store_memory": 2**28}
     started = Cluster(initialize_head=True, head_node_args=node)
     started.add_node(**node)
     # The processes of tasks find the modules where this one does.

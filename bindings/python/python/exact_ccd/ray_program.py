@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import logging
 import sys
 from typing import Any
 
@@ -38,7 +39,7 @@ def run(options: argparse.Namespace) -> int:
     from .ray import audit, check_dataset
     from .ray.chunks import to_json
 
-    ray.init(address=options.address, log_to_driver=False, logging_level="warning")
+    ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
     if options.command == "audit":
         frames = options.frames if len(options.frames) > 1 else options.frames[0]
         report = audit(frames, min_distance=options.min_distance, steps=options.steps, results=options.results)

@@ -89,10 +89,11 @@ def check(
             raise ValueError(f'answer {name!r}, expected "collides", "count" or "toi"')
     arrow = _as_arrow(table)
     columns = _answers(arrow, chosen, kind, min_distance, threads)
-    for name, values in columns.items():
-        index = arrow.schema.get_field_index(name)
-        arrow = arrow.append_column(name, values) if index < 0 else arrow.set_column(index, name, values)
-    return _like(table, arrow)
+    for column, values in columns.items():
+        index = arrow.schema.get_field_index(column)
+        arrow = arrow.append_column(column, values) if index < 0 else arrow.set_column(index, column, values)
+    result: _Table = _like(table, arrow)
+    return result
 
 
 def _as_arrow(table: Any) -> pa.Table:

@@ -1,12 +1,12 @@
 //! Every search examines only the pairs that can collide.
 
-use exact_ccd_mesh::{BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, StepReport};
+use exact_ccd_mesh::{BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, Pair, StepReport};
 use fastrand::Rng;
 
 use crate::scene::{PIECES, Scene, contacts};
 
 /// True for the vertices of two primitives that can collide, by definition.
-type Definition = Box<dyn Fn(&[u32], &[u32]) -> bool>;
+type Definition = Box<dyn Fn(&[u32], &[u32]) -> bool + Sync>;
 
 /// Rules of all kinds for the vertices of a scene of pieces, and the pairs of vertex lists that
 /// they allow, by definition.
@@ -67,20 +67,18 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
         let all = contacts(step, &scene.pairs(&CanCollide::all()));
         for (rule, is_allowed) in rules(&mut random) {
             // Pairs of the definition, not of the rule itself.
-            let expected: Vec<_> = all
-                .iter()
-                .filter(|contact| {
-                    let four = contact.pair.vertices(&scene.mesh).unwrap();
-                    let first = if contact.pair < (exact_ccd_mesh::Pair::EdgeEdge { a: 0, b: 0 }) {
-                        1
-                    } else {
-                        2
-                    };
-                    let (a, b) = four.split_at(first);
-                    is_allowed(a, b)
-                })
-                .copied()
-                .collect();
+            let is_allowed = |pair: Pair| {
+                let four = pair.vertices(&scene.mesh).unwrap();
+                let first = if pair < (Pair::EdgeEdge { a: 0, b: 0 }) {
+                    1
+                } else {
+                    2
+                };
+                let (a, b) = four.split_at(first);
+                is_allowed(a, b)
+            };
+            let allowed = all.iter().filter(|contact| is_allowed(contact.pair));
+            let expected: Vec<_> = allowed.copied().collect();
             found += expected.len();
             left_out += all.len() - expected.len();
 
@@ -97,6 +95,9 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
                 assert_eq!(report.earliest, expected.first().copied());
             }
 
+            let mut open = Detector::new(scene.mesh.clone());
+            let is_free = open.is_free_of(&scene.x0, &scene.x1, is_allowed).unwrap();
+            assert_eq!(is_free, expected.is_empty());
             let mut detector = Detector::new(scene.mesh.clone()).with_can_collide(rule);
             for _ in 0..2 {
                 let (x0, x1) = (&scene.x0, &scene.x1);

@@ -80,11 +80,13 @@ def audit(
     return work.run(window or 2 * max(1, int(ray.cluster_resources().get("CPU", 1))), steps)
 
 
-@ray.remote(num_cpus=1)
 def examine_chunk(part: Frames, distance: NDArray[np.float64], first: int) -> AuditReport:
     """The report of a chunk, whose first frame has this number."""
     detector = Detector(part.mesh(), min_distance=distance, threads=1)
     return AuditReport(*examine(detector, part, first))
+
+
+_examine_chunk = ray.remote(num_cpus=1)(examine_chunk)
 
 
 class _Work(NamedTuple):
@@ -135,16 +137,18 @@ class _Work(NamedTuple):
 
     def _start(self, chunk: Chunk) -> Any:
         part = self.frames.part(chunk.first, chunk.last)
-        task = examine_chunk.options(max_retries=self.retries)
+        task = _examine_chunk.options(max_retries=self.retries)
         return task.remote(part, self.distance, chunk.first)
 
     def _finish(self, chunk: Chunk, task: Any) -> Union[AuditReport, Exception]:
         try:
             report: AuditReport = ray.get(task)
         except ray.exceptions.RayTaskError as error:
-            return error.cause if isinstance(error.cause, Exception) else error
+            cause: Exception = error.cause if isinstance(error.cause, Exception) else error
+            return cause
         except ray.exceptions.RayError as error:
-            return error
+            lost: Exception = error
+            return lost
         if self.results is not None:
             self.results.write(chunk, report)
         self._advance(chunk)

@@ -109,5 +109,6 @@ def file_system(
     if filesystem is not None:
         return filesystem, fspath(path)
     if "://" in fspath(path):
-        return pyarrow.fs.FileSystem.from_uri(fspath(path))
+        found, inside = pyarrow.fs.FileSystem.from_uri(fspath(path))
+        return found, inside
     return pyarrow.fs.LocalFileSystem(), fspath(path)
