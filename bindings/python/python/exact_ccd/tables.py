@@ -181,6 +181,10 @@ class _Kinds(NamedTuple):
         """The kinds in a column."""
         import pyarrow as pa
 
+        values = column.type.value_type if pa.types.is_dictionary(column.type) else column.type
+        is_text = (pa.types.is_string, pa.types.is_large_string, pa.types.is_string_view)
+        if not any(test(values) for test in is_text):
+            raise TypeError(f"the column kind has the type {column.type}, expected strings")
         if column.null_count:
             raise ValueError(f"row {_first(column.is_null())}: the kind is null")
         encoded = column.cast(pa.string()).dictionary_encode().combine_chunks()
