@@ -79,8 +79,8 @@ def cluster():
 def test_any_number_of_chunks(cluster, steps: int) -> None:
     frames = recording(500, 471)
     # Two earlier violations at other times of their steps.
-    frames[390:, GRID.size + 20, 2] -= 1.7
-    frames[400:, GRID.size + 40, 2] -= 1.9
+    frames[390:, GRID.size + 20, 2] -= 4.0
+    frames[400:, GRID.size + 40, 2] -= 4.0
     expected = exact_ccd.audit(frames, FACES)
     assert expected.violation.frame == 389
     done = []

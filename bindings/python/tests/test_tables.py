@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
-
 import numpy as np
 import pytest
 
 import exact_ccd
 from exact_ccd.tables import _points
 from generated import POINTS, queries
+from published import program
 
 pa = pytest.importorskip("pyarrow", reason="pyarrow is not installed: pip install pyarrow")
 
@@ -101,15 +99,12 @@ def test_points_are_not_copied(kind: str, is_fixed: bool) -> None:
 def test_the_files_of_convert(tmp_path) -> None:
     import pyarrow.parquet as parquet
 
-    if not hasattr(exact_ccd._native, "main"):
-        pytest.skip("the extension was built without the program")
     points = queries("vf", 40).reshape(-1, 3)
     rows = "".join(",".join(f"{int(x)},1" for x in point) + "\n" for point in points)
     (tmp_path / "queries.csv").write_text(rows)
     files = [tmp_path / "plain.parquet", tmp_path / "answered.parquet"]
     for file, answers in zip(files, ([], ["--answers"])):
-        command = ["convert", "--kind", "vf", *answers, "-o", file, tmp_path / "queries.csv"]
-        subprocess.run([sys.executable, "-m", "exact_ccd", *command], check=True)
+        program("convert", "--kind", "vf", *answers, "-o", file, tmp_path / "queries.csv")
     plain, answered = (parquet.read_table(file) for file in files)
     assert exact_ccd.check(plain, answers=["count", "toi"]).equals(answered)
 
