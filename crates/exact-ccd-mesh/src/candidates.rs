@@ -150,7 +150,7 @@ impl Candidates {
     /// contact found.
     #[must_use]
     pub fn is_free(&self, step: Step<'_>) -> bool {
-        let contact = AnyContact::default();
+        let contact = AnyContact::new(|_| true);
         self.examine(step, &contact);
         !contact.is_found()
     }

@@ -193,7 +193,7 @@ fn free_step<B: BroadPhase>(
     while size.to_bits() > 0 {
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        if !watched(search, &shorter, AnyContact::default(), &watch)?.is_found() {
+        if !watched(search, &shorter, AnyContact::new(|_| true), &watch)?.is_found() {
             return Ok(free(size, positions));
         }
         size = f64::from_bits(first.to_bits().saturating_sub(retreat));

@@ -1,6 +1,8 @@
 //! Every search examines only the pairs that can collide.
 
-use exact_ccd_mesh::{BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, Pair, StepReport};
+use exact_ccd_mesh::{
+    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, Pair, StepReport, TriangleMesh,
+};
 use fastrand::Rng;
 
 use crate::scene::{PIECES, Scene, contacts};
@@ -9,11 +11,11 @@ use crate::scene::{PIECES, Scene, contacts};
 struct Rule {
     can_collide: CanCollide,
     takes_part: Vec<bool>,
-    allows: Box<dyn Fn(&[u32], &[u32]) -> bool>,
+    allows: Box<dyn Fn(&[u32], &[u32]) -> bool + Sync>,
 }
 
 impl Rule {
-    fn new(can_collide: CanCollide, allows: impl Fn(&[u32], &[u32]) -> bool + 'static) -> Self {
+    fn new(can_collide: CanCollide, allows: impl Fn(&[u32], &[u32]) -> bool + Sync + 'static) -> Self {
         let takes_part = vec![true; 4 * PIECES];
         Self {
             can_collide,
@@ -29,20 +31,23 @@ impl Rule {
         self
     }
 
+    fn is_allowed(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
+        let vertices = pair.vertices(mesh).unwrap();
+        let first = if matches!(pair, Pair::EdgeEdge { .. }) {
+            2
+        } else {
+            1
+        };
+        let (a, b) = vertices.split_at(first);
+        (self.allows)(a, b)
+    }
+
     /// The pairs of a scene, by definition.
     fn pairs(&self, scene: &Scene) -> Candidates {
         let all = scene.pairs_among(|vertex| self.takes_part[vertex as usize]);
-        let allowed = |pair: &Pair| {
-            let vertices = pair.vertices(&scene.mesh).unwrap();
-            let first = if matches!(pair, Pair::EdgeEdge { .. }) {
-                2
-            } else {
-                1
-            };
-            let (a, b) = vertices.split_at(first);
-            (self.allows)(a, b)
-        };
-        all.pairs().filter(allowed).collect()
+        all.pairs()
+            .filter(|&pair| self.is_allowed(&scene.mesh, pair))
+            .collect()
     }
 }
 
@@ -92,13 +97,13 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
             let expected = contacts(step, &rule.pairs(&scene));
             found += expected.len();
             left_out += all.iter().filter(|contact| !expected.contains(contact)).count();
-            let rule = rule.can_collide;
+            let can_collide = &rule.can_collide;
 
             for boxes in [BoxKind::Swept, BoxKind::Moving] {
                 let options = CandidateOptions::default()
                     .with_distance(0.1 * scale)
                     .with_boxes(boxes)
-                    .with_can_collide(rule.clone());
+                    .with_can_collide(can_collide.clone());
                 let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
                 assert_eq!(candidates.contacts(step), expected);
                 let report = StepReport::with_options(step, &Bvh, &options, &|_| ()).unwrap();
@@ -107,7 +112,11 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
                 assert_eq!(report.earliest, expected.first().copied());
             }
 
-            let mut detector = Detector::new(scene.mesh.clone()).with_can_collide(rule);
+            let counts = |pair: Pair| rule.is_allowed(&scene.mesh, pair);
+            let mut open = Detector::new(scene.mesh.clone());
+            let is_free = open.is_free_of(&scene.x0, &scene.x1, counts).unwrap();
+            assert_eq!(is_free, !all.iter().any(|contact| counts(contact.pair)));
+            let mut detector = Detector::new(scene.mesh.clone()).with_can_collide(can_collide.clone());
             for _ in 0..2 {
                 let (x0, x1) = (&scene.x0, &scene.x1);
                 assert_eq!(detector.contacts(x0, x1, 1.0).unwrap(), expected);
