@@ -161,7 +161,7 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
         mean(&|| {
             let mut count = 0;
             trajectories
-                .collisions_within::<K>(black_box(&vertices), d, |_, _| count += 1)
+                .collisions_within::<K>(black_box(&vertices), d.into(), |_, _| count += 1)
                 .expect("all vertices are there");
             count
         })
@@ -189,9 +189,13 @@ fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
 }
 
 fn print_decisions(rows: &[Row]) {
-    println!("Candidates that do not come within d, mean ns: contact, and the distance d; one by one, and in");
+    println!(
+        "Candidates that do not come within d, mean ns: contact, and the distance d; one by one, and in"
+    );
     println!("a batch.\n");
-    println!("| scene, kind, d | candidates | within d | contact | distance | ratio | contact, batch | distance, batch | ratio |");
+    println!(
+        "| scene, kind, d | candidates | within d | contact | distance | ratio | contact, batch | distance, batch | ratio |"
+    );
     println!("|---|{}", "---:|".repeat(8));
     for Row { name, measured, .. } in rows {
         let figures = |contact: &[f64], outside: &[f64]| {
