@@ -126,7 +126,7 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
             }
         }
     }
-    assert!(found > 1000 && left_out > 1000, "{found} {left_out}");
+    assert!(found > 1000 && left_out > 500, "{found} {left_out}");
 }
 
 #[test]

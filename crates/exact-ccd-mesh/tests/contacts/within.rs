@@ -191,7 +191,7 @@ fn free_steps_are_free_within_the_distance() {
 fn audits_certify_the_distance() {
     let mut random = Rng::with_seed(36);
     let (mut certified, mut violated) = (0, 0);
-    for _ in 0..30 {
+    for _ in 0..40 {
         let (scene, scale) = Scene::mixed(&mut random);
         for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.1 * scale) {
             let detector = Detector::new(scene.mesh.clone());
@@ -222,6 +222,15 @@ fn audits_certify_the_distance() {
         }
     }
     assert!(certified > 20 && violated > 5, "{certified} {violated}");
+}
+
+#[test]
+fn an_inner_distance_does_not_count_in_an_audit() {
+    let positions = vec![[0.0; 3], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [1.0, 1.0, 0.3]];
+    let frame = Frame::new(positions, vec![[0, 1, 2]]).unwrap();
+    let min_distance = MinDistance::uniform(separation(0.5)).with_inner(separation(0.1));
+    let violation = Audit::with_min_distance(min_distance).examine(frame).unwrap();
+    assert!(matches!(violation, Some(Violation::Contact { frame: 0, .. })));
 }
 
 #[test]
