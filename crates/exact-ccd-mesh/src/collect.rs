@@ -155,8 +155,7 @@ impl ContactsUntil {
     /// negative times and NaN.
     pub(crate) fn new(time: f64) -> Option<Self> {
         (time >= 0.0).then(|| Self {
-            // Not −0.0.
-            time: time.min(1.0).abs(),
+            time: time.min(1.0),
             contacts: Mutex::default(),
         })
     }
@@ -187,11 +186,7 @@ impl Collect for ContactsUntil {
             let Some(collision) = approach.contact() else {
                 return;
             };
-            let time = collision.first_contact_time();
-            // By their bits: a comparison may read a subnormal number as zero. A time that is not an f64
-            // lies above its lower bound.
-            let (lower, until) = (time.lower().to_bits(), self.time.to_bits());
-            if lower < until || time.is_exact() && lower == until {
+            if collision.first_contact_time().is_at_most(self.time) {
                 found.push(Contact::new(K::pair(ids), &collision));
             }
         });

@@ -94,8 +94,7 @@ impl MinDistance {
         }
     }
 
-    /// The same without an inner distance: it holds for all pairs.
-    #[must_use]
+    /// The same distance without an inner one.
     pub(crate) fn without_inner(self) -> Self {
         Self { inner: None, ..self }
     }
@@ -113,22 +112,6 @@ impl MinDistance {
     #[must_use]
     pub fn inner(&self) -> Option<Separation> {
         self.inner
-    }
-
-    /// The same with a thickness of 0 for each vertex of a mesh that has none, if there are any.
-    pub(crate) fn padded(self, mesh: &TriangleMesh) -> Self {
-        match &self.outer {
-            Outer::Thickness(thickness) if thickness.vertex_count() < mesh.vertex_count() => {
-                let vertices = 0..mesh.vertex_count() as u32;
-                let values: Vec<f64> = vertices.map(|vertex| thickness.of(&[vertex]).get()).collect();
-                let padded = Thickness::new(&values).expect("these are thicknesses, and zeros");
-                Self {
-                    outer: Outer::Thickness(padded.into()),
-                    ..self
-                }
-            }
-            Outer::Uniform(_) | Outer::Thickness(_) => self,
-        }
     }
 
     /// Checks that each vertex of a mesh has a thickness, if there are any.

@@ -37,7 +37,7 @@ impl NarrowPhase {
 
     /// The narrow phase of a step, for all pairs.
     pub(crate) fn of(step: &Step<'_>, min_distance: MinDistance) -> Self {
-        let mut narrow_phase = Self::new(CanCollide::all(), min_distance.padded(step.mesh()));
+        let mut narrow_phase = Self::new(CanCollide::all(), min_distance);
         narrow_phase.begin(step);
         narrow_phase
     }

@@ -10,7 +10,7 @@ use crate::aabb::Aabb;
 use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
 use crate::can_collide::CanCollide;
 use crate::margin::Margin;
-use crate::mesh::TriangleMesh;
+use crate::mesh::{TriangleMesh, sides};
 use crate::pair_kind::{PrimitiveSet, Searched};
 use crate::step::Step;
 
@@ -98,15 +98,8 @@ impl<const T: usize> StepBoxes<T> {
         let faces = by_first_vertex(&rank, mesh.faces(), can_collide);
         let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
 
-        let mut is_loose = vec![true; x0.len()];
-        for &edge in &edges {
-            for vertex in mesh.edges()[edge as usize] {
-                is_loose[vertex as usize] = false;
-            }
-        }
-        let mut loose_vertices = vertices.clone();
-        loose_vertices.retain(|&id| is_loose[id as usize]);
-        let loose_edges = loose(mesh, &edges, can_collide);
+        let loose_vertices = loose_vertices(mesh, &vertices, &edges);
+        let loose_edges = loose_edges(mesh, &edges, can_collide);
 
         // In the order of `PrimitiveSet`.
         self.sets = [vertices, faces, edges, loose_vertices, loose_edges].map(Boxes::in_order);
@@ -219,18 +212,33 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
     })
 }
 
-/// Those of some edges that are not edges of a face that takes part.
-fn loose(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
+/// Those of the vertices that have none of the edges.
+fn loose_vertices(mesh: &TriangleMesh, vertices: &[u32], edges: &[u32]) -> Vec<u32> {
+    let mut has_edge = vec![false; mesh.vertex_count()];
+    for &edge in edges {
+        for vertex in mesh.edges()[edge as usize] {
+            has_edge[vertex as usize] = true;
+        }
+    }
+    let mut loose = vertices.to_vec();
+    loose.retain(|&vertex| !has_edge[vertex as usize]);
+    loose
+}
+
+/// Those of the edges that belong to no face that takes part.
+fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
+    let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
+    let left_out = mesh.faces().iter().filter(|face| !takes_part(face));
+    // Only edges of faces that are left out may lack a face.
+    let mut lacking: HashSet<[u32; 2]> = left_out.flat_map(sides).collect();
+    if !lacking.is_empty() {
+        for side in mesh.faces().iter().filter(takes_part).flat_map(sides) {
+            lacking.remove(&side);
+        }
+    }
     let first_loose = mesh.edges().len() - mesh.loose_edges().len();
     let mut loose = edges.to_vec();
-    if mesh.faces().iter().all(|face| can_collide.takes_part(face)) {
-        loose.retain(|&id| id as usize >= first_loose);
-        return loose;
-    }
-    let faces = mesh.faces().iter().filter(|face| can_collide.takes_part(*face));
-    let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
-    let sides: HashSet<[u32; 2]> = faces.flat_map(sides).collect();
-    loose.retain(|&id| !sides.contains(&mesh.edges()[id as usize]));
+    loose.retain(|&edge| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]));
     loose
 }
 

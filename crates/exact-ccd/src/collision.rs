@@ -152,7 +152,8 @@ impl<'a, K: Kind> Collision<'a, K> {
         if d.is_zero() {
             return at_first_time;
         }
-        if self.first_contact_time().is_start() {
+        let first = self.first_contact_time();
+        if first.is_start() {
             return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
         }
         at_first_time

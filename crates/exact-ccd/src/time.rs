@@ -1,16 +1,18 @@
 //! Contact times: algebraic numbers, each given as an f64 or as the two adjacent f64 around it.
 
-use core::cmp::Ordering;
 use core::ops::Deref;
 
 use arrayvec::ArrayVec;
 
+use crate::non_negative::NonNegative;
+
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
 ///
-/// Two different times between the same two adjacent f64 compare equal.
-#[derive(Clone, Copy, Debug)]
+/// Times are in their order, in every floating-point environment. Two different times between the
+/// same two adjacent f64 compare equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ContactTime {
-    lower: f64,
+    lower: NonNegative,
     /// True if the time is above `lower`, hence after the one that is exactly `lower`.
     is_above: bool,
 }
@@ -18,8 +20,7 @@ pub struct ContactTime {
 impl ContactTime {
     pub(crate) fn exactly(time: f64) -> Self {
         Self {
-            // Not −0.0.
-            lower: time.abs(),
+            lower: in_step(time),
             is_above: false,
         }
     }
@@ -27,36 +28,24 @@ impl ContactTime {
     /// A time strictly between `lower` and the next larger f64.
     pub(crate) fn just_above(lower: f64) -> Self {
         Self {
-            lower: lower.abs(),
+            lower: in_step(lower),
             is_above: true,
         }
-    }
-
-    /// Returns true if the time is exactly 0, the start of the step.
-    #[must_use]
-    pub fn is_start(self) -> bool {
-        self == Self::exactly(0.0)
-    }
-
-    /// The order of times is that of these, in any floating-point environment: a comparison of
-    /// subnormal numbers may read them as zero.
-    fn order(self) -> (u64, bool) {
-        (self.lower.to_bits(), self.is_above)
     }
 
     /// The largest f64 that is not above the time.
     #[must_use]
     pub fn lower(self) -> f64 {
-        self.lower
+        self.lower.get()
     }
 
     /// The smallest f64 that is not below the time.
     #[must_use]
     pub fn upper(self) -> f64 {
         if self.is_above {
-            self.lower.next_up()
+            self.lower().next_up()
         } else {
-            self.lower
+            self.lower()
         }
     }
 
@@ -65,26 +54,26 @@ impl ContactTime {
     pub fn is_exact(self) -> bool {
         !self.is_above
     }
-}
 
-impl PartialEq for ContactTime {
-    fn eq(&self, other: &Self) -> bool {
-        self.order() == other.order()
+    /// Returns true for the start of the step, t = 0.
+    #[must_use]
+    pub fn is_start(self) -> bool {
+        self == Self::exactly(0.0)
+    }
+
+    /// Returns true if the contact is not after a time t; false for NaN.
+    #[must_use]
+    pub fn is_at_most(self, t: f64) -> bool {
+        t > 1.0 || NonNegative::new(t).is_some_and(|t| (self.lower, self.is_above) <= (t, false))
     }
 }
 
-impl Eq for ContactTime {}
-
-impl PartialOrd for ContactTime {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for ContactTime {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.order().cmp(&other.order())
-    }
+/// A time of the step, which is neither negative nor NaN.
+#[inline]
+fn in_step(time: f64) -> NonNegative {
+    let time = NonNegative::new(time);
+    debug_assert!(time.is_some(), "a contact time is in [0, 1]");
+    time.unwrap_or(NonNegative::ZERO)
 }
 
 /// The maximal number of isolated contact times of a query.
