@@ -161,7 +161,7 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
         mean(&|| {
             let mut count = 0;
             trajectories
-                .collisions_within::<K>(black_box(&vertices), d, |_, _| count += 1)
+                .collisions_within::<K>(black_box(&vertices), d.into(), |_, _| count += 1)
                 .expect("all vertices are there");
             count
         })

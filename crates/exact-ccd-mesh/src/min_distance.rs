@@ -12,8 +12,8 @@ use crate::mesh::TriangleMesh;
 /// Two primitives *touch* if their distance is at most the minimum distance of the pair, and all that
 /// is said about contact holds for this. The distance is taken exactly; with
 /// [thicknesses](Self::thickness), that of a pair is the sum of those of both primitives, rounded up.
-/// Primitives that share a vertex do not form a pair. So the minimum distance should be smaller than the edges
-/// of the mesh: primitives that are two edges apart along the surface come near each other too.
+/// Primitives that share a vertex do not form a pair. So the minimum distance should be smaller than
+/// the edges of the mesh: primitives that are two edges apart along the surface come near each other too.
 ///
 /// ```
 /// use exact_ccd::separation::Separation;

@@ -5,7 +5,7 @@ use core::ops::{Mul, Neg};
 
 use super::closest::Closest;
 use super::corners::Scaled;
-use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, cross, dot, minus, subtract};
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, cross, dot, minus, subtract};
 use crate::kind::Kind;
 use crate::query::Query;
 
@@ -16,7 +16,9 @@ pub(super) trait Precision: Number<Real = f64> + Neg<Output = Self> + Mul<f64, O
 }
 
 impl Precision for f64 {
-    const SETTLED: f64 = 64.0 * UNIT;
+    // 2⁻³²: one or two steps before twice the precision has settled. The error of a time is about that of
+    // the corners over the speed of the approach, and may be far above the unit roundoff.
+    const SETTLED: f64 = f64::from_bits((1023 - 32) << 52);
 }
 
 impl Precision for DoubleDouble {
@@ -51,7 +53,9 @@ impl<T: Precision> Moving<T> {
     pub(super) fn at<K: Kind>(&self, t: f64) -> Moment<T> {
         let corners = [0, 1, 2, 3]
             .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t));
-        let closest = Closest::guess::<K>(&corners.map(|corner| corner.map(Number::value)));
+        let rounded = corners.map(|corner| corner.map(Number::value));
+        let closest = Closest::guess::<K>(&rounded);
+        let closest = closest.refined::<K>(&rounded, point(&corners, closest).map(Number::value));
         let direction = direction(&corners, closest);
         Moment {
             corners,
