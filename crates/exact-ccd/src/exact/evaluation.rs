@@ -39,13 +39,15 @@ impl Polynomial {
         })
     }
 
-    /// The number of sign changes in the coefficients of (1 + s)ᵈ q((low + high s) / (1 + s)), and
+    /// The number of sign changes in the coefficients of (1 + s)ᵈ q((high + low s) / (1 + s)), and
     /// the first sign that is not zero.
     ///
     /// By Descartes' rule, the number of roots of q in (low, high), counted with multiplicity, is
     /// the number of sign changes or less than that by an even number.
     pub(crate) fn sign_changes(&self, low: &Dyadic, high: &Dyadic) -> (usize, Ordering) {
-        with_precision(digits(&[low, high]), |precision| self.changes(low, high, precision))
+        with_precision(digits(&[low, high]), |precision| {
+            self.changes(low, high, precision)
+        })
     }
 
     /// The sign changes and the first sign, if this precision suffices for them.
@@ -69,12 +71,15 @@ impl Polynomial {
 
     /// A ball of the values in a ball, by Horner's scheme.
     fn value(&self, t: &Ball, precision: usize) -> Ball {
-        self.balls(precision).iter().rev().fold(Ball::ZERO, |sum, coefficient| {
-            sum.times(t, precision).plus(coefficient, precision)
-        })
+        self.balls(precision)
+            .iter()
+            .rev()
+            .fold(Ball::ZERO, |sum, coefficient| {
+                sum.times(t, precision).plus(coefficient, precision)
+            })
     }
 
-    /// The coefficients of (1 + s)ᵈ q((low + high s) / (1 + s)), from the constant one up: those of
+    /// The coefficients of (1 + s)ᵈ q((high + low s) / (1 + s)), from the constant one up: those of
     /// q(low + (high − low) s), backwards, at s + 1.
     fn descartes(&self, low: &Dyadic, high: &Dyadic, precision: usize) -> Vec<Ball> {
         let width = Ball::of_dyadic(&Dyadic::difference(high, low), precision);
@@ -86,7 +91,11 @@ impl Polynomial {
             factor = factor.times(&width, precision);
         }
         coefficients.reverse();
-        shift(&mut coefficients, &Ball::of_dyadic(&Dyadic::ONE, precision), precision);
+        shift(
+            &mut coefficients,
+            &Ball::of_dyadic(&Dyadic::ONE, precision),
+            precision,
+        );
         coefficients
     }
 
@@ -112,3 +121,6 @@ fn shift(coefficients: &mut [Ball], x: &Ball, precision: usize) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

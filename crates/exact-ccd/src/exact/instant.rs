@@ -249,7 +249,12 @@ pub(crate) fn roots_between(
     admits: &dyn Fn(&Dyadic, &Dyadic) -> bool,
 ) -> Vec<Instant> {
     let mut roots = Vec::new();
-    let at_end = |end: &Dyadic| polynomial.sign_at(end).is_eq().then(|| Instant::Dyadic(end.clone()));
+    let at_end = |end: &Dyadic| {
+        polynomial
+            .sign_at(end)
+            .is_eq()
+            .then(|| Instant::Dyadic(end.clone()))
+    };
     let [first, last] = [low, high].map(at_end);
     roots.extend(first);
     let inner = polynomial.without_root(low).without_root(high);
@@ -367,10 +372,11 @@ fn pair(
         if let Some(inside) = inside {
             let of = Arc::new(polynomial.clone());
             let (low, high) = extremum.bounds();
-            return polynomial
-                .sign_at(inside)
-                .is_ne()
-                .then(|| [low, high].map(|outside| side_of_pair(&of, inside, outside)).into());
+            return polynomial.sign_at(inside).is_ne().then(|| {
+                [low, high]
+                    .map(|outside| side_of_pair(&of, inside, outside))
+                    .into()
+            });
         }
         if polynomial.sign_between(a, b).is_some() || !admits(a, b) {
             return Some(Vec::new());

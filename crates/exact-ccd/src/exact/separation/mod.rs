@@ -126,7 +126,9 @@ fn instant_at(features: &[Feature], time: ContactTime) -> Option<Instant> {
 /// each feature, and `high`.
 fn first_crossings(features: &[Feature], bounds: &[Dyadic; 2]) -> impl Iterator<Item = Instant> {
     let end = is_within_at(features, &bounds[1]).then(|| Instant::Dyadic(bounds[1].clone()));
-    let crossings = features.iter().filter_map(|feature| feature.crossings(bounds).next());
+    let crossings = features
+        .iter()
+        .filter_map(|feature| feature.crossings(bounds).next());
     end.into_iter().chain(crossings)
 }
 
