@@ -49,8 +49,8 @@ impl Welding {
         }
     }
 
-    /// Keeps apart the vertices that coincide but are not ends of coinciding edges: what remains are the seams
-    /// at which exporters split vertices, for texture coordinates or normals.
+    /// Keeps apart the vertices that coincide but are not ends of coinciding edges: the seams remain at
+    /// which exporters split vertices, for texture coordinates or normals.
     ///
     /// Vertices are welded if two edges of `mesh` that end in them coincide, and so are the vertices that a
     /// chain of such edges connects. Bodies that touch in single points, and loose vertices, stay apart.

@@ -9,7 +9,7 @@ mod oracle;
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
-    StepError, TriangleMesh, Violation, intersections, intersections_among, step,
+    StepError, TriangleMesh, Violation, crossings, intersections, intersections_among, step,
 };
 use proptest::prelude::*;
 
@@ -75,6 +75,26 @@ proptest! {
     #[test]
     fn intersections_are_those_of_the_definition(mesh in mesh(9, 0..8), x in positions(9, coordinate())) {
         prop_assert_eq!(intersections(&mesh, &x).unwrap(), expected(&mesh, &x));
+    }
+
+    /// Crossings are intersections, and any other intersection touches at the start of a step.
+    #[test]
+    fn crossings_and_contacts_at_rest_are_all_intersections(mesh in mesh(9, 0..6), x in positions(9, small())) {
+        let all = intersections(&mesh, &x).unwrap();
+        let found = crossings(&mesh, &x, &CanCollide::all()).unwrap();
+        prop_assert!(found.iter().all(|pair| all.contains(pair)));
+        let touching = step(&mesh, &x, &x).unwrap().touching.total();
+        prop_assert_eq!(touches(&mesh, &x), !found.is_empty() || touching > 0);
+        let is_crossing = |pair: &Intersection| {
+            let corners = mesh.faces()[pair.face as usize].map(|vertex| x[vertex as usize]);
+            let [a, b] = mesh.edges()[pair.edge as usize].map(|vertex| {
+                oracle::orientation([corners[0], corners[1], corners[2], x[vertex as usize]])
+            });
+            a != b && a.is_ne() && b.is_ne()
+        };
+        let mut crossing = all;
+        crossing.retain(is_crossing);
+        prop_assert_eq!(found, crossing);
     }
 
     #[test]

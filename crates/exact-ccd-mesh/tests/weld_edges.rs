@@ -1,7 +1,5 @@
 //! Welding along edges against its definition, pair by pair.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_mesh::{Point, TriangleMesh, Welding};
 use proptest::prelude::*;
 
