@@ -1,6 +1,6 @@
 //! Pairs of primitives of a mesh, and their vertices.
 
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 
 use crate::by_kind::PairCounts;
 use crate::mesh::TriangleMesh;
@@ -93,6 +93,28 @@ impl Pair {
             Self::EdgeEdge { a, b } => of::<EdgeEdge>(mesh, [a, b]),
             Self::VertexEdge { vertex, edge } => of::<VertexEdge>(mesh, [vertex, edge]),
             Self::VertexVertex { a, b } => of::<VertexVertex>(mesh, [a, b]),
+        }
+    }
+
+    /// The number of vertices of the first primitive, which are the first ones of
+    /// [`vertices`](Self::vertices).
+    #[must_use]
+    pub fn first_len(&self) -> usize {
+        match self {
+            Self::EdgeEdge { .. } => EdgeEdge::FIRST,
+            Self::VertexFace { .. } => VertexFace::FIRST,
+            Self::VertexEdge { .. } => VertexEdge::FIRST,
+            Self::VertexVertex { .. } => VertexVertex::FIRST,
+        }
+    }
+
+    /// The indices of both primitives in the mesh.
+    #[must_use]
+    pub fn ids(&self) -> [u32; 2] {
+        match *self {
+            Self::VertexFace { vertex, face } => [vertex, face],
+            Self::VertexEdge { vertex, edge } => [vertex, edge],
+            Self::EdgeEdge { a, b } | Self::VertexVertex { a, b } => [a, b],
         }
     }
 }

@@ -104,13 +104,10 @@ impl Page {
         if let Some(collision) = query.collision_within(separation) {
             let ([x0, x1], distance) = (positions, collision.distance().lower);
             let primitives = query::primitives_of::<K>();
-            page.push(ShownContact::new(
-                primitives,
-                0,
-                [x0, x1],
-                &collision.impact(),
-                distance,
-            ));
+            let shown = ShownContact::new(primitives, 0, [x0, x1], &collision.impact(), distance);
+            if let Some(shown) = shown {
+                page.push(shown);
+            }
         }
         let query = ShownQuery::new(query, separation);
         page.summary = query.summary();
