@@ -29,6 +29,8 @@ const [AMONG_OTHERS, ALONE] = [0.4, 0.75];
 
 export class Stage {
   readonly view: View;
+  /** Whole paths are in view with the contact of a query, not only its primitives. */
+  showsPaths = false;
   private readonly mesh = new MovingMesh();
   private readonly marks = new Marks();
   private readonly places: Points<BufferGeometry, PointsMaterial>;
@@ -90,7 +92,10 @@ export class Stage {
     const { time, frame } = page.contacts[contact];
     const ends = await frames.ends({ frame, t: time });
     const { primitives, closest, normal } = marked(this.shown, page.contacts[contact], ends);
-    const at = primitives.flatMap(({ start, end }) => start.map((vertex, i) => mix(vertex, end[i], time)));
+    const at = primitives.flatMap(({ start, end }) => {
+      const now = start.map((vertex, i) => mix(vertex, end[i], time));
+      return page.query !== null && this.showsPaths ? [...now, ...start, ...end] : now;
+    });
     const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
     const { up, query } = page;
     const fraction = query === null ? AMONG_OTHERS : ALONE;
