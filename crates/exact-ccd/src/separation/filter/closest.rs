@@ -1,6 +1,6 @@
 //! A guess of the closest points at one time, without bound.
 
-use crate::filter::{cross, dot, minus, towards};
+use crate::filter::{dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 
@@ -58,19 +58,6 @@ impl Closest {
                 let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
                 towards(towards(corners[0], a, u), b, v)
             }
-        }
-    }
-
-    /// A direction across the features: that of F there.
-    pub(super) fn direction(self, corners: &[Point; 4]) -> Point {
-        let Self::Inner([i, j], _) = self else {
-            return self.point(corners);
-        };
-        let n = cross(minus(corners[i], corners[0]), minus(corners[j], corners[0]));
-        if dot(n, corners[0]) < 0.0 {
-            [-n[0], -n[1], -n[2]]
-        } else {
-            n
         }
     }
 }
