@@ -158,7 +158,7 @@ impl Weights {
             let start = self.sides.partition_point(|side| side[0] < edge);
             let sides = self.sides[start..].iter().take_while(|side| side[0] == edge);
             let count = sides.filter(|side| side[1] != vertex).count();
-            (count > 1).then(|| ([vertex, edge], 1.0 - count as f64))
+            (count > 1).then_some(([vertex, edge], 1.0 - count as f64))
         });
         let vertices = distinct(of_vertices).into_iter().filter(|&[vertex, corner]| {
             self.is_interior[corner as usize] && edge_of(mesh, [vertex, corner]).is_none()

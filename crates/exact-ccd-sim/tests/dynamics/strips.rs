@@ -89,7 +89,7 @@ fn cantilever_strips_deflect_as_plates() {
         (b - a).norm()
     };
     let unstructured = faces(|[a, b, c, d]| length(a, c) < length(b, d));
-    let is_even = |vertex: u32| (vertex % (CELLS[0] + 1) + vertex / (CELLS[0] + 1)) % 2 == 0;
+    let is_even = |vertex: u32| (vertex % (CELLS[0] + 1) + vertex / (CELLS[0] + 1)).is_multiple_of(2);
     for (mesh, points, faces) in [
         ("alternating diagonals", points(), faces(|[a, ..]| is_even(a))),
         ("parallel diagonals", points(), faces(|_| true)),
