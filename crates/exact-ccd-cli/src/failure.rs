@@ -104,6 +104,17 @@ pub(crate) enum Failure {
     NoQuery(usize),
     #[error("{}: {message}", file.display())]
     Checkpoint { file: PathBuf, message: String },
+    #[error(
+        "{}: the folder has the results of an earlier run: \
+         continue it with --resume, or replace it with --overwrite",
+        .0.display()
+    )]
+    Results(PathBuf),
+    #[error(
+        "time step {step} did not converge, expected convergence with --strict: set a smaller `time-step`, \
+         a larger `max-iterations`, or `max-substeps`"
+    )]
+    NotConverged { step: u64 },
     #[error("{}: {source}", file.display())]
     Log { file: PathBuf, source: csv::Error },
     #[error("cannot start the threads: {0}")]

@@ -27,6 +27,17 @@ pub(crate) fn write_file(
     })
 }
 
+/// Writes a file as [`write_file`], without waiting for the disk: after a crash of the system, not of the
+/// program, it may be damaged.
+pub(crate) fn write_file_soon(
+    file: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> Result<(), Failure> {
+    replace(file, false, |writer| {
+        write(writer).map_err(|source| Failure::write(file, source))
+    })
+}
+
 /// Writes a file and replaces an existing one atomically: after an error or a crash, the old file
 /// is unchanged.
 ///
@@ -34,6 +45,14 @@ pub(crate) fn write_file(
 /// in the folder; [`draft_of`] recognises it by its name.
 pub(crate) fn replace_file(
     file: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    replace(file, true, write)
+}
+
+fn replace(
+    file: &Path,
+    is_synced: bool,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     // A special file such as /dev/stdout cannot be replaced.
@@ -57,7 +76,11 @@ pub(crate) fn replace_file(
         .and_then(|()| writer.flush().map_err(failed))
         .and_then(|()| {
             let Some(draft) = &draft else { return Ok(()) };
-            let synced = writer.get_ref().sync_all();
+            let synced = if is_synced {
+                writer.get_ref().sync_all()
+            } else {
+                Ok(())
+            };
             synced.and_then(|()| fs::rename(draft, &target)).map_err(failed)
         });
     if let (Err(_), Some(draft)) = (&written, &draft) {

@@ -16,6 +16,8 @@ pub struct Body {
     pub kind: BodyKind,
     /// The initial velocity of all vertices, in m/s.
     pub velocity: Point,
+    /// The initial angular velocity about its center of mass, in rad/s.
+    pub angular_velocity: Point,
     /// The offset of its contact surface from its mesh, in m: half of its thickness for contact. Two bodies
     /// keep their meshes farther apart than the sum of their offsets, and so do two parts of one body.
     pub offset: f64,
@@ -116,6 +118,7 @@ impl Body {
             points,
             kind,
             velocity: [0.0; 3],
+            angular_velocity: [0.0; 3],
             offset: 0.0,
         }
     }

@@ -1,5 +1,7 @@
 //! The Dirichlet targets of scripted vertices in one time step.
 
+use std::sync::Arc;
+
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
@@ -39,7 +41,7 @@ const STIFFENING: f64 = 10.0;
 impl Dirichlet {
     /// The targets of a system's scripts at a time (in s), for vertices that are at `points` before the step.
     pub(crate) fn new(system: &System, points: &[Point], time: f64) -> Self {
-        let target = |(vertex, script): (usize, &Option<Script>)| {
+        let target = |(vertex, script): (usize, &Option<Arc<Script>>)| {
             let target = script.as_ref()?.position(system.start[vertex], time);
             (target != points[vertex]).then_some((vertex as u32, target))
         };

@@ -1,7 +1,7 @@
 //! Derivatives of one energy term with respect to at most four vertices, as they enter a Newton step.
 
 use arrayvec::ArrayVec;
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
 
 /// A vector with three coordinates for each of four points.
 pub type Vector12 = SVector<f64, 12>;
@@ -18,6 +18,55 @@ pub struct Element {
     pub gradient: Vector12,
     /// The Hessian; positive semi-definite where its producer projects it.
     pub hessian: Matrix12,
+}
+
+/// The gradient and the Hessian of one energy term with respect to any number of vertices.
+#[derive(Clone, Debug)]
+pub(crate) struct Patch {
+    /// The vertices.
+    pub(crate) vertices: Vec<u32>,
+    /// The gradient, three coordinates a vertex.
+    pub(crate) gradient: DVector<f64>,
+    /// The Hessian.
+    pub(crate) hessian: DMatrix<f64>,
+}
+
+/// The derivatives of one energy term, as they enter a sum.
+pub(crate) trait Term {
+    /// The vertices.
+    fn vertices(&self) -> &[u32];
+    /// The gradient with respect to the vertex at this place.
+    fn force(&self, place: usize) -> Vector3<f64>;
+    /// The block of the Hessian for the vertices at these places.
+    fn block(&self, row: usize, column: usize) -> Matrix3<f64>;
+}
+
+impl Term for Element {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    fn force(&self, place: usize) -> Vector3<f64> {
+        Self::force(self, place)
+    }
+
+    fn block(&self, row: usize, column: usize) -> Matrix3<f64> {
+        Self::block(self, row, column)
+    }
+}
+
+impl Term for Patch {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    fn force(&self, place: usize) -> Vector3<f64> {
+        self.gradient.fixed_rows::<3>(3 * place).into_owned()
+    }
+
+    fn block(&self, row: usize, column: usize) -> Matrix3<f64> {
+        self.hessian.fixed_view::<3, 3>(3 * row, 3 * column).into_owned()
+    }
 }
 
 impl Element {

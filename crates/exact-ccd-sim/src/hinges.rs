@@ -1,10 +1,19 @@
 //! The interior edges of a shell.
 
+/// An edge between two faces.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Side {
+    /// The two ends of the edge, and the opposite corners of both faces.
+    pub(crate) vertices: [u32; 4],
+    /// True if both faces have the same orientation.
+    pub(crate) is_oriented: bool,
+}
+
 /// The edges that exactly two faces share.
 ///
-/// Each is given by four vertices: the two ends of the edge, the opposite corner of the face in which the
+/// Their vertices are four: the two ends of the edge, the opposite corner of the face in which the
 /// edge runs from its first end to its second, and the opposite corner of the other face.
-pub(crate) fn hinges(faces: &[[u32; 3]]) -> Vec<[u32; 4]> {
+pub(crate) fn hinges(faces: &[[u32; 3]]) -> Vec<Side> {
     let sides = |&[a, b, c]: &[u32; 3]| [[a, b, c], [b, c, a], [c, a, b]];
     let mut sides: Vec<([u32; 2], [u32; 3])> = faces
         .iter()
@@ -17,7 +26,10 @@ pub(crate) fn hinges(faces: &[[u32; 3]]) -> Vec<[u32; 4]> {
         .filter_map(|chunk| match chunk {
             // If both faces have the edge in the same direction, their orientations differ, and the
             // angle is measured between one normal and the opposite of the other.
-            [(_, [a, b, c]), (_, [.., d])] => Some([*a, *b, *c, *d]),
+            [(_, [a, b, c]), (_, [p, q, d])] => Some(Side {
+                vertices: [*a, *b, *c, *d],
+                is_oriented: [a, b] == [q, p],
+            }),
             _ => None,
         });
     pairs.collect()

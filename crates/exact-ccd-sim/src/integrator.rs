@@ -1,6 +1,7 @@
 //! Time integration.
 
 use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use crate::state::State;
@@ -20,6 +21,10 @@ pub enum Integrator {
     /// The backward differentiation formula of second order, with less numerical damping. The first step
     /// of a simulation is one of implicit Euler.
     Bdf2,
+    /// Implicit Euler from rest: each time step drops all velocities. With time steps that are long against
+    /// the periods of a body, each step ends near its equilibrium. The body must be held, by scripts or by
+    /// contact: a free one falls by the time step squared.
+    QuasiStatic,
 }
 
 /// The equations of one time step: v = (x − origin) / duration, and x = predicted in the absence of forces.
@@ -36,9 +41,28 @@ pub(crate) struct Scheme {
     pub(crate) predicted: Vec<Point>,
 }
 
+/// The accelerations of a time step that do not depend on its end.
+pub(crate) struct Acceleration<'a> {
+    /// That of gravity, in m/s².
+    pub(crate) gravity: Point,
+    /// Those of the vertices by loads, in m/s².
+    pub(crate) loads: Option<&'a [Vector3<f64>]>,
+    /// The rate at which velocities decay, in 1/s.
+    pub(crate) damping: f64,
+}
+
 impl Integrator {
     /// The equations of the next time step.
-    pub(crate) fn scheme(self, state: &State, time_step: f64, gravity: Point) -> Scheme {
+    pub(crate) fn scheme(
+        self,
+        state: &State,
+        time_step: f64,
+        Acceleration {
+            gravity,
+            loads,
+            damping,
+        }: &Acceleration<'_>,
+    ) -> Scheme {
         let earlier = state.earlier.as_ref().filter(|_| self == Self::Bdf2);
         let (duration, origin, drift) = match earlier {
             None => (time_step, state.positions.clone(), state.velocities.clone()),
@@ -48,10 +72,18 @@ impl Integrator {
                 extrapolated(&state.velocities, &earlier.velocities),
             ),
         };
-        let ahead = |(x, v): (&Point, &Point)| {
-            core::array::from_fn(|axis| x[axis] + duration * (v[axis] + duration * gravity[axis]))
+        // The velocity that is left, with the damping at the end of the step.
+        let left = match self {
+            Self::ImplicitEuler | Self::Bdf2 => (1.0 + duration * damping).recip(),
+            Self::QuasiStatic => 0.0,
         };
-        let predicted = origin.iter().zip(&drift).map(ahead).collect();
+        let ahead = |(vertex, (x, v)): (usize, (&Point, &Point))| {
+            let load = loads.map_or([0.0; 3], |loads| loads[vertex].into());
+            core::array::from_fn(|axis| {
+                x[axis] + duration * (left * v[axis] + duration * (gravity[axis] + load[axis]))
+            })
+        };
+        let predicted = origin.iter().zip(&drift).enumerate().map(ahead).collect();
         Scheme {
             duration,
             origin,

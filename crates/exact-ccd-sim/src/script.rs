@@ -5,7 +5,7 @@ use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// A prescribed motion of vertices (a Dirichlet condition).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Script {
     /// No motion.
@@ -30,6 +30,37 @@ pub enum Script {
         /// The time at which the motion ends, in s. `None`: it does not end.
         until: Option<f64>,
     },
+    /// A rotation about an axis, followed by a translation, through key frames. Both are interpolated
+    /// linearly in time; before the first key frame and after the last one, they do not change.
+    KeyFrames {
+        /// The key frames, by increasing time.
+        frames: Vec<KeyFrame>,
+        /// A point on the axis of rotation before the translation, in m.
+        #[serde(default)]
+        center: Point,
+        /// The direction of the axis, of any length.
+        #[serde(default = "upward")]
+        axis: Point,
+    },
+}
+
+/// The rotation and the translation of vertices at one time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct KeyFrame {
+    /// The time, in s.
+    pub time: f64,
+    /// The translation from the start, in m.
+    #[serde(default)]
+    pub translate: Point,
+    /// The angle of rotation from the start. Positive angles are counterclockwise for a viewer at whom the
+    /// axis points.
+    #[serde(default)]
+    pub degrees: f64,
+}
+
+fn upward() -> Point {
+    [0.0, 1.0, 0.0]
 }
 
 /// A parameter of a script that is out of range.
@@ -72,6 +103,25 @@ impl Script {
                 ("twisting.rate", rate.is_finite(), "a finite number"),
                 ("twisting.until", is_time(*until), time),
             ],
+            Self::KeyFrames { frames, center, axis } => {
+                let is_number = |frame: &KeyFrame| {
+                    is_finite(&frame.translate) && frame.degrees.is_finite() && frame.time.is_finite()
+                };
+                let increase = frames.windows(2).all(|pair| pair[0].time < pair[1].time);
+                vec![
+                    (
+                        "key-frames.frames",
+                        !frames.is_empty() && increase && frames.iter().all(is_number),
+                        "at least one key frame, at increasing times, of finite numbers",
+                    ),
+                    ("key-frames.center", is_finite(center), numbers),
+                    (
+                        "key-frames.axis",
+                        Vector3::from(*axis).norm().is_normal(),
+                        "a vector of positive length",
+                    ),
+                ]
+            }
         };
         match checks.into_iter().find(|(_, is_good, _)| !is_good) {
             None => Ok(()),
@@ -83,10 +133,10 @@ impl Script {
     #[must_use]
     pub fn position(&self, start: Point, time: f64) -> Point {
         let clock = |until: Option<f64>| until.map_or(time, |until| time.min(until));
-        match *self {
+        match self {
             Self::Fixed => start,
             Self::Moving { velocity, until } => {
-                let time = clock(until);
+                let time = clock(*until);
                 core::array::from_fn(|axis| start[axis] + time * velocity[axis])
             }
             Self::Twisting {
@@ -94,14 +144,43 @@ impl Script {
                 axis,
                 rate,
                 until,
-            } => {
-                let center = Vector3::from(center);
-                let Some(axis) = Unit::try_new(Vector3::from(axis), 0.0) else {
-                    return start;
-                };
-                let rotation = Rotation3::from_axis_angle(&axis, rate * clock(until));
-                (center + rotation * (Vector3::from(start) - center)).into()
+            } => turned(start, *center, *axis, rate * clock(*until)),
+            Self::KeyFrames { frames, center, axis } => {
+                let (translate, degrees) = between(frames, time);
+                let turned = turned(start, *center, *axis, degrees.to_radians());
+                (Vector3::from(turned) + translate).into()
             }
         }
+    }
+}
+
+/// A point after a rotation about an axis, counterclockwise for a viewer at whom the axis points.
+fn turned(point: Point, center: Point, axis: Point, angle: f64) -> Point {
+    let center = Vector3::from(center);
+    let Some(axis) = Unit::try_new(Vector3::from(axis), 0.0) else {
+        return point;
+    };
+    if angle == 0.0 {
+        return point;
+    }
+    let rotation = Rotation3::from_axis_angle(&axis, angle);
+    (center + rotation * (Vector3::from(point) - center)).into()
+}
+
+/// The translation and the angle in degrees at a time, between key frames.
+fn between(frames: &[KeyFrame], time: f64) -> (Vector3<f64>, f64) {
+    let next = frames.partition_point(|frame| frame.time <= time);
+    let at = |frame: &KeyFrame| (Vector3::from(frame.translate), frame.degrees);
+    match (
+        next.checked_sub(1).and_then(|last| frames.get(last)),
+        frames.get(next),
+    ) {
+        (Some(last), Some(next)) => {
+            let share = (time - last.time) / (next.time - last.time);
+            let ((from, before), (to, after)) = (at(last), at(next));
+            (from + (to - from) * share, before + (after - before) * share)
+        }
+        (Some(frame), None) | (None, Some(frame)) => at(frame),
+        (None, None) => (Vector3::zeros(), 0.0),
     }
 }

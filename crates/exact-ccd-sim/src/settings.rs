@@ -15,8 +15,12 @@ pub struct Settings {
     pub gravity: Point,
     /// The time integration.
     pub integrator: Integrator,
+    /// The rate at which all velocities decay, in 1/s: accelerations have the part −`damping` v.
+    pub damping: f64,
     /// The activation distance d̂ of the barrier: primitives that are closer repel each other.
     pub contact_distance: Length,
+    /// The sum of barriers that repels surfaces.
+    pub formulation: Formulation,
     /// Friction.
     pub friction: Friction,
     /// The tolerance of Newton's method, as a length per second.
@@ -25,9 +29,16 @@ pub struct Settings {
     /// tolerance times the effective time step, which is the time step for implicit Euler and two thirds
     /// of it for BDF2. And the predicted decrease of energy is at most that of all free masses moving
     /// at this speed.
+    ///
+    /// With friction, a tolerance above a tenth of the [static velocity](Friction::static_velocity) counts as
+    /// that tenth. Below the static velocity friction is stiff, so that the Newton direction of a body that
+    /// should start to slide is at most about that velocity, however far the body has to go.
     pub tolerance: Length,
     /// The maximal number of Newton iterations for each friction lag.
     pub max_iterations: usize,
+    /// The maximal number of equal parts in which a time step is repeated if Newton's method does not
+    /// converge: 1, 2, 4 and so on, up to this number. With 1, time steps are never repeated.
+    pub max_substeps: usize,
     /// The name of the CCD method. A simulation starts with `exact`, and takes the name of the filter that
     /// is passed to [`Simulation::with_filter`](crate::Simulation::with_filter).
     pub ccd: String,
@@ -45,8 +56,23 @@ pub struct SettingError {
     pub expected: &'static str,
 }
 
+/// The largest tolerance with friction, relative to the static velocity.
+const STATIC: f64 = 0.1;
+
 impl Settings {
-    /// Checks that all settings are in range, for a scene whose bounding box has this diagonal (in m).
+    /// The tolerance of Newton's method in m/s, for a scene of this [size](crate::System::size), in m.
+    #[must_use]
+    pub fn newton_tolerance(&self, size: f64) -> f64 {
+        let tolerance = self.tolerance.meters(size);
+        if self.friction.coefficient > 0.0 {
+            tolerance.min(STATIC * self.friction.static_velocity.meters(size))
+        } else {
+            tolerance
+        }
+    }
+
+    /// Checks that all settings are in range, for a scene of this
+    /// [size](crate::System::size), in m.
     ///
     /// # Errors
     /// [`SettingError`] names the first setting that is out of range.
@@ -70,7 +96,7 @@ impl Settings {
                 "contact-distance",
                 distance,
                 distance <= size,
-                "a length not above the diagonal of the scene's bounding box",
+                "a length not above the diagonal of the bounding box of the bodies with mass",
             ),
             ("tolerance", tolerance, is_positive(tolerance), positive),
             ("friction.static-velocity", slow, is_positive(slow), positive),
@@ -85,6 +111,18 @@ impl Settings {
                 self.friction.lags as f64,
                 self.friction.lags > 0,
                 "at least 1",
+            ),
+            (
+                "damping",
+                self.damping,
+                self.damping >= 0.0 && self.damping.is_finite(),
+                "a number not below 0",
+            ),
+            (
+                "max-substeps",
+                self.max_substeps as f64,
+                (1..=1 << 20).contains(&self.max_substeps),
+                "a number from 1 to 1048576",
             ),
             (
                 "max-iterations",
@@ -111,18 +149,32 @@ impl Settings {
     }
 }
 
+/// The sum of barriers that repels surfaces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Formulation {
+    /// An integral over the surface of the barrier of the distance, see
+    /// [`Weights`](crate::contact::Weights): a body at rest on a plane of triangles does not drift.
+    #[default]
+    Convergent,
+    /// The sum over all pairs of primitives, as in *Incremental Potential Contact*. Near edges of a plane of
+    /// triangles, it has forces along the plane.
+    Sum,
+}
+
 /// A length, absolute or relative to the scene.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Length {
     /// In m.
     Absolute(f64),
-    /// As a fraction of the diagonal of the scene's bounding box at the start.
+    /// As a fraction of [`System::size`](crate::System::size): the diagonal of the bounding box of all bodies
+    /// with mass at the start.
     Relative(f64),
 }
 
 impl Length {
-    /// The length in m, for a scene whose bounding box has the diagonal `size`.
+    /// The length in m, for a scene of this [size](crate::System::size), in m.
     #[must_use]
     pub fn meters(self, size: f64) -> f64 {
         match self {
@@ -152,10 +204,13 @@ impl Default for Settings {
             time_step: 0.01,
             gravity: [0.0, -9.81, 0.0],
             integrator: Integrator::default(),
+            damping: 0.0,
             contact_distance: Length::Relative(1e-3),
+            formulation: Formulation::default(),
             friction: Friction::default(),
             tolerance: Length::Relative(1e-2),
             max_iterations: 100,
+            max_substeps: 1,
             ccd: "exact".to_owned(),
         }
     }

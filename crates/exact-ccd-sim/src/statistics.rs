@@ -32,6 +32,24 @@ pub struct Statistics {
     pub seconds: Seconds,
 }
 
+impl Statistics {
+    /// The statistics of two parts of a time step together.
+    pub(crate) fn followed_by(mut self, next: Self) -> Self {
+        self.step_sizes.extend(next.step_sizes);
+        Self {
+            converged: self.converged && next.converged,
+            iterations: self.iterations + next.iterations,
+            step_sizes: self.step_sizes,
+            energies: Energies {
+                friction: self.energies.friction + next.energies.friction,
+                ..next.energies
+            },
+            seconds: self.seconds.plus(&next.seconds),
+            ..next
+        }
+    }
+}
+
 /// Energies in J. See [`Integrator`](crate::Integrator) for their conservation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energies {
@@ -69,4 +87,17 @@ pub struct Seconds {
     pub line_search: f64,
     /// The whole step.
     pub total: f64,
+}
+
+impl Seconds {
+    /// The sums of run times.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self {
+            assembly: self.assembly + other.assembly,
+            solve: self.solve + other.solve,
+            ccd: self.ccd + other.ccd,
+            line_search: self.line_search + other.line_search,
+            total: self.total + other.total,
+        }
+    }
 }

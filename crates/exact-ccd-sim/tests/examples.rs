@@ -199,3 +199,23 @@ fn spheres_are_closed_and_round() {
         );
     }
 }
+
+/// The balloon is blown up, and is pressed by the plate without a vertex in the ground.
+#[test]
+fn the_balloon_is_blown_up() {
+    let (simulation, _) = run("pressed-balloon.toml", 6);
+    let positions = &simulation.state().positions;
+    assert_eq!(simulation.system().first_grounded(positions), None);
+    let bounds: Aabb = moving(&simulation, simulation.state()).collect();
+    let width = bounds.upper[0] - bounds.lower[0];
+    // The strain of a sphere of membrane: p r (1 − ν) / (2 E t).
+    let strain = 800.0 * 0.15 * 0.7 / (2.0 * 1e6 * 1e-3);
+    assert!((width / (0.3 * (1.0 + strain)) - 1.0).abs() < 0.02, "{width}");
+    // The key frames move the plate, which starts at a height of 0.36 m.
+    let lowest = positions.iter().zip(simulation.system().masses());
+    let lowest = lowest
+        .filter(|(_, mass)| **mass == 0.0)
+        .map(|(x, _)| x[1])
+        .fold(1.0, f64::min);
+    assert!((lowest - (0.36 - 0.1 * 0.12 / 0.4)).abs() < 1e-9, "{lowest}");
+}

@@ -52,7 +52,7 @@ pub(super) fn by_name(name: &str, system: &System) -> Result<StepFilter, Unknown
 
 fn room(system: &System) -> Aabb {
     let bounds: Aabb = system.start().iter().copied().collect();
-    let margin = 0.5 * (ROOM - 1.0) * system.size();
+    let margin = 0.5 * (ROOM - 1.0) * system.extent();
     Aabb {
         lower: bounds.lower.map(|x| x - margin),
         upper: bounds.upper.map(|x| x + margin),

@@ -3,8 +3,9 @@
 use std::fs::{self, File};
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
-use exact_ccd_files::{write_ply, write_pvd};
+use exact_ccd_files::{read_pvd, write_ply, write_pvd};
 use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
@@ -14,7 +15,7 @@ use super::path::Path as PathWriter;
 use super::statistics::Row;
 use super::steps;
 use crate::failure::Failure;
-use crate::output::{draft_of, remove_files, write_file};
+use crate::output::{draft_of, remove_files, write_file, write_file_soon};
 
 const CHECKPOINT: &str = "checkpoint.json";
 const STATISTICS: &str = "statistics.csv";
@@ -30,11 +31,25 @@ const GRIDS: &str = "vtu";
 const PATH: &str = "path";
 pub(super) const PICTURES: &str = "pictures";
 
+/// The time between two checkpoints. Flushing files to disk can take longer than a time step.
+const INTERVAL: Duration = Duration::from_secs(1);
+
 /// An output folder with the results up to a time step.
+///
+/// Results are written without waiting for the disk. A checkpoint follows at intervals: first all results are
+/// flushed, then the checkpoint replaces the previous one. So the results to which a checkpoint refers are
+/// complete, also after a crash of the system.
 pub(super) struct OutputFolder {
     folder: PathBuf,
     log: Log<Row>,
     grid: Grid,
+    /// The time steps with files.
+    frames: Vec<u64>,
+    /// The number of time steps from one with files to the next.
+    every: u64,
+    /// The files that have been written since the last checkpoint.
+    pending: Vec<PathBuf>,
+    saved: Instant,
 }
 
 impl OutputFolder {
@@ -57,7 +72,7 @@ impl OutputFolder {
         })?;
         let checkpoint: Checkpoint = serde_json::from_reader(BufReader::new(reader)).map_err(|error| {
             failed(format!(
-                "{error}; the file is damaged or not a checkpoint: start a new run without --resume"
+                "{error}; the file is damaged or not a checkpoint: start a new run with --overwrite"
             ))
         })?;
         scene
@@ -65,8 +80,21 @@ impl OutputFolder {
             .map_err(|error| failed(error.to_string()))
     }
 
-    /// Removes the results of an earlier run, and writes the initial state.
-    pub(super) fn begin(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
+    /// Writes the initial state. If `overwrite`, the results of an earlier run are removed; otherwise they
+    /// are an error. Every `every`th time step gets files.
+    pub(super) fn begin(
+        folder: &Path,
+        simulation: &Simulation,
+        every: u64,
+        overwrite: bool,
+    ) -> Result<Self, Failure> {
+        if !overwrite
+            && [CHECKPOINT, STATISTICS]
+                .iter()
+                .any(|name| folder.join(name).exists())
+        {
+            return Err(Failure::Results(folder.to_owned()));
+        }
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
         // These files refer to those in the subfolders, so they are removed first.
@@ -79,19 +107,28 @@ impl OutputFolder {
             }
         }
         remove_after(folder, None)?;
-        let this = Self {
-            folder: folder.to_owned(),
-            log: Log::begin(folder.join(STATISTICS))?,
-            grid: Grid::new(simulation.system()),
-        };
+        let log = Log::begin(folder.join(STATISTICS))?;
+        let mut this = Self::with(folder, simulation, log, every, Vec::new());
         this.write_frame(simulation)?;
-        this.write_checkpoint(simulation)?;
+        this.save(simulation)?;
         Ok(this)
+    }
+
+    fn with(folder: &Path, simulation: &Simulation, log: Log<Row>, every: u64, frames: Vec<u64>) -> Self {
+        Self {
+            folder: folder.to_owned(),
+            log,
+            grid: Grid::new(simulation.system()),
+            frames,
+            every,
+            pending: Vec::new(),
+            saved: Instant::now(),
+        }
     }
 
     /// Continues after the state of a resumed simulation. Removes everything that the earlier run wrote after
     /// its last checkpoint.
-    pub(super) fn resume(folder: &Path, simulation: &Simulation) -> Result<Self, Failure> {
+    pub(super) fn resume(folder: &Path, simulation: &Simulation, every: u64) -> Result<Self, Failure> {
         let last = simulation.state().step;
         let grid = grid_file(folder, last);
         if !grid.is_file() {
@@ -99,27 +136,59 @@ impl OutputFolder {
                 file: folder.join(CHECKPOINT),
                 message: format!(
                     "the checkpoint has time step {last}, expected the file {} of this step: \
-                     start a new run without --resume",
+                     start a new run with --overwrite",
                     grid.display()
                 ),
             });
         }
-        let this = Self {
-            folder: folder.to_owned(),
-            log: Log::resume(folder.join(STATISTICS), last)?,
-            grid: Grid::new(simulation.system()),
-        };
+        let log = Log::<Row>::resume(folder.join(STATISTICS), last)?;
+        let frames = frames_until(folder, last);
+        let missing = missing(folder, &frames, &log.rows()?, last);
+        if let Some(missing) = missing {
+            return Err(Failure::Checkpoint {
+                file: folder.join(CHECKPOINT),
+                message: format!(
+                    "the checkpoint has time step {last}, but {missing} is missing: \
+                     restore it, or start a new run with --overwrite"
+                ),
+            });
+        }
+        let mut this = Self::with(folder, simulation, log, every, frames);
         // The collection is written first, so that it never names a removed file.
         this.write_collection(simulation)?;
         remove_after(folder, Some(last))?;
         Ok(this)
     }
 
-    /// Adds a time step. The checkpoint is written last, so that all files of its time step exist.
-    pub(super) fn add(&mut self, simulation: &Simulation, statistics: &Statistics) -> Result<(), Failure> {
-        self.write_frame(simulation)?;
+    /// Adds a time step, with the files of its path. The results of the last one get files in any case.
+    pub(super) fn add(
+        &mut self,
+        simulation: &Simulation,
+        statistics: &Statistics,
+        path: Vec<PathBuf>,
+        is_last: bool,
+    ) -> Result<(), Failure> {
+        self.pending.extend(path);
         self.log.add(&statistics.into())?;
-        self.write_checkpoint(simulation)
+        if is_last || simulation.state().step.is_multiple_of(self.every) {
+            self.write_frame(simulation)?;
+            if is_last || self.saved.elapsed() >= INTERVAL {
+                self.save(simulation)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Flushes all results to disk, then writes the checkpoint.
+    fn save(&mut self, simulation: &Simulation) -> Result<(), Failure> {
+        for file in self.pending.drain(..) {
+            let synced = File::open(&file).and_then(|open| open.sync_all());
+            synced.map_err(|source| Failure::write(&file, source))?;
+        }
+        self.log.sync()?;
+        self.write_checkpoint(simulation)?;
+        self.saved = Instant::now();
+        Ok(())
     }
 
     /// The writer for the path of the next time step, which starts at the current state.
@@ -130,19 +199,20 @@ impl OutputFolder {
         path
     }
 
-    fn write_frame(&self, simulation: &Simulation) -> Result<(), Failure> {
+    fn write_frame(&mut self, simulation: &Simulation) -> Result<(), Failure> {
         let state = simulation.state();
         let frame = simulation.system().surface_frame(&state.positions);
-        write_file(&self.frame(state.step), |writer| {
+        let files = [self.frame(state.step), grid_file(&self.folder, state.step)];
+        write_file_soon(&files[0], |writer| {
             write_ply(writer, &frame.map_err(io::Error::other)?)
         })?;
-        write_file(&grid_file(&self.folder, state.step), |writer| {
-            self.grid.write(state, writer)
-        })?;
+        write_file_soon(&files[1], |writer| self.grid.write(state, writer))?;
+        self.pending.extend(files);
+        self.frames.push(state.step);
         self.write_collection(simulation)
     }
 
-    fn write_collection(&self, simulation: &Simulation) -> Result<(), Failure> {
+    fn write_collection(&mut self, simulation: &Simulation) -> Result<(), Failure> {
         let time_step = simulation.settings().time_step;
         let frame = |step: u64| {
             (
@@ -150,8 +220,13 @@ impl OutputFolder {
                 format!("{GRIDS}/{}", steps::name(step, "vtu")),
             )
         };
-        let frames = (0..=simulation.state().step).map(frame);
-        write_file(&self.file(COLLECTION), |writer| write_pvd(writer, frames))
+        let file = self.file(COLLECTION);
+        let frames = self.frames.iter().copied().map(frame);
+        write_file_soon(&file, |writer| write_pvd(writer, frames))?;
+        if !self.pending.contains(&file) {
+            self.pending.push(file);
+        }
+        Ok(())
     }
 
     fn write_checkpoint(&self, simulation: &Simulation) -> Result<(), Failure> {
@@ -165,6 +240,11 @@ impl OutputFolder {
         self.log.rows()
     }
 
+    /// The time steps with files, increasing.
+    pub(super) fn frames(&self) -> &[u64] {
+        &self.frames
+    }
+
     /// The file of the surface at the end of a time step.
     pub(super) fn frame(&self, step: u64) -> PathBuf {
         self.file(FRAMES).join(steps::name(step, "ply"))
@@ -174,6 +254,47 @@ impl OutputFolder {
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
+}
+
+/// The time steps with files that the collection in a folder lists, up to the last one. If there is no
+/// readable collection, these are all files.
+fn frames_until(folder: &Path, last: u64) -> Vec<u64> {
+    let step = |file: &Path| {
+        file.file_name()
+            .and_then(|name| name.to_str())
+            .and_then(steps::step_of)
+    };
+    let mut frames: Vec<u64> = match read_pvd(folder.join(COLLECTION)) {
+        Ok(collection) => collection.iter().filter_map(|(_, file)| step(file)).collect(),
+        Err(_) => {
+            let entries = fs::read_dir(folder.join(GRIDS)).into_iter().flatten().flatten();
+            entries.filter_map(|entry| step(&entry.path())).collect()
+        }
+    };
+    frames.retain(|&step| step <= last);
+    frames.sort_unstable();
+    frames.dedup();
+    frames
+}
+
+/// The first result up to a time step that is missing.
+fn missing(folder: &Path, frames: &[u64], rows: &[Row], last: u64) -> Option<String> {
+    let files = frames.iter().flat_map(|&step| {
+        [
+            folder.join(FRAMES).join(steps::name(step, "ply")),
+            grid_file(folder, step),
+        ]
+    });
+    let file = files.into_iter().find(|file| !file.is_file());
+    let row = (1..=last).zip(rows.iter().map(|row| row.step).chain(std::iter::repeat(0)));
+    let row = row.into_iter().find(|(expected, found)| expected != found);
+    let row = row.map(|(step, _)| {
+        format!(
+            "the row of time step {step} in {}",
+            folder.join(STATISTICS).display()
+        )
+    });
+    file.map(|file| format!("the file {}", file.display())).or(row)
 }
 
 fn grid_file(folder: &Path, step: u64) -> PathBuf {

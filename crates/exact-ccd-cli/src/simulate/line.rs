@@ -5,7 +5,7 @@ use std::fmt::Write;
 use exact_ccd_sim::{Simulation, Statistics, System};
 
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
-pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
+pub(super) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
     let done = simulation.state().step;
     let mut line = format!(
@@ -28,7 +28,23 @@ pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
             "nothing to do: the results have time step {done}, the last step is {steps}"
         ),
     };
+    if !is_saved {
+        line += "; without --out, nothing is saved";
+    }
     line
+}
+
+/// The warning that time steps did not converge, if there were any among this number of steps.
+pub(super) fn of_unconverged(unconverged: &[u64], steps: u64) -> Option<String> {
+    let first = unconverged.first()?;
+    let text = match unconverged.len() {
+        1 => format!("time step {first} did not converge"),
+        count => format!("{count} of {steps} time steps did not converge, the first is {first}"),
+    };
+    Some(format!(
+        "{text}: there, the motion is free of contact, but not accurate; \
+         set a smaller `time-step`, a larger `max-iterations`, or `max-substeps`"
+    ))
 }
 
 /// The numbers of rod edges and particles, where there are any.

@@ -49,7 +49,7 @@ impl<R: Row> Log<R> {
         })
     }
 
-    /// Adds a row with a single write.
+    /// Adds a row with a single write, without waiting for the disk.
     pub(super) fn add(&mut self, row: &R) -> Result<(), Failure> {
         let append = || -> io::Result<()> {
             let mut line = Vec::new();
@@ -60,12 +60,18 @@ impl<R: Row> Log<R> {
             writer.flush()?;
             drop(writer);
             let mut file = OpenOptions::new().append(true).open(&self.file)?;
-            file.write_all(&line)?;
-            file.sync_data()
+            file.write_all(&line)
         };
         append().map_err(|source| Failure::write(&self.file, source))?;
         self.is_empty = false;
         Ok(())
+    }
+
+    /// Waits until all rows are on disk.
+    pub(super) fn sync(&self) -> Result<(), Failure> {
+        let synced = OpenOptions::new().append(true).open(&self.file);
+        let synced = synced.and_then(|file| file.sync_data());
+        synced.map_err(|source| Failure::write(&self.file, source))
     }
 
     /// All rows.

@@ -13,6 +13,8 @@ mod recorder;
 mod statistics;
 mod steps;
 
+use std::fmt::Display;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -40,11 +42,13 @@ use queries::QueryFolder;
 ///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
 ///                        energies and run times; column names end with units
 ///   DIR/checkpoint.json  the state for --resume, which replaces the previous one
-/// An interrupted run continues with --resume from the last checkpoint. On the same
-/// machine, its results are identical to those of an uninterrupted run. Without
-/// --resume, the results of an earlier run in DIR are replaced.
+/// An interrupted run continues with --resume from the last checkpoint, at most about a
+/// second of work earlier. On the same machine, its results are identical to those of an
+/// uninterrupted run. The results of an earlier run in DIR are an error without --resume
+/// or --overwrite. Without --out, nothing is saved.
 ///
-/// Exit status: 0 success, 2 error.
+/// Exit status: 0 success, 2 error. With --strict, a time step that does not converge is an
+/// error.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
@@ -88,8 +92,17 @@ pub(crate) struct Arguments {
     )]
     dump_most: u32,
     /// Continue from the checkpoint in the folder of --out, which must belong to this scene.
-    #[arg(long, requires = "out")]
+    #[arg(long, requires = "out", conflicts_with = "overwrite")]
     resume: bool,
+    /// Replace the results of an earlier run in the folder of --out.
+    #[arg(long, requires = "out")]
+    overwrite: bool,
+    /// Write files for every Nth time step only, and for the last one. `statistics.csv` has all time steps.
+    #[arg(long, value_name = "N", requires = "out", default_value_t = 1, value_parser = value_parser!(u64).range(1..))]
+    every: u64,
+    /// End with an error after a time step in which Newton's method did not converge.
+    #[arg(long)]
+    strict: bool,
     #[command(flatten)]
     view: View,
 }
@@ -111,7 +124,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let (simulation, mut folder) = match &arguments.out {
         None => (scene.simulation()?, None),
         Some(folder) => {
-            let (simulation, folder) = open(folder, &scene, arguments.resume)?;
+            let (simulation, folder) = open(folder, &scene, arguments)?;
             (simulation, Some(folder))
         }
     };
@@ -126,10 +139,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 
     let steps = arguments.steps.unwrap_or(scene.steps);
     let remaining = steps.saturating_sub(simulation.state().step);
-    let scene_line = line::of_scene(&simulation, steps);
+    let scene_line = line::of_scene(&simulation, steps, arguments.out.is_some());
     print(&scene_line)?;
+    if simulation.state().step == 0 {
+        simulation.warnings().iter().for_each(|warning| warn(warning));
+    }
     let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));
     recording.add_state(&simulation)?;
+    let mut unconverged = Vec::new();
     let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
     let lines = bar.clone();
     during(bar, |progress| -> Result<(), Failure> {
@@ -143,23 +160,32 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                     path.add(positions);
                 }
             })?;
-            if let Some(path) = path {
-                path.finish()?;
-            }
+            let path = path.map_or_else(|| Ok(Vec::new()), path::Path::finish)?;
             if let Some(queries) = &mut queries {
                 queries.add(statistics.step)?;
             }
             recording.add_state(&simulation)?;
             if let Some(folder) = &mut folder {
-                folder.add(&simulation, &statistics)?;
+                let is_last = statistics.step == steps || arguments.strict && !statistics.converged;
+                folder.add(&simulation, &statistics, path, is_last)?;
             }
             // The progress bar is hidden while the line is printed.
             lines.suspend(|| print(&line::of(&statistics)))?;
             progress(1);
+            if !statistics.converged {
+                let step = statistics.step;
+                if arguments.strict {
+                    return Err(Failure::NotConverged { step });
+                }
+                unconverged.push(step);
+            }
         }
         Ok(())
     })?;
     recording.finish(&scene_line)?;
+    if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
+        warn(&warning);
+    }
     if let Some(queries) = &queries {
         print(&queries.summary())?;
     }
@@ -174,17 +200,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// Writes a warning to standard error. An error of this is ignored.
+fn warn(warning: &dyn Display) {
+    let _ = writeln!(std::io::stderr(), "exact-ccd: warning: {warning}");
+}
+
 /// A simulation from its start or from the checkpoint in a folder, with the opened folder.
-fn open(folder: &Path, scene: &Scene, resume: bool) -> Result<(Simulation, OutputFolder), Failure> {
-    let simulation = if resume {
-        OutputFolder::simulation(folder, scene)?
+fn open(folder: &Path, scene: &Scene, arguments: &Arguments) -> Result<(Simulation, OutputFolder), Failure> {
+    let every = arguments.every;
+    if arguments.resume {
+        let simulation = OutputFolder::simulation(folder, scene)?;
+        let folder = OutputFolder::resume(folder, &simulation, every)?;
+        Ok((simulation, folder))
     } else {
-        scene.simulation()?
-    };
-    let folder = if resume {
-        OutputFolder::resume(folder, &simulation)?
-    } else {
-        OutputFolder::begin(folder, &simulation)?
-    };
-    Ok((simulation, folder))
+        let simulation = scene.simulation()?;
+        let folder = OutputFolder::begin(folder, &simulation, every, arguments.overwrite)?;
+        Ok((simulation, folder))
+    }
 }

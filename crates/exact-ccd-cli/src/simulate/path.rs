@@ -9,7 +9,7 @@ use exact_ccd_sim::System;
 
 use super::folder::make_folder;
 use crate::failure::Failure;
-use crate::output::write_file;
+use crate::output::write_file_soon;
 
 /// Writes the surface after each Newton step of a time step.
 pub(super) struct Path {
@@ -17,6 +17,7 @@ pub(super) struct Path {
     system: System,
     step: u64,
     increments: usize,
+    files: Vec<PathBuf>,
     result: Result<(), Failure>,
 }
 
@@ -29,6 +30,7 @@ impl Path {
             system,
             step,
             increments: 0,
+            files: Vec::new(),
             result,
         }
     }
@@ -40,15 +42,16 @@ impl Path {
                 .folder
                 .join(format!("{:06}-{:03}.ply", self.step, self.increments));
             let frame = self.system.surface_frame(positions);
-            self.result = write_file(&file, |writer| {
+            self.result = write_file_soon(&file, |writer| {
                 write_ply(writer, &frame.map_err(io::Error::other)?)
             });
+            self.files.push(file);
             self.increments += 1;
         }
     }
 
-    /// Returns the first error, if there was one.
-    pub(super) fn finish(self) -> Result<(), Failure> {
-        self.result
+    /// Returns the files that have been written, or the first error.
+    pub(super) fn finish(self) -> Result<Vec<PathBuf>, Failure> {
+        self.result.map(|()| self.files)
     }
 }

@@ -97,7 +97,8 @@ impl QueryFolder {
             edge_edge,
             edge_edge_in_contact,
             edge_edge_kept,
-        })
+        })?;
+        self.log.sync()
     }
 
     /// Writes a sample unless it is empty, and returns the counts.

@@ -22,7 +22,7 @@ pub(super) fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failu
 }
 
 /// The time step to which a file belongs, given by names such as `000012.ply` and `000012-003.ply`.
-fn step_of(name: &str) -> Option<u64> {
+pub(super) fn step_of(name: &str) -> Option<u64> {
     let (stem, _) = name.split_once('.')?;
     let (step, increment) = stem.split_once('-').unwrap_or((stem, "0"));
     let is_ours = step.len() >= 6 && is_number(step) && is_number(increment);

@@ -36,7 +36,7 @@ fn every_step_is_printed_and_free_of_contact() {
     assert_eq!(lines.len(), 11);
     assert_eq!(
         lines[0],
-        "12 vertices, 14 faces, 1.517e0 m across; contact distance 2.00e-3 m; 10 time steps of 0.02 s"
+        "12 vertices, 14 faces, 8.660e-1 m across; contact distance 2.00e-3 m; 10 time steps of 0.02 s"
     );
     assert!(lines[10].starts_with("step 10, 0.2000 s: "), "{}", lines[10]);
 
@@ -279,5 +279,136 @@ fn plots_of_any_numbers_are_drawn() {
         let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
         assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{number}");
         assert!(folder.read("out/energies.svg").ends_with("</svg>\n"));
+    }
+}
+
+/// Without a folder, the first line says that nothing is saved.
+#[test]
+fn a_run_without_a_folder_is_not_saved() {
+    let folder = folder();
+    let run = folder.run(&["simulate", "scene.toml", "--steps", "1"]);
+    let line = run.stdout.lines().next().unwrap();
+    assert!(
+        line.ends_with("; 1 time step of 0.02 s; without --out, nothing is saved"),
+        "{run:?}"
+    );
+}
+
+/// Every Nth time step has files, and the last one. The statistics have all.
+#[test]
+fn files_of_some_time_steps_are_written() {
+    let folder = folder();
+    let arguments = [
+        "simulate",
+        "scene.toml",
+        "--out",
+        "out",
+        "--every",
+        "4",
+        "--render",
+    ];
+    let run = folder.run(&[arguments.as_slice(), &["--steps", "6"]].concat());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let run = folder.run(&[arguments.as_slice(), &["--resume"]].concat());
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let collection = exact_ccd_files::read_pvd(folder.path("out/motion.pvd")).unwrap();
+    let times: Vec<f64> = collection.iter().map(|(time, _)| *time).collect();
+    assert_eq!(times, [0.0, 0.08, 0.12, 0.16, 0.2]);
+    assert_eq!(fs::read_dir(folder.path("out/frames")).unwrap().count(), 5);
+    assert_eq!(fs::read_dir(folder.path("out/pictures")).unwrap().count(), 5);
+    assert_eq!(folder.read("out/statistics.csv").lines().count(), 11);
+}
+
+/// Warnings go to standard error: of a contact distance that is too large, and of steps without convergence.
+#[test]
+fn warnings_are_printed() {
+    let folder = folder();
+    folder.write("far.toml", SCENE.replace("2e-3", "0.1"));
+    let run = folder.run(&["simulate", "far.toml", "--steps", "1"]);
+    let warning =
+        "exact-ccd: warning: the contact distance, 1.000e-1 m, is more than a tenth of the size of body[0], ";
+    assert!(run.status == 0 && run.stderr.starts_with(warning), "{run:?}");
+    let near =
+        "exact-ccd: warning: body[0] and body[1] start 5.000e-2 m apart, less than the contact distance";
+    assert!(run.stderr.lines().any(|line| line.starts_with(near)), "{run:?}");
+
+    folder.write(
+        "short.toml",
+        SCENE.replace("[settings]", "[settings]\nmax-iterations = 1"),
+    );
+    let run = folder.run(&["simulate", "short.toml", "--out", "out"]);
+    let found = run.stderr.starts_with("exact-ccd: warning: ")
+        && run
+            .stderr
+            .contains(" of 10 time steps did not converge, the first is ");
+    assert!(run.status == 0 && found, "{run:?}");
+    let run = folder.run(&[
+        "simulate",
+        "short.toml",
+        "--out",
+        "out",
+        "--overwrite",
+        "--strict",
+    ]);
+    assert!(
+        run.status == 2
+            && run
+                .stderr
+                .contains(" did not converge, expected convergence with --strict"),
+        "{run:?}"
+    );
+}
+
+/// Half spaces, loads and key frames of a scene.
+#[test]
+fn a_half_space_stops_a_body() {
+    let folder = Folder::new();
+    let scene = r#"
+duration = 0.1
+
+[[half-space]]
+normal = [0.0, 2.0, 0.0]
+
+[[body]]
+shape = { box = { cells = [1, 1, 1], size = [0.5, 0.5, 0.5] } }
+solid = { density = 1000.0, young = 1e6, poisson = 0.4 }
+translate = [0.0, 0.002, 0.0]
+angular-velocity = [0.0, 1.0, 0.0]
+
+[[body.load]]
+force = { acceleration = [0.0, -1.0, 0.0] }
+until = 0.05
+
+[[body]]
+shape = { grid = { cells = [1, 1], size = [0.3, 0.3] } }
+translate = [0.0, 2.0, 0.0]
+
+[[body.script]]
+motion = { key-frames = { frames = [{ time = 0.0 }, { time = 0.1, translate = [0.0, 1.0, 0.0], degrees = 9.0 }] } }
+"#;
+    folder.write("ground.toml", scene);
+    let run = folder.run(&["simulate", "ground.toml", "--out", "out", "--render", "--strict"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let frame = exact_ccd_files::read_frame(folder.path("out/frames/000010.ply")).unwrap();
+    assert!(frame.positions[..8].iter().all(|x| x[1] > 0.0) && frame.positions[8][1] == 3.0);
+
+    for (from, to, error) in [
+        (
+            "normal = [0.0, 2.0, 0.0]",
+            "normal = [0.0, 0.0, 0.0]",
+            "line 5, half-space[0].normal: ",
+        ),
+        ("0.002", "-0.002", "body[0]: a vertex at "),
+        ("until = 0.05", "until = -1.0", "body[0].load[0].until: "),
+        (
+            "time = 0.1",
+            "time = -0.1",
+            "body[1].script[0].motion.key-frames.frames: ",
+        ),
+    ] {
+        assert!(scene.contains(from), "{from}");
+        folder.write("wrong.toml", scene.replace(from, to));
+        let run = folder.run(&["simulate", "wrong.toml"]);
+        assert!(run.status == 2 && run.stderr.contains(error), "{error}: {run:?}");
     }
 }

@@ -110,3 +110,34 @@ fn a_checkpoint_without_the_files_of_its_step_is_an_error() {
         assert_error(&run, &format!("out/checkpoint.json: {error}"));
     }
 }
+
+/// Results are replaced only with `--overwrite`, and resumed only if they are complete.
+#[test]
+fn results_are_kept_and_complete() {
+    let folder = folder();
+    let simulate = |more: &[&str]| {
+        let arguments = ["simulate", "scene.toml", "--out", "out", "--steps", "3"];
+        folder.run(&[arguments.as_slice(), more].concat())
+    };
+    assert_eq!(simulate(&[]).status, 0);
+    assert_error(
+        &simulate(&[]),
+        "out: the folder has the results of an earlier run: continue it with --resume",
+    );
+    assert_eq!(simulate(&["--overwrite"]).status, 0);
+    assert_eq!(simulate(&["--resume"]).status, 0);
+    let statistics = folder.read("out/statistics.csv");
+    let rows: Vec<&str> = statistics.lines().collect();
+    folder.write(
+        "out/statistics.csv",
+        format!("{}\n{}\n{}\n", rows[0], rows[1], rows[3]),
+    );
+    let error = "out/checkpoint.json: the checkpoint has time step 3, but the row of time step 2 in ";
+    assert_error(&simulate(&["--resume"]), error);
+    folder.write("out/statistics.csv", &statistics);
+    assert_eq!(simulate(&["--resume"]).status, 0);
+    fs::remove_file(folder.path("out/frames/000001.ply")).unwrap();
+    let error =
+        "out/checkpoint.json: the checkpoint has time step 3, but the file out/frames/000001.ply is missing";
+    assert_error(&simulate(&["--resume"]), error);
+}

@@ -113,10 +113,26 @@ fn the_number_of_kept_queries_is_limited() {
 fn recording_queries_does_not_change_results() {
     let folder = folder();
     for ccd in ["exact", "bisection"] {
-        let observed = ["simulate", "scene.toml", "--ccd", ccd, "--out", "observed"];
+        let observed = [
+            "simulate",
+            "scene.toml",
+            "--ccd",
+            ccd,
+            "--overwrite",
+            "--out",
+            "observed",
+        ];
         let observed = [observed.as_slice(), &["--dump-queries", "queries"]].concat();
         assert_eq!(folder.run(&observed).status, 0);
-        let plain = ["simulate", "scene.toml", "--ccd", ccd, "--out", "plain"];
+        let plain = [
+            "simulate",
+            "scene.toml",
+            "--ccd",
+            ccd,
+            "--overwrite",
+            "--out",
+            "plain",
+        ];
         assert_eq!(folder.run(&plain).status, 0);
         let read = |out: &str| fs::read(folder.path(&format!("{out}/checkpoint.json"))).unwrap();
         assert!(read("observed") == read("plain"), "{ccd}");

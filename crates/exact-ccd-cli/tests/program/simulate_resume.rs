@@ -141,12 +141,12 @@ fn files_later_than_the_checkpoint_are_removed() {
 }
 
 #[test]
-fn a_new_simulation_replaces_an_earlier_one() {
+fn overwriting_replaces_an_earlier_simulation() {
     let folder = folder();
     let runs: [(&str, &[&str]); 3] = [
         ("whole", &["--steps", "3"]),
         ("again", &["--steps", "6", "--render"]),
-        ("again", &["--steps", "3"]),
+        ("again", &["--steps", "3", "--overwrite"]),
     ];
     for (out, more) in runs {
         let queries = format!("{out}/queries");
@@ -157,7 +157,11 @@ fn a_new_simulation_replaces_an_earlier_one() {
     // Files of other origin stay.
     folder.write("again/frames/notes.txt", "mine");
     folder.write("again/.notes.7", "mine");
-    let run = folder.run(&arguments("again", "again/queries", &["--steps", "1"]));
+    let run = folder.run(&arguments(
+        "again",
+        "again/queries",
+        &["--steps", "1", "--overwrite"],
+    ));
     assert_eq!(run.status, 0);
     assert_eq!(folder.read("again/frames/notes.txt"), "mine");
     assert_eq!(folder.read("again/.notes.7"), "mine");

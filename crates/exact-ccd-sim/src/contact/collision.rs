@@ -1,23 +1,71 @@
-//! Two features within the activation distance of the barrier.
+//! Two features within the activation distance of the barrier, or a vertex and a half space.
 
 use arrayvec::ArrayVec;
-use nalgebra::Vector3;
+use nalgebra::{SMatrix, SVector, Vector3};
 
 use super::barrier::Barrier;
 use crate::distance::{Factors, Feature, FeatureKind, Mollifier, Separation};
 use crate::element::{Element, Vector12};
+use crate::half_space::Plane;
 use crate::psd;
 
-/// Two features within the activation distance of the barrier.
+/// Two features within the activation distance of the barrier, or a vertex and a half space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Collision {
     vertices: ArrayVec<u32, 4>,
-    feature: Feature,
+    between: Between,
     mollifier: Option<Mollifier>,
     /// ξ: the sum of the offsets of both surfaces, in m.
     thickness: f64,
-    /// The number of pairs of primitives that share these features.
+    /// The sum of the weights of all terms that share these features. It can be negative.
     multiplicity: f64,
+    /// The sum of their absolute values.
+    total: f64,
+    /// True for the vertices that never move.
+    fixed: [bool; 4],
+}
+
+/// The sum of weights, relative to that of their absolute values, up to which it is a rounding error.
+const CANCELLED: f64 = 1e-12;
+
+/// That between which a collision is: two features of its vertices, or its only vertex and a plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Between {
+    Features(Feature),
+    VertexAndPlane(Plane),
+}
+
+impl Between {
+    fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
+        match self {
+            Self::Features(feature) => feature.separation(points),
+            // Rounding may put a vertex that is barely apart on the other side.
+            Self::VertexAndPlane(plane) => Separation {
+                weights: [1.0, 0.0, 0.0, 0.0],
+                vector: plane.normal * plane.height(&points[0]).max(0.0),
+            },
+        }
+    }
+
+    fn factors(&self, points: &[Vector3<f64>; 4]) -> Factors {
+        match self {
+            Self::Features(feature) => feature.factors(points),
+            // The squared distance is that of one linear combination of the coordinates.
+            Self::VertexAndPlane(plane) => {
+                let mut change = SMatrix::<f64, 12, 5>::zeros();
+                change.fixed_view_mut::<3, 1>(0, 0).copy_from(&plane.normal);
+                let mut first = SVector::<f64, 5>::zeros();
+                first[0] = 2.0 * plane.height(&points[0]).max(0.0);
+                let mut second = SMatrix::<f64, 5, 5>::zeros();
+                second[(0, 0)] = 2.0;
+                Factors {
+                    change,
+                    first,
+                    second,
+                }
+            }
+        }
+    }
 }
 
 impl Collision {
@@ -46,10 +94,26 @@ impl Collision {
         };
         Self {
             vertices,
-            feature,
+            between: Between::Features(feature),
             mollifier: None,
             thickness: 0.0,
             multiplicity: 1.0,
+            total: 1.0,
+            fixed: [false; 4],
+        }
+    }
+
+    /// The collision of a vertex and a half space.
+    #[must_use]
+    pub fn with_half_space(vertex: u32, boundary: Plane) -> Self {
+        Self {
+            vertices: [vertex].into_iter().collect(),
+            between: Between::VertexAndPlane(boundary),
+            mollifier: None,
+            thickness: 0.0,
+            multiplicity: 1.0,
+            total: 1.0,
+            fixed: [false; 4],
         }
     }
 
@@ -59,15 +123,51 @@ impl Collision {
         Self { thickness, ..self }
     }
 
+    /// The same collision with second derivatives by those vertices only for which `is_fixed` is false.
+    ///
+    /// The projection of the full Hessian would add stiffness along the plane of a triangle that does not
+    /// move, and with it forces along the plane wherever Newton's method stops.
+    #[must_use]
+    pub fn with_fixed(mut self, is_fixed: impl Fn(u32) -> bool) -> Self {
+        for (fixed, &vertex) in self.fixed.iter_mut().zip(&self.vertices) {
+            *fixed = is_fixed(vertex);
+        }
+        self
+    }
+
+    /// The same collision with all of its terms multiplied by a weight, which may be negative.
+    #[must_use]
+    pub fn weighted(self, weight: f64) -> Self {
+        Self {
+            multiplicity: weight * self.multiplicity,
+            total: weight.abs() * self.total,
+            ..self
+        }
+    }
+
+    /// True if its terms cancel, up to rounding.
+    #[must_use]
+    pub fn is_cancelled(&self) -> bool {
+        self.multiplicity.abs() <= CANCELLED * self.total
+    }
+
+    /// True if its terms repel the features from each other, and do not correct the sum of others.
+    #[must_use]
+    pub fn is_repulsive(&self) -> bool {
+        self.multiplicity > 0.0
+    }
+
     /// The collision of two edges that are nearly parallel.
     #[must_use]
     pub fn mollified(vertices: [u32; 4], feature: Feature, mollifier: Mollifier) -> Self {
         Self {
             vertices: ArrayVec::from(vertices),
-            feature,
+            between: Between::Features(feature),
             mollifier: Some(mollifier),
             thickness: 0.0,
             multiplicity: 1.0,
+            total: 1.0,
+            fixed: [false; 4],
         }
     }
 
@@ -81,20 +181,21 @@ impl Collision {
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
         self.vertices == other.vertices
-            && self.feature == other.feature
+            && self.between == other.between
             && self.mollifier == other.mollifier
             && self.thickness == other.thickness
     }
 
-    /// Adds the pairs of primitives of another collision between the same features.
+    /// Adds the terms of another collision between the same features.
     pub fn merge(&mut self, other: &Self) {
         self.multiplicity += other.multiplicity;
+        self.total += other.total;
     }
 
     /// The closest points of the features, for these positions of the vertices.
     #[must_use]
     pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
-        self.feature.separation(points)
+        self.between.separation(points)
     }
 
     /// The value of the barrier, in m⁴. `barrier` is that of surfaces without thickness, here and below.
@@ -139,19 +240,24 @@ impl Collision {
         gradient * self.multiplicity
     }
 
-    /// The gradient and the Hessian of the barrier. If `projected`, the Hessian is positive semi-definite.
+    /// The gradient of the barrier, and its Hessian by the vertices that are not fixed. If `projected`, the
+    /// Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], barrier: &Barrier, projected: bool) -> Element {
         let barrier = barrier.with_thickness(self.thickness);
         let squared = self.separation(points).squared();
         let (slope, curvature) = (barrier.slope(squared), barrier.curvature(squared));
         let Factors {
-            change,
+            mut change,
             first,
             second,
-        } = self.feature.factors(points);
-        let second = first * first.transpose() * curvature + second * slope;
+        } = self.between.factors(points);
         let mut gradient = change * first * slope;
+        let fixed = || (0..4).filter(|&place| self.fixed[place]);
+        fixed().for_each(|place| change.fixed_rows_mut::<3>(3 * place).fill(0.0));
+        // The Hessian of a negative term is projected with its sign.
+        let (sign, size) = (self.multiplicity.signum(), self.multiplicity.abs());
+        let second = (first * first.transpose() * curvature + second * slope) * sign;
         let mut hessian = if projected && self.mollifier.is_none() {
             // The projection acts in an orthonormal basis of the five directions of the factors.
             let (basis, factor) = change.qr().unpack();
@@ -163,8 +269,12 @@ impl Collision {
             let (fade, value) = (mollifier.value(points), barrier.value(squared));
             let (fade1, fade2) = mollifier.derivatives(points);
             let mixed = fade1 * gradient.transpose();
-            hessian = hessian * fade + mixed + mixed.transpose() + fade2 * value;
+            hessian = hessian * fade + (mixed + mixed.transpose() + fade2 * value) * sign;
             gradient = gradient * fade + fade1 * value;
+            for place in fixed() {
+                hessian.fixed_rows_mut::<3>(3 * place).fill(0.0);
+                hessian.fixed_columns_mut::<3>(3 * place).fill(0.0);
+            }
             if projected {
                 hessian = psd::project(hessian);
             }
@@ -172,7 +282,7 @@ impl Collision {
         Element {
             vertices: self.vertices.clone(),
             gradient: gradient * self.multiplicity,
-            hessian: hessian * self.multiplicity,
+            hessian: hessian * size,
         }
     }
 }

@@ -3,15 +3,17 @@
 use std::ops::Range;
 
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace};
-use exact_ccd_mesh::{Candidates, PairKind, Point, TriangleMesh};
+use exact_ccd_mesh::{Candidates, PairKind, Point};
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::barrier::Barrier;
 use super::collision::Collision;
 use super::surface::Surface;
+use super::weights::Corrections;
 use crate::distance::{Feature, Mollifier, edge_edge, point_edge, point_triangle};
 use crate::gather::{gather, gather_some};
+use crate::half_space::Plane;
 
 /// The constraint set of one configuration: all pairs of features within the activation distance.
 #[derive(Clone, Debug)]
@@ -27,40 +29,14 @@ impl Collisions {
     ///
     /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
     /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two edges
-    /// is loose, each end of one and the other edge are a pair of their own.
+    /// is loose, each end of one and the other edge are a pair of their own. With
+    /// [weights](Surface::weights), the sum is that of the convergent formulation.
     ///
     /// # Panics
     /// If a vertex of a pair has no position.
     #[must_use]
     pub fn new(surface: Surface<'_>, candidates: &Candidates, points: &[Point], barrier: Barrier) -> Self {
-        let mesh = surface.mesh;
-        let near = Near {
-            surface,
-            points,
-            barrier,
-        };
-        let faces = candidates.vertex_face().par_iter().filter_map(|&pair| {
-            let vertices = VertexFace::vertices(mesh, pair)?;
-            near.collision(vertices, 1..4, point_triangle, None)
-        });
-        let edges = candidates.edge_edge().par_iter().filter_map(|&pair| {
-            let vertices = EdgeEdge::vertices(mesh, pair)?;
-            near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))
-        });
-        let ends = vertices_and_edges(mesh, candidates);
-        let ends = ends.par_iter().filter_map(|&[vertex, a, b]| {
-            let vertices = [vertex, a, b, vertex];
-            near.collision(vertices, 1..3, |points| point_edge(points, 0, 1, 2), None)
-        });
-        let mut all: Vec<(f64, Collision)> = faces.collect();
-        all.par_extend(edges);
-        all.par_extend(ends);
-        all.par_extend(
-            candidates.vertex_vertex().par_iter().filter_map(|&[a, b]| {
-                near.collision([a, b, a, a], 1..2, |_| Feature::point_point(0, 1), None)
-            }),
-        );
-
+        let all = near(surface, candidates, points, barrier);
         let minimum = all.iter().fold(f64::INFINITY, |least, (gap, _)| least.min(*gap));
         let mut collisions: Vec<Collision> = all.into_iter().map(|(_, collision)| collision).collect();
         // The sort is stable, so that the order does not depend on threads.
@@ -72,6 +48,7 @@ impl Collisions {
             }
             same
         });
+        collisions.retain(|collision| !collision.is_cancelled());
         Self {
             barrier,
             collisions,
@@ -79,10 +56,33 @@ impl Collisions {
         }
     }
 
+    /// The collision with the least distance between two surfaces, and that distance in m. `None` if there is
+    /// none. The arguments are those of [`Collisions::new`].
+    #[must_use]
+    pub fn nearest(
+        surface: Surface<'_>,
+        candidates: &Candidates,
+        points: &[Point],
+        barrier: Barrier,
+    ) -> Option<(f64, Collision)> {
+        let all = near(surface, candidates, points, barrier);
+        all.into_iter().min_by(|(a, _), (b, _)| a.total_cmp(b))
+    }
+
     /// The distinct collisions, sorted by their vertices.
     #[must_use]
     pub fn as_slice(&self) -> &[Collision] {
         &self.collisions
+    }
+
+    /// The number of collisions, without those that only correct the sum of others.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        let repulsive = self
+            .collisions
+            .iter()
+            .filter(|collision| collision.is_repulsive());
+        repulsive.count()
     }
 
     /// The least distance between two surfaces, in m: the distance of primitives minus their thickness.
@@ -123,6 +123,54 @@ impl Collisions {
     }
 }
 
+/// All near pairs of primitives, with the distances between their surfaces, in an order that does not depend
+/// on threads.
+fn near(
+    surface: Surface<'_>,
+    candidates: &Candidates,
+    points: &[Point],
+    barrier: Barrier,
+) -> Vec<(f64, Collision)> {
+    let mesh = surface.mesh;
+    let near = Near {
+        surface,
+        points,
+        barrier,
+    };
+    let faces = candidates.vertex_face().par_iter().filter_map(|&pair| {
+        let vertices = VertexFace::vertices(mesh, pair)?;
+        let weight = surface.weight_of_vertex(pair[0])?;
+        let (gap, collision) = near.collision(vertices, 1..4, point_triangle, None)?;
+        Some((pair, (gap, collision.weighted(weight))))
+    });
+    let edges = candidates.edge_edge().par_iter().filter_map(|&pair| {
+        let vertices = EdgeEdge::vertices(mesh, pair)?;
+        let weight = surface.weight_of_edges(pair)?;
+        let (gap, collision) =
+            near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))?;
+        Some((gap, collision.weighted(weight)))
+    });
+    let ends = vertices_and_edges(surface, candidates);
+    let ends = ends
+        .par_iter()
+        .filter_map(|&[vertex, a, b]| near.vertex_and_edge(vertex, [a, b]));
+    let (pairs, mut all): (Vec<[u32; 2]>, Vec<(f64, Collision)>) = faces.unzip();
+    all.par_extend(edges);
+    all.par_extend(ends);
+    let points = candidates.vertex_vertex().par_iter();
+    all.par_extend(points.filter_map(|&pair| near.two_vertices(pair)));
+    all.extend(near.corrections(&pairs));
+    for &plane in surface.half_spaces {
+        all.par_extend(
+            surface
+                .grounded
+                .par_iter()
+                .filter_map(|&vertex| near.ground(vertex, plane)),
+        );
+    }
+    all
+}
+
 /// The test of one pair of primitives.
 struct Near<'a> {
     surface: Surface<'a>,
@@ -160,6 +208,56 @@ impl Near<'_> {
                 Some(mollifier) => Collision::mollified(vertices, feature, mollifier),
                 None => Collision::new(vertices, feature),
             };
+            let collision = collision.with_thickness(thickness);
+            (
+                barrier.gap(squared),
+                collision.with_fixed(|vertex| self.surface.is_fixed(vertex)),
+            )
+        })
+    }
+
+    /// The collision of a vertex and an edge.
+    fn vertex_and_edge(&self, vertex: u32, [a, b]: [u32; 2]) -> Option<(f64, Collision)> {
+        let feature = |points: &[Vector3<f64>; 4]| point_edge(points, 0, 1, 2);
+        self.collision([vertex, a, b, vertex], 1..3, feature, None)
+    }
+
+    /// The collision of two vertices.
+    fn two_vertices(&self, [a, b]: [u32; 2]) -> Option<(f64, Collision)> {
+        self.collision([a, b, a, a], 1..2, |_| Feature::point_point(0, 1), None)
+    }
+
+    /// The collisions that correct the sum over these near pairs of a vertex and a face, in the convergent
+    /// formulation.
+    fn corrections(&self, pairs: &[[u32; 2]]) -> Vec<(f64, Collision)> {
+        let (mesh, Some(weights)) = (self.surface.mesh, self.surface.weights) else {
+            return Vec::new();
+        };
+        let Corrections { edges, vertices } = weights.corrections(mesh, pairs);
+        let edges = edges.par_iter().filter_map(|&([vertex, edge], count)| {
+            let (gap, collision) = self.vertex_and_edge(vertex, mesh.edges()[edge as usize])?;
+            Some((gap, collision.weighted(count * weights.of_vertex(vertex)?)))
+        });
+        let vertices = vertices.par_iter().filter_map(|&pair| {
+            let (gap, collision) = self.two_vertices(pair)?;
+            Some((gap, collision.weighted(weights.of_vertex(pair[0])?)))
+        });
+        let mut all: Vec<(f64, Collision)> = edges.collect();
+        all.par_extend(vertices);
+        all
+    }
+
+    /// The collision of a vertex and a half space, with the distance between their surfaces.
+    fn ground(&self, vertex: u32, plane: Plane) -> Option<(f64, Collision)> {
+        let thickness = self.surface.thickness(&[vertex], &[]);
+        let barrier = self.barrier.with_thickness(thickness);
+        let height = plane
+            .height(&Vector3::from(self.points[vertex as usize]))
+            .max(0.0);
+        let squared = height * height;
+        barrier.is_active(squared).then(|| {
+            let weight = self.surface.weight_of_vertex(vertex).unwrap_or(1.0);
+            let collision = Collision::with_half_space(vertex, plane).weighted(weight);
             (barrier.gap(squared), collision.with_thickness(thickness))
         })
     }
@@ -172,12 +270,14 @@ impl Near<'_> {
 
 /// The pairs of a particle and an edge, and those of an end and the other edge of all pairs of edges of
 /// which one is loose, by their vertices. Each occurs once.
-fn vertices_and_edges(mesh: &TriangleMesh, candidates: &Candidates) -> Vec<[u32; 3]> {
+fn vertices_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]> {
+    let mesh = surface.mesh;
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
     let of_particle = |&pair: &[u32; 2]| VertexEdge::vertices(mesh, pair);
     let mut pairs: Vec<[u32; 3]> = candidates.vertex_edge().iter().filter_map(of_particle).collect();
     for &[a, b] in candidates.edge_edge() {
         if a.max(b) >= first_loose
+            && surface.weight_of_edges([a, b]).is_some()
             && let Some([p, q, r, s]) = EdgeEdge::vertices(mesh, [a, b])
         {
             pairs.extend([[p, r, s], [q, r, s], [r, p, q], [s, p, q]]);

@@ -5,9 +5,11 @@ mod collision;
 mod collisions;
 mod stiffness;
 mod surface;
+mod weights;
 
 pub use barrier::Barrier;
 pub use collision::Collision;
 pub use collisions::Collisions;
 pub use stiffness::StiffnessRange;
 pub use surface::Surface;
+pub use weights::{Part, Weights};

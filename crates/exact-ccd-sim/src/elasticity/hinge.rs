@@ -29,7 +29,7 @@ impl Hinge {
     /// of the edge and the fourth to its right. `None` if a triangle has no area.
     #[must_use]
     pub fn new(vertices: [u32; 4], rest: &[Vector3<f64>; 4], rigidity: f64) -> Option<Self> {
-        let shape = Shape::new(rest);
+        let shape = Fold::new(rest);
         let area = 0.5 * (shape.normals[0].norm() + shape.normals[1].norm());
         let degenerate = shape.normals.iter().any(|normal| normal.norm_squared() == 0.0);
         (!degenerate).then(|| Self {
@@ -48,22 +48,21 @@ impl Hinge {
     /// The energy in J, for these positions of the vertices.
     #[must_use]
     pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
-        let bend = self.bend(&Shape::new(points));
+        let bend = self.bend(&Fold::new(points));
         0.5 * self.stiffness * bend * bend
     }
 
     /// The gradient of the energy.
     #[must_use]
     pub fn gradient(&self, points: &[Vector3<f64>; 4]) -> Vector12 {
-        let shape = Shape::new(points);
-        let (gradient, _) = shape.derivatives();
-        gradient * (self.stiffness * self.bend(&shape))
+        let shape = Fold::new(points);
+        shape.gradient() * (self.stiffness * self.bend(&shape))
     }
 
     /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
     #[must_use]
     pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {
-        let shape = Shape::new(points);
+        let shape = Fold::new(points);
         let bend = self.bend(&shape);
         let (gradient, second) = shape.derivatives();
         let hessian = (gradient * gradient.transpose() + second * bend) * self.stiffness;
@@ -76,20 +75,20 @@ impl Hinge {
 
     /// θ − θ₀. Both angles are in [−π, π]. θ is discontinuous only where the faces touch, which no
     /// intersection-free motion reaches.
-    fn bend(&self, shape: &Shape) -> f64 {
+    fn bend(&self, shape: &Fold) -> f64 {
         shape.angle() - self.rest
     }
 }
 
 /// The edge, the sides from its start to the opposite corners, and the normals; none of them is normalised.
-struct Shape {
+pub(super) struct Fold {
     edge: Vector3<f64>,
     sides: [Vector3<f64>; 2],
     normals: [Vector3<f64>; 2],
 }
 
-impl Shape {
-    fn new(points: &[Vector3<f64>; 4]) -> Self {
+impl Fold {
+    pub(super) fn new(points: &[Vector3<f64>; 4]) -> Self {
         let edge = points[1] - points[0];
         let sides = [points[2] - points[0], points[3] - points[0]];
         let normals = [edge.cross(&sides[0]), sides[1].cross(&edge)];
@@ -97,22 +96,35 @@ impl Shape {
     }
 
     /// The angle from the first normal to the second, counterclockwise about the edge.
-    fn angle(&self) -> f64 {
+    pub(super) fn angle(&self) -> f64 {
         let [n, m] = self.normals;
         let sine = n.cross(&m).dot(&self.edge) / self.edge.norm();
         sine.atan2(n.dot(&m))
     }
 
-    /// The gradient and the Hessian of the angle.
+    /// The gradient of the angle.
     ///
     /// A displacement of a corner along the normal rotates its triangle about the edge, by 1 / height. The
-    /// foot of the corner on the edge divides the opposite rotation between the ends of the edge. The
-    /// Hessian follows by the product rule.
+    /// foot of the corner on the edge divides the opposite rotation between the ends of the edge.
+    pub(super) fn gradient(&self) -> Vector12 {
+        let (squared, length) = (self.edge.norm_squared(), self.edge.norm());
+        let mut gradient = Vector12::zeros();
+        for (index, (side, normal)) in self.sides.into_iter().zip(self.normals).enumerate() {
+            let turn = normal * (-length / normal.norm_squared());
+            let foot = side.dot(&self.edge) / squared;
+            for (vertex, share) in [(2 + index, 1.0), (0, foot - 1.0), (1, -foot)] {
+                let mut rows = gradient.fixed_rows_mut::<3>(3 * vertex);
+                rows += turn * share;
+            }
+        }
+        gradient
+    }
+
+    /// The gradient and the Hessian of the angle, which follows by the product rule.
     fn derivatives(&self) -> (Vector12, Matrix12) {
         let edge = self.edge;
         let (squared, length) = (edge.norm_squared(), edge.norm());
         let edge_change = difference(1);
-        let mut gradient = Vector12::zeros();
         let mut hessian = Matrix12::zeros();
         for (index, (side, normal)) in self.sides.into_iter().zip(self.normals).enumerate() {
             let corner = 2 + index;
@@ -134,13 +146,11 @@ impl Shape {
 
             let shares = [(corner, 1.0, 0.0), (0, foot - 1.0, 1.0), (1, -foot, -1.0)];
             for (vertex, share, change) in shares {
-                let mut rows = gradient.fixed_rows_mut::<3>(3 * vertex);
-                rows += turn * share;
                 let mut rows = hessian.fixed_rows_mut::<3>(3 * vertex);
                 rows += turn_change * share + turn * foot_change * change;
             }
         }
-        (gradient, (hessian + hessian.transpose()) * 0.5)
+        (self.gradient(), (hessian + hessian.transpose()) * 0.5)
     }
 }
 

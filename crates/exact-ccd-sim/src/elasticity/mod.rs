@@ -14,6 +14,7 @@ mod neo_hookean;
 mod stable_neo_hookean;
 mod stretch;
 mod tetrahedron;
+mod vertex_bend;
 
 pub use bend::Bend;
 pub(crate) use elastic::Elastic;
@@ -25,3 +26,5 @@ pub use neo_hookean::NeoHookean;
 pub use stable_neo_hookean::StableNeoHookean;
 pub use stretch::Stretch;
 pub use tetrahedron::{SolidMaterial, Tetrahedron};
+pub use vertex_bend::VertexBend;
+pub(crate) use vertex_bend::bending;

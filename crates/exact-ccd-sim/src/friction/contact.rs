@@ -22,7 +22,8 @@ pub struct FrictionContact {
 }
 
 impl FrictionContact {
-    /// The friction at a separation. `bound` is the friction coefficient times the normal force.
+    /// The friction at a separation. `bound` is the friction coefficient times the normal force. It is
+    /// negative for a term that corrects others; its Hessian counts as zero then.
     #[must_use]
     pub fn new(vertices: ArrayVec<u32, 4>, separation: &Separation, bound: f64) -> Self {
         Self {
@@ -62,7 +63,7 @@ impl FrictionContact {
         // The second derivative is f₁′ along the slip and f₁ / y across it.
         let direction = slip.try_normalize(0.0).unwrap_or_else(Vector2::zeros);
         let along = direction * direction.transpose() * (smoothing.stiffness(size) - ratio);
-        let plane = (Matrix2::identity() * ratio + along) * self.bound;
+        let plane = (Matrix2::identity() * ratio + along) * self.bound.max(0.0);
         let block = self.tangents * plane * self.tangents.transpose();
         Element {
             vertices: self.vertices.clone(),

@@ -53,6 +53,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
         points,
         kind,
         velocity,
+        angular_velocity: described.angular_velocity,
         offset: described.offset,
     })
 }

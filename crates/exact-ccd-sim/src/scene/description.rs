@@ -7,6 +7,8 @@ use serde::Deserialize;
 
 use super::placement::{Rotation, Scale};
 use crate::body::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
+use crate::half_space::HalfSpace;
+use crate::load::Force;
 use crate::script::Script;
 use crate::settings::Settings;
 
@@ -23,6 +25,9 @@ pub(super) struct Description {
     /// The bodies, `[[body]]`.
     #[serde(default)]
     pub(super) body: Vec<BodyDescription>,
+    /// The half spaces, `[[half-space]]`.
+    #[serde(default)]
+    pub(super) half_space: Vec<HalfSpace>,
 }
 
 /// A body. Without a material, it is an obstacle.
@@ -56,6 +61,12 @@ pub(super) struct BodyDescription {
     /// The initial velocity, in m/s.
     #[serde(default)]
     pub(super) velocity: Point,
+    /// The initial angular velocity about the center of mass, in rad/s.
+    #[serde(default)]
+    pub(super) angular_velocity: Point,
+    /// The loads on its vertices, `[[body.load]]`.
+    #[serde(default)]
+    pub(super) load: Vec<LoadDescription>,
     /// The scripts of its vertices, `[[body.script]]`. The last script of a vertex applies.
     #[serde(default)]
     pub(super) script: Vec<ScriptDescription>,
@@ -137,6 +148,22 @@ pub(super) struct ScriptDescription {
     pub(super) vertices: Selection,
     /// Their motion.
     pub(super) motion: Script,
+}
+
+/// A selection of vertices and a force on them.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct LoadDescription {
+    /// The selected vertices.
+    #[serde(default)]
+    pub(super) vertices: Selection,
+    /// The force.
+    pub(super) force: Force,
+    /// The time at which it begins, in s.
+    #[serde(default)]
+    pub(super) from: f64,
+    /// The time at which it ends, in s.
+    pub(super) until: Option<f64>,
 }
 
 /// A selection of vertices of a body.

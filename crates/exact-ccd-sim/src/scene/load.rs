@@ -8,6 +8,7 @@ use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
+use crate::load::Load;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
 use crate::system::System;
@@ -74,6 +75,7 @@ impl Scene {
         }
         let mut bodies = Vec::new();
         let mut scripts = Vec::new();
+        let mut loads = Vec::new();
         let mut first = 0;
         for (index, described) in description.body.iter().enumerate() {
             let body = load(described, folder).map_err(|(field, message)| {
@@ -96,13 +98,37 @@ impl Scene {
                     let path: Vec<Key<'_>> = of_script("motion").into_iter().chain(of_motion).collect();
                     document.error_of(&path, &error.to_string())
                 })?;
-                scripts.push((selected, script.motion));
+                scripts.push((selected, script.motion.clone()));
+            }
+            for (number, load) in described.load.iter().enumerate() {
+                let of_load = |field| {
+                    [
+                        Name("body"),
+                        Index(index),
+                        Name("load"),
+                        Index(number),
+                        Name(field),
+                    ]
+                };
+                let vertices = select(load.vertices, &body.points, first)
+                    .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
+                let load = Load {
+                    vertices,
+                    force: load.force,
+                    from: load.from,
+                    until: load.until,
+                };
+                load.check(number, usize::MAX)
+                    .map_err(|error| document.error_of(&of_load(error.field), &error.to_string()))?;
+                loads.push(load);
             }
             first += body.points.len() as u32;
             bodies.push(body);
         }
-        let system =
-            System::new(&bodies, &scripts).map_err(|error| of_system(&document, &description, &error))?;
+        let system = System::new(&bodies, &scripts)
+            .and_then(|system| system.with_half_spaces(description.half_space.clone()))
+            .and_then(|system| system.with_loads(loads))
+            .map_err(|error| of_system(&document, &description, &error))?;
         let filter = filter_by_name(&settings.ccd, &system)
             .map_err(|message| document.error_of(&[Name("settings"), Name("ccd")], &message))?;
         if system.is_thick() && !filter.is_exact() {

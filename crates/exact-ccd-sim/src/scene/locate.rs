@@ -1,10 +1,13 @@
 //! The fields of a scene file to which errors of systems and simulations belong.
 
+use std::ops::Range;
+
 use exact_ccd_mesh::Point;
 
 use super::description::{BodyDescription, Description};
 use super::document::{Document, Key, SceneError};
 use crate::body::Body;
+use crate::half_space::HalfSpaceError;
 use crate::simulation::{Primitive, SimulationError};
 use crate::system::{System, SystemError};
 
@@ -29,6 +32,10 @@ pub(super) fn of_system(
             let path = [Name("body"), Index(*body)];
             return document.error_of(&path, &without_body(*body, error));
         }
+        SystemError::HalfSpace(HalfSpaceError { half_space, what, .. }) => {
+            let path = [Name("half-space"), Index(*half_space), Name(what)];
+            return document.error_of(&path, &error.to_string());
+        }
         SystemError::Offset { body, .. } => {
             let path = [Name("body"), Index(*body), Name("offset")];
             return document.error_of(&path, &without_body(*body, error));
@@ -40,6 +47,7 @@ pub(super) fn of_system(
         | SystemError::Flat { body, .. } => (*body, None),
         SystemError::Script { .. }
         | SystemError::Motion { .. }
+        | SystemError::Load(_)
         | SystemError::Mesh(_)
         | SystemError::Thickness(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
@@ -79,6 +87,18 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
             let what = format!("are within the sum of their offsets, {thickness} m, at the start");
             return of_start(document, bodies, *primitives, *near, [&what, "a larger"]);
         }
+        SimulationError::Grounded {
+            vertex,
+            half_space,
+            near,
+        } => {
+            let body = body_of(&System::ranges(bodies), *vertex);
+            let message = format!(
+                "a vertex at {near:?} touches half-space[{half_space}] at the start, or is inside of it, \
+                 expected a positive distance above the offset of the body"
+            );
+            return document.error_of(&[Name("body"), Index(body)], &message);
+        }
         SimulationError::Setting(setting) => setting.what,
         SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         SimulationError::State { .. }
@@ -94,6 +114,11 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
     document.error_of(&path, &error.to_string())
 }
 
+/// The body of a vertex, by the vertex ranges of the bodies.
+fn body_of(ranges: &[Range<u32>], vertex: u32) -> usize {
+    ranges.partition_point(|range| range.end <= vertex)
+}
+
 /// The error of two primitives that are too near, with the vertex indices of their bodies.
 fn of_start(
     document: &Document<'_>,
@@ -106,7 +131,7 @@ fn of_start(
     // A primitive has a vertex, and each vertex belongs to a body.
     let [(a, first), (b, second)] = primitives.map(|primitive| {
         let vertex = primitive.vertices()[0];
-        let body = ranges.partition_point(|range| range.end <= vertex);
+        let body = body_of(&ranges, vertex);
         (body, primitive.map(|vertex| vertex - ranges[body].start))
     });
     let message = format!(

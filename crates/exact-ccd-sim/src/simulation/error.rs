@@ -62,7 +62,8 @@ pub enum SimulationError {
          resume with the scene of the checkpoint, or start a new run"
     )]
     OtherSystem {
-        /// The first part that differs: `positions`, `elements`, `velocities`, `materials` or `scripts`.
+        /// The first part that differs: `positions`, `elements`, `velocities`, `materials`, `scripts`,
+        /// `half spaces` or `loads`.
         what: &'static str,
     },
     /// Two primitives intersect or touch at the start.
@@ -88,6 +89,19 @@ pub enum SimulationError {
         /// The sum of the offsets of their bodies, in m.
         thickness: f64,
         /// The position of one of their vertices, in m.
+        near: Point,
+    },
+    /// A vertex touches a half space at the start, or is inside.
+    #[error(
+        "vertex {vertex} is not apart from half space {half_space} at the start, at {near:?}, \
+         expected a positive distance above its offset"
+    )]
+    Grounded {
+        /// The vertex.
+        vertex: u32,
+        /// The half space, by its place in the list of half spaces.
+        half_space: usize,
+        /// The position of the vertex, in m.
         near: Point,
     },
     /// The CCD method has no minimum separation.

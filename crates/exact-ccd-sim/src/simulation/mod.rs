@@ -3,6 +3,7 @@
 mod error;
 mod start;
 mod step;
+mod warning;
 
 use std::fmt;
 
@@ -18,6 +19,7 @@ use crate::system::{Fingerprint, System};
 
 pub use error::SimulationError;
 pub use start::Primitive;
+pub use warning::Warning;
 
 /// The motion of a system under elasticity, gravity, contact and friction.
 ///

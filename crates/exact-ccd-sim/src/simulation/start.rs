@@ -6,6 +6,7 @@ use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
 
 use super::SimulationError;
 use crate::contact::Barrier;
+use crate::settings::Formulation;
 use crate::state::State;
 use crate::system::System;
 
@@ -53,8 +54,16 @@ impl fmt::Display for Primitive {
 
 /// Checks that no two primitives intersect or touch, including those of two obstacles. An [`Audit`] of the
 /// recorded motion starts with the same check. Then checks that all pairs except those of two obstacles are
-/// farther apart than the sum of their offsets, and that particles touch nothing.
+/// farther apart than the sum of their offsets, that particles touch nothing, and that all bodies but
+/// obstacles are apart from all half spaces.
 pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationError> {
+    if let Some((vertex, half_space)) = system.first_grounded(&state.positions) {
+        return Err(SimulationError::Grounded {
+            vertex,
+            half_space,
+            near: state.positions[vertex as usize],
+        });
+    }
     let not_finite = || SimulationError::NotFinite { what: "positions" };
     // The frame has no vertices in the interior of solids, which touch nothing.
     let frame = system.surface_frame(&state.positions).map_err(|_| not_finite())?;
@@ -74,7 +83,7 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     let primitives = of_pair(&system.surface, contact.pair);
     let [a, b] = primitives.each_ref().map(Primitive::vertices);
     Err(SimulationError::Close {
-        thickness: system.contact_surface().thickness(a, b),
+        thickness: system.contact_surface(Formulation::Sum).thickness(a, b),
         near: at(state, primitives[0]),
         primitives,
     })

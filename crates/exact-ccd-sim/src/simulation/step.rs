@@ -10,11 +10,10 @@ use crate::contact::{Collision, Collisions, StiffnessRange};
 use crate::dirichlet::Dirichlet;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
-use crate::integrator::Scheme;
-use crate::settings::Settings;
+use crate::integrator::{Acceleration, Scheme};
 use crate::solver::{Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
-use crate::statistics::{Energies, Statistics};
+use crate::statistics::{Energies, Seconds, Statistics};
 use crate::system::System;
 
 impl Simulation {
@@ -31,6 +30,9 @@ impl Simulation {
     /// The filter applies to these increments, in which all vertices move in straight lines. The straight
     /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
+    /// If Newton's method does not converge, the time step is repeated in twice as many parts of equal
+    /// duration, up to [`Settings::max_substeps`]. Only the increments of the last attempt are visited.
+    ///
     /// # Errors
     /// As [`Simulation::step`].
     pub fn step_along(
@@ -39,23 +41,98 @@ impl Simulation {
     ) -> Result<Statistics, SimulationError> {
         // The whole step runs on a thread of the pool: each parallel call from outside the pool would cost a
         // context switch.
-        rayon::scope(|_| self.advance(visit))
+        rayon::scope(|_| self.attempts(visit))
     }
 
-    fn advance(&mut self, visit: &mut dyn FnMut(&[Point])) -> Result<Statistics, SimulationError> {
+    fn attempts(&mut self, visit: &mut dyn FnMut(&[Point])) -> Result<Statistics, SimulationError> {
+        let most = self.settings.max_substeps;
+        let (mut parts, mut seconds) = (1, Seconds::default());
+        loop {
+            if 2 * parts > most {
+                let statistics = self.substeps(parts, false, visit)?;
+                return Ok(Statistics {
+                    seconds: seconds.plus(&statistics.seconds),
+                    ..statistics
+                });
+            }
+            let start = self.state.clone();
+            let mut increments = Vec::new();
+            let mut visit_later = |positions: &[Point]| increments.push(positions.to_vec());
+            let mut statistics = self.substeps(parts, true, &mut visit_later)?;
+            seconds = seconds.plus(&statistics.seconds);
+            if statistics.converged {
+                increments.iter().for_each(|positions| visit(positions));
+                statistics.seconds = seconds;
+                return Ok(statistics);
+            }
+            self.state = start;
+            parts *= 2;
+        }
+    }
+
+    /// Takes one time step in parts of equal duration. If `convergent`, ends after a part that does not
+    /// converge. An error leaves the state unchanged.
+    fn substeps(
+        &mut self,
+        parts: usize,
+        convergent: bool,
+        visit: &mut dyn FnMut(&[Point]),
+    ) -> Result<Statistics, SimulationError> {
+        let start = self.state.clone();
+        let mut sum: Option<Statistics> = None;
+        for part in 1..=parts {
+            // BDF2 needs equal time steps: parts are steps of implicit Euler.
+            if parts > 1 {
+                self.state.earlier = None;
+            }
+            match self.advance([part, parts], visit) {
+                Ok(statistics) => {
+                    let is_last = convergent && !statistics.converged;
+                    sum = Some(match sum {
+                        None => statistics,
+                        Some(before) => before.followed_by(statistics),
+                    });
+                    if is_last {
+                        break;
+                    }
+                }
+                Err(error) => {
+                    self.state = start;
+                    return Err(error);
+                }
+            }
+        }
+        if parts > 1 {
+            self.state.earlier = None;
+        }
+        self.state.step = start.step + 1;
+        Ok(sum.unwrap_or_default())
+    }
+
+    /// Takes one part, counted from 1, of a time step in equal parts.
+    fn advance(
+        &mut self,
+        [part, parts]: [usize; 2],
+        visit: &mut dyn FnMut(&[Point]),
+    ) -> Result<Statistics, SimulationError> {
         let clock = Instant::now();
         let Self { system, settings, .. } = &*self;
         let step = self.state.step + 1;
-        let time = step as f64 * settings.time_step;
+        let time_step = settings.time_step / parts as f64;
+        let time = (self.state.step as f64 + part as f64 / parts as f64) * settings.time_step;
         let mut statistics = Statistics {
             step,
             time,
             converged: true,
             ..Statistics::default()
         };
-        let scheme = settings
-            .integrator
-            .scheme(&self.state, settings.time_step, settings.gravity);
+        let loads = system.accelerations(&self.state.positions, time);
+        let acceleration = Acceleration {
+            gravity: settings.gravity,
+            loads: loads.as_deref(),
+            damping: settings.damping,
+        };
+        let scheme = settings.integrator.scheme(&self.state, time_step, &acceleration);
         let smoothing = Smoothing {
             threshold: settings.friction.static_velocity.meters(system.size()) * scheme.duration,
         };
@@ -66,7 +143,12 @@ impl Simulation {
         let candidates = rest
             .map(|step| system.near(step, &self.barrier))
             .unwrap_or_default();
-        let collisions = Collisions::new(system.contact_surface(), &candidates, &positions, self.barrier);
+        let collisions = Collisions::new(
+            system.contact_surface(settings.formulation),
+            &candidates,
+            &positions,
+            self.barrier,
+        );
         let mut lagged = self.kept_stiffness(&scheme);
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
@@ -87,7 +169,8 @@ impl Simulation {
                 barrier: self.barrier,
                 range,
                 filter: &self.filter,
-                tolerance: settings.tolerance.meters(system.size()),
+                formulation: settings.formulation,
+                tolerance: settings.newton_tolerance(system.size()),
                 max_iterations: settings.max_iterations,
             };
             statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
@@ -97,16 +180,18 @@ impl Simulation {
             }
         }
 
-        statistics.contacts = now.collisions.as_slice().len();
+        statistics.contacts = now.collisions.count();
         statistics.minimal_distance = Some(now.collisions.minimal_distance()).filter(|d| d.is_finite());
         statistics.script_lag = now.dirichlet.lag(&now.positions);
         let velocities = scheme.velocities(&now.positions);
         let potential = potential(system, &scheme, now.stiffness, &friction, smoothing);
-        statistics.energies = energies(&potential, settings, &now, &velocities);
+        statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
         statistics.stiffness = touched.then_some(now.stiffness);
 
         self.solver = solver;
+        // Parts of a time step do not count.
+        let step = self.state.step;
         let before = std::mem::replace(
             &mut self.state,
             State {
@@ -192,9 +277,8 @@ fn potential<'a>(
 
 fn energies(
     potential: &Potential<'_>,
-    &Settings {
-        gravity, time_step, ..
-    }: &Settings,
+    gravity: Point,
+    time_step: f64,
     now: &Iterate,
     velocities: &[Point],
 ) -> Energies {

@@ -17,7 +17,7 @@ const SLACK: f64 = 0.9;
 /// The number of halvings after which the line search fails.
 const HALVINGS: usize = 60;
 
-/// The largest displacement of a vertex in one iteration, relative to the size of the scene. A larger one
+/// The largest displacement of a vertex in one iteration, relative to the extent of the scene. A larger one
 /// would sweep over too many pairs, and is far from the minimum.
 const FARTHEST: f64 = 0.25;
 
@@ -38,7 +38,7 @@ impl Newton<'_> {
             together[vertex as usize] = target;
             alone[vertex as usize] = target;
         }
-        let far = self.system.size() * FARTHEST;
+        let far = self.system.extent() * FARTHEST;
         for end in [together, alone] {
             let pairs = zip(&now.positions, &end).map(|(a, b)| (b - a).amax());
             if pairs.fold(0.0, f64::max) > far {
@@ -49,7 +49,7 @@ impl Newton<'_> {
                 continue;
             };
             let candidates = self.system.near(step, &self.barrier);
-            let free = self.filter.is_free(&candidates, step);
+            let free = self.is_free(&candidates, step);
             statistics.seconds.ccd += clock.elapsed().as_secs_f64();
             if !free {
                 continue;
@@ -79,7 +79,7 @@ impl Newton<'_> {
         statistics: &mut Statistics,
     ) -> Result<bool, SimulationError> {
         let clock = Instant::now();
-        let longest = (FARTHEST * self.system.size() / size).min(1.0);
+        let longest = (FARTHEST * self.system.extent() / size).min(1.0);
         let end = displaced(&now.positions, direction, longest);
         let blocked = || SimulationError::Blocked {
             step: statistics.step,
@@ -90,6 +90,7 @@ impl Newton<'_> {
         let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
         let candidates = self.system.near(step, &self.barrier);
         let free = self.filter.free_part(&candidates, step);
+        let free = free.min(self.system.free_of_half_spaces(step));
         if free <= 0.0 {
             return Err(blocked());
         }
@@ -115,7 +116,7 @@ impl Newton<'_> {
                 // A full step is taken only if all of it is free.
                 let free = part >= 1.0
                     || Step::new(surface, &now.positions, &positions)
-                        .is_ok_and(|step| self.filter.is_free(&candidates, step));
+                        .is_ok_and(|step| self.is_free(&candidates, step));
                 statistics.seconds.ccd += clock.elapsed().as_secs_f64();
                 if free {
                     let least = [now.collisions.minimal_distance(), collisions.minimal_distance()];
@@ -155,8 +156,19 @@ impl Newton<'_> {
         slope(potential.gradient(positions, collisions)) <= -0.8 * before
     }
 
+    /// True if a step is free of contact: between surfaces by the filter, with half spaces exactly.
+    fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+        let free = self.filter.is_free(candidates, step);
+        free && self.system.first_grounded(step.positions()[1]).is_none()
+    }
+
     fn collisions(&self, candidates: &Candidates, points: &[Point]) -> Collisions {
-        Collisions::new(self.system.contact_surface(), candidates, points, self.barrier)
+        Collisions::new(
+            self.system.contact_surface(self.formulation),
+            candidates,
+            points,
+            self.barrier,
+        )
     }
 }
 

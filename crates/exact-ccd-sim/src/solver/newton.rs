@@ -13,6 +13,7 @@ use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::Scheme;
+use crate::settings::Formulation;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
 use crate::system::System;
@@ -26,6 +27,7 @@ pub(crate) struct Newton<'a> {
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
+    pub(crate) formulation: Formulation,
     /// The tolerance, in m/s.
     pub(crate) tolerance: f64,
     pub(crate) max_iterations: usize,

@@ -61,7 +61,8 @@ impl Potential<'_> {
 
     /// Ψ, in J.
     pub(crate) fn elastic(&self, points: &[Point]) -> f64 {
-        sum(&self.system.elements, |element| element.value(points))
+        let elements = sum(&self.system.elements, |element| element.value(points));
+        elements + sum(&self.system.bends, |bend| bend.value(points))
     }
 
     /// The potential of friction, in kg m².
@@ -87,6 +88,15 @@ impl Potential<'_> {
             |element| element.gradient(points),
             |element, forces| {
                 for (place, vertex) in element.vertices().into_iter().enumerate() {
+                    gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
+                }
+            },
+        );
+        each(
+            &self.system.bends,
+            |bend| bend.gradient(points),
+            |bend, forces| {
+                for (place, &vertex) in bend.vertices().iter().enumerate() {
                     gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place) * scale;
                 }
             },

@@ -7,7 +7,7 @@ use super::pattern::{Pattern, key};
 use super::potential::{Potential, each};
 use super::unknowns::Unknowns;
 use crate::contact::Collisions;
-use crate::element::Element;
+use crate::element::Term;
 use crate::gather::gather_some;
 
 /// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
@@ -29,6 +29,9 @@ impl Potential<'_> {
         let mut keys = Vec::new();
         for element in &self.system.elements {
             add_keys(&mut keys, unknowns, &element.vertices());
+        }
+        for bend in &self.system.bends {
+            add_keys(&mut keys, unknowns, bend.vertices());
         }
         keys.sort_unstable();
         keys.dedup();
@@ -74,6 +77,16 @@ impl Potential<'_> {
             &self.system.elements,
             |element| element.derivatives(points, true).scaled(scale),
             |_, element| sum.add(element),
+        );
+        each(
+            &self.system.bends,
+            |bend| {
+                let mut patch = bend.derivatives(points);
+                patch.gradient *= scale;
+                patch.hessian *= scale;
+                patch
+            },
+            |_, patch| sum.add(patch),
         );
         each(
             contacts,
@@ -125,13 +138,13 @@ impl Sum<'_> {
         }
     }
 
-    fn add(&mut self, element: &Element) {
-        for (row, &vertex) in element.vertices.iter().enumerate() {
+    fn add(&mut self, element: &impl Term) {
+        for (row, &vertex) in element.vertices().iter().enumerate() {
             self.gradient[vertex as usize] += element.force(row);
             let Some(number) = self.unknowns.number(vertex) else {
                 continue;
             };
-            for (column, &other) in element.vertices.iter().enumerate() {
+            for (column, &other) in element.vertices().iter().enumerate() {
                 match self.unknowns.number(other) {
                     None => {
                         let displacement = self.displacements[other as usize];

@@ -4,6 +4,8 @@ use exact_ccd::separation::InvalidThickness;
 use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
+use crate::half_space::HalfSpaceError;
+use crate::load::LoadError;
 use crate::script::ScriptError;
 
 /// An invalid body or script.
@@ -30,6 +32,12 @@ pub enum SystemError {
     /// An offset is out of range. [`SystemError::Offset`] names the body instead.
     #[error(transparent)]
     Thickness(#[from] InvalidThickness),
+    /// A load is out of range.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// A half space is invalid.
+    #[error(transparent)]
+    HalfSpace(#[from] HalfSpaceError),
     /// A body has no elements.
     #[error("body {body}: the mesh is empty, expected at least one element")]
     Empty {

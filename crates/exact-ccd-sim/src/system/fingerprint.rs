@@ -19,6 +19,10 @@ pub struct Fingerprint {
     materials: String,
     /// The hash of the scripts.
     scripts: String,
+    /// The hash of the half spaces.
+    half_spaces: String,
+    /// The hash of the loads.
+    loads: String,
 }
 
 impl Fingerprint {
@@ -28,8 +32,10 @@ impl Fingerprint {
             positions: hash(&system.start),
             velocities: hash(&system.velocities),
             elements: hash(&(system.surface(), tetrahedra)),
-            materials: hash(&(&system.masses, &system.elements, &system.offsets)),
+            materials: hash(&(&system.masses, &system.elements, &system.bends, &system.offsets)),
             scripts: hash(&system.scripts),
+            half_spaces: hash(&system.half_spaces),
+            loads: hash(&system.loads),
         }
     }
 
@@ -41,6 +47,8 @@ impl Fingerprint {
             ("velocities", &self.velocities, &other.velocities),
             ("materials", &self.materials, &other.materials),
             ("scripts", &self.scripts, &other.scripts),
+            ("half spaces", &self.half_spaces, &other.half_spaces),
+            ("loads", &self.loads, &other.loads),
         ];
         let different = parts.into_iter().find(|(_, a, b)| a != b);
         different.map(|(name, ..)| name)

@@ -5,6 +5,7 @@ mod fingerprint;
 mod parts;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use exact_ccd::separation::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
@@ -14,9 +15,12 @@ use exact_ccd_mesh::{
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::{Barrier, Surface};
-use crate::elasticity::Elastic;
+use crate::contact::{Barrier, Part, Surface, Weights};
+use crate::elasticity::{Elastic, VertexBend};
+use crate::half_space::{HalfSpace, Plane};
+use crate::load::Load;
 use crate::script::Script;
+use crate::settings::Formulation;
 use parts::Parts;
 
 pub use error::SystemError;
@@ -29,8 +33,10 @@ pub struct System {
     pub(crate) velocities: Vec<Point>,
     pub(crate) masses: Vec<f64>,
     pub(crate) elements: Vec<Elastic>,
+    /// The bending of shells about vertices.
+    pub(crate) bends: Vec<VertexBend>,
     /// The script of each vertex that has one.
-    pub(crate) scripts: Vec<Option<Script>>,
+    pub(crate) scripts: Vec<Option<Arc<Script>>>,
     /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
     pub(crate) surface: TriangleMesh,
     /// The vertices of faces and rods, and particles, increasing: without those in the interior of solids.
@@ -45,7 +51,19 @@ pub struct System {
     pub(crate) can_collide: CanCollide,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
     pub(crate) rigidity: f64,
+    loads: Vec<Load>,
+    half_spaces: Vec<HalfSpace>,
+    /// The boundaries of the half spaces.
+    planes: Vec<Plane>,
+    /// The vertices of the surfaces of all bodies but obstacles: half spaces are obstacles for them.
+    grounded: Vec<u32>,
+    /// True for the vertices of obstacles that no script moves.
+    fixed: Vec<bool>,
+    weights: Weights,
+    /// The vertices of each body.
+    bodies: Vec<Range<u32>>,
     size: f64,
+    extent: f64,
 }
 
 impl System {
@@ -65,18 +83,23 @@ impl System {
                 script: index,
                 source,
             })?;
+            let script = Arc::new(script.clone());
             for &vertex in vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
-                *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(*script);
+                *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(Arc::clone(&script));
             }
         }
         let mesh = TriangleMesh::with_edges(vertex_count, parts.faces, &parts.edges)?;
-        let bounds: Aabb = parts.start.iter().copied().collect();
-        let size = if vertex_count == 0 {
-            1.0
-        } else {
-            (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
+        let extent = match vertex_count {
+            0 => 1.0,
+            _ => diagonal(parts.start.iter().copied()),
         };
+        let elastic = parts.start.iter().zip(&parts.obstacle);
+        let size = diagonal(
+            elastic
+                .filter(|(_, is_obstacle)| !**is_obstacle)
+                .map(|(point, _)| *point),
+        );
         let corners = mesh.faces().as_flattened().iter();
         let used = corners.chain(mesh.edges().as_flattened()).chain(&parts.particles);
         let mut on_surface = vec![false; vertex_count];
@@ -86,6 +109,18 @@ impl System {
         let surface_vertices: Vec<u32> = (0..vertex_count as u32)
             .filter(|&vertex| on_surface[vertex as usize])
             .collect();
+        let ranges = Self::ranges(bodies);
+        let weights = Weights::new(
+            &mesh,
+            &parts.start,
+            &contact_parts(&ranges, &parts.obstacle, &parts.scripts),
+        );
+        let is_fixed = |(&is_obstacle, script): (&bool, &Option<Arc<Script>>)| {
+            is_obstacle && script.as_deref() == Some(&Script::Fixed)
+        };
+        let fixed = parts.obstacle.iter().zip(&parts.scripts).map(is_fixed).collect();
+        let is_grounded = |&vertex: &u32| !parts.obstacle[vertex as usize];
+        let grounded = surface_vertices.iter().copied().filter(is_grounded).collect();
         let min_distance = min_distance(&parts.offsets)?;
         let compact_surface = compact(&mesh, &surface_vertices)?;
         Ok(Self {
@@ -100,10 +135,107 @@ impl System {
             velocities: parts.velocities,
             masses: parts.masses,
             elements: parts.elements,
+            bends: parts.bends,
             scripts: parts.scripts,
             rigidity: parts.rigidity,
-            size,
+            loads: Vec::new(),
+            half_spaces: Vec::new(),
+            planes: Vec::new(),
+            grounded,
+            fixed,
+            weights,
+            bodies: ranges,
+            size: if size > 0.0 { size } else { extent },
+            extent,
         })
+    }
+
+    /// The same system with half spaces as obstacles, in place of those that it has.
+    ///
+    /// # Errors
+    /// [`SystemError::HalfSpace`] names the first one without a finite point or a normal.
+    pub fn with_half_spaces(self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
+        for (number, half_space) in half_spaces.iter().enumerate() {
+            half_space.check(number)?;
+        }
+        Ok(Self {
+            planes: half_spaces.iter().map(HalfSpace::plane).collect(),
+            half_spaces,
+            ..self
+        })
+    }
+
+    /// The same system with loads, in place of those that it has.
+    ///
+    /// # Errors
+    /// [`SystemError::Load`] names the first one with a number that is out of range.
+    pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
+        for (number, load) in loads.iter().enumerate() {
+            load.check(number, self.start.len())?;
+        }
+        Ok(Self { loads, ..self })
+    }
+
+    /// The accelerations of the vertices by all loads, in a time step from these positions that ends at
+    /// `time`, in m/s². Vertices without mass are not accelerated. `None` without loads.
+    pub(crate) fn accelerations(&self, positions: &[Point], time: f64) -> Option<Vec<Vector3<f64>>> {
+        if self.loads.is_empty() {
+            return None;
+        }
+        let mut forces = vec![Vector3::zeros(); positions.len()];
+        let points = [self.start.as_slice(), positions];
+        for load in &self.loads {
+            load.add(&mut forces, &self.surface, &self.masses, points, time);
+        }
+        let pairs = forces.into_iter().zip(&self.masses);
+        let accelerations = pairs.map(|(force, &mass)| {
+            if mass > 0.0 {
+                force / mass
+            } else {
+                Vector3::zeros()
+            }
+        });
+        Some(accelerations.collect())
+    }
+
+    /// The half spaces.
+    #[must_use]
+    pub fn half_spaces(&self) -> &[HalfSpace] {
+        &self.half_spaces
+    }
+
+    /// The first vertex that is not apart from a half space, exactly, with the number of this half space.
+    /// A linear motion is free of contact with half spaces if there is none at both of its ends.
+    #[must_use]
+    pub fn first_grounded(&self, positions: &[Point]) -> Option<(u32, usize)> {
+        let touches = |half_space: &HalfSpace, vertex: u32| {
+            let (at, offset) = (positions.get(vertex as usize), self.offsets[vertex as usize]);
+            at.is_some_and(|&at| !half_space.is_apart(at, offset))
+        };
+        let numbered = self.half_spaces.iter().enumerate();
+        numbered.into_iter().find_map(|(number, half_space)| {
+            let vertex = self
+                .grounded
+                .iter()
+                .find(|&&vertex| touches(half_space, vertex))?;
+            Some((*vertex, number))
+        })
+    }
+
+    /// The part of a step that is free of contact with half spaces. It is 1 only if all of the step is free;
+    /// a smaller part is not certified.
+    pub(crate) fn free_of_half_spaces(&self, step: Step<'_>) -> f64 {
+        let [before, after] = step.positions();
+        if self.first_grounded(after).is_none() {
+            return 1.0;
+        }
+        let part = |half_space: &HalfSpace, vertex: usize| {
+            half_space.free_part([before[vertex], after[vertex]], self.offsets[vertex])
+        };
+        let vertices = || self.grounded.iter().map(|&vertex| vertex as usize);
+        let parts = self.half_spaces.iter();
+        let parts = parts.flat_map(|half_space| vertices().map(move |vertex| part(half_space, vertex)));
+        parts.fold(1.0_f64.next_down(), f64::min).max(f64::EPSILON)
     }
 
     /// The range of vertices of each body, in the order of the bodies.
@@ -143,11 +275,15 @@ impl System {
     }
 
     /// The surface on which contact acts.
-    pub(crate) fn contact_surface(&self) -> Surface<'_> {
+    pub(crate) fn contact_surface(&self, formulation: Formulation) -> Surface<'_> {
         Surface {
             mesh: &self.surface,
             rest: &self.start,
             offsets: &self.offsets,
+            half_spaces: &self.planes,
+            grounded: &self.grounded,
+            fixed: &self.fixed,
+            weights: (formulation == Formulation::Convergent).then_some(&self.weights),
         }
     }
 
@@ -212,10 +348,31 @@ impl System {
         Fingerprint::of(self)
     }
 
-    /// The diagonal of the bounding box at the start, in m.
+    /// The diagonal of the bounding box of all bodies with mass at the start, in m: the unit of relative
+    /// lengths, as in *Incremental Potential Contact*. If that box is a point, or no body has mass, it is
+    /// [`System::extent`].
     #[must_use]
     pub fn size(&self) -> f64 {
         self.size
+    }
+
+    /// The diagonal of the bounding box of everything at the start, obstacles included, in m.
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// The body of a vertex, by its place in the list of bodies.
+    pub(crate) fn body_of(&self, vertex: u32) -> usize {
+        self.bodies.partition_point(|range| range.end <= vertex)
+    }
+
+    /// The diagonals of the bounding boxes of the bodies at the start, in m.
+    pub(crate) fn body_sizes(&self) -> impl Iterator<Item = f64> {
+        let points = |range: &Range<u32>| self.start[range.start as usize..range.end as usize].iter();
+        self.bodies
+            .iter()
+            .map(move |range| diagonal(points(range).copied()))
     }
 
     /// True if a vertex has mass and no script.
@@ -247,6 +404,33 @@ impl System {
         let free = masses(&|vertex| self.is_free(vertex));
         let counted = if free.is_empty() { masses(&|_| true) } else { free };
         if counted.is_empty() { vec![1.0] } else { counted }
+    }
+}
+
+/// The part of each vertex in contact.
+fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Option<Arc<Script>>]) -> Vec<Part> {
+    let part = |range: &Range<u32>| {
+        let vertices = range.start as usize..range.end as usize;
+        let (obstacle, scripts) = (&obstacle[vertices.clone()], &scripts[vertices.clone()]);
+        let part = if !obstacle.iter().all(|&is_obstacle| is_obstacle) {
+            Part::Body
+        } else if scripts.windows(2).all(|pair| pair[0] == pair[1]) {
+            Part::Obstacle
+        } else {
+            Part::DeformingObstacle
+        };
+        std::iter::repeat_n(part, vertices.len())
+    };
+    bodies.iter().flat_map(part).collect()
+}
+
+/// The diagonal of the bounding box of points. 0 without points.
+fn diagonal(points: impl Iterator<Item = Point>) -> f64 {
+    let bounds: Aabb = points.collect();
+    if bounds.lower[0] <= bounds.upper[0] {
+        (Vector3::from(bounds.upper) - Vector3::from(bounds.lower)).norm()
+    } else {
+        0.0
     }
 }
 

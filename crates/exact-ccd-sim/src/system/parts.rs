@@ -1,14 +1,16 @@
 //! The construction of a system, body by body.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
+use nalgebra::Vector3;
 
 use super::error::SystemError;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
-use crate::elasticity::{Bend, Elastic, ElasticModuli, Hinge, Membrane, Stretch, Tetrahedron};
+use crate::elasticity::{Bend, Elastic, ElasticModuli, Membrane, Stretch, Tetrahedron, VertexBend, bending};
 use crate::gather::gather;
 use crate::hinges::hinges;
 use crate::script::Script;
@@ -26,7 +28,8 @@ pub(super) struct Parts {
     pub(super) particles: Vec<u32>,
     pub(super) offsets: Vec<f64>,
     pub(super) elements: Vec<Elastic>,
-    pub(super) scripts: Vec<Option<Script>>,
+    pub(super) bends: Vec<VertexBend>,
+    pub(super) scripts: Vec<Option<Arc<Script>>>,
     pub(super) obstacle: Vec<bool>,
     pub(super) rigidity: f64,
 }
@@ -44,9 +47,11 @@ impl Parts {
         }
         let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
         let expected = if is_obstacle {
-            (added.velocity != [0.0; 3]).then_some("zero: obstacles are moved by scripts")
+            let rests = added.velocity == [0.0; 3] && added.angular_velocity == [0.0; 3];
+            (!rests).then_some("zero: obstacles are moved by scripts")
         } else {
-            (!is_finite(&added.velocity)).then_some("finite numbers")
+            let is_finite = is_finite(&added.velocity) && is_finite(&added.angular_velocity);
+            (!is_finite).then_some("finite numbers")
         };
         if let Some(expected) = expected {
             return Err(SystemError::Velocity {
@@ -67,7 +72,7 @@ impl Parts {
         self.obstacle.resize(first + count, is_obstacle);
         self.offsets.resize(first + count, added.offset);
         self.scripts
-            .resize(first + count, is_obstacle.then_some(Script::Fixed));
+            .resize(first + count, is_obstacle.then(|| Arc::new(Script::Fixed)));
         let is_empty = match &added.kind {
             BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } => faces.is_empty(),
             BodyKind::Solid { tetrahedra, .. } => tetrahedra.is_empty(),
@@ -100,7 +105,29 @@ impl Parts {
             }
             BodyKind::Particles { material } => self.add_particles(body, first..first + count, material)?,
         }
+        self.spin(first..first + count, added.angular_velocity.into());
         Ok(())
+    }
+
+    /// Adds the velocities of a rotation about the center of mass of a body.
+    fn spin(&mut self, vertices: Range<usize>, angular_velocity: Vector3<f64>) {
+        if angular_velocity == Vector3::zeros() {
+            return;
+        }
+        let points = || {
+            self.start[vertices.clone()]
+                .iter()
+                .map(|point| Vector3::from(*point))
+        };
+        let masses = &self.masses[vertices.clone()];
+        let moment: Vector3<f64> = points().zip(masses).map(|(point, mass)| point * *mass).sum();
+        let center = moment / masses.iter().sum::<f64>();
+        let turns: Vec<Vector3<f64>> = points()
+            .map(|point| angular_velocity.cross(&(point - center)))
+            .collect();
+        for (velocity, turn) in self.velocities[vertices].iter_mut().zip(turns) {
+            *velocity = (Vector3::from(*velocity) + turn).into();
+        }
     }
 
     fn add_solid(
@@ -159,10 +186,9 @@ impl Parts {
             self.elements.push(Elastic::Membrane(membrane));
         }
         let rigidity = material.moduli().flexural_rigidity(material.thickness);
-        for corners in hinges(&faces) {
-            let hinge = Hinge::new(corners, &gather(&self.start, &corners), rigidity);
-            self.elements.extend(hinge.map(Elastic::Hinge));
-        }
+        let (hinges, bends) = bending(&self.start, &faces, &hinges(&faces), rigidity, material.poisson);
+        self.elements.extend(hinges.into_iter().map(Elastic::Hinge));
+        self.bends.extend(bends);
         self.faces.extend(faces);
         Ok(())
     }

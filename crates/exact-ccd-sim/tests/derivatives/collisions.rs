@@ -65,11 +65,7 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
         let rest: Vec<Point> = points.iter().map(|point| point.map(|x| 1.5 * x)).collect();
         let step = Step::new(&mesh, &points, &points).unwrap();
         let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
-        let surface = Surface {
-            mesh: &mesh,
-            rest: &rest,
-            offsets: &[],
-        };
+        let surface = Surface::new(&mesh, &rest);
         let collisions = Collisions::new(surface, &candidates, &points, barrier);
         let naive = Naive::new(&mesh, &obstacle, &points, &rest, barrier);
 

@@ -76,7 +76,13 @@ fn no_scripted_step_is_taken_without_a_decision() {
         velocity: [0.0, 30.0, 0.0],
         until: None,
     };
-    let system = || System::new(&[cloth.clone(), floor.clone()], &[((9..13).collect(), rising)]).unwrap();
+    let system = || {
+        System::new(
+            &[cloth.clone(), floor.clone()],
+            &[((9..13).collect(), rising.clone())],
+        )
+        .unwrap()
+    };
     assert_eq!(violation(system(), Hasty { decides: true }), None);
     assert!(violation(system(), Hasty { decides: false }).is_some());
 }

@@ -117,6 +117,7 @@ fn no_step_ends_in_contact() {
             material,
         },
         velocity: [0.0, -6.0, 0.0],
+        angular_velocity: [0.0; 3],
         offset: 0.0,
     };
     for scale in 1..20 {
@@ -128,6 +129,7 @@ fn no_step_ends_in_contact() {
                 faces: vec![[0, 1, 2]],
             },
             velocity: [0.0; 3],
+            angular_velocity: [0.0; 3],
             offset: 0.0,
         };
         let system = System::new(&[falling.clone(), slope], &[]).unwrap();

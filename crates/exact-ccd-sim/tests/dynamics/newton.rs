@@ -74,3 +74,47 @@ fn increments_below_the_spacing_of_coordinates_are_not_taken() {
     );
     assert!(increments > 0);
 }
+
+/// A time step that does not converge is repeated in parts, if the settings allow it. Two cubes that close at
+/// 2e4 m/s bounce off each other, instead of one ending a step as if the other had no inertia.
+#[test]
+fn a_step_without_convergence_is_repeated_in_parts() {
+    let cube = |x: f64, speed: f64| {
+        let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[a, b, c]| [a + x, b, c]);
+        exact_ccd_sim::Body {
+            velocity: [speed, 0.0, 0.0],
+            ..cube
+        }
+    };
+    let run = |max_substeps: usize| {
+        let system = System::new(&[cube(0.0, 1e4), cube(1.0, -1e4)], &[]).unwrap();
+        let settings = Settings {
+            max_substeps,
+            gravity: [0.0; 3],
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::new(system, settings).unwrap();
+        let mut at = simulation.state().positions.clone();
+        let mut is_connected = true;
+        let mut visit = |positions: &[Point]| {
+            let surface = shapes_surface();
+            is_connected &= exact_ccd_mesh::step(&surface, &at, positions).unwrap().is_free();
+            at = positions.to_vec();
+        };
+        let statistics = simulation.step_along(&mut visit).unwrap();
+        assert!(is_connected && at == simulation.state().positions);
+        assert_eq!((statistics.step, simulation.state().step), (1, 1));
+        (statistics, crate::measure::momentum(&simulation))
+    };
+    let (whole, _) = run(1);
+    assert!(!whole.converged, "{whole:?}");
+    let (parts, momentum) = run(1 << 12);
+    assert!(parts.converged && momentum.norm() < 1.0, "{parts:?} {momentum}");
+}
+
+/// The surface of two cubes of one cell each.
+fn shapes_surface() -> exact_ccd_mesh::TriangleMesh {
+    let cube = || shapes::solid_box([1, 1, 1], [0.5; 3]);
+    let other = cube().placed(|[x, y, z]| [x + 1.0, y, z]);
+    System::new(&[cube(), other], &[]).unwrap().surface().clone()
+}

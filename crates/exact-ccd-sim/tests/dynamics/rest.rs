@@ -1,7 +1,7 @@
 //! Bodies at rest stay at rest.
 
-use exact_ccd_sim::{Body, BodyKind, Length, Settings, Simulation, System, shapes};
-use nalgebra::Vector3;
+use exact_ccd_sim::{Body, BodyKind, Formulation, Length, Settings, Simulation, System, shapes};
+use nalgebra::{Rotation3, Vector3};
 
 use crate::measure::{center, is_free_since};
 
@@ -48,4 +48,42 @@ fn a_cube_on_a_floor_rests() {
         .map(|v| Vector3::from(*v).norm())
         .fold(0.0, f64::max);
     assert!(fastest < 1e-5, "{fastest} m/s");
+}
+
+/// The distance by which the center of a body moves along the floor in 2 s without friction, with default
+/// settings, after it has settled.
+fn drift(body: Body, floor: Body, formulation: Formulation) -> f64 {
+    let system = System::new(&[body, floor], &[]).unwrap();
+    let settings = Settings {
+        formulation,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::new(system, settings).unwrap();
+    let mut center_after = |steps: u32| {
+        (0..steps).for_each(|_| assert!(simulation.step().unwrap().converged));
+        center(&simulation)
+    };
+    let settled = center_after(30);
+    let moved = center_after(200) - settled;
+    moved.x.hypot(moved.z)
+}
+
+/// A cube on a floor of triangles, across edges and vertices of it, does not drift.
+#[test]
+fn a_cube_on_a_floor_of_triangles_does_not_drift() {
+    let mut largest = 0.0_f64;
+    for (shift, degrees) in [(0.0, 0.0), (0.013, 0.0), (0.0777, 17.0), (0.1, 45.0)] {
+        let turn = Rotation3::from_axis_angle(&Vector3::y_axis(), f64::to_radians(degrees));
+        let cube = || {
+            shapes::solid_box([2, 2, 2], [0.3; 3]).placed(|x| {
+                (turn * Vector3::from(x) + Vector3::new(0.31 + shift, 4e-4, 0.42 + 2.0 * shift)).into()
+            })
+        };
+        let floor = || shapes::floor([9, 7], [1.3, 1.3]);
+        let found = drift(cube(), floor(), Formulation::Convergent);
+        assert!(found < 1e-6 * 0.3, "{found} m at {shift} m and {degrees}°");
+        largest = largest.max(drift(cube(), floor(), Formulation::Sum));
+    }
+    // The sum over all pairs has forces along the floor.
+    assert!(largest > 1e-3, "{largest} m");
 }

@@ -4,6 +4,7 @@
 
 mod bodies;
 mod errors;
+mod octocats;
 
 use std::path::Path;
 use std::sync::Arc;

@@ -9,6 +9,7 @@ use crate::element::Element;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
+use crate::settings::Formulation;
 use crate::shapes;
 use crate::solver::potential::{Potential, Spring};
 use crate::solver::quadratic::Quadratic;
@@ -95,12 +96,17 @@ impl Fixture {
     pub(super) fn collisions(&self, points: &[Point]) -> Collisions {
         let step = Step::new(self.system.surface(), points, points).unwrap();
         let candidates = self.system.near(step, &self.barrier);
-        Collisions::new(self.system.contact_surface(), &candidates, points, self.barrier)
+        Collisions::new(
+            self.system.contact_surface(Formulation::default()),
+            &candidates,
+            points,
+            self.barrier,
+        )
     }
 
     /// The empty constraint set.
     pub(super) fn no_collisions(&self) -> Collisions {
-        let surface = self.system.contact_surface();
+        let surface = self.system.contact_surface(Formulation::default());
         Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
