@@ -70,10 +70,13 @@ pub enum Violation {
 impl Audit {
     /// The audit of frames between which primitives keep a minimum distance. The default is 0, which is
     /// contact.
+    ///
+    /// An [inner distance](MinDistance::with_inner) is for line searches that start within the minimum
+    /// distance. An audit does not use it: such a start is a violation.
     #[must_use]
     pub fn with_min_distance(min_distance: MinDistance) -> Self {
         Self {
-            min_distance,
+            min_distance: min_distance.without_inner(),
             ..Self::default()
         }
     }

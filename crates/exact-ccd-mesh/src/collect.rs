@@ -196,9 +196,7 @@ impl Collect for ContactsUntil {
             let Some(collision) = approach.contact() else {
                 return;
             };
-            let time = collision.first_contact_time();
-            // A time that is not an f64 lies above its lower bound.
-            if time.lower() < self.time || time.is_exact() && time.lower() <= self.time {
+            if collision.first_contact_time().is_at_most(self.time) {
                 found.push(Contact::new(K::pair(ids), &collision));
             }
         });

@@ -10,15 +10,22 @@ use crate::pair_kind::PairKind;
 ///
 /// Pairs are ordered by their kind, as below, then by the first index, then by the second.
 ///
+/// Only primitives [that take part](crate::CanCollide::among) form pairs. Among these, an edge is *loose*
+/// if it belongs to no face, and a vertex if it has no edge.
+///
 /// # All distances
 ///
 /// These four kinds of pairs cover the distance of any two primitives without a common vertex, except
-/// near the ends of rods as stated below. The least distance of two primitives, neither of which is a
-/// vertex, is that of a vertex and a face or of two edges among them, or 0 where an edge passes through
-/// a face. To get there they come into contact as a pair of these kinds first, unless they intersect at
-/// the start, which [`intersections`](crate::intersections) finds. What remains is a vertex p against
-/// an edge e, or against a vertex q. Primitives contain their edges and vertices. So a pair of which
-/// one contains p, and the other e or q, is at most as far apart. There is one, if
+/// near the ends of rods as stated below.
+///
+/// The least distance of an edge or a face and another edge or face is that of a vertex and a face or of
+/// two edges among them, or 0 where an edge passes through a face. Before an edge passes through a face,
+/// a vertex and the face or two edges come into contact, unless the two intersect at the start, which
+/// [`intersections`](crate::intersections) finds.
+///
+/// What remains is a vertex p against an edge e, or against a vertex q. Primitives contain their edges and
+/// vertices. So a pair of which one contains p, and the other e or q, is at most as far apart. There is
+/// one, if
 ///
 /// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;
 /// - p is an end of an edge that has no vertex in common with e, or with an edge of q: both edges;

@@ -40,8 +40,7 @@ pub fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactT
         return Some(ContactTime::exactly(0.0));
     }
     // Rounding is monotone: the least of the rounded times is the least time, rounded.
-    let times = crossings(&features).map(|instant| instant.round());
-    times.reduce(|a, b| if b < a { b } else { a })
+    crossings(&features).map(|instant| instant.round()).min()
 }
 
 /// [`Query::intervals_within`], computed in integers alone.
