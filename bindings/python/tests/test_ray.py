@@ -18,6 +18,8 @@ import exact_ccd
 from exact_ccd import AuditReport
 from generated import POINTS, queries
 
+# No reports to the makers of Ray.
+os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
 pytest.importorskip("ray", reason="ray is not installed: pip install 'ray[data]'")
 pytest.importorskip("pyarrow", reason="pyarrow is not installed: pip install pyarrow")
 if sys.platform != "linux":
@@ -62,10 +64,13 @@ def same(a: AuditReport, b: AuditReport) -> bool:
 @pytest.fixture(scope="module")
 def cluster():
     """Two nodes of one core each: this process is connected to the first."""
-    os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
     node = {"num_cpus": 1, "object_store_memory": 2**28}
-    started = Cluster(initialize_head=True, head_node_args=node)
-    started.add_node(**node)
+    try:
+        started = Cluster(initialize_head=True, head_node_args=node)
+        started.add_node(**node)
+    except Exception as error:
+        # Its processes end by themselves if they do not start within half a minute.
+        pytest.skip(f"Ray does not start on this machine, or not in time: {error}")
     # The processes of tasks find the modules where this one does.
     environment = {"env_vars": {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}}
     ray.init(address=started.address, log_to_driver=False, runtime_env=environment)
