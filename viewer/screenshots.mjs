@@ -1,10 +1,10 @@
-// Writes the pictures of docs/viewer.md, from the examples of the repository: `node screenshots.mjs`.
-// It needs chromium and the program, as the tests in chromium/ do.
+// Writes the pictures of docs/viewer.md and docs/web.md, from the examples of the repository: `node screenshots.mjs`.
+// It needs chromium and the program, as the tests in chromium/ do, and the page of scripts/build-web.
 
 import { mkdir, mkdtemp, rm } from "node:fs/promises";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { ROOT, drawn, launch, open, run } from "./chromium/browser.mjs";
+import { dirname, join } from "node:path";
+import { ROOT, WEB_PAGE, drawn, launch, open, run } from "./chromium/browser.mjs";
 
 const output = join(ROOT, "docs/viewer");
 const folder = await mkdtemp(join(tmpdir(), "exact-ccd-viewer-"));
@@ -47,6 +47,28 @@ await picture("query", ["queries", "--kind", "vf", "-"], { input: rows });
 
 const scene = "examples/scenes/small-mat-twist.toml";
 await picture("simulation", ["simulate", scene, "--steps", "12"], { slider: "12" });
+
+/**
+ * @param {string} file the picture
+ * @param {"light" | "dark"} scheme
+ * @param {(page: import("playwright-core").Page) => Promise<void>} prepare
+ */
+async function web(file, scheme, prepare) {
+  const { page, problems } = await open(browser, WEB_PAGE, scheme);
+  await page.setViewportSize({ width: 1200, height: 860 });
+  await prepare(page);
+  if (problems.length > 0) throw new Error(`${file}: ${problems.join("; ")}`);
+  await page.waitForTimeout(1000);
+  await drawn(page);
+  await mkdir(dirname(file), { recursive: true });
+  await page.screenshot({ path: file });
+  await page.close();
+}
+
+const example = (/** @type {string} */ number) => async (/** @type {import("playwright-core").Page} */ page) => {
+  await page.locator("#presets").selectOption(number);
+};
+await web(join(ROOT, "docs/web/query.png"), "light", example("1"));
 
 await browser.close();
 await rm(folder, { recursive: true });

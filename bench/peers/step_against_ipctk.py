@@ -106,7 +106,8 @@ class Exact:
         if done.returncode not in (0, 1):
             raise SystemExit(done.stderr)
         report = json.loads(done.stdout)
-        seconds = report["seconds"]["total"] - report["seconds"]["read"]
+        phases = report["seconds"]
+        seconds = phases["broad"] + phases["narrow"]
         if "--any" in self.flags:
             return seconds, report["collision_free"]
         return seconds, 1.0 if report["toi"] is None else report["toi"]

@@ -12,6 +12,9 @@ const BROWSER = process.env["CHROMIUM"] ?? "/usr/bin/chromium";
 const TARGET = process.env["CARGO_TARGET_DIR"] ?? `${ROOT}target`;
 const PROGRAM = process.env["EXACT_CCD"] ?? `${TARGET}/debug/exact-ccd`;
 
+/** The page that scripts/build-web makes. */
+export const WEB_PAGE = process.env["WEB_PAGE"] ?? `${TARGET}/web/exact-ccd.html`;
+
 /** Software in place of a graphics card, and no traffic of its own. */
 const OPTIONS = [
   "--no-sandbox",

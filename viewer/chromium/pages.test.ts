@@ -49,7 +49,7 @@ const value = async (page: Page): Promise<number> => Number(await page.locator("
 describe("the page of a step", () => {
   let page: Page;
   let problems: string[];
-  let report: { toi: number; pair: { kind: string; ids: number[] } };
+  let report: { toi: number; contact: { kind: string; ids: number[] } };
 
   beforeAll(async () => {
     const file = join(folder, "step.html");
@@ -63,9 +63,9 @@ describe("the page of a step", () => {
     expect(await selected.getAttribute("aria-posinset")).toBe("1");
     const row = await selected.innerText();
     expect(row).toContain(`t = ${report.toi}`);
-    expect(report.pair.kind).toBe("vf");
-    expect(row).toContain(`vertex ${report.pair.ids[0]}`);
-    expect(row).toContain(`face ${report.pair.ids[1]} `);
+    expect(report.contact.kind).toBe("vf");
+    expect(row).toContain(`vertex ${report.contact.ids[0]}`);
+    expect(row).toContain(`face ${report.contact.ids[1]} `);
     expect(await yellowInTheMiddle(page)).toBeGreaterThan(8);
   });
 
@@ -90,10 +90,10 @@ describe("the page of a step", () => {
   });
 
   it("finds contacts by an id", async () => {
-    await page.locator("#filter").fill(String(report.pair.ids[0]));
+    await page.locator("#filter").fill(String(report.contact.ids[0]));
     const rows = await page.locator(".contact").allInnerTexts();
     expect(rows.length).toBeGreaterThan(0);
-    for (const row of rows) expect(row).toMatch(new RegExp(`\\b${report.pair.ids[0]}\\b`));
+    for (const row of rows) expect(row).toMatch(new RegExp(`\\b${report.contact.ids[0]}\\b`));
     await page.locator("#filter").fill("");
   });
 
@@ -142,16 +142,17 @@ describe("the page of an audit", () => {
   it("opens at the violation", async () => {
     const file = join(folder, "audit.html");
     const report = JSON.parse(run(["audit", START, START, END, "--json", "--view", file])) as {
-      violation: { frame: number; toi: number; pair: { ids: number[] } };
+      violation: { frame: number; contact: { ids: number[]; time: { lower: number } } };
     };
     const { page, problems } = await open(browser, file, "dark");
-    const { frame, toi, pair } = report.violation;
+    const { frame, contact } = report.violation;
+    const toi = contact.time.lower;
     expect(frame).toBe(1);
     expect(await value(page)).toBeCloseTo(frame + toi, 12);
     expect(await text(page, "#count")).toBe("1 contact");
     const row = await text(page, ".contact");
     expect(row).toContain(`frame 1 to 2, t = ${toi}`);
-    for (const id of pair.ids) expect(row).toMatch(new RegExp(`\\b${id}\\b`));
+    for (const id of contact.ids) expect(row).toMatch(new RegExp(`\\b${id}\\b`));
     expect(await yellowInTheMiddle(page)).toBeGreaterThan(8);
     await page.locator("#slider").fill("0.5");
     expect(await text(page, "#moment")).toBe("frame 0 to 1, t = 0.5");

@@ -25,7 +25,7 @@ export class Frames {
 
   /** `displacements` decodes the displacements from the first frame, or the positions for frame 0. */
   constructor(
-    private readonly page: Page,
+    readonly page: Page,
     readonly first: Float32Array<ArrayBuffer>,
     private readonly displacements: (frame: number) => Promise<Float32Array<ArrayBuffer>>,
   ) {
@@ -62,6 +62,13 @@ export class Frames {
   toPage(point: Point): Point {
     const { centre, scale } = this.page;
     const along = (axis: 0 | 1 | 2): number => (point[axis] - centre[axis]) / scale;
+    return [along(0), along(1), along(2)];
+  }
+
+  /** The point of the world of a point in units of the page. */
+  toWorld(point: Point): Point {
+    const { centre, scale } = this.page;
+    const along = (axis: 0 | 1 | 2): number => centre[axis] + scale * point[axis];
     return [along(0), along(1), along(2)];
   }
 }

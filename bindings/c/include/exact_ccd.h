@@ -96,7 +96,7 @@ typedef struct exact_ccd_contact_t {
 
 // Decides if two vertices can collide; called from several threads at the same time. Two primitives
 // can collide if any vertex of one can collide with any vertex of the other, the rule of the IPC
-// Toolkit.
+// Toolkit. Must return: no exception may leave it.
 typedef bool (*exact_ccd_can_collide_t)(uint32_t, uint32_t, void*);
 
 // A closed interval of times, whose ends are rounded down to `double`. The end is rounded down as
@@ -244,6 +244,11 @@ enum exact_ccd_status exact_ccd_detector_free_step(struct exact_ccd_detector *de
                                                    double *size,
                                                    double *positions);
 
+// The message of the last call on this thread that failed; empty if none has. It names the argument,
+// the vertex or the query that is wrong. The string is valid until the next call that fails on this
+// thread.
+const char *exact_ccd_last_error(void);
+
 // Decides if a mesh at rest passes through itself: if an edge and a face without a common vertex
 // have a common point. `edge` and `face` are the first such pair; both may be null.
 enum exact_ccd_status exact_ccd_has_intersections(const struct exact_ccd_mesh *mesh,
@@ -252,11 +257,6 @@ enum exact_ccd_status exact_ccd_has_intersections(const struct exact_ccd_mesh *m
                                                   bool *has_intersections,
                                                   uint32_t *edge,
                                                   uint32_t *face);
-
-// The message of the last call on this thread that failed; empty if none has. It names the argument,
-// the vertex or the query that is wrong. The string is valid until the next call that fails on this
-// thread.
-const char *exact_ccd_last_error(void);
 
 // A mesh of `face_count` faces, each three vertices from 0, and `edge_count` edges that may be
 // edges of no face (rods), each two vertices. Vertices of no face and no edge are points.

@@ -5,10 +5,9 @@ use exact_ccd_mesh::{Frame, MinDistance, Violation};
 
 use crate::border::call;
 use crate::contact::Contact;
-use crate::detector::positions;
 use crate::error::Status;
 use crate::mesh::Mesh;
-use crate::pointers::{reference, reference_mut};
+use crate::pointers::{positions, reference, reference_mut};
 
 /// Examines the frames of a mesh one after the other, between which vertices move in straight lines.
 pub struct Audit {

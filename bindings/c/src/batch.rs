@@ -6,10 +6,9 @@ use exact_ccd::separation::{Separation, Separations, Thickness};
 use rayon::prelude::*;
 
 use crate::border::call;
-use crate::detector::positions;
 use crate::error::{Error, Status};
 use crate::kind::with_kind;
-use crate::pointers::{array, array_mut};
+use crate::pointers::{array, array_mut, positions};
 
 /// The number of queries that a thread answers at a time.
 const GRAIN: usize = 4096;

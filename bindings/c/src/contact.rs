@@ -56,7 +56,7 @@ impl From<&TimeInterval> for Interval {
 
 /// Two primitives of a mesh that touch in a step, or come within the distance of the detector.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact {
     /// The kind of the pair, of `exact_ccd_kind`.
     pub kind: u32,

@@ -2,6 +2,8 @@
 
 use core::slice;
 
+use exact_ccd::Point;
+
 use crate::error::Error;
 
 /// The array of `count` elements at `pointer`. With `count` = 0, the pointer may be null.
@@ -42,6 +44,19 @@ pub(crate) unsafe fn array_mut<'a, T>(
     check(name, pointer)?;
     // SAFETY: not null, aligned, not longer than the address space; the rest is the caller's promise.
     Ok(unsafe { slice::from_raw_parts_mut(pointer, count) })
+}
+
+/// The positions of vertices.
+///
+/// # Safety
+/// `pointer` is null, or points to `count` points that nobody changes during the call.
+pub(crate) unsafe fn positions<'a>(
+    name: &str,
+    pointer: *const f64,
+    count: usize,
+) -> Result<&'a [Point], Error> {
+    // SAFETY: a point is an array of three `double`.
+    unsafe { array(name, pointer.cast::<Point>(), count) }
 }
 
 /// The value at `pointer`.

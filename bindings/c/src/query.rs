@@ -12,11 +12,11 @@ use crate::pointers::{array_mut, reference, reference_mut};
 /// The points of one end of a step: an array of `double[3]`, as many as the kind has.
 ///
 /// # Safety
-/// `pointer` is null, or points to the points of a query of kind `K`.
-unsafe fn points<K: exact_ccd::Kind>(name: &str, pointer: *const f64) -> Result<K::Points, Error> {
-    let pointer = pointer.cast::<K::Points>();
+/// `pointer` is null, or points to the points of a query of kind `K` that nobody changes during the call.
+#[inline]
+unsafe fn points<'a, K: exact_ccd::Kind>(name: &str, pointer: *const f64) -> Result<&'a K::Points, Error> {
     // SAFETY: `Points` is an array of `[f64; 3]`; the rest is the caller's promise.
-    unsafe { reference(name, pointer) }.copied()
+    unsafe { reference(name, pointer.cast::<K::Points>()) }
 }
 
 /// # Safety
@@ -24,14 +24,13 @@ unsafe fn points<K: exact_ccd::Kind>(name: &str, pointer: *const f64) -> Result<
 #[inline]
 unsafe fn query<K: exact_ccd::Kind>(points_t0: *const f64, points_t1: *const f64) -> Result<Query<K>, Error> {
     // SAFETY: the caller's promise.
-    let ends = unsafe {
-        [
+    let (t0, t1) = unsafe {
+        (
             points::<K>("points_t0", points_t0)?,
             points::<K>("points_t1", points_t1)?,
-        ]
+        )
     };
-    let [t0, t1] = ends;
-    Ok(Query::new(t0, t1)?)
+    Ok(Query::new(*t0, *t1)?)
 }
 
 /// Decides if two primitives come within a distance of each other in a time step; for

@@ -1,5 +1,5 @@
-# Installs the library and compiles the first example against it: by pkg-config, shared and static, and
-# as a CMake package.
+# Installs the library and compiles the program of docs/c.md against it: by pkg-config, shared and static,
+# and as a CMake package.
 
 set(prefix "${BUILD}/installed")
 set(work "${BUILD}/installed-test")
@@ -7,6 +7,18 @@ file(REMOVE_RECURSE "${prefix}" "${work}")
 file(MAKE_DIRECTORY "${work}")
 execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}"
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+
+# The first block of C is the program.
+file(READ "${SOURCE}/../../docs/c.md" page)
+if(NOT page MATCHES "```c\n([^`]*)```")
+    message(FATAL_ERROR "docs/c.md has no program in C")
+endif()
+file(WRITE "${work}/program.c" "${CMAKE_MATCH_1}")
+function(check_output output)
+    if(NOT output STREQUAL "within 0 from t = 0.5 on\nwithin 0.25 from t = 0.375 on\n")
+        message(FATAL_ERROR "the program of docs/c.md prints ${output}")
+    endif()
+endfunction()
 
 file(GLOB_RECURSE pkg_config_file "${prefix}/*/exact_ccd.pc")
 get_filename_component(pkg_config_path "${pkg_config_file}" DIRECTORY)
@@ -27,9 +39,10 @@ if(PKG_CONFIG)
             string(REPLACE "-lexact_ccd" "-l:libexact_ccd.a" options "${options}")
         endif()
         separate_arguments(options UNIX_COMMAND "${options}")
-        execute_process(COMMAND "${CC}" "${SOURCE}/examples/falling_vertex.c" -o "${work}/${kind}" ${options}
+        execute_process(COMMAND "${CC}" -Wall -Werror "${work}/program.c" -o "${work}/${kind}" ${options}
                         COMMAND_ERROR_IS_FATAL ANY)
-        execute_process(COMMAND "${work}/${kind}" COMMAND_ERROR_IS_FATAL ANY)
+        execute_process(COMMAND "${work}/${kind}" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+        check_output("${output}")
     endforeach()
 else()
     message(STATUS "pkg-config is missing: not tested")
@@ -39,10 +52,11 @@ file(WRITE "${work}/CMakeLists.txt" "
 cmake_minimum_required(VERSION 3.21)
 project(user LANGUAGES C)
 find_package(exact_ccd REQUIRED)
-add_executable(user ${SOURCE}/examples/falling_vertex.c)
+add_executable(user program.c)
 target_link_libraries(user PRIVATE exact_ccd::exact_ccd)
 ")
 execute_process(COMMAND "${CMAKE_COMMAND}" -S "${work}" -B "${work}/build" "-DCMAKE_PREFIX_PATH=${prefix}"
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND "${CMAKE_COMMAND}" --build "${work}/build" OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND "${work}/build/user" COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND "${work}/build/user" OUTPUT_VARIABLE output COMMAND_ERROR_IS_FATAL ANY)
+check_output("${output}")

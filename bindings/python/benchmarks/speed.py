@@ -1,10 +1,11 @@
 """Speed of the package beside the calls in Rust, and beside ipctk, on the published scenes.
 
     cargo build --release --example reference --no-default-features
-    python benchmarks/speed.py [--reference target/release/examples/reference] [--scenes DIR]
+    python benchmarks/speed.py [--reference target/release/examples/reference] [--scenes DIR] [--queries N]
 
 The package must be installed from a release build. All calls of one comparison alternate; each figure is the
-fastest of its runs, in seconds. The batches run on one thread, all else on all cores.
+fastest of its runs, in seconds. The batches run on one thread, all else on all cores. With `--queries`, N queries
+in Parquet files are answered by Ray, and beside it by pyarrow and one batch for each file.
 """
 
 from __future__ import annotations
@@ -91,12 +92,61 @@ def beside_ipctk(folder: Path) -> None:
         print(f"  {name:32} exact_ccd {best[0]:.5f}  ipctk {best[1]:.5f}  ratio {best[1] / best[0]:.1f}")
 
 
+def beside_pyarrow(folder: Path, count: int) -> None:
+    import pyarrow as pa
+    import pyarrow.parquet as parquet
+    import ray
+    import ray.data
+
+    from exact_ccd.ray import check_dataset
+
+    x0, x1, faces = scene(folder)
+    mesh = exact_ccd.Mesh(x0, faces)
+    candidates = ipc.Candidates()
+    candidates.build(type("Mesh", (), {"num_vertices": len(x0), "edges": mesh.edges, "faces": faces})(), x0, x1)
+    pairs = candidates.pairs["ee"]
+    per_file = 250_000
+    with tempfile.TemporaryDirectory() as data:
+        for first in range(0, count, per_file):
+            rows = np.arange(first, min(first + per_file, count)) % len(pairs)
+            points = np.concatenate([x0[pairs[rows]], x1[pairs[rows]]], axis=1)
+            offsets = pa.array(np.arange(0, points.size + 1, 24, dtype=np.int32))
+            lists = pa.ListArray.from_arrays(offsets, pa.array(points.ravel()))
+            table = pa.table({"kind": pa.array(["ee"] * len(rows)), "points": lists})
+            parquet.write_table(table, Path(data) / f"{first}.parquet", row_group_size=1 << 16)
+        ray.init(log_to_driver=False)
+        ray.data.DataContext.get_current().enable_progress_bars = False
+
+        def by_pyarrow() -> int:
+            tables = (parquet.read_table(file) for file in Path(data).iterdir())
+            answers = (exact_ccd.check(table, answers=["collides"], threads=None) for table in tables)
+            return sum(int(np.count_nonzero(table["collides"])) for table in answers)
+
+        def by_ray() -> int:
+            answered = check_dataset(ray.data.read_parquet(data), answers=["collides"]).select_columns(["collides"])
+            blocks = answered.iter_batches(batch_size=None, batch_format="pyarrow")
+            return sum(int(np.count_nonzero(table["collides"])) for table in blocks)
+
+        assert by_ray() == by_pyarrow()
+        best = [np.inf, np.inf]
+        for _ in range(RUNS):
+            best[0] = min(best[0], fastest(by_pyarrow, 1))
+            best[1] = min(best[1], fastest(by_ray, 1))
+        ray.shutdown()
+    print(f"{count} queries in Parquet: pyarrow and batches {best[0]:.2f}  check_dataset {best[1]:.2f}  "
+          f"ratio {best[1] / best[0]:.2f}")
+
+
 def main() -> None:
     data = Path(os.environ.get("EXACT_CCD_DATA", "../../../shared/data"))
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--reference", type=Path, default=Path("target/release/examples/reference"))
     parser.add_argument("--scenes", type=Path, default=data / "scenes")
+    parser.add_argument("--queries", type=int, default=0)
     arguments = parser.parse_args()
+    if arguments.queries:
+        beside_pyarrow(arguments.scenes / "rod-twist", arguments.queries)
+        return
     beside_rust(arguments.reference, arguments.scenes / "rod-twist")
     for name in ("rod-twist", "cloth-ball", "cloth-funnel"):
         beside_ipctk(arguments.scenes / name)

@@ -62,20 +62,19 @@ impl Detector {
     ) -> PyResult<T> {
         let result = run(&mut self.open)?;
         match (&mut self.ruled, contact(&result)) {
-            (Some(ruled), Some(contact)) if !allows(&self.rule, &self.mesh, contact) => run(ruled),
+            (Some(ruled), Some(contact)) if !allows(&self.rule, &self.mesh, contact.pair) => run(ruled),
             _ => Ok(result),
         }
     }
 }
 
-/// Returns true if the rule holds for the pair of a contact.
-fn allows(rule: &CanCollide, mesh: &TriangleMesh, contact: Contact) -> bool {
-    let first = match contact.pair {
+/// Returns true if the rule holds for a pair.
+fn allows(rule: &CanCollide, mesh: &TriangleMesh, pair: Pair) -> bool {
+    let first = match pair {
         Pair::EdgeEdge { .. } => 2,
         Pair::VertexFace { .. } | Pair::VertexEdge { .. } | Pair::VertexVertex { .. } => 1,
     };
-    let vertices = contact.pair.vertices(mesh);
-    vertices.is_some_and(|vertices| {
+    pair.vertices(mesh).is_some_and(|vertices| {
         let (a, b) = vertices.split_at(first);
         rule.allows(a, b)
     })
@@ -166,11 +165,9 @@ impl Detector {
     fn is_free(&mut self, py: Python<'_>, x0: Positions<'_>, x1: Positions<'_>) -> PyResult<bool> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         self.compute(py, None, |detector| {
-            if detector.ruled.is_none() {
-                return detector.open.is_free(x0, x1).map_err(refused);
-            }
-            let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused);
-            Ok(detector.search(run, |contact| *contact)?.is_none())
+            let (rule, mesh) = (&detector.rule, &detector.mesh);
+            let free = detector.open.is_free_of(x0, x1, |pair| allows(rule, mesh, pair));
+            free.map_err(refused)
         })?
     }
 
@@ -186,7 +183,7 @@ impl Detector {
         let contacts = self.compute(py, None, |detector| {
             let mut contacts = detector.open.contacts(x0, x1, until).map_err(refused)?;
             if detector.ruled.is_some() {
-                contacts.retain(|&contact| allows(&detector.rule, &detector.mesh, contact));
+                contacts.retain(|contact| allows(&detector.rule, &detector.mesh, contact.pair));
             }
             Ok::<_, PyErr>(contacts)
         })??;
@@ -266,7 +263,7 @@ impl Detector {
     }
 }
 
-fn points<'a>(positions: &'a Positions<'_>) -> PyResult<&'a [Point]> {
+pub(crate) fn points<'a>(positions: &'a Positions<'_>) -> PyResult<&'a [Point]> {
     Ok(positions.as_slice()?.as_chunks().0)
 }
 

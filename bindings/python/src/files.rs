@@ -1,35 +1,132 @@
 //! Mesh files.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use exact_ccd_files::ReadError;
+use exact_ccd_files::{Format, FrameOrder, ParseError, Polygons, ReadError, parse_frame};
 use exact_ccd_mesh::Frame;
-use numpy::PyArray2;
+use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 
-use crate::mesh::rows;
+use crate::detector::points;
+use crate::mesh::{Mesh, rows};
 
-/// The vertices, faces and loose edges in a file.
-#[pyfunction]
-#[expect(clippy::type_complexity, reason = "a tuple for Python")]
-pub(crate) fn read_mesh<'py>(
-    py: Python<'py>,
-    path: PathBuf,
-) -> PyResult<(
+/// Vertices, faces and loose edges.
+type Arrays<'py> = (
     Bound<'py, PyArray2<f64>>,
     Bound<'py, PyArray2<u32>>,
     Bound<'py, PyArray2<u32>>,
-)> {
-    let Frame { mesh, positions } =
-        py.detach(|| exact_ccd_files::read_frame(path))
-            .map_err(|error| match error {
-                ReadError::Io { .. } => PyOSError::new_err(error.to_string()),
-                _ => PyValueError::new_err(error.to_string()),
-            })?;
+);
+
+fn arrays<'py>(py: Python<'py>, frame: &Frame) -> PyResult<Arrays<'py>> {
+    let Frame { mesh, positions } = frame;
     Ok((
-        rows(py, &positions)?,
+        rows(py, positions)?,
         rows(py, mesh.faces())?,
         rows(py, mesh.loose_edges())?,
     ))
+}
+
+fn refused(error: &ReadError) -> PyErr {
+    match error {
+        ReadError::Io { .. } => PyOSError::new_err(error.to_string()),
+        _ => PyValueError::new_err(error.to_string()),
+    }
+}
+
+/// The mesh in a file.
+#[pyfunction]
+pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<Arrays<'_>> {
+    let frame = py.detach(|| exact_ccd_files::read_frame(path));
+    arrays(py, &frame.map_err(|error| refused(&error))?)
+}
+
+/// The mesh in the contents of a file, whose name has the format.
+#[pyfunction]
+pub(crate) fn parse_mesh<'py>(py: Python<'py>, contents: &[u8], name: PathBuf) -> PyResult<Arrays<'py>> {
+    let at = |error: ParseError| PyValueError::new_err(format!("{}: {error}", name.display()));
+    let unknown = || PyValueError::new_err(format!("{}: no known format of meshes", name.display()));
+    let format = Format::of_path(&name).ok_or_else(unknown)?;
+    let frame = py.detach(|| parse_frame(contents, format));
+    arrays(py, &frame.map_err(at)?)
+}
+
+/// The format that belongs to the extension of a path, if it is that of a mesh file.
+#[pyfunction]
+pub(crate) fn mesh_format(path: PathBuf) -> Option<String> {
+    Format::of_path(&path).map(|format| format!("{format:?}"))
+}
+
+/// Paths in the order of the numbers in them.
+#[pyfunction]
+pub(crate) fn in_order(paths: Vec<PathBuf>) -> Vec<PathBuf> {
+    FrameOrder::of(paths).files
+}
+
+/// The frames in one file.
+#[pyclass(frozen, module = "exact_ccd._native")]
+pub(crate) struct FrameSequence(exact_ccd_files::FrameSequence);
+
+#[pymethods]
+impl FrameSequence {
+    #[new]
+    fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let sequence = py.detach(|| exact_ccd_files::FrameSequence::open(path, Polygons::Triangulate));
+        Ok(Self(sequence.map_err(|error| refused(&error))?))
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The file of a frame.
+    fn file(&self, frame: usize) -> &Path {
+        self.0.file(frame)
+    }
+
+    /// The mesh of a frame.
+    fn read<'py>(&self, py: Python<'py>, frame: usize) -> PyResult<Arrays<'py>> {
+        let file = py.detach(|| self.0.read(frame));
+        arrays(py, &file.map_err(|error| refused(&error))?.frame)
+    }
+}
+
+/// One vertex in place of all that coincide in every frame.
+#[pyclass(module = "exact_ccd._native")]
+#[derive(Default)]
+pub(crate) struct Welding(exact_ccd_mesh::Welding);
+
+#[pymethods]
+impl Welding {
+    #[new]
+    fn new() -> Self {
+        Self::default()
+    }
+
+    /// Separates the vertices that do not coincide in a frame.
+    fn restrict(&mut self, positions: PyReadonlyArray2<'_, f64>) -> PyResult<()> {
+        self.0.restrict(points(&positions)?);
+        Ok(())
+    }
+
+    /// The faces and loose edges of a mesh with the new vertices.
+    #[expect(clippy::type_complexity, reason = "a tuple for Python")]
+    fn primitives<'py>(
+        &self,
+        py: Python<'py>,
+        mesh: &Mesh,
+    ) -> PyResult<(Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>)> {
+        let welded = self.0.mesh(mesh.mesh());
+        let welded = welded.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok((rows(py, welded.faces())?, rows(py, welded.loose_edges())?))
+    }
+
+    /// The positions of the new vertices.
+    fn positions<'py>(
+        &self,
+        py: Python<'py>,
+        positions: PyReadonlyArray2<'_, f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        rows(py, &self.0.positions(points(&positions)?))
+    }
 }

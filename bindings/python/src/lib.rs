@@ -29,7 +29,7 @@ mod _native {
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]
-    use crate::files::read_mesh;
+    use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
@@ -38,5 +38,5 @@ mod _native {
     #[pymodule_export]
     use crate::program::main;
     #[pymodule_export]
-    use crate::queries::{collides, contact_count, contact_times, impacts, time_of_impact};
+    use crate::queries::{collides, contact_count, contact_times, impacts, time_and_count, time_of_impact};
 }

@@ -63,6 +63,24 @@ fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
     count.map_or(-1, |count| count as i64)
 }
 
+/// The first time of contact, rounded down, or NaN, and the number of contact times.
+#[pyfunction]
+#[expect(clippy::type_complexity, reason = "a tuple for Python")]
+pub(crate) fn time_and_count<'py>(
+    py: Python<'py>,
+    kind: &str,
+    arrays: Arrays<'py>,
+    min_distance: f64,
+    threads: Option<usize>,
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>)> {
+    let answers = for_kind!(kind, K => {
+        let of = |collision: &Collision<'_, K>| (collision.time_of_impact(), count(collision));
+        answers::<K, _>(py, &arrays, min_distance, threads, (f64::NAN, 0), of)
+    })?;
+    let (times, counts) = answers.into_iter().unzip();
+    Ok((PyArray1::from_vec(py, times), PyArray1::from_vec(py, counts)))
+}
+
 /// The intervals of contact of all queries, each end rounded down, and the index of the first of each
 /// query.
 #[pyfunction]

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import csv
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+
+import exact_ccd
 
 POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
 
@@ -19,6 +23,14 @@ def data() -> Path:
     if not folder.is_dir():
         pytest.skip(f"no published data in {folder}: set EXACT_CCD_DATA")
     return folder
+
+
+def program(*arguments: object) -> str:
+    """The output of the program of the package, or a skipped test if it was built without."""
+    if not hasattr(exact_ccd._native, "main"):
+        pytest.skip("the extension was built without the program")
+    command = [sys.executable, "-m", "exact_ccd", *map(str, arguments)]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
 
 
 def read_queries(file: Path, kind: str) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:

@@ -55,7 +55,45 @@ def test_files(tmp_path) -> None:
         audit(tmp_path)
 
 
-def test_errors() -> None:
+def test_stl_files_are_welded(tmp_path) -> None:
+    # Two faces with a common edge, of which copies would touch, and one that falls through them.
+    faces = [[0, 1, 2], [2, 1, 3], [4, 5, 6]]
+    below = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0]]
+    positions = np.array([[*below, [1, 1, z], [1, 2, z + 4], [2, 1, z + 4]] for z in (3, 1, -3)], float)
+    for number, frame in enumerate(positions):
+        text = "".join(
+            "facet normal 0 0 0\nouter loop\n"
+            + "".join("vertex {} {} {}\n".format(*vertex) for vertex in frame[face].tolist())
+            + "endloop\nendfacet\n"
+            for face in faces
+        )
+        (tmp_path / f"frame{number}.stl").write_text(f"solid\n{text}endsolid\n")
+    expected = audit(positions, faces)
+    report = audit(tmp_path)
+    assert (report.frames, report.violation.frame) == (expected.frames, 1) == (3, 1)
+    assert report.violation.contact.time == expected.violation.contact.time == 0.25
+
+
+def test_files_with_several_frames(tmp_path) -> None:
+    expected = audit(frames(3, 1, -3), FACES)
+    np.savez(tmp_path / "recording.npz", positions=frames(3, 1, -3), faces=FACES)
+    listed = ""
+    for number, height in enumerate((3.0, 1.0, -3.0)):
+        vertices = "".join("{} {} {}\n".format(*v) for v in two_triangles(height).tolist())
+        text = f"OFF\n6 2 0\n{vertices}3 0 1 2\n3 3 4 5\n"
+        (tmp_path / f"frame{number}.off").write_text(text)
+        listed += f'<DataSet timestep="{number}" file="frame{number}.off"/>'
+    (tmp_path / "all.pvd").write_text(
+        f'<?xml version="1.0"?><VTKFile type="Collection"><Collection>{listed}</Collection></VTKFile>'
+    )
+    for file in ("recording.npz", "all.pvd"):
+        report = audit(tmp_path / file)
+        assert (report.frames, report.violation.frame) == (expected.frames, 1), file
+        assert report.violation.contact.time == expected.violation.contact.time
+    assert audit([tmp_path / "frame0.off", tmp_path / "frame1.off"]).is_free
+
+
+def test_errors(tmp_path) -> None:
     with pytest.raises(ValueError, match="there are no frames"):
         audit([], FACES)
     with pytest.raises(TypeError, match="expected the faces"):
@@ -66,3 +104,9 @@ def test_errors() -> None:
         audit(bad, FACES)
     with pytest.raises(ValueError, match="frame 1: "):
         audit([two_triangles(3.0), two_triangles(2.0)[:5]], FACES)
+    with pytest.raises(OSError, match="missing.ply"):
+        audit(tmp_path / "missing.ply")
+    with pytest.raises(ValueError, match="mesh files of one format"):
+        audit(tmp_path)
+    with pytest.raises(TypeError, match="those of the files"):
+        audit(["frame.ply"], FACES)

@@ -135,6 +135,37 @@ def test_steps_of_ipc(name: str) -> None:
     assert 0 < answers < CASES
 
 
+def test_tables() -> None:
+    pa = pytest.importorskip("pyarrow", reason="pyarrow is not installed: pip install pyarrow")
+    random = np.random.default_rng(0)
+    lists = [pa.list_, pa.large_list, lambda type: pa.list_(type, 12)]
+    numbers = [pa.float64(), pa.float64(), pa.float32(), pa.int64(), pa.uint8(), pa.string(), pa.bool_()]
+
+    def column(rows: int):
+        width = int(random.choice([12, 12, 12, 18, 24, 11, 0]))
+        values: list = random.integers(0, 3, (rows, width)).tolist()
+        if random.random() < 0.3 and rows and width:
+            values[random.integers(rows)][0] = [None, np.nan, np.inf, 1e308, 5e-324][random.integers(5)]
+        if random.random() < 0.2 and rows:
+            values[random.integers(rows)] = [None, [], [1.0]][random.integers(3)]
+        chosen = lists[random.integers(3)](numbers[random.integers(len(numbers))])
+        try:
+            return pa.array(values, chosen)
+        except (pa.ArrowException, TypeError):
+            return pa.array(values)
+
+    answers = 0
+    for _ in range(4 * CASES):
+        rows = int(random.integers(0, 5))
+        kinds = [["vv"] * rows, ["vv", "ve", "vf", "ee"][:rows] + ["vv"] * (rows - 4), [None] * rows, [3] * rows]
+        table = pa.table({"kind": kinds[random.choice(4, p=[0.7, 0.1, 0.1, 0.1])], "points": column(rows)})
+        if random.random() < 0.3:
+            table = pa.concat_tables([table, table.slice(1)])
+        d = float(random.choice([0.0, 1.0, np.nan, -1.0], p=[0.6, 0.2, 0.1, 0.1]))
+        answers += survive(lambda: exact_ccd.check(table, min_distance=d))
+    assert CASES / 4 < answers < 4 * CASES
+
+
 @pytest.mark.parametrize(
     ("name", "count"), [("point_point", 4), ("point_edge", 6), ("point_triangle", 8), ("edge_edge", 8)]
 )

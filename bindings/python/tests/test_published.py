@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import re
 from pathlib import Path
@@ -11,7 +12,7 @@ import numpy as np
 import pytest
 
 import exact_ccd
-from published import data, read_queries
+from published import data, program, read_queries
 
 KINDS = {"vf": "vertex-face", "ee": "edge-edge"}
 
@@ -74,3 +75,39 @@ def test_scenes(scene: str, kind: str) -> None:
                 found = times.intervals[times.offsets[query] : times.offsets[query + 1], 0]
                 assert found.tolist() == [float(time) for time in row["times"].split()]
                 assert counts[query] == int(row["count"])
+
+
+def assert_as_the_program(file: Path, kind: str, min_distance: float) -> None:
+    """Verdicts, counts and times of a file of queries are those that the program prints."""
+    output = program("queries", "--kind", kind, "--min-distance", repr(min_distance), file)
+    rows = list(csv.DictReader(io.StringIO(output)))
+    points, _ = read_queries(file, kind)
+    collides = exact_ccd.collides(kind, points, min_distance=min_distance)
+    counts = exact_ccd.contact_count(kind, points, min_distance=min_distance)
+    times = exact_ccd.time_of_impact(kind, points, min_distance=min_distance)
+    assert [row["contact"] for row in rows] == [str(int(contact)) for contact in collides.tolist()]
+    assert [int(row["count"]) for row in rows] == counts.tolist()
+    assert [float(row["toi"] or "nan") for row in rows] == pytest.approx(times.tolist(), rel=0, abs=0, nan_ok=True)
+
+
+def test_all_files_of_queries_as_the_program() -> None:
+    handcrafted = [(file, 0.0) for file in sorted(data().glob("handcrafted/*/*/*.csv"))]
+    separation = [file for file in sorted(data().glob("separation/*.csv")) if ".times" not in file.name]
+    near = [(file, float(re.search(r"-d([0-9].*)\.csv$", file.name).group(1))) for file in separation]
+    assert handcrafted and near
+    for file, d in handcrafted + near:
+        kind = file.name[:2] if file in separation else {"vertex-face": "vf", "edge-edge": "ee"}[file.parent.name]
+        assert_as_the_program(file, kind, d)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("scene", ["cloth-ball", "cloth-funnel", "rod-twist"])
+def test_scenes_as_the_program(scene: str, kind: str, tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet", reason="pyarrow is not installed: pip install pyarrow")
+    file = tmp_path / "scene.parquet"
+    program("convert", "--kind", kind, "--answers", "-o", file, data() / "scenes" / scene)
+    table = parquet.read_table(file)
+    answered = exact_ccd.check(table, threads=None)
+    assert len(table) > 90
+    for answer, expected in (("collides", "truth"), ("count", "count"), ("toi", "toi")):
+        assert answered[answer].equals(table[expected]), answer

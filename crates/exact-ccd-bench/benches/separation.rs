@@ -13,6 +13,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
+use exact_ccd::batch::Trajectories;
 use exact_ccd::separation::{Separation, SeparationStage};
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_data::{DataError, DataFolder, DataKind};
@@ -71,6 +72,9 @@ struct Measured {
     /// The means over the candidates that do not come within d, round by round.
     contact: Vec<f64>,
     outside: Vec<f64>,
+    /// The same in batches.
+    contact_batch: Vec<f64>,
+    outside_batch: Vec<f64>,
     /// The first time within d, of each query that comes within d, and the same without those of the
     /// exact path.
     first: Vec<f64>,
@@ -115,6 +119,7 @@ fn mean_edge(step: &Step<'_>) -> f64 {
 fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], d: Separation) -> Row {
     let mut measured = Measured::default();
     let mut outside: Vec<Query<K>> = Vec::new();
+    let mut vertices: Vec<[u32; 4]> = Vec::new();
     let mut within = 0;
     let stride = pairs.len().div_ceil(CANDIDATES).max(1);
     for &pair in pairs.iter().step_by(stride) {
@@ -124,6 +129,7 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
         measured.settled[stage as usize] += 1;
         if first.is_none() {
             outside.push(query);
+            vertices.push(K::vertices(step.mesh(), pair));
             continue;
         }
         let time = nanoseconds(|| query.first_within(d));
@@ -137,19 +143,34 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
             measured.impacts.push(nanoseconds(|| query.impact_within(d)));
         }
     }
+    let [x0, x1] = step.positions();
+    let trajectories = Trajectories::new(x0, x1).expect("the frames of a scene are sound");
     let repetitions = LARGE.div_ceil(outside.len().max(1));
-    let mean = move |queries: &[Query<K>], decide: &dyn Fn(&Query<K>) -> bool| {
+    let count = outside.len();
+    let mean = move |count_all: &dyn Fn() -> usize| {
         let clock = Instant::now();
         for _ in 0..repetitions {
-            black_box(black_box(queries).iter().filter(|query| decide(query)).count());
+            black_box(count_all());
         }
-        clock.elapsed().as_secs_f64() * 1e9 / (repetitions * queries.len()) as f64
+        clock.elapsed().as_secs_f64() * 1e9 / (repetitions * count) as f64
+    };
+    let one_by_one = move |decide: &dyn Fn(&Query<K>) -> bool| {
+        mean(&|| black_box(&outside).iter().filter(|query| decide(query)).count())
+    };
+    let batch = move |d: Separation| {
+        mean(&|| {
+            let mut count = 0;
+            trajectories
+                .collisions_within::<K>(black_box(&vertices), d.into(), |_, _| count += 1)
+                .expect("all vertices are there");
+            count
+        })
     };
     let time = move |measured: &mut Measured| {
-        measured.contact.push(mean(&outside, &Query::collides));
-        measured
-            .outside
-            .push(mean(&outside, &|query| query.comes_within(d)));
+        measured.contact.push(one_by_one(&Query::collides));
+        measured.outside.push(one_by_one(&|query| query.comes_within(d)));
+        measured.contact_batch.push(batch(Separation::default()));
+        measured.outside_batch.push(batch(d));
     };
     Row {
         name,
@@ -168,16 +189,25 @@ fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
 }
 
 fn print_decisions(rows: &[Row]) {
-    println!("Candidates that do not come within d, mean ns: contact, and the distance d.\n");
-    println!("| scene, kind, d | candidates | within d | contact | within d | ratio |");
-    println!("|---|{}", "---:|".repeat(5));
+    println!(
+        "Candidates that do not come within d, mean ns: contact, and the distance d; one by one, and in"
+    );
+    println!("a batch.\n");
+    println!(
+        "| scene, kind, d | candidates | within d | contact | distance | ratio | contact, batch | distance, batch | ratio |"
+    );
+    println!("|---|{}", "---:|".repeat(8));
     for Row { name, measured, .. } in rows {
-        let (contact, outside) = (median(&measured.contact), median(&measured.outside));
+        let figures = |contact: &[f64], outside: &[f64]| {
+            let (contact, outside) = (median(contact), median(outside));
+            format!("{contact:.1} | {outside:.1} | {:.2}", outside / contact)
+        };
         println!(
-            "| {name} | {} | {} | {contact:.1} | {outside:.1} | {:.2} |",
+            "| {name} | {} | {} | {} | {} |",
             measured.candidates,
             measured.first.len(),
-            outside / contact
+            figures(&measured.contact, &measured.outside),
+            figures(&measured.contact_batch, &measured.outside_batch),
         );
     }
 }

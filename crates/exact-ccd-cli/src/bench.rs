@@ -61,6 +61,10 @@ pub(crate) struct Arguments {
     /// Write the report to this folder, as Markdown, CSV and JSON, with plots.
     #[arg(long, value_name = "REPORT_DIR")]
     out: Option<PathBuf>,
+    /// Print the report as a JSON object at the end, in place of the tables. docs/reports.md has its
+    /// schema.
+    #[arg(long)]
+    json: bool,
 }
 
 /// The time that a peer has to start, and for an answer beyond its budget.
@@ -79,7 +83,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let contestants = contestants(arguments)?;
     let mut report = Report::new(&contestants);
     let mut comparison = Comparison::new(contestants, Duration::from_secs_f64(arguments.budget));
-    print(&format!("{}\n", report.markdown().trim_end()))?;
+    let print_table = |text: &str| if arguments.json { Ok(()) } else { print(text) };
+    print_table(&format!("{}\n", report.markdown().trim_end()))?;
 
     let bar = progress::thousandths(2 * 1000 * sources.len() as u64);
     during(bar, |progress| {
@@ -89,10 +94,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 let Some(table) = compare(&mut comparison, source, arguments.sample, progress)? else {
                     continue;
                 };
-                print(&table.markdown())?;
+                print_table(&table.markdown())?;
                 for (name, error) in comparison.failures().skip(noted) {
                     let note = format!("{name} has failed and answers no more: {error}.");
-                    print(&format!("{note}\n"))?;
+                    print_table(&format!("{note}\n"))?;
                     report.notes.push(note);
                     noted += 1;
                 }
@@ -106,6 +111,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Ok::<_, Failure>(())
     })?;
+    if arguments.json {
+        print(&serde_json::to_string(&report).map_err(std::io::Error::from)?)?;
+    }
     comparison.finish()?;
     Ok(ExitCode::SUCCESS)
 }

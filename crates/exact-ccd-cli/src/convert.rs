@@ -3,14 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use exact_ccd::separation::Separation;
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
 use rayon::prelude::*;
 
 use crate::failure::Failure;
 use crate::kind::Kind;
+use crate::min_distance;
 use crate::progress::{self, during};
 use crate::query_files::{self, Records};
+use crate::recognise::kind_of;
 
 /// The number of queries that are answered in parallel.
 const BATCH: usize = 4096;
@@ -46,17 +49,21 @@ const BATCH: usize = 4096;
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
-    /// against a vertex.
+    /// against a vertex [default: that of the files, if it is certain]
     #[arg(long)]
-    kind: Kind,
+    kind: Option<Kind>,
     /// Fill in count and toi of all queries, as computed by the exact method.
     #[arg(long)]
     answers: bool,
+    /// With --answers, count primitives at most D apart as touching. If D is above 0, count is the
+    /// number of maximal closed intervals of times within D, and toi the first such time.
+    #[arg(long, value_name = "D", default_value = "0", requires = "answers", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    min_distance: Separation,
     /// The seventh column of CSV files, read or written, is the number of contact times instead of
     /// the ground truth: 0 or more, or -1 for infinitely many.
     #[arg(long)]
     roots: bool,
-    /// The file to write.
+    /// The file to write; - is CSV on standard output.
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     /// Query files, of which - is CSV on standard input, or folders of scenes.
@@ -65,7 +72,8 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    during(progress::queries(), |progress| match arguments.kind {
+    let kind = kind_of(arguments.kind, &arguments.inputs)?;
+    during(progress::queries(), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
         Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),
         Kind::Ve => convert::<VertexEdge>(arguments, no_scene, progress),
@@ -97,7 +105,8 @@ fn convert<K: QueryKind + 'static>(
     });
     let answered = batches.flat_map(|batch| {
         if arguments.answers {
-            let answer = |record: Result<Record<K>, _>| record.map(Record::answered);
+            let d = arguments.min_distance;
+            let answer = |record: Result<Record<K>, _>| record.map(|record| record.answered(d));
             batch.into_par_iter().map(answer).collect()
         } else {
             batch

@@ -18,10 +18,10 @@ pub(crate) struct Distances {
 }
 
 /// Bounds of the distance that a pair has reached, as a JSON object.
-#[derive(Clone, Copy, Serialize)]
+#[derive(Clone, Copy, Default, Serialize)]
 pub(crate) struct Reached {
-    lower: f64,
-    upper: f64,
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
 }
 
 impl Distances {

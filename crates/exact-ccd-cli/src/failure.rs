@@ -44,6 +44,15 @@ pub(crate) enum Failure {
         .0.display()
     )]
     KindMissing(PathBuf),
+    #[error(
+        "{}: the kind of the queries is not certain from the file; --kind vf|ee|ve|vv names it",
+        .0.display()
+    )]
+    KindUncertain(PathBuf),
+    #[error("{}: queries of the kind {kind}, after others of the kind {other}", file.display())]
+    KindsDiffer { file: PathBuf, kind: Kind, other: Kind },
+    #[error("0 queries: the input is empty")]
+    NoQueries,
     #[error("{}: a folder is a scene, which has queries of the kinds vf and ee, not {kind}", folder.display())]
     NoPairs { folder: PathBuf, kind: &'static str },
     #[error("two meshes would be written to {}", .0.display())]
@@ -64,8 +73,27 @@ pub(crate) enum Failure {
         .0.display()
     )]
     NoDataSet(PathBuf),
-    #[error("{}: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu", .0.display())]
+    #[error("{}: expected meshes of one format, such as .ply, .obj, .stl or .vtu", .0.display())]
     NoFrames(PathBuf),
+    #[error("{}: {count} frames, expected {expected}; `exact-ccd audit` examines longer motions", file.display())]
+    FrameCount {
+        file: PathBuf,
+        expected: usize,
+        count: usize,
+    },
+    #[error("{}: there is no end to this start: expected pairs of files, START END", .0.display())]
+    NoEnd(PathBuf),
+    #[error(
+        "{file}: {read}: without a face or an edge, there is nothing that can touch; \
+         --min-distance D compares points"
+    )]
+    OnlyPoints { file: String, read: String },
+    #[error("there is no part {name}; there are {}", known.join(", "))]
+    UnknownPart { name: String, known: Vec<String> },
+    #[error("all parts together have more than 2^32 vertices")]
+    TooManyVertices,
+    #[error("the parts together: {0}")]
+    Join(exact_ccd_mesh::MeshError),
     #[error(transparent)]
     Scene(#[from] SceneError),
     #[error(transparent)]

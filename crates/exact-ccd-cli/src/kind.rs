@@ -3,7 +3,7 @@
 use std::fmt;
 
 /// `vf`, `ee`, `ve` or `vv`.
-#[derive(Clone, Copy, Debug, clap::ValueEnum, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Kind {
     // Without documentation: clap would show it as help.

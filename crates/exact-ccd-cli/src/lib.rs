@@ -2,23 +2,28 @@
 //!
 //! The program itself and the Python package call it.
 
+mod answer_rows;
 mod audit;
 mod bench;
+mod contacts;
 mod convert;
 mod distances;
 mod failure;
+mod impact_files;
 mod kind;
 mod method;
 mod min_distance;
+mod notes;
 mod output;
 mod progress;
 mod queries;
 mod query_files;
+mod recognise;
 mod round;
+mod scene;
 mod shortest;
 mod simulate;
 mod step;
-mod step_report;
 mod tally;
 mod timed;
 mod view;

@@ -8,6 +8,7 @@ use exact_ccd::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd::separation::Separation;
 use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, TimeGuarantee};
 use exact_ccd_methods::{UnknownMethod, by_name};
+use serde_json::Value;
 
 use crate::failure::Failure;
 use crate::kind::Kind as AnyKind;
@@ -96,7 +97,7 @@ pub(crate) struct Answer {
     /// The number of contacts or its parity, or the number of intervals of times within a distance; empty
     /// from a method that does not count.
     count: String,
-    toi: Option<f64>,
+    pub(crate) toi: Option<f64>,
 }
 
 impl Answer {
@@ -115,6 +116,17 @@ impl Answer {
             collides: first.is_some(),
             count,
             toi: first.map(ContactTime::lower),
+        }
+    }
+}
+
+impl Answer {
+    /// The count as a number, a parity as text, null from a method that does not count.
+    pub(crate) fn json_count(&self) -> Value {
+        match self.count.parse::<i64>() {
+            Ok(number) => number.into(),
+            Err(_) if self.count.is_empty() => Value::Null,
+            Err(_) => self.count.clone().into(),
         }
     }
 }

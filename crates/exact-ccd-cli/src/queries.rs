@@ -12,12 +12,14 @@ use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
+use crate::answer_rows::AnswerRows;
 use crate::failure::Failure;
 use crate::kind::Kind;
 use crate::method::{Answer, Method};
 use crate::min_distance;
 use crate::progress::{self, during};
 use crate::query_files::{self, Samples};
+use crate::recognise::kind_of;
 use crate::tally::Tally;
 use crate::view::{ChosenQuery, QueryView};
 
@@ -32,10 +34,16 @@ const BATCH: usize = 4096;
 ///   ee  the ends of the first edge and those of the second: eight rows
 ///   ve  the vertex and the ends of the edge: six rows
 ///   vv  the two vertices: four rows
-/// A row is the numerators and denominators of x, y and z. In all rows or in
-/// none, a seventh column is the ground truth, 1 for contact and 0 for none.
+/// A row is the numerators and denominators of x, y and z, six columns; or x, y
+/// and z, each a decimal such as 0.1, which stands for the nearest f64, a
+/// hexadecimal float such as 0x1.8p-3, or a fraction such as 3/16. In all rows or
+/// in none, one more column is the ground truth, 1 for contact and 0 for none.
 /// Files whose names end in .parquet have the columns of `exact-ccd convert`
 /// instead.
+///
+/// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
+/// the column kind of a Parquet file, or the only one whose queries fill the rows
+/// of a file. If it is not certain, that is an error.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
@@ -64,15 +72,17 @@ const BATCH: usize = 4096;
 /// If there is ground truth, the numbers of false positives and of false
 /// negatives go to standard error.
 ///
-/// Exit status: 0 whatever the answers, 2 error. The queries before an error
-/// are answered.
+/// With --json, each answer is a JSON object on a line, with the same names.
+///
+/// Exit status: 0 whatever the answers, 2 error, among them an input without a
+/// query. The queries before an error are answered.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
-    /// against a vertex.
+    /// against a vertex [default: that of the files, if it is certain]
     #[arg(long)]
-    kind: Kind,
+    kind: Option<Kind>,
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
     min_distance: Separation,
@@ -82,6 +92,9 @@ pub(crate) struct Arguments {
     /// Round coordinates that are not exactly f64 to the nearest, instead of refusing them.
     #[arg(long)]
     round_input: bool,
+    /// Print JSON lines in place of CSV. docs/reports.md has their schema.
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     view: QueryView,
     /// The files; - is standard input.
@@ -97,14 +110,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         progress::queries()
     };
     let (method, d) = (&arguments.method, arguments.min_distance);
-    method.check(arguments.kind, d)?;
-    let tally = during(bar, |progress| match arguments.kind {
+    let kind = kind_of(arguments.kind, &arguments.files)?;
+    method.check(kind, d)?;
+    let tally = during(bar, |progress| match kind {
         Kind::Vf => answer_all::<VertexFace>(arguments, &|query| method.answer(query, d), progress),
         Kind::Ee => answer_all::<EdgeEdge>(arguments, &|query| method.answer(query, d), progress),
         Kind::Ve => answer_all::<VertexEdge>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
         Kind::Vv => answer_all::<VertexVertex>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
     });
     match tally {
+        Ok(tally) if tally.queries() == 0 => return Err(Failure::NoQueries),
         Ok(tally) => tally.report(),
         Err(failure) => failure.unless_closed_pipe()?,
     }
@@ -124,8 +139,7 @@ fn answer_all<K: QueryKind + PageKind + 'static>(
     } else {
         Rounding::Refuse
     };
-    let mut output = BufWriter::new(io::stdout().lock());
-    writeln!(output, "query,contact,count,toi")?;
+    let mut output = AnswerRows::new(BufWriter::new(io::stdout().lock()), arguments.json)?;
     let mut tally = Tally::default();
     let mut choice = arguments.view.choice();
     let answered = arguments.files.iter().try_for_each(|file| {
@@ -153,7 +167,7 @@ fn answer<K: QueryKind + PageKind>(
     decide: Decision<'_, K>,
     tally: &mut Tally,
     choice: &mut ChosenQuery<K>,
-    output: &mut impl Write,
+    output: &mut AnswerRows<impl Write>,
     progress: &(dyn Fn(usize) + Sync),
 ) -> Result<(), Failure> {
     let first = tally.queries();
@@ -166,7 +180,7 @@ fn answer<K: QueryKind + PageKind>(
             let query = tally.queries();
             let answer =
                 answer.map_err(|source| Failure::query(query_files::name(file), query - first, source))?;
-            writeln!(output, "{query},{answer}")?;
+            output.write(query, &answer)?;
             tally.add(answer.collides, sample.truth);
             choice.see(query_files::name(file), query, &sample.query, answer.collides);
         }

@@ -1,6 +1,6 @@
 //! Query files, in rows or in columns, and queries on standard input.
 
-use std::io;
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use exact_ccd_data::{
@@ -38,7 +38,7 @@ pub(crate) fn records<K: QueryKind + 'static>(
 ) -> Result<Records<K>, Failure> {
     Ok(if is_parquet(file) {
         failing(ColumnReader::open(file)?.records())
-    } else if is_standard_input(file) {
+    } else if is_dash(file) {
         let reader = QueryReader::new(name(file), io::stdin().lock(), rounding);
         failing(reader.with_seventh(seventh).records())
     } else {
@@ -51,39 +51,58 @@ fn failing<K: 'static>(records: impl Iterator<Item = Result<Record<K>, DataError
     Box::new(records.map(|record| record.map_err(Failure::from)))
 }
 
-/// Writes queries to a file, which is replaced.
+/// Writes queries to a file, which is replaced; - is standard output.
 pub(crate) fn write<K: QueryKind>(
     file: &Path,
     seventh: Seventh,
-    mut records: impl Iterator<Item = Result<Record<K>, Failure>>,
+    records: impl Iterator<Item = Result<Record<K>, Failure>>,
 ) -> Result<(), Failure> {
+    if is_dash(file) {
+        let mut output = io::stdout();
+        let written = write_rows(&mut output, seventh, records, Failure::Output);
+        return written
+            .and_then(|()| output.flush().map_err(Failure::Output))
+            .or_else(Failure::unless_closed_pipe);
+    }
     let failed = |source| Failure::write(file, source);
     replace_file(file, |writer| {
         if is_parquet(file) {
+            let mut records = records;
             let mut columns = ColumnWriter::new(writer).map_err(failed)?;
             records.try_for_each(|record| columns.write(record?).map_err(failed))?;
             columns.finish().map(|_| ()).map_err(failed)
         } else {
-            let mut rows = QueryWriter::new(writer, seventh);
-            records.try_for_each(|record| rows.write(&record?).map_err(failed))
+            write_rows(writer, seventh, records, failed)
         }
     })
 }
 
+fn write_rows<K: QueryKind>(
+    writer: &mut impl Write,
+    seventh: Seventh,
+    mut records: impl Iterator<Item = Result<Record<K>, Failure>>,
+    failed: impl Fn(io::Error) -> Failure,
+) -> Result<(), Failure> {
+    let mut writer = BufWriter::new(writer);
+    let mut rows = QueryWriter::new(&mut writer, seventh);
+    records.try_for_each(|record| rows.write(&record?).map_err(&failed))?;
+    writer.flush().map_err(failed)
+}
+
 /// The name of the file in errors.
 pub(crate) fn name(file: &Path) -> &Path {
-    if is_standard_input(file) {
+    if is_dash(file) {
         Path::new("standard input")
     } else {
         file
     }
 }
 
-fn is_standard_input(file: &Path) -> bool {
+fn is_dash(file: &Path) -> bool {
     file == Path::new("-")
 }
 
-fn is_parquet(file: &Path) -> bool {
+pub(crate) fn is_parquet(file: &Path) -> bool {
     file.extension()
         .is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"))
 }

@@ -1,6 +1,6 @@
 //! Rigid bodies as instances of meshes.
 
-use exact_ccd_mesh::{CanCollide, Frame, FrameError, TriangleMesh};
+use exact_ccd_mesh::{CanCollide, Frame, FrameError, PositionsError, TriangleMesh};
 
 use crate::pose::Pose;
 use crate::rigid::{RigidMotionError, RigidPoint};
@@ -39,6 +39,14 @@ pub enum InstanceError {
         /// The number that is not valid.
         source: RigidMotionError,
     },
+    /// The positions of a body do not fit its mesh.
+    #[error("body {body}: {source}")]
+    Positions {
+        /// The index of the body.
+        body: usize,
+        /// The number of positions, or the coordinate that is not finite.
+        source: PositionsError,
+    },
     /// All bodies together do not form a mesh, or a place at t = 0 is not finite.
     #[error(transparent)]
     Frame(#[from] FrameError),
@@ -48,12 +56,14 @@ impl Instances {
     /// The mesh and the trajectories of some bodies.
     ///
     /// # Errors
-    /// [`InstanceError`] names the body whose motion is not valid, the vertex whose place is not finite,
+    /// [`InstanceError`] names the body whose motion or positions are not valid, the vertex whose place is not finite,
     /// or the number of vertices if it exceeds 2³².
     pub fn new(instances: &[Instance<'_>]) -> Result<Self, InstanceError> {
         let (mut faces, mut edges, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         let (mut trajectories, mut bodies) = (Vec::new(), Vec::new());
         for (body, instance) in instances.iter().enumerate() {
+            let checked = instance.frame.check();
+            checked.map_err(|source| InstanceError::Positions { body, source })?;
             let motion = instance.start.motion_to(&instance.end);
             let motion = motion.map_err(|source| InstanceError::Motion { body, source })?;
             // Indices that do not fit are an error below: there are too many vertices.

@@ -124,11 +124,9 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         let candidate_options = CandidateOptions::default()
             .with_min_distance(MinDistance::thickness(thickness.clone()))
             .with_can_collide(options.can_collide.clone());
-        // There is a thickness for each vertex, and the positions are finite.
-        let candidates = Candidates::with_options(chords, &Bvh, &candidate_options).unwrap_or_default();
-        let Ok(trajectories) = Trajectories::new(&x0, &x1) else {
-            return Ok(Vec::new());
-        };
+        let candidates = Candidates::with_options(chords, &Bvh, &candidate_options);
+        let candidates = candidates.expect("each vertex has a thickness");
+        let trajectories = Trajectories::new(&x0, &x1).expect("the positions are those of a step");
         step.candidates += candidates.counts().total();
         step.answer.chords += candidates.counts().total();
         let mut near = self.near_of::<VertexFace>(&trajectories, &thickness, candidates.vertex_face());
@@ -149,10 +147,11 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
             let exists = |&ids: &[u32; 2]| Some((ids, K::vertices(self.mesh, ids)?));
             let (ids, queries): (Vec<_>, Vec<_>) = pairs.iter().filter_map(exists).unzip();
             let mut near = Vec::new();
-            // All vertices are in range.
-            let _ = trajectories.collisions_within::<K>(&queries, thickness.into(), |index, collision| {
-                near.push((collision.first_contact_time().lower(), K::pair(ids[index])));
-            });
+            let found =
+                trajectories.collisions_within::<K>(&queries, thickness.into(), |index, collision| {
+                    near.push((collision.first_contact_time().lower(), K::pair(ids[index])));
+                });
+            found.expect("the vertices are those of the mesh");
             near
         };
         pairs.par_chunks(GRAIN).flat_map_iter(near_among).collect()

@@ -10,7 +10,7 @@ use crate::rounding::{cross, length};
 pub struct Pose {
     /// x, the place of the body's origin.
     pub origin: Point,
-    /// The rotation R as a quaternion \[w, x, y, z\]. Its length need not be 1.
+    /// The rotation R as a quaternion \[w, x, y, z\]. It is finite and not zero; its length need not be 1.
     pub rotation: [f64; 4],
 }
 
@@ -24,11 +24,11 @@ impl Pose {
         }
     }
 
-    /// The place of a point of the body, rounded.
+    /// The place of a point of the body, rounded; NaN for a quaternion that is zero or not finite.
     #[must_use]
     pub fn place(&self, point: Point) -> Point {
         // p + 2 q × (q × p + w p) / |(w, q)|²
-        let [w, x, y, z] = self.rotation;
+        let [w, x, y, z] = self.scaled();
         let q = [x, y, z];
         let inner = cross(q, point);
         let outer = cross(q, [0, 1, 2].map(|axis: usize| inner[axis] + w * point[axis]));
@@ -43,10 +43,15 @@ impl Pose {
     /// to this rounding.
     ///
     /// # Errors
-    /// [`RigidMotionError`], if a number is not finite.
+    /// [`RigidMotionError`], if a number is not finite, or if a quaternion is zero.
     pub fn motion_to(&self, end: &Self) -> Result<RigidMotion, RigidMotionError> {
-        let [a, b, c, d] = self.rotation;
-        let [w, x, y, z] = end.rotation;
+        for rotation in [self.rotation, end.rotation] {
+            if rotation == [0.0; 4] || !rotation.iter().all(|x| x.is_finite()) {
+                return Err(RigidMotionError::Rotation(rotation));
+            }
+        }
+        let [a, b, c, d] = self.scaled();
+        let [w, x, y, z] = end.scaled();
         // The product of the end with the conjugate of the start.
         let real = w * a + x * b + y * c + z * d;
         let axis = [
@@ -63,5 +68,12 @@ impl Pose {
         let angle = 2.0 * libm::atan2(length(axis), real);
         let displacement = [0, 1, 2].map(|axis: usize| end.origin[axis] - self.origin[axis]);
         RigidMotion::new(self.origin, axis, angle, displacement)
+    }
+
+    /// The same rotation as a quaternion whose largest component is ±1, so that products neither overflow
+    /// nor vanish together.
+    fn scaled(&self) -> [f64; 4] {
+        let largest = self.rotation.into_iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        self.rotation.map(|x| x / largest)
     }
 }

@@ -33,21 +33,20 @@ pub enum RigidMotionError {
         value: f64,
     },
     /// The axis of a rotation by an angle other than 0 has no direction.
-    #[error("the axis has the direction {0:?}, expected a component of at least 1e-270")]
+    #[error("the axis has the direction {0:?}, expected one that is not zero")]
     Axis(Point),
+    /// A quaternion does not describe a rotation.
+    #[error("the rotation is the quaternion {0:?}, expected one that is finite and not zero")]
+    Rotation([f64; 4]),
 }
-
-/// The least component of a direction: its quotients by larger ones lose nothing by underflow that
-/// matters.
-const LEAST_DIRECTION: f64 = 1e-270;
 
 impl RigidMotion {
     /// Rotation about the axis through `centre` along `direction`, by `angle` in radians, of any number
     /// of turns; the axis moves by `displacement`.
     ///
     /// # Errors
-    /// [`RigidMotionError`], if a number is not finite, or if the angle is not 0 and no component of
-    /// the direction is at least 1e-270.
+    /// [`RigidMotionError`], if a number is not finite, or if the angle is not 0 and the
+    /// direction is zero.
     pub fn new(
         centre: Point,
         direction: Point,
@@ -66,10 +65,10 @@ impl RigidMotion {
             }
         }
         let largest = direction.into_iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if angle != 0.0 && largest < LEAST_DIRECTION {
+        if angle != 0.0 && largest == 0.0 {
             return Err(RigidMotionError::Axis(direction));
         }
-        let direction = if largest < LEAST_DIRECTION {
+        let direction = if largest == 0.0 {
             [0.0; 3]
         } else {
             let scaled = direction.map(|x| x / largest);
@@ -110,7 +109,8 @@ impl RigidMotion {
 
 /// A bound of the errors of tangent and radius, relative to the arm r = p − c.
 ///
-/// With errors to first order: a quotient of the direction w by its largest component is off by u, the
+/// With errors to first order: a quotient of the direction w by its largest component is off by u, also
+/// if both are subnormal, or by less than 2⁻¹⁰⁷⁴ beside the quotient 1; the
 /// norm by 8 u and the unit vector a by 10 u; r is off by u |r|. A component of a × r has the error
 /// 2 u (|aⱼ rₖ| + |aₖ rⱼ|) ≤ 2 u |r| by Cauchy's inequality, hence the vector 3.5 u |r|. So a × r is off
 /// by (10 + 1 + 3.5) u |r|, and (a × r) × a by (14.5 + 10 + 3.5) u |r| = 28 u |r|. The bound has 40 u.

@@ -117,7 +117,7 @@ pub enum Problem {
     #[error("expected {expected}, found {found}")]
     Fields {
         /// The expected numbers.
-        expected: &'static str,
+        expected: String,
         /// The number in this line.
         found: usize,
     },

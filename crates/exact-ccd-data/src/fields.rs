@@ -25,7 +25,7 @@ pub(crate) fn read_rows<T>(
         let fields: Vec<&str> = record.iter().collect();
         <[&str; 5]>::try_from(fields.as_slice())
             .map_err(|_| Problem::Fields {
-                expected: "5 fields",
+                expected: "5 fields".to_owned(),
                 found: record.len(),
             })
             .and_then(&parse)

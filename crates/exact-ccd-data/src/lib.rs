@@ -25,6 +25,7 @@
 //! ```
 
 mod columns;
+mod coordinate;
 mod data_folder;
 mod error;
 mod excerpt;

@@ -16,9 +16,10 @@ use crate::rows::{Row, RowReader, Seventh};
 /// A query is its points at t = 0 and then at t = 1, a row for each, in the order of the kind: eight
 /// rows of [`VertexFace`](exact_ccd::VertexFace) or [`EdgeEdge`](exact_ccd::EdgeEdge), six of
 /// [`VertexEdge`](exact_ccd::VertexEdge), four of [`VertexVertex`](exact_ccd::VertexVertex). A row is
-/// the numerators and denominators of x, y and z. In all rows of the file or in none, the ground truth
-/// follows, 1 for contact and 0 for none, which is the same in all rows of a query. Fields may have
-/// blanks around them. Blank lines are skipped.
+/// the numerators and denominators of x, y and z, six fields; or x, y and z, each a decimal such as
+/// `0.1`, which stands for the nearest f64, a hexadecimal float such as `0x1.8p-3`, or a fraction such as
+/// `3/16`. In all rows of the file or in none, the ground truth follows, 1 for contact and 0 for none,
+/// which is the same in all rows of a query. Fields may have blanks around them. Blank lines are skipped.
 pub struct QueryReader<K, R> {
     rows: RowReader<R>,
     done: bool,
@@ -204,8 +205,8 @@ mod tests {
     #[test]
     fn every_row_has_the_same_fields_and_a_query_one_truth() {
         assert_eq!(
-            message("1,2,3\n"),
-            "some.csv, line 1: expected 6 or 7 fields, found 3"
+            message("1,2,3,4,5\n"),
+            "some.csv, line 1: expected 3 or 6 fields, or one more for the ground truth, found 5"
         );
         assert_eq!(
             message(&(query("\n") + &query(",1\n"))),
@@ -218,6 +219,42 @@ mod tests {
         assert_eq!(
             message(&query(",2\n")),
             "some.csv, line 1: expected 0 or 1 as the ground truth, found \"2\""
+        );
+    }
+
+    #[test]
+    fn coordinates_are_fractions_decimals_or_hexadecimal_floats() {
+        let fractions = read(&query(",1\n")).unwrap();
+        let rows = query(",1\n");
+        let one_field_each = |number: fn(f64) -> String| {
+            let row = |line: &str| {
+                let fields: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
+                let [x, y, z] = [0, 2, 4].map(|at| number(fields[at] / fields[at + 1]));
+                format!("{x}, {y},{z},1\n")
+            };
+            rows.lines().map(row).collect::<String>()
+        };
+        for number in [
+            |x: f64| x.to_string(),
+            |x: f64| format!("{x:e}"),
+            |x: f64| format!("{}/2", 2.0 * x),
+            |x: f64| {
+                format!(
+                    "{}0x{:x}p-1",
+                    if x < 0.0 { "-" } else { "" },
+                    (2.0 * x.abs()) as u64
+                )
+            },
+        ] {
+            assert_eq!(read(&one_field_each(number)).unwrap(), fractions);
+        }
+        assert_eq!(
+            message("0.5,1,zero\n"),
+            "some.csv, line 1: z of a0 at t = 0: expected a decimal, a hexadecimal float or a fraction, found \"zero\""
+        );
+        assert_eq!(
+            message("0,0,0,1\n0,0,0\n"),
+            "some.csv, line 2: expected 4 fields, as in the first row, found 3"
         );
     }
 

@@ -15,13 +15,16 @@ pub enum Rounding {
     ToNearest,
 }
 
-/// Two fields that are not a fraction with an f64 as its value.
+/// Fields that are not a coordinate with an f64 as its value.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CoordinateError {
     /// A field is not a decimal integer.
     #[error("expected an integer, found \"{0}\"")]
     NotAnInteger(String),
+    /// A field is not a number.
+    #[error("expected a decimal, a hexadecimal float or a fraction, found \"{0}\"")]
+    NotANumber(String),
     /// The denominator is zero.
     #[error("the denominator of {0} is zero")]
     ZeroDenominator(String),

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use exact_ccd::separation::Separation;
 use exact_ccd::{ContactTime, Kind, Query};
 
 /// A query from a file.
@@ -31,13 +32,23 @@ pub struct Record<K> {
 }
 
 impl<K: Kind> Record<K> {
-    /// The record with the count and the time of impact of the exact method, in place of its own.
+    /// The record with the count and the time of impact of the exact method, in place of its own. If
+    /// the distance is above 0, they are the number of maximal intervals of times within it, and the
+    /// first time within it.
     #[must_use]
-    pub fn answered(self) -> Self {
-        let times = self.sample.query.contact_times();
+    pub fn answered(self, d: Separation) -> Self {
+        let query = &self.sample.query;
+        let (count, first) = if d == Separation::default() {
+            let times = query.contact_times();
+            (number(times.count()), times.first())
+        } else {
+            let intervals = query.intervals_within(d);
+            let first = intervals.first().map(|interval| interval.start);
+            (number(Some(intervals.len())), first)
+        };
         Self {
-            count: Some(number(times.count())),
-            toi: times.first().map(ContactTime::lower),
+            count: Some(count),
+            toi: first.map(ContactTime::lower),
             ..self
         }
     }

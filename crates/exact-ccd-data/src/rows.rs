@@ -1,4 +1,4 @@
-//! The rows of a query file: a point of rational coordinates, and perhaps a seventh field.
+//! The rows of a query file: the coordinates of a point, and perhaps one more field.
 
 use std::io::{self, Read};
 use std::path::PathBuf;
@@ -6,11 +6,16 @@ use std::path::PathBuf;
 use csv::{ByteRecord, ReaderBuilder, Terminator, Trim};
 use exact_ccd::Point;
 
+use crate::coordinate;
 use crate::error::{DataError, Problem};
 use crate::excerpt::excerpt;
 use crate::rational::{self, Rounding};
 
-/// The meaning of the seventh column of a query file.
+/// The numbers of fields in a row: three coordinates, or three numerators and denominators, and perhaps the
+/// ground truth.
+const ANY_FIELDS: &str = "3 or 6 fields, or one more for the ground truth";
+
+/// The meaning of the column after the coordinates, the seventh one if they are fractions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Seventh {
     /// The ground truth: 1 for contact and 0 for none.
@@ -36,7 +41,7 @@ pub(crate) struct RowReader<R> {
 /// A row of a query file.
 pub(crate) struct Row {
     pub(crate) point: Point,
-    /// The value in the seventh column.
+    /// The value in the column after the coordinates.
     pub(crate) seventh: Option<i64>,
     /// The line, from 1.
     pub(crate) line: u64,
@@ -101,28 +106,31 @@ impl<R: Read> RowReader<R> {
 
     fn parse(&mut self, index: usize) -> Result<(Point, Option<i64>), Problem> {
         let found = self.record.len();
-        let expected = match self.fields {
-            Some(6) => "6 fields, as in the first row",
-            Some(_) => "7 fields, as in the first row",
-            None => "6 or 7 fields",
-        };
-        if !matches!(found, 6 | 7) || self.fields.is_some_and(|fields| fields != found) {
+        if !matches!(found, 3 | 4 | 6 | 7) || self.fields.is_some_and(|fields| fields != found) {
+            let expected = self.fields.map_or(ANY_FIELDS.to_owned(), |fields| {
+                format!("{fields} fields, as in the first row")
+            });
             return Err(Problem::Fields { expected, found });
         }
         self.fields = Some(found);
+        let are_fractions = found >= 6;
         let mut point = [0.0; 3];
         for (axis, coordinate) in point.iter_mut().enumerate() {
-            let [numerator, denominator] = [0, 1].map(|part| &self.record[2 * axis + part]);
-            *coordinate = rational::parse(numerator, denominator, self.rounding).map_err(|source| {
-                Problem::Coordinate {
-                    axis: ['x', 'y', 'z'][axis],
-                    point: self.points[index % self.points.len()].0,
-                    time: index / self.points.len(),
-                    source,
-                }
+            let parsed = if are_fractions {
+                let [numerator, denominator] = [0, 1].map(|part| &self.record[2 * axis + part]);
+                rational::parse(numerator, denominator, self.rounding)
+            } else {
+                coordinate::parse(&self.record[axis], self.rounding)
+            };
+            *coordinate = parsed.map_err(|source| Problem::Coordinate {
+                axis: ['x', 'y', 'z'][axis],
+                point: self.points[index % self.points.len()].0,
+                time: index / self.points.len(),
+                source,
             })?;
         }
-        let seventh = self.record.get(6).map(|field| self.parse_seventh(field));
+        let seventh = self.record.get(if are_fractions { 6 } else { 3 });
+        let seventh = seventh.map(|field| self.parse_seventh(field));
         Ok((point, seventh.transpose()?))
     }
 

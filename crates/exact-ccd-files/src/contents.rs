@@ -44,13 +44,19 @@ impl Contents {
     #[must_use]
     pub fn of(frame: &Frame) -> Self {
         let mesh = &frame.mesh;
-        let loose_vertices = mesh.loose_vertices().count();
+        let mut is_loose = vec![true; mesh.vertex_count()];
+        let used = mesh
+            .faces()
+            .as_flattened()
+            .iter()
+            .chain(mesh.edges().as_flattened());
+        used.for_each(|&vertex| is_loose[vertex as usize] = false);
         Self {
             vertices: mesh.vertex_count(),
             edges: mesh.edges().len(),
             faces: mesh.faces().len(),
             loose_edges: mesh.loose_edges().len(),
-            loose_vertices,
+            loose_vertices: is_loose.into_iter().filter(|&is_loose| is_loose).count(),
             parts: component_count(mesh),
             polygons: 0,
             solids: 0,

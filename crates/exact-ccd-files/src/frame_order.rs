@@ -48,6 +48,33 @@ impl fmt::Display for Missing {
 }
 
 impl FrameOrder {
+    /// Orders files that are a row, that is, whose names differ in one number only. Others keep their order:
+    /// it says what the names do not.
+    ///
+    /// ```
+    /// use exact_ccd_files::FrameOrder;
+    ///
+    /// let order = |names: [&str; 3]| FrameOrder::of_row(names.map(Into::into).to_vec());
+    /// assert!(order(["f1.ply", "f10.ply", "f2.ply"]).is_changed);
+    /// assert!(!order(["start.ply", "middle.ply", "end.ply"]).is_changed);
+    /// assert!(!order(["f1.ply", "f0.ply", "f1.ply"]).is_changed);
+    /// ```
+    #[must_use]
+    pub fn of_row(given: Vec<PathBuf>) -> Self {
+        let ordered = Self::of(given.clone());
+        let is_row = numbers(&ordered.files).is_some_and(|row| row.windows(2).all(|pair| pair[0] < pair[1]));
+        if is_row {
+            ordered
+        } else {
+            let (is_changed, missing) = (false, Vec::new());
+            Self {
+                files: given,
+                is_changed,
+                missing,
+            }
+        }
+    }
+
     /// Orders files. Equal numbers with other zeros before them, and other ties, are in the order
     /// of the paths; the same path twice stays twice.
     #[must_use]

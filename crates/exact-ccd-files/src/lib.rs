@@ -20,6 +20,7 @@
 //! | a body of tetrahedra, [`TetMesh`] | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
 //! | tetrahedra, triangles, lines and points, [`UnstructuredGrid`] | | | [`write_vtu`] |
 //! | the same, and its contents in numbers, [`MeshFile`] | [`MeshFile::read`] | [`MeshFile::parse`] | |
+//! | points with data, [`PointArray`] | | | [`write_vtp`] |
 //! | a sequence of frames, [`FrameSequence`] | [`FrameSequence::open`] | | |
 //! | a sequence of files, one for each time | [`read_pvd`], [`read_series`] | | [`write_pvd`] |
 //!
@@ -56,7 +57,7 @@ pub use read::{
     read_pvd, read_series, read_tet_mesh,
 };
 pub use unsupported::Unsupported;
-pub use write::{UnstructuredGrid, write_obj, write_ply, write_pvd, write_vtu};
+pub use write::{PointArray, UnstructuredGrid, write_obj, write_ply, write_pvd, write_vtp, write_vtu};
 
 /// The examples in the README of the repository, as tests.
 #[cfg(doctest)]

@@ -6,7 +6,7 @@ use std::io::ErrorKind;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use exact_ccd_files::{UnstructuredGrid, write_pvd, write_vtu};
+use exact_ccd_files::{Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu};
 use exact_ccd_mesh::{Frame, Point, TetMesh};
 use proptest::prelude::*;
 use roxmltree::{Document, Node};
@@ -258,4 +258,64 @@ fn collections_that_xml_cannot_represent_are_errors() {
             (ErrorKind::InvalidInput, [].as_slice())
         );
     }
+}
+
+#[test]
+fn points_keep_their_data() {
+    let points = [[0.1, -0.0, 5e-324], [1.0, 2.0, f64::MAX]];
+    let normals = [[0.0, 0.0, 1.0], [-1.0, 0.0, 0.0]];
+    let data = [
+        ("time", PointArray::Reals(&[0.25, 1.0])),
+        ("normal", PointArray::Vectors(&normals)),
+        ("id", PointArray::Integers(&[-1, i64::MAX])),
+    ];
+    let mut file = Vec::new();
+    write_vtp(&mut file, &points, &data).unwrap();
+    assert_eq!(parse_frame(&file, Format::Vtp).unwrap().positions, points);
+    let text = String::from_utf8(file).unwrap();
+    let document = Document::parse(&text).unwrap();
+    let piece = child(child(root(&document, "PolyData"), "PolyData"), "Piece");
+    assert_eq!(
+        (
+            piece.attribute("NumberOfPoints"),
+            piece.attribute("NumberOfVerts")
+        ),
+        (Some("2"), Some("2"))
+    );
+    let values = child(piece, "PointData");
+    let reals = |name: &str| {
+        array(values, name, "Float64")
+            .into_iter()
+            .map(f64::from_le_bytes)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(reals("time"), [0.25, 1.0]);
+    assert_eq!(reals("normal"), normals.as_flattened());
+    let ids = array(values, "id", "Int64").into_iter().map(i64::from_le_bytes);
+    assert_eq!(ids.collect::<Vec<_>>(), [-1, i64::MAX]);
+    let cells = child(piece, "Verts");
+    let integers = |name: &str| {
+        array(cells, name, "Int64")
+            .into_iter()
+            .map(i64::from_le_bytes)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        (integers("connectivity"), integers("offsets")),
+        (vec![0, 1], vec![1, 2])
+    );
+}
+
+#[test]
+fn points_with_other_numbers_of_values_are_refused() {
+    let write = |points: &[Point], data: &[(&str, PointArray)]| {
+        let error = write_vtp(std::io::sink(), points, data).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::InvalidInput);
+        error.to_string()
+    };
+    assert_eq!(
+        write(&[[0.0; 3]], &[("time", PointArray::Reals(&[]))]),
+        "0 values of time, expected one for each of 1 points"
+    );
+    write(&[[0.0, f64::NAN, 0.0]], &[]);
 }

@@ -7,7 +7,7 @@ use exact_ccd::{Collision, ContactTime, Kind};
 pub(crate) struct Approach<'a, K> {
     /// The collision within the distance for pairs that start beyond it.
     collision: Collision<'a, K>,
-    /// The distance for pairs that start within the other one.
+    /// The inner distance, if there is one.
     inner: Option<Separation>,
 }
 
@@ -28,7 +28,7 @@ impl<'a, K: Kind> Approach<'a, K> {
     /// up to the inner one.
     pub(crate) fn contact(self) -> Option<Collision<'a, K>> {
         match self.nearer() {
-            Some(inner) if is_start(self.collision.first_contact_time()) => {
+            Some(inner) if self.collision.first_contact_time().is_start() => {
                 self.collision.query().collision_within(inner)
             }
             _ => Some(self.collision),
@@ -38,7 +38,7 @@ impl<'a, K: Kind> Approach<'a, K> {
     /// The times of the approach.
     pub(crate) fn times(&self) -> Times {
         let first = self.collision.first_contact_time();
-        let starts_within = is_start(first);
+        let starts_within = first.is_start();
         let contact = match self.nearer() {
             Some(inner) if starts_within => self.collision.query().first_within(inner),
             _ => Some(first),
@@ -53,9 +53,4 @@ impl<'a, K: Kind> Approach<'a, K> {
     fn nearer(&self) -> Option<Separation> {
         self.inner.filter(|&inner| inner < self.collision.separation())
     }
-}
-
-/// Returns true for t = 0.
-fn is_start(time: ContactTime) -> bool {
-    time.is_exact() && time.lower() == 0.0
 }

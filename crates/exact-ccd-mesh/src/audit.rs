@@ -1,9 +1,10 @@
 //! The certificate of a sequence of frames: the mesh never touches itself.
 
+use crate::can_collide::CanCollide;
 use crate::contact::Contact;
 use crate::detector::Detector;
 use crate::frame::Frame;
-use crate::intersections::{Intersection, IntersectionsError, intersections};
+use crate::intersections::{Intersection, intersections_among};
 use crate::min_distance::MinDistance;
 use crate::motion::MotionError;
 use crate::step::StepError;
@@ -46,6 +47,7 @@ pub struct Audit {
     last: Option<(Frame, Detector)>,
     frames: usize,
     min_distance: MinDistance,
+    can_collide: CanCollide,
 }
 
 /// A place where a mesh touches itself.
@@ -70,12 +72,21 @@ pub enum Violation {
 impl Audit {
     /// The audit of frames between which primitives keep a minimum distance. The default is 0, which is
     /// contact.
+    ///
+    /// An [inner distance](MinDistance::with_inner) is for line searches that start within the minimum
+    /// distance. An audit does not use it: such a start is a violation.
     #[must_use]
     pub fn with_min_distance(min_distance: MinDistance) -> Self {
         Self {
-            min_distance,
+            min_distance: min_distance.without_inner(),
             ..Self::default()
         }
+    }
+
+    /// The same audit, restricted to the pairs that can collide: those of an edge and a face, too.
+    #[must_use]
+    pub fn with_can_collide(self, can_collide: CanCollide) -> Self {
+        Self { can_collide, ..self }
     }
 
     /// Examines the next frame, and the step that leads to it.
@@ -94,9 +105,9 @@ impl Audit {
                 contact,
             })
         } else {
-            let detector = Detector::new(frame.mesh.clone());
+            let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
             let mut detector = detector.with_min_distance(self.min_distance.clone())?;
-            let violation = at_rest(&frame, &mut detector)?;
+            let violation = at_rest(&frame, &self.can_collide, &mut detector)?;
             self.last = Some((frame, detector));
             violation
         };
@@ -119,12 +130,13 @@ impl Audit {
 
 /// The violation in the first frame at rest: an intersection, or a contact of a step without
 /// motion.
-fn at_rest(frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
+fn at_rest(
+    frame: &Frame,
+    can_collide: &CanCollide,
+    detector: &mut Detector,
+) -> Result<Option<Violation>, StepError> {
     let positions = &frame.positions;
-    let found = intersections(&frame.mesh, positions).map_err(|error| match error {
-        IntersectionsError::Positions(error) => StepError::Start(error),
-        IntersectionsError::TooManyPrimitives(error) => error.into(),
-    })?;
+    let found = intersections_among(&frame.mesh, positions, can_collide)?;
     if let Some(&intersection) = found.first() {
         return Ok(Some(Violation::Intersection {
             frame: 0,

@@ -1,4 +1,4 @@
-//! One value for each kind of pairs.
+//! Values that differ between the kinds of pairs.
 
 /// One value for each kind of pairs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

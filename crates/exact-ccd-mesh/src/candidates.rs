@@ -62,8 +62,8 @@ impl Candidates {
     /// All pairs whose boxes over the step overlap: all contacts of the step are among them.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase) -> Self {
-        // The default distances are 0.
-        Self::with_options(step, broad_phase, &CandidateOptions::default()).unwrap_or_default()
+        let candidates = Self::with_options(step, broad_phase, &CandidateOptions::default());
+        candidates.expect("the default distances are 0")
     }
 
     /// The candidates of a step, with options.
@@ -99,13 +99,6 @@ impl Candidates {
         sink: impl Fn(&[Pair]) -> ControlFlow<()> + Sync,
     ) -> Result<ControlFlow<()>, CandidateError> {
         overlaps::stream(step, broad_phase, options, &Sink(sink))
-    }
-
-    /// The same pairs for decisions about another minimum distance, up to that for which they have
-    /// been found. Vertices without a thickness have thickness 0.
-    #[must_use]
-    pub fn with_min_distance(self, min_distance: MinDistance) -> Self {
-        Self { min_distance, ..self }
     }
 
     /// Pairs of a vertex and a face that it is no corner of, sorted.
@@ -157,7 +150,7 @@ impl Candidates {
     /// contact found.
     #[must_use]
     pub fn is_free(&self, step: Step<'_>) -> bool {
-        let contact = AnyContact::default();
+        let contact = AnyContact::new(|_| true);
         self.examine(step, &contact);
         !contact.is_found()
     }

@@ -31,17 +31,27 @@ pub(crate) trait Collect: Sync {
     ) -> ControlFlow<()>;
 }
 
-/// The existence of a contact.
-#[derive(Default)]
-pub(crate) struct AnyContact(AtomicBool);
+/// The existence of a contact that counts.
+pub(crate) struct AnyContact<F> {
+    is_found: AtomicBool,
+    /// Evaluated for pairs in contact only.
+    counts: F,
+}
 
-impl AnyContact {
+impl<F: Fn(Pair) -> bool + Sync> AnyContact<F> {
+    pub(crate) fn new(counts: F) -> Self {
+        Self {
+            is_found: AtomicBool::new(false),
+            counts,
+        }
+    }
+
     pub(crate) fn is_found(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
+        self.is_found.load(Ordering::Relaxed)
     }
 }
 
-impl Collect for AnyContact {
+impl<F: Fn(Pair) -> bool + Sync> Collect for AnyContact<F> {
     const PROFITS_FROM_SAMPLE: bool = true;
 
     fn until(&self) -> f64 {
@@ -54,9 +64,9 @@ impl Collect for AnyContact {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        narrow_phase.approaches::<K>(mesh, pairs, |_, approach| {
-            if approach.contact().is_some() {
-                self.0.store(true, Ordering::Relaxed);
+        narrow_phase.approaches::<K>(mesh, pairs, |ids, approach| {
+            if !self.is_found() && approach.contact().is_some() && (self.counts)(K::pair(ids)) {
+                self.is_found.store(true, Ordering::Relaxed);
             }
         });
         if self.is_found() {
@@ -186,9 +196,7 @@ impl Collect for ContactsUntil {
             let Some(collision) = approach.contact() else {
                 return;
             };
-            let time = collision.first_contact_time();
-            // A time that is not an f64 lies above its lower bound.
-            if time.lower() < self.time || time.is_exact() && time.lower() <= self.time {
+            if collision.first_contact_time().is_at_most(self.time) {
                 found.push(Contact::new(K::pair(ids), &collision));
             }
         });

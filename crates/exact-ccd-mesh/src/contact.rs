@@ -34,7 +34,8 @@ impl Contact {
 
     /// The order of contacts.
     pub(crate) fn compare(&self, other: &Self) -> Ordering {
-        compare((self.impact.time, self.pair), (other.impact.time, other.pair))
+        let key = |contact: &Self| (contact.impact.time, contact.pair);
+        key(self).cmp(&key(other))
     }
 }
 
@@ -43,10 +44,5 @@ pub(crate) fn earlier(
     a: Option<(ContactTime, Pair)>,
     b: Option<(ContactTime, Pair)>,
 ) -> Option<(ContactTime, Pair)> {
-    a.into_iter().chain(b).min_by(|&a, &b| compare(a, b))
-}
-
-fn compare((s, p): (ContactTime, Pair), (t, q): (ContactTime, Pair)) -> Ordering {
-    // No time is NaN.
-    s.partial_cmp(&t).unwrap_or(Ordering::Equal).then(p.cmp(&q))
+    a.into_iter().chain(b).min()
 }

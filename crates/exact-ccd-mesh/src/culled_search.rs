@@ -72,9 +72,9 @@ impl<B: BroadPhase> CulledSearch<B> {
         self.narrow_phase.contact(step.mesh(), pair)
     }
 
-    /// Returns true if a step of the mesh is free of contact.
-    pub(crate) fn is_free(&mut self, step: &Step<'_>) -> bool {
-        let contact = AnyContact::default();
+    /// Returns true if a step of the mesh is free of contact of the pairs that count.
+    pub(crate) fn is_free(&mut self, step: &Step<'_>, counts: impl Fn(Pair) -> bool + Sync) -> bool {
+        let contact = AnyContact::new(counts);
         self.run(step, &contact);
         !contact.is_found()
     }
@@ -120,7 +120,7 @@ impl Step<'_> {
     /// [`Detector`](crate::Detector) is faster.
     #[must_use]
     pub fn is_free(&self, broad_phase: &impl BroadPhase) -> bool {
-        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).is_free(self)
+        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).is_free(self, |_| true)
     }
 }
 

@@ -11,6 +11,7 @@ use crate::contact::Contact;
 use crate::culled_search::CulledSearch;
 use crate::mesh::TriangleMesh;
 use crate::min_distance::{MinDistance, ThicknessCount};
+use crate::pair::Pair;
 use crate::step::{Step, StepError};
 
 /// Finds contact in successive steps of one mesh.
@@ -114,8 +115,25 @@ impl<B: BroadPhase> Detector<B> {
     /// # Errors
     /// [`StepError`] names the positions that are too many, too few or not finite.
     pub fn is_free(&mut self, x0: &[Point], x1: &[Point]) -> Result<bool, StepError> {
+        self.is_free_of(x0, x1, |_| true)
+    }
+
+    /// Returns true if no pair that counts touches in the step from positions `x0` to positions `x1`.
+    ///
+    /// The predicate is evaluated for pairs in contact only, on many threads, and some pairs twice. So it
+    /// may be slow, where that of [`with_can_collide`](Self::with_can_collide), which holds for all answers,
+    /// is evaluated for every candidate.
+    ///
+    /// # Errors
+    /// [`StepError`] names the positions that are too many, too few or not finite.
+    pub fn is_free_of(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        counts: impl Fn(Pair) -> bool + Sync,
+    ) -> Result<bool, StepError> {
         let step = Step::new(&self.mesh, x0, x1)?;
-        Ok(self.search.is_free(&step))
+        Ok(self.search.is_free(&step, counts))
     }
 
     /// The contacts in the step from positions `x0` to positions `x1` whose first time is not after

@@ -1,14 +1,18 @@
 //! Self-intersections of a mesh at rest.
 
+use std::cmp::Ordering::{Greater, Less};
+
 use exact_ccd::Point;
-use exact_ccd::predicates::EdgeFace;
+use exact_ccd::predicates::{EdgeFace, orient3d};
 use rayon::prelude::*;
 
 use crate::aabb::Aabb;
 use crate::broad_phase::{Boxes, BroadPhase, Bvh, PairCollector};
+use crate::can_collide::CanCollide;
 use crate::mesh::TriangleMesh;
 use crate::positions::{self, PositionsError};
 use crate::primitive_count::TooManyPrimitives;
+use crate::step::StepError;
 
 /// An edge and a face that have a common point and share no vertex. Ordered by the edge, then by
 /// the face.
@@ -32,12 +36,36 @@ pub enum IntersectionsError {
     TooManyPrimitives(#[from] TooManyPrimitives),
 }
 
+/// Positions at rest are those at the start of a step.
+impl From<IntersectionsError> for StepError {
+    fn from(error: IntersectionsError) -> Self {
+        match error {
+            IntersectionsError::Positions(error) => Self::Start(error),
+            IntersectionsError::TooManyPrimitives(error) => error.into(),
+        }
+    }
+}
+
 /// All pairs of an edge and a face that have a common point and share no vertex, sorted.
 ///
-/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. Two faces
-/// without a common vertex meet if and only if an edge of one meets the other. Of two faces that
-/// share a vertex, the sides opposite to it are examined; faces that share two, as when a fold
-/// closes, are not.
+/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. For two faces,
+/// this and the contacts at rest of a [`Step`](crate::Step) say all:
+///
+/// - *No common vertex*: the faces meet if and only if an edge of one meets the other.
+/// - *One common vertex* v: they have a point other than v in common if and only if the side opposite
+///   to v of one of them meets the other. From v through a common point, a ray leaves one of the
+///   faces first, there is a common point too, and a face that contains v is left on the side opposite
+///   to v.
+/// - *Two common vertices* p, q, and third vertices a, b: faces with an area have a point outside of
+///   the edge p q in common if and only if the fold is closed, that is, a and b lie in one plane with p
+///   and q, on the same side of their line. There is no pair without a common vertex then, but a
+///   contact at rest: let the angle of the first face be the larger one at p. If it is so at q, then b
+///   lies in the first face; otherwise the ray from p through b leaves the first face on its side q a,
+///   before b, and the edges p b and q a cross. Without a closed fold, none of these four pairs
+///   touches.
+///
+/// So the mesh has no two faces with more in common than their vertices and edges, if there are neither
+/// intersections nor contacts at t = 0. [`Audit`](crate::Audit) examines both.
 ///
 /// ```
 /// use exact_ccd_mesh::{Intersection, TriangleMesh, intersections};
@@ -59,14 +87,81 @@ pub fn intersections(
     mesh: &TriangleMesh,
     positions: &[Point],
 ) -> Result<Vec<Intersection>, IntersectionsError> {
+    intersections_among(mesh, positions, &CanCollide::all())
+}
+
+/// The same, of the pairs that can collide: the predicate has the ends of the edge, then the corners of the
+/// face.
+///
+/// # Errors
+/// As [`intersections`].
+pub fn intersections_among(
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    can_collide: &CanCollide,
+) -> Result<Vec<Intersection>, IntersectionsError> {
+    search(mesh, positions, can_collide, |edge, face| {
+        // All positions are finite.
+        EdgeFace::new(edge, face).is_ok_and(|pair| pair.intersects())
+    })
+}
+
+/// All pairs of an edge and a face that share no vertex and can collide, if the edge passes through the
+/// face: its ends are on different sides of the plane of the face, and they have a common point.
+///
+/// An edge that meets a face without passing through it has an end in the face, or lies in its plane
+/// and has a point in common with a side. Then a vertex touches a face, or two edges touch, and that is
+/// a contact at t = 0 of any step that begins here. So crossings, and the contacts of a step, are all
+/// that [`intersections`] and the step find, in less time: most pairs are decided by the sides alone.
+///
+/// ```
+/// use exact_ccd_mesh::{CanCollide, Intersection, TriangleMesh, crossings};
+///
+/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
+/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+/// let above = |z: f64| [[1.0, 1.0, z], [1.0, 2.0, z + 1.0], [2.0, 1.0, z + 1.0]];
+/// let found = crossings(&mesh, &[floor, above(-0.5)].concat(), &CanCollide::all())?;
+/// assert_eq!(found, [Intersection { edge: 3, face: 0 }, Intersection { edge: 4, face: 0 }]);
+/// // The tip touches the floor.
+/// assert_eq!(crossings(&mesh, &[floor, above(0.0)].concat(), &CanCollide::all())?, []);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As [`intersections`].
+pub fn crossings(
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    can_collide: &CanCollide,
+) -> Result<Vec<Intersection>, IntersectionsError> {
+    search(mesh, positions, can_collide, |edge, [v1, v2, v3]| {
+        let side = |end| orient3d([v1, v2, v3, end]);
+        let [a, b] = edge;
+        // All positions are finite.
+        let ends_are_apart = match side(a) {
+            Ok(Less) => side(b) == Ok(Greater),
+            Ok(Greater) => side(b) == Ok(Less),
+            _ => false,
+        };
+        ends_are_apart && EdgeFace::new(edge, [v1, v2, v3]).is_ok_and(|pair| pair.intersects())
+    })
+}
+
+/// The pairs that can collide and meet, sorted.
+fn search(
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    can_collide: &CanCollide,
+    do_meet: impl Fn([Point; 2], [Point; 3]) -> bool + Sync,
+) -> Result<Vec<Intersection>, IntersectionsError> {
     positions::check(mesh, positions)?;
     let (edges, faces) = (mesh.edges(), mesh.faces());
     let point = |vertex: u32| positions[vertex as usize];
     let meet = |&[edge, face]: &[u32; 2]| {
         let (ends, corners) = (edges[edge as usize], faces[face as usize]);
         ends.iter().all(|end| !corners.contains(end))
-            // All positions are finite.
-            && EdgeFace::new(ends.map(point), corners.map(point)).is_ok_and(|pair| pair.intersects())
+            && can_collide.allows(&ends, &corners)
+            && do_meet(ends.map(point), corners.map(point))
     };
     let around = |vertices: &[u32]| -> [Aabb; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
     let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();

@@ -48,6 +48,7 @@ mod candidate_options;
 mod candidates;
 mod collect;
 mod contact;
+mod contact_points;
 mod culled_search;
 mod detector;
 mod frame;
@@ -81,10 +82,11 @@ pub use can_collide::CanCollide;
 pub use candidate_options::{BoxKind, CandidateError, CandidateOptions};
 pub use candidates::Candidates;
 pub use contact::Contact;
+pub use contact_points::contact_points;
 pub use detector::Detector;
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
-pub use intersections::{Intersection, IntersectionsError, intersections};
+pub use intersections::{Intersection, IntersectionsError, crossings, intersections, intersections_among};
 pub use line_search::{
     FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
 };

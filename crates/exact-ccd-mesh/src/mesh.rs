@@ -1,7 +1,7 @@
 //! The connectivity of a triangle mesh.
 
-/// The connectivity of a mesh: faces, edges (of faces and loose ones, as of rods) and vertices
-/// (loose ones are points).
+/// The connectivity of a mesh: faces, edges and vertices. An edge is *loose* if it is not an edge of a
+/// face, as those of rods; a vertex is loose if it has no edge, as points.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct TriangleMesh {
     vertex_count: usize,
@@ -95,7 +95,6 @@ impl TriangleMesh {
                 vertex_count,
             });
         }
-        let sides = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]];
         let mut all = unique(faces.iter().flat_map(sides));
         let face_edge_count = all.len();
         let mut loose = unique(edges.iter().copied());
@@ -109,8 +108,8 @@ impl TriangleMesh {
         })
     }
 
-    /// The mesh without its loose vertices, and the index here of each remaining vertex, in
-    /// increasing order.
+    /// The mesh without the vertices of no face and no edge, and the index here of each remaining
+    /// vertex, in increasing order.
     ///
     /// Faces and edges keep their order.
     ///
@@ -166,11 +165,12 @@ impl TriangleMesh {
         &self.edges[self.face_edge_count..]
     }
 
-    /// The vertices of no face and no edge, in increasing order.
+    /// The vertices without an edge, in increasing order.
     ///
-    /// The iterator is lazy: a mesh may have more vertices than fit into memory.
+    /// A vertex of a face whose three corners are the same vertex is loose, too. The iterator is lazy: a
+    /// mesh may have more vertices than fit into memory.
     pub fn loose_vertices(&self) -> impl Iterator<Item = u32> + use<> {
-        let mut used = self.used_vertices().into_iter().peekable();
+        let mut used = sorted(self.edges.as_flattened().to_vec()).into_iter().peekable();
         let vertices = 0..self.vertex_count as u64;
         vertices
             .map(|vertex| vertex as u32)
@@ -180,11 +180,20 @@ impl TriangleMesh {
     /// The vertices of faces and edges, each once, in increasing order.
     fn used_vertices(&self) -> Vec<u32> {
         let corners = self.faces.as_flattened().iter();
-        let mut vertices: Vec<u32> = corners.chain(self.edges.as_flattened()).copied().collect();
-        vertices.sort_unstable();
-        vertices.dedup();
-        vertices
+        sorted(corners.chain(self.edges.as_flattened()).copied().collect())
     }
+}
+
+/// Vertices in increasing order, each once.
+fn sorted(mut vertices: Vec<u32>) -> Vec<u32> {
+    vertices.sort_unstable();
+    vertices.dedup();
+    vertices
+}
+
+/// The edges of a face as pairs (i, j), i ≤ j.
+pub(crate) fn sides(&[a, b, c]: &[u32; 3]) -> [[u32; 2]; 3] {
+    [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)])
 }
 
 /// The first element with a vertex that is out of range, and that vertex.

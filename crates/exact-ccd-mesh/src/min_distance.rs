@@ -12,8 +12,8 @@ use crate::mesh::TriangleMesh;
 /// Two primitives *touch* if their distance is at most the minimum distance of the pair, and all that
 /// is said about contact holds for this. The distance is taken exactly; with
 /// [thicknesses](Self::thickness), that of a pair is the sum of those of both primitives, rounded up.
-/// Pairs that share a vertex are no pairs. So the minimum distance should be smaller than the edges
-/// of the mesh: primitives that are two edges apart along the surface come near each other too.
+/// Primitives that share a vertex do not form a pair. So the minimum distance should be smaller than
+/// the edges of the mesh: primitives that are two edges apart along the surface come near each other too.
 ///
 /// ```
 /// use exact_ccd::separation::Separation;
@@ -27,7 +27,7 @@ use crate::mesh::TriangleMesh;
 /// let mut detector = Detector::new(mesh).with_min_distance(d.clone())?;
 /// let contact = detector.earliest_contact(&at(2.5), &at(-1.5))?.expect("the point gets through");
 /// assert_eq!((contact.impact.time.lower(), contact.distance.upper), (0.5, 0.5));
-/// // It starts within 0.5, but keeps 0.25.
+/// // It starts within 0.5, but stays 0.25 away.
 /// assert!(!detector.is_free(&at(0.5), &at(0.375))?);
 /// let mut detector = detector.with_min_distance(d.with_inner(Separation::new(0.25)?))?;
 /// assert!(detector.is_free(&at(0.5), &at(0.375))?);
@@ -94,6 +94,11 @@ impl MinDistance {
         }
     }
 
+    /// The same distance without an inner one.
+    pub(crate) fn without_inner(self) -> Self {
+        Self { inner: None, ..self }
+    }
+
     /// The distance for pairs that start beyond it.
     #[must_use]
     pub fn separations(&self) -> Separations<'_> {
@@ -103,7 +108,7 @@ impl MinDistance {
         }
     }
 
-    /// The distance for pairs that start within the other one, if it is not the same.
+    /// The inner distance, if there is one.
     #[must_use]
     pub fn inner(&self) -> Option<Separation> {
         self.inner

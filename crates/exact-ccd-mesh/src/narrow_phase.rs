@@ -109,7 +109,7 @@ impl NarrowPhase {
                     self.min_distance.separations(),
                     |index, collision| found(kept[index], Approach::new(collision, inner)),
                 )
-                .expect("a mesh has the vertices of its primitives");
+                .expect("a mesh has the vertices of its primitives, and each has a thickness");
         }
     }
 

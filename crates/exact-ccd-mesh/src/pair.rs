@@ -1,6 +1,6 @@
 //! Pairs of primitives of a mesh, and their vertices.
 
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 
 use crate::by_kind::PairCounts;
 use crate::mesh::TriangleMesh;
@@ -10,15 +10,22 @@ use crate::pair_kind::PairKind;
 ///
 /// Pairs are ordered by their kind, as below, then by the first index, then by the second.
 ///
+/// Only primitives [that take part](crate::CanCollide::among) form pairs. Among these, an edge is *loose*
+/// if it belongs to no face, and a vertex if it has no edge.
+///
 /// # All distances
 ///
 /// These four kinds of pairs cover the distance of any two primitives without a common vertex, except
-/// near the ends of rods as stated below. The least distance of two primitives, neither of which is a
-/// vertex, is that of a vertex and a face or of two edges among them, or 0 where an edge passes through
-/// a face. To get there they come into contact as a pair of these kinds first, unless they intersect at
-/// the start, which [`intersections`](crate::intersections) finds. What remains is a vertex p against
-/// an edge e, or against a vertex q. Primitives contain their edges and vertices. So a pair of which
-/// one contains p, and the other e or q, is at most as far apart. There is one, if
+/// near the ends of rods as stated below.
+///
+/// The least distance of an edge or a face and another edge or face is that of a vertex and a face or of
+/// two edges among them, or 0 where an edge passes through a face. Before an edge passes through a face,
+/// a vertex and the face or two edges come into contact, unless the two intersect at the start, which
+/// [`intersections`](crate::intersections) finds.
+///
+/// What remains is a vertex p against an edge e, or against a vertex q. Primitives contain their edges and
+/// vertices. So a pair of which one contains p, and the other e or q, is at most as far apart. There is
+/// one, if
 ///
 /// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;
 /// - p is an end of an edge that has no vertex in common with e, or with an edge of q: both edges;
@@ -86,6 +93,28 @@ impl Pair {
             Self::EdgeEdge { a, b } => of::<EdgeEdge>(mesh, [a, b]),
             Self::VertexEdge { vertex, edge } => of::<VertexEdge>(mesh, [vertex, edge]),
             Self::VertexVertex { a, b } => of::<VertexVertex>(mesh, [a, b]),
+        }
+    }
+
+    /// The number of vertices of the first primitive, which are the first ones of
+    /// [`vertices`](Self::vertices).
+    #[must_use]
+    pub fn first_len(&self) -> usize {
+        match self {
+            Self::EdgeEdge { .. } => EdgeEdge::FIRST,
+            Self::VertexFace { .. } => VertexFace::FIRST,
+            Self::VertexEdge { .. } => VertexEdge::FIRST,
+            Self::VertexVertex { .. } => VertexVertex::FIRST,
+        }
+    }
+
+    /// The indices of both primitives in the mesh.
+    #[must_use]
+    pub fn ids(&self) -> [u32; 2] {
+        match *self {
+            Self::VertexFace { vertex, face } => [vertex, face],
+            Self::VertexEdge { vertex, edge } => [vertex, edge],
+            Self::EdgeEdge { a, b } | Self::VertexVertex { a, b } => [a, b],
         }
     }
 }

@@ -21,13 +21,15 @@ pub trait PairKind: Kind + Send + Sync {
     fn are_apart(vertices: &Self::Vertices) -> bool;
 }
 
-/// The sets of primitives of a mesh among which pairs are searched.
+/// The sets of primitives of a mesh among which pairs are searched: of those that take part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PrimitiveSet {
     Vertices,
     Faces,
     Edges,
+    /// The vertices of no edge. The corner of a face whose three corners are one vertex is among them.
     LooseVertices,
+    /// The edges of no face.
     LooseEdges,
 }
 

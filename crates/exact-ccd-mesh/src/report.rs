@@ -68,8 +68,8 @@ impl StepReport {
     /// call from there.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase, progress: &(dyn Fn(usize) + Sync)) -> Self {
-        // The default distances are 0.
-        Self::with_options(step, broad_phase, &CandidateOptions::default(), progress).unwrap_or_default()
+        let report = Self::with_options(step, broad_phase, &CandidateOptions::default(), progress);
+        report.expect("the default distances are 0")
     }
 
     /// The same among other candidates, and for another minimum distance.

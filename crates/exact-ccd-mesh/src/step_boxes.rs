@@ -1,5 +1,6 @@
 //! The boxes of a mesh's primitives during a step.
 
+use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use exact_ccd::Point;
@@ -9,7 +10,7 @@ use crate::aabb::Aabb;
 use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
 use crate::can_collide::CanCollide;
 use crate::margin::Margin;
-use crate::mesh::TriangleMesh;
+use crate::mesh::{TriangleMesh, sides};
 use crate::pair_kind::{PrimitiveSet, Searched};
 use crate::step::Step;
 
@@ -97,26 +98,8 @@ impl<const T: usize> StepBoxes<T> {
         let faces = by_first_vertex(&rank, mesh.faces(), can_collide);
         let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
 
-        let mut is_loose = vec![true; x0.len()];
-        for &vertex in mesh
-            .faces()
-            .as_flattened()
-            .iter()
-            .chain(mesh.loose_edges().as_flattened())
-        {
-            is_loose[vertex as usize] = false;
-        }
-        let loose_vertices = vertices
-            .iter()
-            .copied()
-            .filter(|&id| is_loose[id as usize])
-            .collect();
-        let first_loose = mesh.edges().len() - mesh.loose_edges().len();
-        let loose_edges = edges
-            .iter()
-            .copied()
-            .filter(|&id| id as usize >= first_loose)
-            .collect();
+        let loose_vertices = loose_vertices(mesh, &vertices, &edges);
+        let loose_edges = loose_edges(mesh, &edges, can_collide);
 
         // In the order of `PrimitiveSet`.
         self.sets = [vertices, faces, edges, loose_vertices, loose_edges].map(Boxes::in_order);
@@ -227,6 +210,36 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })
+}
+
+/// Those of the vertices that have none of the edges.
+fn loose_vertices(mesh: &TriangleMesh, vertices: &[u32], edges: &[u32]) -> Vec<u32> {
+    let mut has_edge = vec![false; mesh.vertex_count()];
+    for &edge in edges {
+        for vertex in mesh.edges()[edge as usize] {
+            has_edge[vertex as usize] = true;
+        }
+    }
+    let mut loose = vertices.to_vec();
+    loose.retain(|&vertex| !has_edge[vertex as usize]);
+    loose
+}
+
+/// Those of the edges that belong to no face that takes part.
+fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
+    let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
+    let left_out = mesh.faces().iter().filter(|face| !takes_part(face));
+    // Only edges of faces that are left out may lack a face.
+    let mut lacking: HashSet<[u32; 2]> = left_out.flat_map(sides).collect();
+    if !lacking.is_empty() {
+        for side in mesh.faces().iter().filter(takes_part).flat_map(sides) {
+            lacking.remove(&side);
+        }
+    }
+    let first_loose = mesh.edges().len() - mesh.loose_edges().len();
+    let mut loose = edges.to_vec();
+    loose.retain(|&edge| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]));
+    loose
 }
 
 /// The indices of the primitives that take part, in the order of the ranks of their first vertices.

@@ -49,6 +49,58 @@ impl Welding {
         }
     }
 
+    /// Keeps apart the vertices that coincide but are not ends of coinciding edges: the seams remain at
+    /// which exporters split vertices, for texture coordinates or normals.
+    ///
+    /// Vertices are welded if two edges of `mesh` that end in them coincide, and so are the vertices that a
+    /// chain of such edges connects. Bodies that touch in single points, and loose vertices, stay apart.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::{TriangleMesh, Welding};
+    ///
+    /// // Two faces with a common side, and a third one that touches them in a corner.
+    /// let mesh = TriangleMesh::new(9, vec![[0, 1, 2], [3, 4, 5], [6, 7, 8]])?;
+    /// let [a, b, c, d] = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]];
+    /// let mut welding = Welding::default();
+    /// welding.restrict(&[a, b, c, c, b, d, a, [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]]);
+    /// let welding = welding.along_edges(&mesh);
+    /// assert_eq!(welding.mesh(&mesh)?.faces(), [[0, 1, 2], [2, 1, 3], [4, 5, 6]]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn along_edges(self, mesh: &TriangleMesh) -> Self {
+        let place = |vertex: u32| self.vertex_of.get(vertex as usize).copied();
+        // The least vertex that is known to be welded with each; it leads to the least of all.
+        let mut welded: Vec<u32> = (0..self.vertex_of.len()).map(|vertex| vertex as u32).collect();
+        let mut edges: HashMap<[u32; 2], [u32; 2]> = HashMap::new();
+        for &[a, b] in mesh.edges() {
+            let (Some(at_a), Some(at_b)) = (place(a), place(b)) else {
+                continue;
+            };
+            let ends = if at_a < at_b { [a, b] } else { [b, a] };
+            if at_a == at_b {
+                continue;
+            }
+            let first = *edges.entry([at_a.min(at_b), at_a.max(at_b)]).or_insert(ends);
+            for (x, y) in first.into_iter().zip(ends) {
+                let (x, y) = (root(&welded, x), root(&welded, y));
+                welded[x.max(y) as usize] = x.min(y);
+            }
+        }
+        let mut first = Vec::new();
+        let mut vertex_of = Vec::with_capacity(welded.len());
+        for vertex in 0..welded.len() {
+            let least = root(&welded, vertex as u32) as usize;
+            if least == vertex {
+                first.push(vertex);
+                vertex_of.push(first.len() as u32 - 1);
+            } else {
+                vertex_of.push(vertex_of[least]);
+            }
+        }
+        Self { vertex_of, first }
+    }
+
     /// The mesh with the new vertices.
     ///
     /// # Errors
@@ -94,6 +146,14 @@ impl Motion {
             x1: welding.positions(&split.x1),
         })
     }
+}
+
+/// The least vertex that a vertex is known to be welded with.
+fn root(welded: &[u32], mut vertex: u32) -> u32 {
+    while welded[vertex as usize] != vertex {
+        vertex = welded[vertex as usize];
+    }
+    vertex
 }
 
 /// A key that is equal for positions that are equal as numbers.

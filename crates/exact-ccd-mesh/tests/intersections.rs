@@ -3,13 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 #[path = "../../exact-ccd/tests/intersection/oracle.rs"]
-#[expect(dead_code, reason = "orientations are tested elsewhere")]
 mod oracle;
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    Audit, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError, StepError,
-    TriangleMesh, Violation, intersections, step,
+    Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
+    StepError, TriangleMesh, Violation, crossings, intersections, intersections_among, step,
 };
 use proptest::prelude::*;
 
@@ -77,6 +76,27 @@ proptest! {
         prop_assert_eq!(intersections(&mesh, &x).unwrap(), expected(&mesh, &x));
     }
 
+    /// Crossings are intersections, and any other intersection touches at the start of a step.
+    #[test]
+    fn crossings_and_contacts_at_rest_are_all_intersections(mesh in mesh(9, 0..6), x in positions(9, small())) {
+        let all = intersections(&mesh, &x).unwrap();
+        let found = crossings(&mesh, &x, &CanCollide::all()).unwrap();
+        prop_assert!(found.iter().all(|pair| all.contains(pair)));
+        let touching = step(&mesh, &x, &x).unwrap().touching;
+        let touching = touching.vertex_face + touching.edge_edge;
+        prop_assert_eq!(touches(&mesh, &x), !found.is_empty() || touching > 0);
+        let is_crossing = |pair: &Intersection| {
+            let corners = mesh.faces()[pair.face as usize].map(|vertex| x[vertex as usize]);
+            let [a, b] = mesh.edges()[pair.edge as usize].map(|vertex| {
+                oracle::orientation([corners[0], corners[1], corners[2], x[vertex as usize]])
+            });
+            a != b && a.is_ne() && b.is_ne()
+        };
+        let mut crossing = all;
+        crossing.retain(is_crossing);
+        prop_assert_eq!(found, crossing);
+    }
+
     #[test]
     fn the_number_of_threads_does_not_matter(mesh in mesh(30, 20..60), x in positions(30, -1.0..1.0)) {
         let on = |threads: usize| {
@@ -119,6 +139,116 @@ proptest! {
             // This frame was certified by the step alone, without an examination at rest.
             prop_assert!(!touches(&mesh, x));
         }
+    }
+}
+
+/// A face at integer positions, which are exact in i64.
+type Corners = [[i64; 3]; 3];
+
+fn minus(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    [0, 1, 2].map(|k| a[k] - b[k])
+}
+
+fn cross(a: [i64; 3], b: [i64; 3]) -> [i64; 3] {
+    [0, 1, 2].map(|k| a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3])
+}
+
+fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn has_area([a, b, c]: Corners) -> bool {
+    cross(minus(b, a), minus(c, a)) != [0; 3]
+}
+
+/// Two faces v a b and v c d have a point other than v in common if the cones of their directions at v
+/// have a direction in common.
+fn meet_beyond_vertex([v, a, b]: Corners, [_, c, d]: Corners) -> bool {
+    let [a, b, c, d] = [a, b, c, d].map(|corner| minus(corner, v));
+    let (n, m) = (cross(a, b), cross(c, d));
+    // For directions in the plane of the cone.
+    let in_cone = |x, [a, b]: [[i64; 3]; 2], n| dot(cross(a, x), n) >= 0 && dot(cross(x, b), n) >= 0;
+    let line = cross(n, m);
+    if line != [0; 3] {
+        let opposite = line.map(|x| -x);
+        return [line, opposite]
+            .iter()
+            .any(|&x| in_cone(x, [a, b], n) && in_cone(x, [c, d], m));
+    }
+    let is_coplanar = dot(n, c) == 0;
+    is_coplanar
+        && ([c, d].iter().any(|&x| in_cone(x, [a, b], n)) || [a, b].iter().any(|&x| in_cone(x, [c, d], m)))
+}
+
+/// A closed fold: a and b in one plane with the edge p q, on the same side of it.
+fn is_closed_fold(p: [i64; 3], q: [i64; 3], a: [i64; 3], b: [i64; 3]) -> bool {
+    let [n, m] = [a, b].map(|x| cross(minus(q, p), minus(x, p)));
+    cross(n, m) == [0; 3] && dot(n, m) > 0
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4096))]
+
+    /// As the definition of `intersections` proves: with the contacts at rest, they find all that faces with
+    /// common vertices have in common beyond these.
+    #[test]
+    fn faces_with_common_vertices_are_decided_at_rest(
+        x in prop::collection::vec(prop::array::uniform3(-2..=2i64), 5),
+        is_flat in any::<bool>(),
+        shared in 1..=2usize,
+        place in 0..3usize,
+    ) {
+        let mut x = x;
+        if is_flat {
+            x.iter_mut().for_each(|point| point[2] = point[0]);
+        }
+        let (faces, meet) = if shared == 1 {
+            let [one, other] = [[x[0], x[1], x[2]], [x[0], x[3], x[4]]];
+            prop_assume!(has_area(one) && has_area(other));
+            ([[0, 1, 2], [0, 3, 4]], meet_beyond_vertex(one, other))
+        } else {
+            x.truncate(4);
+            prop_assume!(has_area([x[0], x[1], x[2]]) && has_area([x[0], x[1], x[3]]));
+            ([[0, 1, 2], [1, 0, 3]], is_closed_fold(x[0], x[1], x[2], x[3]))
+        };
+        let mut faces = faces.to_vec();
+        faces[1].rotate_left(place);
+        let mesh = TriangleMesh::new(x.len(), faces).unwrap();
+        let x: Vec<Point> = x.iter().map(|point| point.map(|k| k as f64)).collect();
+        prop_assert_eq!(touches(&mesh, &x), meet);
+        let frame = Frame { mesh: mesh.clone(), positions: x.clone() };
+        prop_assert_eq!(Audit::default().examine(frame).unwrap().is_some(), meet);
+        // One vertex: the intersections alone are enough. Two: the contacts at rest.
+        let found = intersections(&mesh, &x).unwrap();
+        let report = step(&mesh, &x, &x).unwrap();
+        if shared == 1 {
+            prop_assert_eq!(!found.is_empty(), meet);
+        } else {
+            prop_assert_eq!(report.touching.total() > 0, meet);
+        }
+    }
+
+    #[test]
+    fn pairs_that_cannot_collide_are_left_out(
+        mesh in mesh(9, 2..8),
+        x in positions(9, small()),
+        groups in prop::collection::vec(0..3u32, 9),
+    ) {
+        let can_collide = CanCollide::different_groups(groups.clone());
+        let found = intersections_among(&mesh, &x, &can_collide).unwrap();
+        let differ = |intersection: &Intersection| {
+            let ends = mesh.edges()[intersection.edge as usize];
+            let corners = mesh.faces()[intersection.face as usize];
+            ends.iter().any(|&v| corners.iter().any(|&w| groups[v as usize] != groups[w as usize]))
+        };
+        let mut all = intersections(&mesh, &x).unwrap();
+        all.retain(differ);
+        let frame = Frame { mesh: mesh.clone(), positions: x.clone() };
+        let violation = Audit::default().with_can_collide(can_collide).examine(frame).unwrap();
+        if let Some(&intersection) = all.first() {
+            prop_assert_eq!(violation, Some(Violation::Intersection { frame: 0, intersection }));
+        }
+        prop_assert_eq!(found, all);
     }
 }
 

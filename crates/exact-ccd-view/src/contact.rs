@@ -1,7 +1,7 @@
 //! Contacts, as the page has them.
 
 use exact_ccd::Impact;
-use exact_ccd_mesh::{Contact, Intersection, Pair, Point, TriangleMesh};
+use exact_ccd_mesh::{Contact, Intersection, Point, TriangleMesh, contact_points};
 use serde::Serialize;
 
 /// Two primitives that touch, in the shape of the JSON object.
@@ -49,49 +49,36 @@ impl ShownContact {
         contact: &Contact,
     ) -> Option<Self> {
         let vertices = contact.pair.vertices(mesh)?;
-        let (first, ids) = match contact.pair {
-            Pair::VertexFace { vertex, face } => (1, [vertex, face]),
-            Pair::EdgeEdge { a, b } => (2, [a, b]),
-            Pair::VertexEdge { vertex, edge } => (1, [vertex, edge]),
-            Pair::VertexVertex { a, b } => (1, [a, b]),
-        };
-        let (first, second) = vertices.split_at(first);
+        let ids = contact.pair.ids();
+        let (first, second) = vertices.split_at(contact.pair.first_len());
         let primitives = [
             Primitive::new(Some(ids[0]), first),
             Primitive::new(Some(ids[1]), second),
         ];
         let distance = contact.distance.lower;
-        Some(Self::new(primitives, frame, positions, &contact.impact, distance))
+        Self::new(primitives, frame, positions, &contact.impact, distance)
     }
 
-    /// The contact of two primitives in the step between two frames, the first of which has this number.
+    /// The contact of two primitives in the step between two frames, the first of which has this number;
+    /// `None` if a vertex has no position.
     pub(crate) fn new(
         primitives: [Primitive; 2],
         frame: usize,
-        [x0, x1]: [&[Point]; 2],
+        positions: [&[Point]; 2],
         impact: &Impact,
         distance: f64,
-    ) -> Self {
-        let (time, [u, v]) = (impact.time.lower(), impact.parameters);
-        let at = |&vertex: &u32| mix(x0[vertex as usize], x1[vertex as usize], time);
-        // On two edges, u is the place on the first one.
-        let closest = [(0, u), (1, v)].map(|(side, place): (usize, f64)| {
-            let corners: Vec<Point> = primitives[side].vertices.iter().map(at).collect();
-            match corners[..] {
-                [a, b, c] => [0, 1, 2].map(|axis| (1.0 - u - v) * a[axis] + u * b[axis] + v * c[axis]),
-                [a, b] => mix(a, b, place),
-                _ => corners[0],
-            }
-        });
-        Self {
+    ) -> Option<Self> {
+        let [first, second] = [&primitives[0], &primitives[1]].map(|primitive| &primitive.vertices[..]);
+        let closest = contact_points([first, second], positions, impact)?;
+        Some(Self {
             frame,
-            time,
+            time: impact.time.lower(),
             primitives,
             closest,
             distance,
             normal: impact.normal,
             parameters: Some(impact.parameters),
-        }
+        })
     }
 
     /// An edge that meets a face in the frame with this number; `None` if they are not of the mesh.

@@ -1,5 +1,6 @@
 //! The HTML file.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use exact_ccd_mesh::{Point, TriangleMesh};
@@ -57,26 +58,36 @@ impl ShownFrame {
     }
 }
 
+/// A text of the page, and the id of the element that contains it.
+pub(crate) type Block<'a> = (Cow<'a, str>, Cow<'a, str>);
+
+/// The id of the JSON object.
+const JSON: &str = "page";
+
 impl Document<'_> {
+    /// The JSON object, and the arrays of the mesh and of its frames.
+    pub(crate) fn blocks(&self, mesh: &TriangleMesh) -> impl Iterator<Item = Block<'_>> {
+        // Cannot panic: the keys are strings. Text of the user cannot end the element.
+        let json = serde_json::to_string(self).expect("the object has a text");
+        let json = json.replace('<', "\\u003c");
+        let faces = block::encode_elements(mesh.faces());
+        let edges = block::encode_elements(mesh.loose_edges());
+        let mesh = [(JSON, json), ("faces", faces), ("edges", edges)];
+        let mesh = mesh.map(|(id, text)| (id.into(), text.into()));
+        let frames = self.frames.iter().enumerate();
+        let frames = frames.map(|(index, frame)| (format!("frame-{index}").into(), (&*frame.block).into()));
+        mesh.into_iter().chain(frames)
+    }
+
     pub(crate) fn write(&self, mesh: &TriangleMesh, writer: &mut impl Write) -> io::Result<()> {
         let (before, after) = VIEWER.split_once(PLACE).unwrap_or((VIEWER, ""));
         writer.write_all(before.as_bytes())?;
-        // Text of the user cannot end the element.
-        let json = serde_json::to_string(self)?.replace('<', "\\u003c");
-        writeln!(
-            writer,
-            "<script type=\"application/json\" id=\"page\">{json}</script>"
-        )?;
-        let mut block = |id: &str, text: &str| {
+        for (id, text) in self.blocks(mesh) {
+            let format = if id == JSON { "json" } else { "octet-stream" };
             writeln!(
                 writer,
-                "<script type=\"application/octet-stream\" id=\"{id}\">{text}</script>"
-            )
-        };
-        block("faces", &block::encode_elements(mesh.faces()))?;
-        block("edges", &block::encode_elements(mesh.loose_edges()))?;
-        for (index, frame) in self.frames.iter().enumerate() {
-            block(&format!("frame-{index}"), &frame.block)?;
+                "<script type=\"application/{format}\" id=\"{id}\">{text}</script>"
+            )?;
         }
         writer.write_all(after.as_bytes())
     }

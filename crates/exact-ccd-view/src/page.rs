@@ -1,5 +1,6 @@
 //! A page under construction.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use exact_ccd::Query;
@@ -104,13 +105,10 @@ impl Page {
         if let Some(collision) = query.collision_within(separation) {
             let ([x0, x1], distance) = (positions, collision.distance().lower);
             let primitives = query::primitives_of::<K>();
-            page.push(ShownContact::new(
-                primitives,
-                0,
-                [x0, x1],
-                &collision.impact(),
-                distance,
-            ));
+            let shown = ShownContact::new(primitives, 0, [x0, x1], &collision.impact(), distance);
+            if let Some(shown) = shown {
+                page.push(shown);
+            }
         }
         let query = ShownQuery::new(query, separation);
         page.summary = query.summary();
@@ -227,7 +225,22 @@ impl Page {
     /// # Errors
     /// Those of `writer`.
     pub fn write(&self, writer: &mut impl Write) -> io::Result<()> {
-        let document = Document {
+        self.document().write(&self.mesh, writer)
+    }
+
+    /// The data of the page without the program that draws it, for a viewer that is open already: texts
+    /// by the ids of the elements that contain them in the HTML file.
+    #[must_use]
+    pub fn blocks(&self) -> BTreeMap<String, String> {
+        let document = self.document();
+        let blocks = document.blocks(&self.mesh);
+        blocks
+            .map(|(id, text)| (id.into_owned(), text.into_owned()))
+            .collect()
+    }
+
+    fn document(&self) -> Document<'_> {
+        Document {
             format: document::FORMAT,
             title: &self.title,
             summary: &self.summary,
@@ -241,7 +254,6 @@ impl Page {
             contacts: &self.contacts,
             contact_count: self.contact_count,
             query: self.query.as_ref(),
-        };
-        document.write(&self.mesh, writer)
+        }
     }
 }

@@ -153,8 +153,7 @@ impl<'a, K: Kind> Collision<'a, K> {
             return at_first_time;
         }
         let first = self.first_contact_time();
-        // By its bits: a subnormal time is not zero in any floating-point environment.
-        if first.is_exact() && first.lower().to_bits() == 0 {
+        if first.is_start() {
             return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
         }
         at_first_time

@@ -41,8 +41,7 @@ impl Impact {
     /// Returns true if the primitives touch at t = 0.
     #[must_use]
     pub fn touching_at_start(&self) -> bool {
-        // By bits: a subnormal time is not zero in any floating-point environment.
-        self.time.is_exact() && self.time.lower().to_bits() == 0
+        self.time.is_start()
     }
 }
 

@@ -71,6 +71,7 @@ pub mod exact;
 mod filter;
 mod impact;
 mod kind;
+mod non_negative;
 pub mod parity;
 mod point;
 pub mod predicates;

@@ -4,12 +4,15 @@ use core::ops::Deref;
 
 use arrayvec::ArrayVec;
 
+use crate::non_negative::NonNegative;
+
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
 ///
-/// Two different times between the same two adjacent f64 compare equal.
-#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
+/// Times are in their order, in every floating-point environment. Two different times between the
+/// same two adjacent f64 compare equal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ContactTime {
-    lower: f64,
+    lower: NonNegative,
     /// True if the time is above `lower`, hence after the one that is exactly `lower`.
     is_above: bool,
 }
@@ -17,7 +20,7 @@ pub struct ContactTime {
 impl ContactTime {
     pub(crate) fn exactly(time: f64) -> Self {
         Self {
-            lower: time,
+            lower: in_step(time),
             is_above: false,
         }
     }
@@ -25,7 +28,7 @@ impl ContactTime {
     /// A time strictly between `lower` and the next larger f64.
     pub(crate) fn just_above(lower: f64) -> Self {
         Self {
-            lower,
+            lower: in_step(lower),
             is_above: true,
         }
     }
@@ -33,16 +36,16 @@ impl ContactTime {
     /// The largest f64 that is not above the time.
     #[must_use]
     pub fn lower(self) -> f64 {
-        self.lower
+        self.lower.get()
     }
 
     /// The smallest f64 that is not below the time.
     #[must_use]
     pub fn upper(self) -> f64 {
         if self.is_above {
-            self.lower.next_up()
+            self.lower().next_up()
         } else {
-            self.lower
+            self.lower()
         }
     }
 
@@ -51,6 +54,26 @@ impl ContactTime {
     pub fn is_exact(self) -> bool {
         !self.is_above
     }
+
+    /// Returns true for the start of the step, t = 0.
+    #[must_use]
+    pub fn is_start(self) -> bool {
+        self == Self::exactly(0.0)
+    }
+
+    /// Returns true if the contact is not after a time t; false for NaN.
+    #[must_use]
+    pub fn is_at_most(self, t: f64) -> bool {
+        t > 1.0 || NonNegative::new(t).is_some_and(|t| (self.lower, self.is_above) <= (t, false))
+    }
+}
+
+/// A time of the step, which is neither negative nor NaN.
+#[inline]
+fn in_step(time: f64) -> NonNegative {
+    let time = NonNegative::new(time);
+    debug_assert!(time.is_some(), "a contact time is in [0, 1]");
+    time.unwrap_or(NonNegative::ZERO)
 }
 
 /// The maximal number of isolated contact times of a query.

@@ -60,10 +60,9 @@ export function showLegend(parent: HTMLElement, page: Page): void {
     return line;
   };
   const marked = page.contacts[0] ?? page.query;
-  if (marked === null) {
-    parent.hidden = true;
-    return;
-  }
+  parent.hidden = marked === null;
+  parent.replaceChildren();
+  if (marked === null) return;
   const stops = [0, 0.25, 0.5, 0.75, 1].map((x) => css(viridis(x))).join(", ");
   const [first, second] = marked.primitives.map(({ kind }) => kind);
   parent.append(
@@ -73,8 +72,6 @@ export function showLegend(parent: HTMLElement, page: Page): void {
   if (page.contacts.length > 0) {
     parent.append(row("", MARKS.light.contact, "contact point"), row("normal", "none", "normal"));
   }
-  parent.append(
-    row("path", "none", "path of a vertex, to the larger dot"),
-  );
+  parent.append(row("path", "none", "path of a vertex, to the larger dot"));
   if (page.contacts.length > 1) parent.append(row("scale", `linear-gradient(90deg, ${stops})`, "contacts, first to last"));
 }

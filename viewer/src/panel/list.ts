@@ -1,36 +1,41 @@
 /** The list of contacts: only the rows in view are elements. */
 
 import { css, viridis } from "../colours";
-import { type Page } from "../page";
+import { type Contact, type Page } from "../page";
 import { contactIds, primitiveText, timeText } from "../text";
 
 const ROW = 58;
 
 export class ContactList {
-  private shown: number[];
+  private page: Page | null = null;
+  private place: (contact: number) => number = () => 0;
+  /** The contacts that the filter leaves. */
+  private shown: number[] = [];
   private selected: number | null = null;
 
   constructor(
-    private readonly page: Page,
     private readonly scroller: HTMLElement,
     private readonly rows: HTMLElement,
     private readonly choose: (contact: number) => void,
-    private readonly colour: (contact: number) => number,
   ) {
-    this.shown = page.contacts.map((_, i) => i);
     scroller.addEventListener("scroll", () => this.draw());
     new ResizeObserver(() => this.draw()).observe(scroller);
-    this.draw();
+  }
+
+  show(page: Page, place: (contact: number) => number): void {
+    [this.page, this.place, this.selected] = [page, place, null];
+    this.filter("");
   }
 
   /** Lists the contacts with this id of a primitive or a vertex, or all of them for an empty text. */
   filter(text: string): void {
     const ids = text.match(/\d+/g)?.map(Number) ?? [];
-    const matches = (i: number): boolean => {
-      const own = contactIds(this.page.contacts[i]);
+    const matches = (contact: Contact): boolean => {
+      const own = contactIds(contact);
       return ids.every((id) => own.includes(id));
     };
-    this.shown = this.page.contacts.map((_, i) => i).filter(matches);
+    const contacts = this.page?.contacts ?? [];
+    this.shown = contacts.map((_, i) => i).filter((i) => matches(contacts[i]));
     this.scroller.scrollTop = 0;
     this.draw();
   }
@@ -54,15 +59,17 @@ export class ContactList {
   }
 
   private draw(): void {
+    const { page } = this;
+    if (page === null) return;
     const { scrollTop, clientHeight } = this.scroller;
     const begin = Math.max(Math.floor(scrollTop / ROW) - 2, 0);
     const end = Math.min(begin + Math.ceil(clientHeight / ROW) + 4, this.shown.length);
     this.rows.style.height = `${this.shown.length * ROW}px`;
-    this.rows.replaceChildren(...this.shown.slice(begin, end).map((contact, i) => this.row(contact, begin + i)));
+    this.rows.replaceChildren(...this.shown.slice(begin, end).map((contact, i) => this.row(page, contact, begin + i)));
   }
 
-  private row(index: number, row: number): HTMLElement {
-    const contact = this.page.contacts[index];
+  private row(page: Page, index: number, row: number): HTMLElement {
+    const contact = page.contacts[index];
     const element = document.createElement("div");
     element.className = "contact";
     element.role = "option";
@@ -77,11 +84,11 @@ export class ContactList {
       made.textContent = text;
       return made;
     };
-    const time = line("time", timeText(this.page, contact));
-    time.style.setProperty("--colour", css(viridis(this.colour(index))));
+    const time = line("time", timeText(page, contact));
+    time.style.setProperty("--colour", css(viridis(this.place(index))));
     const [first, second] = contact.primitives.map(primitiveText);
     element.append(time, line("first", first), line("second", second));
-    element.title = `${timeText(this.page, contact)}: ${first} and ${second}`;
+    element.title = `${timeText(page, contact)}: ${first} and ${second}`;
     element.addEventListener("click", () => this.choose(index));
     return element;
   }

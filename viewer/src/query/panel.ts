@@ -18,21 +18,43 @@ const SAME = 1e-6;
 const SAMPLES = 240;
 
 export class QueryPanel {
-  private readonly plots: Plot[];
-  private readonly image: DomainImage;
-  private readonly view: View;
-  private readonly slice: BufferAttribute;
+  private plots: Plot[] = [];
+  private image: DomainImage | null = null;
+  private view: View | null = null;
+  private readonly sides = shape([]);
+  private readonly edges = shape([]);
+  private readonly slice = shape([]);
   private readonly area = new MeshBasicMaterial({ side: DoubleSide, transparent: true, opacity: 0.75 });
   private readonly outline = new LineBasicMaterial();
 
-  constructor(query: Query, plots: HTMLElement, canvas: HTMLCanvasElement, choose: (t: number) => void) {
+  constructor(
+    private readonly parent: HTMLElement,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly choose: (t: number) => void,
+  ) {}
+
+  show(query: Query | null): void {
+    this.plots = query === null ? [] : this.plotsOf(query);
+    this.parent.replaceChildren(...this.plots.map((plot) => plot.svg));
+    this.image = query === null ? null : new DomainImage(query);
+    if (this.image === null) return;
+    put(this.sides, this.image.sides(16));
+    put(this.edges, this.image.outline());
+    const radius = Math.max(...[...this.image.at(0), ...this.image.at(1)].map(length));
+    // Before the first query there is nothing to draw.
+    this.view ??= this.open(radius);
+    this.view.request();
+  }
+
+  private plotsOf(query: Query): Plot[] {
+    const { choose } = this;
     const cubic = cubicOf(query);
     const accepted = [...new Set(query.times.flat())].map((t) => ({ t, accepted: true }));
     const meets = query.separation === 0;
     const isIn = (root: number, [start, end]: [number, number]): boolean => root > start - SAME && root < end + SAME;
     const others = rootsOf(cubic).filter((root) => !meets || !query.times.some((interval) => isIn(root, interval)));
     const values = Array.from({ length: SAMPLES + 1 }, (_, i) => bernstein(cubic, i / SAMPLES));
-    this.plots = [
+    return [
       new Plot({
         title: "Coplanarity cubic",
         unit: "relative",
@@ -52,27 +74,25 @@ export class QueryPanel {
         choose,
       }),
     ];
-    plots.append(...this.plots.map((plot) => plot.svg));
+  }
 
-    this.image = new DomainImage(query);
-    this.view = new View(canvas, [0, 0, 1], 4);
+  private open(radius: number): View {
+    const view = new View(this.canvas);
+    view.setSpace([0, 0, 1], 4);
     const sides = new MeshBasicMaterial({ color: "#888888", side: DoubleSide, transparent: true, opacity: 0.22, depthWrite: false });
-    this.view.add(new Mesh(shape(this.image.sides(16)), sides));
-    this.view.add(new LineSegments(shape(this.image.outline()), this.outline));
-    const slice = shape(this.image.slice(0));
-    this.slice = slice.getAttribute("position") as BufferAttribute;
-    const area = new Mesh(slice, this.area);
-    area.frustumCulled = false;
-    this.view.add(area);
+    for (const object of [new Mesh(this.sides, sides), new LineSegments(this.edges, this.outline), new Mesh(this.slice, this.area)]) {
+      object.frustumCulled = false;
+      view.add(object);
+    }
     const origin = new PointsMaterial({ color: MARKS.light.contact, size: 14, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
-    this.view.addMark(new Points(shape([0, 0, 0]), origin));
-    const radius = Math.max(...[...this.image.at(0), ...this.image.at(1)].map(length));
-    this.view.go(overview([0, 0, 0], 0.6 * radius, [0, 0, 1]), true);
+    view.addMark(new Points(shape([0, 0, 0]), origin));
+    view.go(overview([0, 0, 0], 0.6 * radius, [0, 0, 1]), true);
+    return view;
   }
 
   update({ moment, theme }: State): void {
-    this.slice.set(this.image.slice(moment.t));
-    this.slice.needsUpdate = true;
+    if (this.image === null || this.view === null) return;
+    put(this.slice, this.image.slice(moment.t));
     this.area.color.set(MARKS[theme].second);
     this.outline.color.set(MARKS[theme].path);
     this.view.setBackground(MARKS[theme].background);
@@ -82,6 +102,18 @@ export class QueryPanel {
 
 function shape(coordinates: number[]): BufferGeometry {
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(coordinates), 3));
+  put(geometry, coordinates);
   return geometry;
+}
+
+/** Replaces the positions of a geometry. */
+function put(geometry: BufferGeometry, coordinates: number[]): void {
+  const before = geometry.getAttribute("position") as BufferAttribute | undefined;
+  if (before?.array.length === coordinates.length) {
+    before.set(coordinates);
+    before.needsUpdate = true;
+    return;
+  }
+  geometry.dispose();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(coordinates), 3));
 }

@@ -2,24 +2,43 @@
 
 import { CanvasTexture, type Texture } from "three";
 
-let made: Texture | null = null;
+const made = new Map<string, Texture>();
 
 /** A white disc with a dark rim, multiplied by the colour of a point. */
 export function disc(): Texture {
-  if (made === null) {
+  return drawn("disc", (context) => {
+    context.beginPath();
+    context.arc(32, 32, 27, 0, 2 * Math.PI);
+    context.fillStyle = "#fff";
+    context.fill();
+    context.lineWidth = 9;
+    context.strokeStyle = "#111";
+    context.stroke();
+  });
+}
+
+/** A white ring with dark rims. */
+export function ring(): Texture {
+  return drawn("ring", (context) => {
+    for (const [width, colour] of [[24, "#111"], [13, "#fff"]] as const) {
+      context.beginPath();
+      context.arc(32, 32, 20, 0, 2 * Math.PI);
+      context.lineWidth = width;
+      context.strokeStyle = colour;
+      context.stroke();
+    }
+  });
+}
+
+function drawn(name: string, draw: (context: CanvasRenderingContext2D) => void): Texture {
+  let texture = made.get(name);
+  if (texture === undefined) {
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = 64;
     const context = canvas.getContext("2d");
-    if (context !== null) {
-      context.beginPath();
-      context.arc(32, 32, 27, 0, 2 * Math.PI);
-      context.fillStyle = "#fff";
-      context.fill();
-      context.lineWidth = 9;
-      context.strokeStyle = "#111";
-      context.stroke();
-    }
-    made = new CanvasTexture(canvas);
+    if (context !== null) draw(context);
+    texture = new CanvasTexture(canvas);
+    made.set(name, texture);
   }
-  return made;
+  return texture;
 }

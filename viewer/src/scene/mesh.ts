@@ -28,40 +28,48 @@ export interface Elements {
 
 type Positions = Float32Array<ArrayBuffer>;
 
+const NONE = new Uint32Array();
+
 export class MovingMesh {
   readonly group = new Group();
   private readonly time = { value: 0 };
-  private readonly position: BufferAttribute;
-  private readonly next: BufferAttribute;
-  private readonly surface: Mesh<BufferGeometry, MeshLambertMaterial>;
-  private readonly others: Material[];
-  private wires: LineSegments<BufferGeometry, LineBasicMaterial> | null = null;
+  private elements: Elements = { faces: NONE, edges: NONE, points: NONE };
+  private position = new BufferAttribute(new Float32Array(), 3);
+  private next = this.position;
+  // Materials are kept: a new one would be compiled again.
+  private readonly surface = new Mesh(
+    new BufferGeometry(),
+    this.moving(new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide })),
+  );
+  private readonly rods = new LineSegments(new BufferGeometry(), this.moving(new LineBasicMaterial({ vertexColors: true })));
+  private readonly points = new Points(
+    new BufferGeometry(),
+    this.moving(
+      new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.5 }),
+    ),
+  );
+  private readonly wires = new LineSegments(
+    new BufferGeometry(),
+    this.moving(new LineBasicMaterial({ transparent: true, opacity: 0.18, depthWrite: false })),
+  );
+  private hasWires = false;
 
-  constructor(
-    private readonly elements: Elements,
-    parts: Parts,
-    first: Positions,
-  ) {
+  /** Shows another mesh, at rest. */
+  show(elements: Elements, parts: Parts, first: Positions): void {
+    this.elements = elements;
     this.position = new BufferAttribute(first.slice(), 3);
     this.next = new BufferAttribute(first.slice(), 3);
     const colour = new BufferAttribute(coloursOf(parts), 3, true);
-    const shape = (indices: Uint32Array<ArrayBuffer>): BufferGeometry => {
-      const geometry = this.geometry(indices);
-      geometry.setAttribute("color", colour);
-      return geometry;
-    };
-    this.surface = new Mesh(
-      shape(elements.faces),
-      this.moving(new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide })),
-    );
-    const rods = new LineSegments(shape(elements.edges), this.moving(new LineBasicMaterial({ vertexColors: true })));
-    const dot = new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.5 });
-    const points = new Points(shape(elements.points), this.moving(dot));
-    this.others = [rods.material, points.material];
-    // Nothing is compiled for what is not there.
-    if (elements.faces.length > 0) this.group.add(this.surface);
-    if (elements.edges.length > 0) this.group.add(rods);
-    if (elements.points.length > 0) this.group.add(points);
+    this.group.clear();
+    const all = [[this.surface, elements.faces], [this.rods, elements.edges], [this.points, elements.points]] as const;
+    for (const [object, indices] of all) {
+      object.geometry.dispose();
+      object.geometry = this.geometry(indices);
+      object.geometry.setAttribute("color", colour);
+      // Nothing is compiled for what is not there.
+      if (indices.length > 0) this.group.add(object);
+    }
+    this.hasWires = false;
   }
 
   /** Positions at both ends of the step. */
@@ -86,7 +94,7 @@ export class MovingMesh {
     material.polygonOffset = true;
     material.polygonOffsetFactor = 1;
     material.polygonOffsetUnits = 1;
-    for (const other of this.others) {
+    for (const other of [this.rods.material, this.points.material]) {
       other.transparent = opacity < 1;
       other.opacity = Math.sqrt(opacity);
     }
@@ -95,15 +103,14 @@ export class MovingMesh {
 
   /** Draws the edges of the faces, or does not. Their list is made on first use. */
   setWires(visible: boolean, colour: string): void {
-    if (visible && this.wires === null) {
-      const material = new LineBasicMaterial({ transparent: true, opacity: 0.18, depthWrite: false });
-      this.wires = new LineSegments(this.geometry(edgesOf(this.elements.faces)), this.moving(material));
+    if (visible && !this.hasWires) {
+      this.wires.geometry.dispose();
+      this.wires.geometry = this.geometry(edgesOf(this.elements.faces));
       this.group.add(this.wires);
+      this.hasWires = true;
     }
-    if (this.wires !== null) {
-      this.wires.visible = visible;
-      this.wires.material.color.set(colour);
-    }
+    this.wires.visible = visible;
+    this.wires.material.color.set(colour);
   }
 
   private geometry(indices: Uint32Array<ArrayBuffer>): BufferGeometry {

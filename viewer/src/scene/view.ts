@@ -11,32 +11,48 @@ const TRAVEL = 350;
 export class View {
   readonly camera = new PerspectiveCamera(ANGLE, 1, 0.01, 100);
   private readonly renderer: WebGLRenderer;
-  private readonly controls: OrbitControls;
+  private controls: OrbitControls;
   private readonly scene = new Scene();
   /** Drawn in front of the scene. */
   private readonly marks = new Scene();
   private readonly light = new DirectionalLight(0xffffff, 2.2);
   private requested = false;
   private travel: { from: Pose; to: Pose; start: number } | null = null;
+  private reach = 1;
 
-  /** `drawn` is called after each picture. `reach` is the distance of the farthest object from the origin. */
+  /** `drawn` is called after each picture. */
   constructor(
     private readonly canvas: HTMLCanvasElement,
-    up: Point,
-    private readonly reach: number,
     private readonly drawn: (width: number, height: number) => void = () => undefined,
   ) {
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: false, powerPreference: "high-performance" });
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.autoClear = false;
-    this.camera.up.set(...up);
-    this.controls = new OrbitControls(this.camera, canvas);
-    this.controls.zoomToCursor = true;
-    this.controls.addEventListener("change", () => this.request());
-    this.controls.addEventListener("start", () => (this.travel = null));
+    this.controls = this.control();
     this.scene.add(new AmbientLight(0xffffff, 1.4), this.light, this.light.target);
     new ResizeObserver(() => this.resize()).observe(canvas);
     this.resize();
+  }
+
+  private control(): OrbitControls {
+    const controls = new OrbitControls(this.camera, this.canvas);
+    controls.zoomToCursor = true;
+    controls.addEventListener("change", () => this.request());
+    controls.addEventListener("start", () => (this.travel = null));
+    return controls;
+  }
+
+  /** The direction upwards, and the distance of the farthest object from the origin. */
+  setSpace(up: Point, reach: number): void {
+    this.reach = reach;
+    const [x, y, z] = up;
+    if (!this.camera.up.equals({ x, y, z })) {
+      this.camera.up.set(x, y, z);
+      // The controls take the axis of turning when they are made.
+      this.controls.dispose();
+      this.controls = this.control();
+    }
+    this.request();
   }
 
   add(object: Object3D): void {

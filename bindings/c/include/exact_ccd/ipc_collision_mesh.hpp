@@ -21,17 +21,18 @@ namespace exact_ccd {
 /// faces, codimensional vertices and edges and its `can_collide`; its planes are not examined.
 ///
 /// It keeps memory from step to step: make it once, not in each step. `can_collide` is called from
-/// several threads. Not for several threads at the same time.
+/// several threads, and ends the program if it throws. Not for several threads at the same time.
 class CollisionDetector {
 public:
-    explicit CollisionDetector(const ipc::CollisionMesh& mesh, bool all_can_collide = false)
-        : mesh_(mesh.num_vertices(), faces(mesh), edges(mesh)), detector_(mesh_),
-          can_collide_([filter = mesh.can_collide](std::size_t a, std::size_t b) { return filter(a, b); })
+    explicit CollisionDetector(const ipc::CollisionMesh& mesh)
+        : mesh_(mesh.num_vertices(), faces(mesh), edges(mesh)), detector_(mesh_), can_collide_(mesh.can_collide)
     {
-        if (!all_can_collide) {
+        // The filter of a mesh without one allows all pairs; it need not be called.
+        const Filter all = decltype(mesh.can_collide)();
+        if (can_collide_.target_type() != all.target_type()) {
             detector_.set_can_collide(
-                [](std::uint32_t a, std::uint32_t b, void* filter) {
-                    return (*static_cast<const std::function<bool(std::size_t, std::size_t)>*>(filter))(a, b);
+                [](std::uint32_t a, std::uint32_t b, void* filter) noexcept {
+                    return (*static_cast<const Filter*>(filter))(a, b);
                 },
                 &can_collide_);
         }
@@ -70,6 +71,8 @@ public:
     }
 
 private:
+    using Filter = std::function<bool(std::size_t, std::size_t)>;
+
     static std::vector<std::array<std::uint32_t, 3>> faces(const ipc::CollisionMesh& mesh)
     {
         std::vector<std::array<std::uint32_t, 3>> faces(mesh.num_faces());
@@ -114,7 +117,7 @@ private:
 
     Mesh mesh_;
     Detector detector_;
-    std::function<bool(std::size_t, std::size_t)> can_collide_;
+    Filter can_collide_;
     double min_distance_ = 0.0;
     std::vector<Point> x0_, x1_;
 };

@@ -4,6 +4,8 @@
   :func:`contact_times` and :func:`impacts` answer many at a time, from numpy arrays.
 - A :class:`Detector` finds the contacts of a whole :class:`Mesh` in a step, and certifies the step that a
   solver can take. :func:`audit` certifies a sequence of frames.
+- :func:`check` answers for the queries in a table of Arrow; :mod:`exact_ccd.ray` distributes large tables and
+  long recordings over many machines.
 - :mod:`exact_ccd.ipc` has functions of ipctk, with the same arguments.
 """
 
@@ -21,10 +23,12 @@ from .queries import (
     impacts,
     time_of_impact,
 )
+from .tables import Answer, check
 
 __all__ = [
     "CONTACT",
     "IMPACT",
+    "Answer",
     "AuditReport",
     "Contact",
     "ContactTimes",
@@ -39,6 +43,7 @@ __all__ = [
     "Violation",
     "__version__",
     "audit",
+    "check",
     "collides",
     "contact_count",
     "contact_times",

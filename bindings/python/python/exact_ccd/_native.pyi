@@ -1,5 +1,6 @@
 from collections.abc import Callable, Sequence
 from os import PathLike
+from pathlib import Path
 from typing import Optional, Union, final
 
 import numpy as np
@@ -7,20 +8,27 @@ from numpy.typing import NDArray
 
 _Floats = NDArray[np.float64]
 _Integers = NDArray[np.uint32]
+_Path = Union[str, PathLike[str]]
 _Arrays = Union[_Floats, tuple[_Integers, _Floats, _Floats]]
 _Columns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats, _Floats]
 
 __all__ = [
     "Detector",
+    "FrameSequence",
     "Mesh",
+    "Welding",
     "__version__",
     "collides",
     "contact_count",
     "contact_times",
     "impacts",
+    "in_order",
     "main",
+    "mesh_format",
     "overlaps",
+    "parse_mesh",
     "read_mesh",
+    "time_and_count",
     "time_of_impact",
 ]
 
@@ -36,6 +44,9 @@ def time_of_impact(
 def contact_count(
     kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
 ) -> NDArray[np.int64]: ...
+def time_and_count(
+    kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
+) -> tuple[_Floats, NDArray[np.int64]]: ...
 def contact_times(
     kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
 ) -> tuple[NDArray[np.int64], _Floats]: ...
@@ -48,7 +59,24 @@ def overlaps(
     distance: float,
     threads: Optional[int],
 ) -> _Integers: ...
-def read_mesh(path: Union[str, PathLike[str]]) -> tuple[_Floats, _Integers, _Integers]: ...
+def read_mesh(path: _Path) -> tuple[_Floats, _Integers, _Integers]: ...
+def parse_mesh(contents: bytes, name: _Path) -> tuple[_Floats, _Integers, _Integers]: ...
+def mesh_format(path: _Path) -> Optional[str]: ...
+def in_order(paths: Sequence[_Path]) -> list[Path]: ...
+@final
+class FrameSequence:
+    def __new__(cls, path: _Path) -> FrameSequence: ...
+    def __len__(self) -> int: ...
+    def file(self, frame: int) -> Path: ...
+    def read(self, frame: int) -> tuple[_Floats, _Integers, _Integers]: ...
+
+@final
+class Welding:
+    def __new__(cls) -> Welding: ...
+    def restrict(self, positions: _Floats) -> None: ...
+    def primitives(self, mesh: Mesh) -> tuple[_Integers, _Integers]: ...
+    def positions(self, positions: _Floats) -> _Floats: ...
+
 @final
 class Mesh:
     def __new__(

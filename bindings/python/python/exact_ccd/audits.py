@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Iterator
 from itertools import chain
 from os import PathLike
-from pathlib import Path
 from typing import Any, NamedTuple, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .contacts import Contact
-from .meshes import Detector, Mesh, Progress, read_mesh
-
-_Path = Union[str, PathLike[str]]
-_FORMATS = {".ply", ".obj", ".stl", ".off", ".msh", ".vtu"}
+from .frames import FileFrames, FilePath, files_in
+from .meshes import Detector, Mesh, Progress
 
 
 class Violation(NamedTuple):
@@ -58,7 +54,7 @@ class AuditReport(NamedTuple):
 
 
 def audit(
-    frames: Union[ArrayLike, Iterable[Any], _Path],
+    frames: Union[ArrayLike, Iterable[Any], FilePath],
     faces: Optional[ArrayLike] = None,
     *,
     edges: Optional[ArrayLike] = None,
@@ -76,8 +72,10 @@ def audit(
     Parameters
     ----------
     frames : array of shape (T, V, 3), iterable of arrays (V, 3), file, folder, or iterable of files
-        The positions in the order of time; or mesh files, or a folder of mesh files, which are taken in
-        the order of the numbers in their names. Frames are read one at a time.
+        The positions in the order of time; or mesh files, or a folder of mesh files of one format, which
+        are taken in the order of the numbers in their names. A file is a mesh of any format of
+        :func:`read_mesh`, a collection of ParaView (.pvd, .series), or arrays of numpy (.npz). Frames are
+        read one at a time. Vertices of STL files are one if they coincide in all frames.
     faces : int array of shape (F, 3)
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
@@ -106,85 +104,77 @@ def audit(
     >>> report.violation.frame, report.violation.contact.time
     (1, 0.25)
     """
-    detector, positions = _begin(frames, faces, edges, min_distance, threads)
+    mesh, positions = _begin(frames, faces, edges)
+    detector = Detector(mesh, min_distance=min_distance, threads=threads)
+    return AuditReport(*examine(detector, positions, progress=progress))
+
+
+def examine(
+    detector: Detector, frames: Iterable[Any], first: int = 0, progress: Optional[Progress] = None
+) -> tuple[int, Optional[Violation]]:
+    """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
+
+    Frame 0 is examined at rest.
+    """
     last: Optional[NDArray[np.float64]] = None
-    count = 0
-    for count, frame in enumerate(positions, 1):
+    count = first
+    for number, frame in enumerate(frames, first):
         try:
-            violation = _examine(detector, last, frame, count)
+            violation = _examine(detector, last, frame, number)
         except ValueError as error:
-            raise ValueError(f"frame {count - 1}: {error}") from error
+            raise ValueError(f"frame {number}: {error}") from error
+        count = number + 1
         if violation is not None:
-            return AuditReport(count, violation)
+            return count, violation
         # A copy: the iterator may reuse its array.
         last = np.array(frame, np.float64)
         if progress is not None:
             progress(1)
-    return AuditReport(count, None)
+    return count, None
 
 
 def _examine(
-    detector: Detector, last: Optional[ArrayLike], frame: ArrayLike, count: int
+    detector: Detector, last: Optional[ArrayLike], frame: ArrayLike, number: int
 ) -> Optional[Violation]:
-    """The violation in a frame, or in the step that leads to it; `count` frames with this one."""
+    """The violation in frame 0, or in the step that leads to another frame."""
     if last is None:
+        if number > 0:
+            return None
         found = detector.intersections(frame)
         if len(found):
             return Violation(0, None, (int(found[0, 0]), int(found[0, 1])))
         last = frame
     contact = detector.earliest_contact(last, frame)
-    return None if contact is None else Violation(max(count - 2, 0), contact, None)
+    return None if contact is None else Violation(max(number - 1, 0), contact, None)
 
 
 def _begin(
-    frames: Any,
-    faces: Optional[ArrayLike],
-    edges: Optional[ArrayLike],
-    min_distance: Union[float, ArrayLike],
-    threads: Optional[int],
-) -> tuple[Detector, Iterator[Any]]:
-    """The detector of the mesh, and the positions of its frames."""
-    if isinstance(frames, (str, PathLike)):
-        frames = _files(Path(frames))
+    frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]
+) -> tuple[Mesh, Iterable[Any]]:
+    """The mesh, and the positions of its frames."""
+    files = in_files(frames, faces, edges)
+    if files is not None:
+        return files.mesh(), files
     remaining: Iterator[Any] = iter(frames)
     try:
         start = next(remaining)
     except StopIteration:
         raise ValueError("there are no frames") from None
-    remaining = chain([start], remaining)
     if isinstance(start, (str, PathLike)):
-        if faces is not None or edges is not None:
-            raise TypeError("the faces and edges are those of the files")
-        if Path(start).suffix.lower() == ".stl":
-            raise ValueError(f"{start}: STL files have no shared vertices; use the program, exact-ccd audit")
-        file = read_mesh(start)
-        mesh = Mesh(file.vertices, file.faces, file.edges)
-        remaining = (_positions(mesh, file) for file in remaining)
-    elif faces is None:
+        return _begin([start, *remaining], faces, edges)
+    if faces is None:
         raise TypeError("expected the faces of the mesh")
+    return Mesh(len(start), faces, edges), chain([start], remaining)
+
+
+def in_files(frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]) -> Optional[FileFrames]:
+    """The frames, if they are in files: the path of a file or folder, or a list of files."""
+    if isinstance(frames, (str, PathLike)):
+        files = files_in(frames)
+    elif isinstance(frames, (list, tuple)) and frames and isinstance(frames[0], (str, PathLike)):
+        files = frames
     else:
-        mesh = Mesh(len(start), faces, edges)
-    return Detector(mesh, min_distance=min_distance, threads=threads), remaining
-
-
-def _positions(mesh: Mesh, file: _Path) -> NDArray[np.float64]:
-    """The positions in a file of the same mesh."""
-    vertices, faces, edges = read_mesh(file)
-    if not np.array_equal(faces, mesh.faces) or not np.array_equal(edges, mesh.loose_edges):
-        raise ValueError(f"{file} has other faces or edges than the first frame")
-    return vertices
-
-
-def _files(path: Path) -> list[Path]:
-    """The mesh files in a folder, in the order of the numbers in their names."""
-    if not path.is_dir():
-        return [path]
-    files = [file for file in path.iterdir() if file.suffix.lower() in _FORMATS]
-    if len({file.suffix.lower() for file in files}) != 1:
-        raise ValueError(f"{path}: expected meshes of one format, .ply, .obj, .off, .msh or .vtu")
-    return sorted(files, key=lambda file: (_by_number(file.name), file.name))
-
-
-def _by_number(name: str) -> list[Union[str, int]]:
-    """The text and the numbers in a name, alternately."""
-    return [int(piece) if index % 2 else piece for index, piece in enumerate(re.split("([0-9]+)", name))]
+        return None
+    if faces is not None or edges is not None:
+        raise TypeError("the faces and edges are those of the files")
+    return FileFrames(files)

@@ -13,7 +13,8 @@ from ._arrays import Floats, Indices, floats, indices as integers
 Kind = Literal["vf", "ee", "ve", "vv"]
 """The kind of a query: ``"vf"``, ``"ee"``, ``"ve"`` or ``"vv"``."""
 
-_POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
+POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
+"""The number of points of a query of each kind."""
 
 IMPACT = np.dtype(
     [
@@ -56,9 +57,9 @@ def _arrays(
     vertices_t1: Optional[ArrayLike],
 ) -> _Arrays:
     """The queries as arrays of the compiled part."""
-    if kind not in _POINTS:
+    if kind not in POINTS:
         raise ValueError(f'kind {kind!r}, expected "vf", "ee", "ve" or "vv"')
-    count = _POINTS[kind]
+    count = POINTS[kind]
     if indices is None and vertices_t0 is None and vertices_t1 is None and points is not None:
         return floats("points", points, (None, 2 * count, 3))
     if points is not None or indices is None or vertices_t0 is None or vertices_t1 is None:

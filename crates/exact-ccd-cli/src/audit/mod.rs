@@ -1,6 +1,7 @@
 //! `exact-ccd audit`: does a mesh touch itself in a sequence of frames?
 
-mod frames;
+mod every;
+mod found;
 mod report;
 
 use std::path::PathBuf;
@@ -8,16 +9,20 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use exact_ccd::separation::Separation;
-use exact_ccd_mesh::Audit;
+use exact_ccd_mesh::{Audit, Frame, MotionError, Violation};
 
+use crate::contacts::ListFile;
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
 use crate::min_distance;
+use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
+use crate::scene::{Scene, SceneOptions, note_split_vertices};
 use crate::view::View;
-use frames::Frames;
-use report::{Report, ReportedViolation, Seconds};
+use every::EveryViolation;
+use found::{Found, Moved};
+use report::{Report, Seconds, Totals};
 
 /// Does a mesh touch itself in a sequence of frames?
 ///
@@ -34,57 +39,124 @@ use report::{Report, ReportedViolation, Seconds};
 /// contact. On the straight line from one time step to the next, as in DIR/frames, parts that turn
 /// around each other may touch.
 ///
-/// Exit status: 0 free, 1 violation, 2 error.
+/// All ids count from 0. Exit status: 0 free, 1 violation, 2 error.
 #[derive(clap::Args)]
 pub(crate) struct Arguments {
-    /// Meshes with the same faces, in the order of time: .ply, .obj, .stl, .off, .msh or .vtu
-    /// files, or a folder of files of one of these formats, which are taken in the order of the
-    /// numbers in their names, or a .pvd collection.
+    /// Meshes with the same faces: mesh files, folders of files of one format, lists of files (.pvd,
+    /// .series), or files of several frames (.npz). Files whose names differ in one number are taken in
+    /// the order of these numbers, others as they are given. docs/files.md lists the formats.
     #[arg(required = true)]
     frames: Vec<PathBuf>,
+    /// Keep the order of the files on the command line, whatever their numbers.
+    #[arg(long)]
+    as_given: bool,
+    #[command(flatten)]
+    scene: SceneOptions,
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
     min_distance: Separation,
-    /// Print the report as a JSON object.
+    /// Go on after the first violation: examine every frame at rest and every step, and list all
+    /// intersections and contacts in a file that ends in .csv, .jsonl (JSON lines) or .parquet.
+    /// docs/reports.md has its columns.
+    #[arg(long, value_name = "FILE")]
+    all: Option<ListFile>,
+    /// Write the mesh at the time of the first violation, impact.vtu, and all violations of its step
+    /// that were found as points, contacts.vtp, to this folder, for ParaView.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print the report as a JSON object. docs/reports.md has its schema.
     #[arg(long)]
     json: bool,
     #[command(flatten)]
     view: View,
 }
 
+/// The search for the first violation, or for all.
+enum Examination {
+    First(Box<Audit>),
+    Every(Box<EveryViolation>),
+}
+
+impl Examination {
+    fn examine(&mut self, frame: Frame) -> Result<Vec<Violation>, MotionError> {
+        match self {
+            Self::First(audit) => Ok(audit.examine(frame)?.into_iter().collect()),
+            Self::Every(every) => every.examine(frame),
+        }
+    }
+
+    fn last(&self) -> Option<&Frame> {
+        match self {
+            Self::First(audit) => audit.last(),
+            Self::Every(every) => every.last(),
+        }
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let clock = Instant::now();
-    let frames = Frames::find(&arguments.frames)?;
+    let mut notes = Notes::default();
+    let mut scene = Scene::of_sequence(
+        &arguments.frames,
+        arguments.as_given,
+        &arguments.scene,
+        &mut notes,
+    )?;
+    scene.check_contents(arguments.min_distance != Separation::default())?;
     let mut read = clock.elapsed();
     let mut recording = arguments.view.recording(&arguments.frames);
-    let mut audit = Audit::with_min_distance(kept(arguments.min_distance, None));
-    let violation = during(progress::frames(frames.count()), |progress| {
-        for index in 0..frames.count() {
+    let mut examination = arguments.examination(&scene);
+    let mut found = Found::default();
+    let (count, mut examined) = (scene.frame_count(), 0);
+    during(progress::frames(count), |progress| {
+        for index in 0..count {
             let start = Instant::now();
-            let frame = frames.read(index)?;
+            let frame = scene.read(index)?;
             read += start.elapsed();
-            recording.add(frames.file(index), &frame)?;
-            let violation = audit
+            recording.add(&scene.frame_name(index), &frame)?;
+            let before = examination.last().map(|last| last.positions.clone());
+            let violations = examination
                 .examine(frame)
-                .map_err(|error| frames.mismatch(index, error))?;
-            if let (Some(violation), Some(last)) = (violation, audit.last()) {
-                recording.violation(&violation)?;
-                return Ok(Some(ReportedViolation::new(
-                    &frames, index, &last.mesh, violation,
-                )));
+                .map_err(|error| scene.mismatch(index, error))?;
+            examined = index + 1;
+            let (Some(last), false) = (examination.last(), violations.is_empty()) else {
+                progress(1);
+                continue;
+            };
+            for violation in &violations {
+                recording.violation(violation)?;
+            }
+            if index == 0 {
+                note_at_rest(last, &violations, &arguments.scene, &mut notes);
+            }
+            let start = before.as_ref().unwrap_or(&last.positions);
+            found.add(
+                &scene,
+                &Moved { index, start, last },
+                &violations,
+                arguments.out.as_deref(),
+            )?;
+            if arguments.all.is_none() {
+                break;
             }
             progress(1);
         }
-        Ok::<_, Failure>(None)
+        Ok::<_, Failure>(())
     })?;
     let total = clock.elapsed();
+    if let Some(file) = &arguments.all {
+        found.list.write(file)?;
+    }
     let seconds = |duration: Duration| duration.as_secs_f64();
     let report = Report {
+        summary: scene.summary(),
+        notes,
         distances: Distances::new(arguments.min_distance, None),
-        collision_free: violation.is_none(),
-        frames: frames.count(),
-        examined: audit.frames(),
-        violation,
+        collision_free: found.first.is_none(),
+        frames: count,
+        examined,
+        violations: arguments.all.is_some().then(|| Totals::of(&found.list)),
+        violation: found.first,
         seconds: Seconds {
             read: seconds(read),
             examine: seconds(total - read),
@@ -99,4 +171,37 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     print(&text)?;
     recording.finish(&report.to_string())?;
     Ok(ExitCode::from(u8::from(!report.collision_free)))
+}
+
+impl Arguments {
+    fn examination(&self, scene: &Scene) -> Examination {
+        let min_distance = kept(self.min_distance, None);
+        if self.all.is_some() {
+            let is_only_frame = scene.frame_count() == 1;
+            let every = EveryViolation::new(min_distance, scene.can_collide(), is_only_frame);
+            Examination::Every(Box::new(every))
+        } else {
+            let audit = Audit::with_min_distance(min_distance);
+            Examination::First(Box::new(audit.with_can_collide(scene.can_collide())))
+        }
+    }
+}
+
+/// Adds a note, if all that touches in the first frame are split vertices.
+fn note_at_rest(frame: &Frame, violations: &[Violation], options: &SceneOptions, notes: &mut Notes) {
+    let (mut contacts, mut intersections) = (Vec::new(), Vec::new());
+    for violation in violations {
+        match violation {
+            Violation::Intersection { intersection, .. } => intersections.push(*intersection),
+            Violation::Contact { contact, .. } => contacts.push(*contact),
+        }
+    }
+    note_split_vertices(
+        &frame.mesh,
+        &frame.positions,
+        &contacts,
+        &intersections,
+        options,
+        notes,
+    );
 }

@@ -2,49 +2,51 @@
 
 use std::fmt;
 
-use exact_ccd_mesh::{TriangleMesh, Violation};
+use exact_ccd_mesh::Violation;
 use serde::Serialize;
 
-use super::frames::Frames;
+use crate::contacts::{ContactList, ContactRecord};
 use crate::distances::Distances;
+use crate::notes::Notes;
+use crate::scene::{Scene, Summary};
 use crate::shortest::shortest;
-use crate::step_report::ReportedPair;
 
 /// The answer, in the shape of the JSON object.
 #[derive(Serialize)]
 pub(super) struct Report {
     #[serde(flatten)]
+    pub(super) summary: Summary,
+    #[serde(skip_serializing_if = "Notes::is_empty")]
+    pub(super) notes: Notes,
+    #[serde(flatten)]
     pub(super) distances: Distances,
     pub(super) collision_free: bool,
     /// The number of frames.
     pub(super) frames: usize,
-    /// The number of frames examined until the first violation.
+    /// The number of frames examined, until the first violation unless all are searched for.
     pub(super) examined: usize,
+    /// The numbers of violations, if all were searched for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) violations: Option<Totals>,
     pub(super) violation: Option<ReportedViolation>,
     pub(super) seconds: Seconds,
 }
 
+/// The numbers of violations, and of frames that have them or at which steps with them begin.
+#[derive(Serialize)]
+pub(super) struct Totals {
+    pub(super) count: usize,
+    pub(super) frames: usize,
+}
+
 /// The first violation, and the files of the frames to which it belongs.
 #[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-pub(super) enum ReportedViolation {
-    Intersection {
-        frame: usize,
-        file: String,
-        edge: u32,
-        face: u32,
-        /// The vertices of the edge, then those of the face, for the text.
-        #[serde(skip)]
-        vertices: [u32; 5],
-    },
-    Contact {
-        frame: usize,
-        file: String,
-        /// The file of the next frame, unless the contact is at rest.
-        next: Option<String>,
-        toi: f64,
-        pair: ReportedPair,
-    },
+pub(super) struct ReportedViolation {
+    frame: usize,
+    file: String,
+    /// The file of the next frame, unless the contact is at rest.
+    next: Option<String>,
+    contact: ContactRecord,
 }
 
 /// The durations.
@@ -61,29 +63,25 @@ impl Report {
     }
 }
 
+impl Totals {
+    pub(super) fn of(list: &ContactList) -> Self {
+        let of_one_frame = list.0.chunk_by(|a, b| a.frame() == b.frame());
+        Self {
+            count: list.0.len(),
+            frames: of_one_frame.count(),
+        }
+    }
+}
+
 impl ReportedViolation {
     /// The violation found in the examination of frame `index`.
-    pub(super) fn new(frames: &Frames, index: usize, mesh: &TriangleMesh, violation: Violation) -> Self {
-        let file = |frame: usize| frames.file(frame).display().to_string();
-        match violation {
-            Violation::Intersection { frame, intersection } => {
-                let (edge, face) = (intersection.edge, intersection.face);
-                let ([a, b], [c, d, e]) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
-                Self::Intersection {
-                    frame,
-                    file: file(frame),
-                    edge,
-                    face,
-                    vertices: [a, b, c, d, e],
-                }
-            }
-            Violation::Contact { frame, contact } => Self::Contact {
-                frame,
-                file: file(frame),
-                next: (index > frame).then(|| file(index)),
-                toi: contact.impact.time.lower(),
-                pair: ReportedPair::new(mesh, &contact),
-            },
+    pub(super) fn new(scene: &Scene, index: usize, violation: &Violation, contact: ContactRecord) -> Self {
+        let (Violation::Intersection { frame, .. } | Violation::Contact { frame, .. }) = *violation;
+        Self {
+            frame,
+            file: scene.frame_name(frame),
+            next: (index > frame).then(|| scene.frame_name(index)),
+            contact,
         }
     }
 }
@@ -91,12 +89,19 @@ impl ReportedViolation {
 /// The text on a terminal.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.summary.fmt(f)?;
         if !self.distances.are_zero() {
             writeln!(f, "{}", self.distances)?;
         }
         match &self.violation {
             None => writeln!(f, "free of contact")?,
             Some(violation) => writeln!(f, "{violation}")?,
+        }
+        if let Some(Totals { count, frames }) = self.violations.as_ref().filter(|totals| totals.count > 0) {
+            writeln!(
+                f,
+                "violations: {count}, in {frames} of the frames or in the steps after them"
+            )?;
         }
         let Seconds { read, examine, total } = self.seconds;
         writeln!(f, "frames: {} of {} examined", self.examined, self.frames)?;
@@ -109,37 +114,28 @@ impl fmt::Display for Report {
 
 impl fmt::Display for ReportedViolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Intersection {
-                frame,
-                file,
-                edge,
-                face,
-                vertices: [a, b, c, d, e],
-            } => write!(
-                f,
-                "intersection in frame {frame} ({file}): edge {edge} (vertices {a}, {b}) and face {face} (vertices {c}, {d}, {e})"
-            ),
-            Self::Contact {
-                frame,
-                file,
-                next: None,
-                pair,
-                ..
-            } => write!(f, "contact in frame {frame} ({file}): {pair}"),
-            Self::Contact {
-                frame,
-                file,
-                next: Some(next),
-                toi,
-                pair,
-            } => {
-                let (after, t) = (frame + 1, shortest(*toi));
+        let Self {
+            frame,
+            file,
+            next,
+            contact,
+        } = self;
+        match next {
+            _ if contact.is_intersection() => {
+                return write!(
+                    f,
+                    "intersection in frame {frame} ({file}): {contact}; ids count from 0"
+                );
+            }
+            None => write!(f, "contact in frame {frame} ({file}): {contact}")?,
+            Some(next) => {
+                let (after, t) = (frame + 1, shortest(contact.toi()));
                 write!(
                     f,
-                    "contact between frame {frame} ({file}) and frame {after} ({next}) at t = {t}: {pair}"
-                )
+                    "contact between frame {frame} ({file}) and frame {after} ({next}) at t = {t}: {contact}"
+                )?;
             }
         }
+        write!(f, "\n{}", contact.place().trim_end())
     }
 }

@@ -57,7 +57,10 @@ pub(crate) struct Arguments {
     /// Draw the histogram as an SVG file.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Query files, of which - is standard input, or meshes: .ply, .obj, .stl, .off, .msh or .vtu files.
+    /// Print the report as a JSON object. docs/reports.md has its schema.
+    #[arg(long)]
+    json: bool,
+    /// Query files, of which - is standard input, or mesh files. docs/files.md lists their formats.
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
 }
@@ -80,7 +83,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         let drawing = plot::svg(&report.errors);
         write_file(file, |writer| writer.write_all(drawing.as_bytes()))?;
     }
-    print(&report.to_string())?;
+    let text = if arguments.json {
+        report.to_json()
+    } else {
+        report.to_string()
+    };
+    print(&text)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
+use exact_ccd::separation::Separation;
 use exact_ccd::{NonFinite, Query};
 use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
 use rayon::prelude::*;
@@ -38,7 +39,10 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
     if let Some(output) = &arguments.output {
         let mut records: Vec<_> = files.into_iter().flatten().collect();
         if arguments.roots {
-            records = records.into_par_iter().map(Record::answered).collect();
+            records = records
+                .into_par_iter()
+                .map(|record| record.answered(Separation::default()))
+                .collect();
         }
         let seventh = query_files::seventh(arguments.roots);
         query_files::write(output, seventh, records.into_iter().map(Ok))?;

@@ -4,6 +4,7 @@ use std::fmt;
 
 use exact_ccd::Point;
 use exact_ccd::parity::Displacement;
+use serde::Serialize;
 
 use super::histogram::Histogram;
 use crate::shortest::shortest;
@@ -49,6 +50,45 @@ impl Report {
                 self.errors.add(error);
             }
         }
+    }
+}
+
+/// The report in the shape of the JSON object.
+#[derive(Serialize)]
+struct JsonReport {
+    /// That of all points, or the largest of those of the queries.
+    displacement: Point,
+    per_query: bool,
+    coordinates: usize,
+    largest_error: f64,
+    errors: Vec<Decade>,
+}
+
+/// The number of errors from 10ᵏ up to below 10ᵏ⁺¹; k is null for the number of zeros.
+#[derive(Serialize)]
+struct Decade {
+    decade: Option<i32>,
+    count: usize,
+}
+
+impl Report {
+    pub(super) fn to_json(&self) -> String {
+        let (per_query, displacement) = match self.displacements {
+            Displacements::Shared(displacement) => (false, displacement),
+            Displacements::PerQuery(largest) => (true, largest),
+        };
+        let errors = self
+            .errors
+            .counts()
+            .map(|(decade, count)| Decade { decade, count });
+        let report = JsonReport {
+            displacement,
+            per_query,
+            coordinates: self.errors.total(),
+            largest_error: self.errors.largest(),
+            errors: errors.collect(),
+        };
+        serde_json::to_string(&report).expect("numbers only")
     }
 }
 

@@ -27,7 +27,7 @@ impl View {
     /// answer that was printed.
     pub(crate) fn step<B: BroadPhase>(
         &self,
-        files: [&Path; 2],
+        files: &[PathBuf],
         motion: &Motion,
         detector: &mut Detector<B>,
         answer: &str,
@@ -40,12 +40,7 @@ impl View {
 
     /// The recording of a motion, which does nothing if there is to be no page of it.
     pub(crate) fn recording(&self, files: &[PathBuf]) -> Recording {
-        let title = match files {
-            [start, .., end] => title([start, end]),
-            [file] => name(file),
-            [] => String::new(),
-        };
-        Recording::new(self.view.clone(), title)
+        Recording::new(self.view.clone(), title(files))
     }
 }
 
@@ -56,8 +51,13 @@ fn write(file: &Path, page: &Page) -> Result<(), Failure> {
     })
 }
 
-fn title([start, end]: [&Path; 2]) -> String {
-    format!("{} to {}", name(start), name(end))
+/// The first and the last file.
+fn title(files: &[PathBuf]) -> String {
+    match files {
+        [start, .., end] => format!("{} to {}", name(start), name(end)),
+        [file] => name(file),
+        [] => String::new(),
+    }
 }
 
 /// The last part of a path.

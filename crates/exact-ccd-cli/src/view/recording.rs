@@ -23,11 +23,11 @@ impl Recording {
     }
 
     /// Adds the next frame, from a file.
-    pub(crate) fn add(&mut self, file: &Path, frame: &Frame) -> Result<(), Failure> {
+    pub(crate) fn add(&mut self, name: &str, frame: &Frame) -> Result<(), Failure> {
         if self.file.is_none() {
             return Ok(());
         }
-        self.push(&super::name(file), frame, [0.0, 0.0, 1.0])
+        self.push(&super::name(Path::new(name)), frame, [0.0, 0.0, 1.0])
     }
 
     /// Adds the surface in the state of a simulation.

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
 use crate::meshes::{off, ply, stl, tip_above_square};
-use crate::step::without_seconds;
+use crate::step::answer;
 
 /// A folder with `0.ply`, `1.ply` and so on, the tip at these heights.
 fn heights(heights: &[f64]) -> Folder {
@@ -18,7 +18,7 @@ fn heights(heights: &[f64]) -> Folder {
 
 #[track_caller]
 fn assert_report(run: &Run, status: i32, report: &str) {
-    assert_eq!(without_seconds(run), report);
+    assert_eq!(answer(run), report);
     assert_eq!(run.status, status);
 }
 
@@ -47,7 +47,7 @@ fn an_edge_that_pierces_a_face_in_the_first_frame_is_named() {
     let frame = tip_above_square(-1.0);
     assert_eq!(frame.mesh.edges()[5], [4, 5]);
     let run = folder.run(&["audit", "0.ply", "1.ply"]);
-    let report = "intersection in frame 0 (0.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
+    let report = "intersection in frame 0 (0.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3); ids count from 0\n\
                   frames: 1 of 2 examined\n";
     assert_report(&run, 1, report);
 }
@@ -62,7 +62,7 @@ fn a_single_frame_is_examined_at_rest() {
     );
     let run = folder.run(&["audit", "1.ply"]);
     // The tip lies in the face. It is also the end of an edge.
-    let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
+    let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3); ids count from 0\n\
                   frames: 1 of 1 examined\n";
     assert_report(&run, 1, report);
 }
@@ -91,6 +91,8 @@ fn json_names_the_violation() {
         assert_eq!((run.stderr.as_str(), run.stdout.lines().count()), ("", 1));
         let mut report: Value = serde_json::from_str(&run.stdout).unwrap();
         let seconds = report.as_object_mut().unwrap().remove("seconds").unwrap();
+        let read = report.as_object_mut().unwrap().remove("read").unwrap();
+        assert_eq!((&read["vertices"], &read["faces"]), (&json!(7), &json!(3)));
         for name in ["read", "examine", "total"] {
             assert!(seconds[name].as_f64().is_some_and(|value| value >= 0.0), "{name}");
         }
@@ -99,13 +101,23 @@ fn json_names_the_violation() {
     let free =
         json!({"min_distance": 0.0, "collision_free": true, "frames": 2, "examined": 2, "violation": null});
     assert_eq!(report(&["0.ply", "1.ply"]), (0, free));
+    let zero = json!({"lower": 0.0, "upper": 0.0});
     let contact = json!({"min_distance": 0.0, "collision_free": false, "frames": 3, "examined": 3, "violation": {
-        "kind": "contact", "frame": 1, "file": "1.ply", "next": "2.ply", "toi": 0.3333333333333333,
-        "pair": {"kind": "vf", "ids": [4, 1], "distance": {"lower": 0.0, "upper": 0.0}},
+        "frame": 1, "file": "1.ply", "next": "2.ply",
+        "contact": {
+            "frame": 1, "kind": "vf", "ids": [4, 1], "vertices": [[4], [2, 1, 3]],
+            "time": {"lower": 0.3333333333333333, "upper": 0.33333333333333337},
+            "point": [0.75, 0.5, 1.1102230246251565e-16], "normal": [0.0, 0.0, 1.0], "parameters": [0.5, 0.25],
+            "distance": zero,
+        },
     }});
     assert_eq!(report(&["0.ply", "1.ply", "2.ply"]), (1, contact));
     let intersection = json!({"min_distance": 0.0, "collision_free": false, "frames": 1, "examined": 1, "violation": {
-        "kind": "intersection", "frame": 0, "file": "3.ply", "edge": 5, "face": 1,
+        "frame": 0, "file": "3.ply", "next": null,
+        "contact": {
+            "frame": 0, "kind": "ef", "ids": [5, 1], "vertices": [[4, 5], [2, 1, 3]], "time": zero,
+            "point": null, "normal": null, "parameters": null, "distance": zero,
+        },
     }});
     assert_eq!(report(&["3.ply"]), (1, intersection));
 }
@@ -133,7 +145,7 @@ fn formats_may_be_mixed_if_named_one_by_one() {
     let error = folder.run(&["audit", "."]);
     assert_eq!(
         error.error(),
-        ".: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu"
+        ".: expected meshes of one format, such as .ply, .obj, .stl or .vtu"
     );
 }
 
@@ -189,7 +201,7 @@ fn errors_name_the_file() {
     let error = folder.run(&["audit", "empty"]);
     assert_eq!(
         error.error(),
-        "empty: expected meshes of one format, .ply, .obj, .stl, .off, .msh or .vtu"
+        "empty: expected meshes of one format, such as .ply, .obj, .stl or .vtu"
     );
 }
 

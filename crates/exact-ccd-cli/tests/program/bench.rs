@@ -72,8 +72,11 @@ fn every_fault_is_reported() {
             .starts_with("there is no method GUESS; there are exact, parity, IRF")
     );
     assert!(error(&["data", "--peer", "no-such-program"]).starts_with("no-such-program: "));
-    folder.write("data/wedge/vertex-face/1.csv", "1,2,3\n");
-    assert!(error(&["data"]).ends_with("1.csv, line 1: expected 6 or 7 fields, found 3"));
+    folder.write("data/wedge/vertex-face/1.csv", "1,2,3,4,5\n");
+    assert!(
+        error(&["data"])
+            .ends_with("1.csv, line 1: expected 3 or 6 fields, or one more for the ground truth, found 5")
+    );
     folder.write("blocked", "");
     fs::remove_file(folder.path("data/wedge/vertex-face/1.csv")).unwrap();
     assert!(error(&["data", "--methods", "exact", "--out", "blocked"]).starts_with("cannot write blocked: "));

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
 use crate::meshes::{fall, ply, tip_above_square};
-use crate::step::without_seconds;
+use crate::step::answer;
 
 /// A run of `step` with these options.
 fn step(folder: &Folder, options: &[&str]) -> Run {
@@ -25,7 +25,7 @@ fn primitives_at_the_distance_touch() {
     let run = step(&folder, &["--min-distance", "0.5"]);
     assert_eq!(run.status, 1);
     assert!(
-        without_seconds(&run).starts_with(
+        answer(&run).starts_with(
             "minimum distance: 0.5\n\
              contact at t = 0.25: vertex 4 and face 1 (vertices 2, 1, 3), 0.5 apart\n\
              candidates: "
@@ -34,7 +34,7 @@ fn primitives_at_the_distance_touch() {
     );
     let run = step(&folder, &["--min-distance", "0.5", "--toi"]);
     assert_eq!(
-        without_seconds(&run),
+        answer(&run),
         "minimum distance: 0.5\ncontact at t = 0.25: vertex 4 and face 1 (vertices 2, 1, 3), 0.5 apart\n"
     );
     // The tip stops at the distance, or just before it.
@@ -61,9 +61,10 @@ fn pairs_that_start_within_the_distance_are_counted() {
         (&json!(0.275), &json!(0.0))
     );
     assert_eq!(report.get("inner_distance"), None);
+    let contact = &report["contact"];
     assert_eq!(
-        report["pair"],
-        json!({"kind": "vf", "ids": [4, 1], "distance": {"lower": 0.25, "upper": 0.25}})
+        json!([contact["kind"], contact["ids"], contact["distance"]]),
+        json!(["vf", [4, 1], {"lower": 0.25, "upper": 0.25}])
     );
     let count = report["touching_at_start"].as_u64().unwrap();
     assert!(count >= 1, "{report}");
@@ -108,7 +109,7 @@ fn pairs_that_start_within_the_distance_may_have_another_one() {
 
     let run = step(&fall(0.25, -0.25), &with(&["--toi"]));
     assert_eq!(
-        without_seconds(&run),
+        answer(&run),
         "minimum distance: 0.5, and 0.125 for pairs that start within it\n\
          contact at t = 0.25: vertex 4 and face 1 (vertices 2, 1, 3), 0.125 apart\n"
     );
@@ -134,7 +135,7 @@ fn loose_vertices_and_edges_have_pairs_of_their_own() {
         folder.write("start.obj", start);
         folder.write("end.obj", end);
         let run = folder.run(&["step", "start.obj", "end.obj", "--min-distance", "1"]);
-        without_seconds(&run).to_owned()
+        answer(&run)
     };
     let text = report(rods(3.0, 9.0), rods(-1.0, 9.0));
     assert!(
@@ -166,7 +167,7 @@ fn an_audit_certifies_the_distance() {
     let audit = |arguments: &[&str]| audit_within("0.5", arguments);
     let run = audit(&["0.ply", "1.ply"]);
     assert_eq!(
-        (run.status, without_seconds(&run)),
+        (run.status, answer(&run).as_str()),
         (
             0,
             "minimum distance: 0.5\nfree of contact\nframes: 2 of 2 examined\n"
@@ -174,7 +175,7 @@ fn an_audit_certifies_the_distance() {
     );
     let run = audit(&["0.ply", "1.ply", "2.ply"]);
     assert_eq!(
-        (run.status, without_seconds(&run)),
+        (run.status, answer(&run).as_str()),
         (
             1,
             "minimum distance: 0.5\n\
@@ -185,7 +186,7 @@ fn an_audit_certifies_the_distance() {
     );
     let run = audit_within("0.275", &["2.ply"]);
     assert_eq!(
-        (run.status, without_seconds(&run)),
+        (run.status, answer(&run).as_str()),
         (
             1,
             "minimum distance: 0.275\n\
@@ -196,7 +197,7 @@ fn an_audit_certifies_the_distance() {
     let report = json_of(&audit_within("0.275", &["--json", "2.ply"]));
     assert_eq!(report["min_distance"], 0.275);
     assert_eq!(
-        report["violation"]["pair"]["distance"],
+        report["violation"]["contact"]["distance"],
         json!({"lower": 0.25, "upper": 0.25})
     );
 }
@@ -290,13 +291,13 @@ proptest! {
         prop_assert_eq!(&json["candidates"]["vf"], &json!(report.candidates.vertex_face));
         if let Some(contact) = earliest {
             let distance = json!({"lower": contact.distance.lower, "upper": contact.distance.upper});
-            prop_assert_eq!(&json["pair"]["distance"], &distance);
+            prop_assert_eq!(&json["contact"]["distance"], &distance);
         }
         for mode in ["--toi", "--any"] {
             let again = step(&folder, &[&options[..], &[mode, "--json"]].concat());
             prop_assert_eq!(again.status, run.status);
             if mode == "--toi" {
-                prop_assert_eq!(&json_of(&again)["pair"], &json["pair"]);
+                prop_assert_eq!(&json_of(&again)["contact"], &json["contact"]);
             }
         }
     }

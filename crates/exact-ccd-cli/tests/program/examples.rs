@@ -1,4 +1,4 @@
-//! The meshes that come with the repository, as the README shows them.
+//! The meshes that come with the repository, and the output for them in the documentation.
 
 use std::path::Path;
 
@@ -23,7 +23,7 @@ fn the_sheet_drapes_freely_or_not() {
 }
 
 #[test]
-fn the_audit_in_the_readme() {
+fn the_audit_in_the_documentation() {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let arguments = ["audit", "examples/drape_start.ply", "examples/drape_contact.ply"];
     let output = Folder::new()
@@ -32,7 +32,7 @@ fn the_audit_in_the_readme() {
         .output();
     let run: Run = output.unwrap().into();
     assert_eq!(run.status, 1);
-    let readme = std::fs::read_to_string(repository.join("README.md")).unwrap();
+    let page = std::fs::read_to_string(repository.join("docs/program.md")).unwrap();
     let example = format!("$ exact-ccd {}\n{}", arguments.join(" "), without_seconds(&run));
-    assert!(readme.contains(&example), "{run:?}");
+    assert!(page.contains(&example), "{run:?}");
 }

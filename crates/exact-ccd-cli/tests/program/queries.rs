@@ -130,17 +130,6 @@ fn coordinates_are_rounded_on_request() {
 }
 
 #[test]
-fn no_queries_have_no_answers() {
-    let folder = Folder::new();
-    folder.write("empty.csv", "");
-    let run = folder.run(&["queries", "--kind", "ee", "empty.csv"]);
-    assert_eq!(
-        (run.status, run.stdout.as_str(), run.stderr.as_str()),
-        (0, HEADER, "")
-    );
-}
-
-#[test]
 fn many_queries_keep_their_order_on_any_number_of_threads() {
     let folder = Folder::new();
     folder.write("vf.csv", (rows(&miss(), "") + &rows(&pass(), "")).repeat(5_000));

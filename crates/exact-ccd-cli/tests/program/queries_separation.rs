@@ -97,7 +97,7 @@ fn a_distance_that_is_none_is_an_error_with_the_reason() {
 #[test]
 fn other_methods_have_neither_distances_nor_kinds_without_surfaces() {
     let folder = Folder::new();
-    folder.write("q.csv", "");
+    folder.write("q.csv", "0,0,0\n".repeat(8));
     for method in ["parity", "parity-rational", "TI", "MSRF"] {
         let run = |kind, d| {
             folder.run(&[

@@ -1,6 +1,8 @@
 //! Reports of `exact-ccd step`.
 
-use exact_ccd_mesh::{Contact, Frame, Motion, Pair, Point, StepReport, step};
+use exact_ccd_mesh::{
+    CanCollide, Contact, Frame, Motion, Pair, PairCounts, Point, StepReport, contact_points, crossings, step,
+};
 use proptest::prelude::*;
 use serde_json::{Value, json};
 
@@ -15,33 +17,61 @@ pub(crate) fn without_seconds(run: &Run) -> &str {
     &run.stdout[..end]
 }
 
-/// The expected JSON object of a pair.
-fn pair(kind: &str, ids: [u32; 2], contact: &Contact) -> Value {
-    let distance = json!({"lower": contact.distance.lower, "upper": contact.distance.upper});
-    json!({"kind": kind, "ids": ids, "distance": distance})
+/// The lines of a report that are the answer: without those about what was read, about the place of the
+/// contact, and about the seconds.
+#[track_caller]
+pub(crate) fn answer(run: &Run) -> String {
+    let is_answer = |line: &&str| !line.starts_with("read: ") && !line.starts_with("  at (");
+    let lines = without_seconds(run).lines().filter(is_answer);
+    lines.map(|line| line.to_owned() + "\n").collect()
 }
 
-/// The expected fields of the JSON object, without the seconds.
-fn expected(report: &StepReport) -> Value {
-    let pair = report.earliest.map(|earliest| match earliest.pair {
-        Pair::VertexFace { vertex, face } => pair("vf", [vertex, face], &earliest),
-        Pair::EdgeEdge { a, b } => pair("ee", [a, b], &earliest),
-        Pair::VertexEdge { vertex, edge } => pair("ve", [vertex, edge], &earliest),
-        Pair::VertexVertex { a, b } => pair("vv", [a, b], &earliest),
+/// The expected JSON object of a contact.
+fn record(kind: &str, motion: &Motion, contact: &Contact) -> Value {
+    let vertices = contact.pair.vertices(&motion.mesh).unwrap();
+    let (first, second) = vertices.split_at(contact.pair.first_len());
+    let points = contact_points([first, second], [&motion.x0, &motion.x1], &contact.impact).unwrap();
+    let time = contact.impact.time;
+    json!({
+        "kind": kind,
+        "ids": contact.pair.ids(),
+        "vertices": [first, second],
+        "time": {"lower": time.lower(), "upper": time.upper()},
+        "point": points[0],
+        "normal": contact.impact.normal.map(|normal| normal.map(|x| x + 0.0)),
+        "parameters": contact.impact.parameters,
+        "distance": {"lower": contact.distance.lower, "upper": contact.distance.upper},
+    })
+}
+
+/// The expected fields of the JSON object about the step, without the seconds.
+fn expected(motion: &Motion, report: &StepReport) -> Value {
+    let contact = report.earliest.map(|earliest| {
+        let kind = match earliest.pair {
+            Pair::VertexFace { .. } => "vf",
+            Pair::EdgeEdge { .. } => "ee",
+            Pair::VertexEdge { .. } => "ve",
+            Pair::VertexVertex { .. } => "vv",
+        };
+        record(kind, motion, &earliest)
     });
-    let candidates = report.candidates;
+    let counts = |counts: PairCounts| {
+        json!({
+            "vf": counts.vertex_face,
+            "ee": counts.edge_edge,
+            "ve": counts.vertex_edge,
+            "vv": counts.vertex_vertex,
+        })
+    };
+    let found = crossings(&motion.mesh, &motion.x0, &CanCollide::all()).unwrap();
     json!({
         "min_distance": 0.0,
-        "collision_free": report.is_free(),
+        "collision_free": report.is_free() && found.is_empty(),
         "toi": report.time_of_impact(),
-        "pair": pair,
+        "contact": contact,
         "touching_at_start": report.touching.total(),
-        "candidates": {
-            "vf": candidates.vertex_face,
-            "ee": candidates.edge_edge,
-            "ve": candidates.vertex_edge,
-            "vv": candidates.vertex_vertex,
-        },
+        "candidates": counts(report.candidates),
+        "colliding": counts(report.colliding),
     })
 }
 
@@ -50,7 +80,7 @@ fn a_free_step_has_status_0() {
     let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply"]);
     assert_eq!(run.status, 0);
     assert_eq!(
-        without_seconds(&run),
+        answer(&run),
         "free of contact\n\
          candidates: 2 vertex-face pairs, 0 edge-edge pairs\n\
          touching at t = 0: 0 pairs\n"
@@ -62,7 +92,7 @@ fn a_step_with_contact_has_status_1_and_names_the_pair() {
     let run = fall(1.0, -2.0).run(&["step", "start.ply", "end.ply"]);
     assert_eq!(run.status, 1);
     assert_eq!(
-        without_seconds(&run),
+        answer(&run),
         "contact at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)\n\
          candidates: 8 vertex-face pairs, 5 edge-edge pairs\n\
          touching at t = 0: 0 pairs\n"
@@ -75,34 +105,38 @@ fn the_earliest_contact_alone_is_that_of_the_report() {
     let run = folder.run(&["step", "start.ply", "end.ply", "--toi"]);
     assert_eq!(run.status, 1);
     assert_eq!(
-        without_seconds(&run),
+        answer(&run),
         "contact at t = 0.3333333333333333: vertex 4 and face 1 (vertices 2, 1, 3)\n"
     );
     let [all, earliest] = [&["--json"][..], &["--json", "--toi", "--repeat", "3"]].map(|flags| {
         let run = folder.run(&[&["step", "start.ply", "end.ply"], flags].concat());
         serde_json::from_str::<Value>(&run.stdout).unwrap()
     });
-    for key in ["collision_free", "toi", "pair"] {
+    for key in ["collision_free", "toi", "contact"] {
         assert_eq!(all[key], earliest[key]);
     }
     assert_eq!(earliest.get("candidates"), None);
     assert_eq!(earliest.get("touching_at_start"), None);
 
     let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--toi"]);
-    assert_eq!((run.status, without_seconds(&run)), (0, "free of contact\n"));
+    assert_eq!((run.status, answer(&run).as_str()), (0, "free of contact\n"));
 }
 
 #[test]
 fn the_report_of_a_decision_has_no_counts() {
-    for (end, status, answer) in [(-2.0, 1, "contact\n"), (0.5, 0, "free of contact\n")] {
+    for (end, status, expected) in [(-2.0, 1, "contact\n"), (0.5, 0, "free of contact\n")] {
         let folder = fall(1.0, end);
         let run = folder.run(&["step", "start.ply", "end.ply", "--any"]);
-        assert_eq!((run.status, without_seconds(&run)), (status, answer));
+        assert_eq!((run.status, answer(&run).as_str()), (status, expected));
         let run = folder.run(&["step", "start.ply", "end.ply", "--any", "--json"]);
         let json: Value = serde_json::from_str(&run.stdout).unwrap();
         assert_eq!(json["collision_free"], json!(status == 0));
         assert_eq!(json["min_distance"], 0.0);
-        assert_eq!(json.as_object().unwrap().len(), 3);
+        let keys: Vec<_> = json.as_object().unwrap().keys().collect();
+        assert_eq!(
+            keys,
+            ["collision_free", "min_distance", "read", "seconds", "start"]
+        );
     }
     let both = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--any", "--toi"]);
     assert_eq!(both.status, 2);
@@ -121,8 +155,12 @@ fn two_edges_are_named_with_their_ends() {
     let run = folder.run(&["step", "start.ply", "end.ply"]);
     assert_eq!(run.status, 1);
     assert_eq!(
-        run.stdout.lines().next(),
+        run.stdout.lines().nth(1),
         Some("contact at t = 0.5: edge 0 (vertices 0, 1) and edge 3 (vertices 3, 4)")
+    );
+    assert_eq!(
+        run.stdout.lines().nth(2),
+        Some("  at (0, 0, 0), normal (0, 0, -1), parameters 0.5, 0.5; ids count from 0")
     );
 }
 
@@ -131,18 +169,30 @@ fn a_pair_in_contact_at_the_start_is_counted() {
     let run = fall(0.0, 0.5).run(&["step", "start.ply", "end.ply"]);
     assert_eq!(run.status, 1);
     assert_eq!(
-        without_seconds(&run),
+        answer(&run),
         "contact at t = 0: vertex 4 and face 1 (vertices 2, 1, 3)\n\
          candidates: 4 vertex-face pairs, 3 edge-edge pairs\n\
          touching at t = 0: 1 pairs\n"
     );
 }
 
-/// The keys of a JSON object and of those in it, in their order.
-fn keys(json: &str) -> Vec<&str> {
-    json.match_indices("\":")
-        .filter_map(|(end, _)| json[..end].rsplit('"').next())
-        .collect()
+#[test]
+fn a_report_begins_with_what_was_read() {
+    let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply"]);
+    assert!(
+        run.stdout
+            .starts_with("read: 7 vertices, 8 edges, 3 faces, 2 parts\nfree of contact\n"),
+        "{run:?}"
+    );
+    let run = fall(1.0, 0.5).run(&["step", "start.ply", "end.ply", "--json"]);
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    assert_eq!(
+        report["read"],
+        json!({
+            "vertices": 7, "edges": 8, "faces": 3, "loose_edges": 0, "loose_vertices": 0, "parts": 2,
+            "polygons": 0, "solids": 0,
+        })
+    );
 }
 
 #[test]
@@ -151,36 +201,17 @@ fn json_is_one_line_with_these_keys_in_this_order() {
     assert_eq!(run.status, 1);
     assert_eq!(
         without_seconds(&run),
-        "{\"min_distance\":0.0,\"collision_free\":false,\"toi\":0.3333333333333333,\
-         \"pair\":{\"kind\":\"vf\",\"ids\":[4,1],\"distance\":{\"lower\":0.0,\"upper\":0.0}},\
-         \"touching_at_start\":0,\"candidates\":{\"vf\":8,\"ee\":5,\"ve\":0,\"vv\":0},\""
+        "{\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"parts\":2,\
+         \"polygons\":0,\"solids\":0},\"min_distance\":0.0,\"collision_free\":false,\
+         \"start\":{\"intersections\":0,\"first\":null},\"toi\":0.3333333333333333,\
+         \"contact\":{\"kind\":\"vf\",\"ids\":[4,1],\"vertices\":[[4],[2,1,3]],\
+         \"time\":{\"lower\":0.3333333333333333,\"upper\":0.33333333333333337},\
+         \"point\":[0.75,0.5,1.1102230246251565e-16],\"normal\":[0.0,0.0,1.0],\"parameters\":[0.5,0.25],\
+         \"distance\":{\"lower\":0.0,\"upper\":0.0}},\
+         \"touching_at_start\":0,\"candidates\":{\"vf\":8,\"ee\":5,\"ve\":0,\"vv\":0},\
+         \"colliding\":{\"vf\":4,\"ee\":4,\"ve\":0,\"vv\":0},\""
     );
     assert_eq!(run.stdout.find('\n'), Some(run.stdout.len() - 1));
-    assert_eq!(
-        keys(&run.stdout),
-        [
-            "min_distance",
-            "collision_free",
-            "toi",
-            "pair",
-            "kind",
-            "ids",
-            "distance",
-            "lower",
-            "upper",
-            "touching_at_start",
-            "candidates",
-            "vf",
-            "ee",
-            "ve",
-            "vv",
-            "seconds",
-            "read",
-            "broad",
-            "narrow",
-            "total"
-        ]
-    );
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     let seconds = report["seconds"].as_object().unwrap();
     assert!(
@@ -196,8 +227,10 @@ fn json_of_a_free_step_has_nulls() {
     assert_eq!(run.status, 0);
     assert_eq!(
         without_seconds(&run),
-        "{\"min_distance\":0.0,\"collision_free\":true,\"toi\":null,\"pair\":null,\"touching_at_start\":0,\
-         \"candidates\":{\"vf\":2,\"ee\":0,\"ve\":0,\"vv\":0},\""
+        "{\"read\":{\"vertices\":7,\"edges\":8,\"faces\":3,\"loose_edges\":0,\"loose_vertices\":0,\"parts\":2,\
+         \"polygons\":0,\"solids\":0},\"min_distance\":0.0,\"collision_free\":true,\
+         \"start\":{\"intersections\":0,\"first\":null},\"toi\":null,\"contact\":null,\"touching_at_start\":0,\
+         \"candidates\":{\"vf\":2,\"ee\":0,\"ve\":0,\"vv\":0},\"colliding\":{\"vf\":0,\"ee\":0,\"ve\":0,\"vv\":0},\""
     );
 }
 
@@ -259,7 +292,7 @@ proptest! {
         let faces = (0..6).map(|face| [0, 1, 2].map(|corner| 3 * face + corner));
         let frame = |x: &[Point]| Frame::new(x.to_vec(), faces.clone().collect()).unwrap();
         let motion = Motion::new(frame(&x0), frame(&x1)).unwrap();
-        let expected = expected(&step(&motion.mesh, &x0, &x1).unwrap());
+        let expected = expected(&motion, &step(&motion.mesh, &x0, &x1).unwrap());
 
         let folder = Folder::new();
         folder.write("start.ply", ply(&frame(&x0)));
@@ -267,7 +300,9 @@ proptest! {
         for threads in ["1", "2", "7"] {
             let run = folder.run(&["step", "start.ply", "end.ply", "--json", "--threads", threads]);
             let mut report: Value = serde_json::from_str(&run.stdout).unwrap();
-            report.as_object_mut().unwrap().remove("seconds");
+            for key in ["seconds", "read", "start"] {
+                report.as_object_mut().unwrap().remove(key).unwrap();
+            }
             prop_assert_eq!(&report, &expected);
             prop_assert_eq!(run.status == 0, report["collision_free"] == true);
             prop_assert_eq!(run.status == 1, report["collision_free"] == false);

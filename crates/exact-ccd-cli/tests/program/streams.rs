@@ -29,10 +29,10 @@ fn a_dash_is_standard_input() {
 
 #[test]
 fn errors_in_standard_input_say_so() {
-    let run = Folder::new().run_with_input(&["queries", "--kind", "vf", "-"], "1,2,3\n");
+    let run = Folder::new().run_with_input(&["queries", "--kind", "vf", "-"], "1,2\n");
     assert_eq!(
         run.error(),
-        "standard input, line 1: expected 6 or 7 fields, found 3"
+        "standard input, line 1: expected 3 or 6 fields, or one more for the ground truth, found 2"
     );
 }
 

@@ -2,7 +2,7 @@
 
 use exact_ccd_curved::{
     CurvedStepError, CurvedStepOptions, FromFunctions, Instance, InstanceError, Instances, Polynomial, Pose,
-    Position, SearchError, SearchOptions, curved_step,
+    Position, SearchError, SearchOptions, Trajectory as _, curved_step,
 };
 use exact_ccd_mesh::{Frame, TriangleMesh};
 
@@ -30,14 +30,56 @@ fn a_pose_that_is_not_finite_names_its_body() {
         error.to_string(),
         "body 1: the displacement of a rigid motion has the value NaN, expected a finite number"
     );
-    let bad = Instance {
-        start: Pose {
-            rotation: [0.0; 4],
-            ..rest
-        },
-        ..good
+    for x in [0.0, f64::INFINITY, f64::NAN] {
+        let rotation = [0.0, x, 0.0, 0.0];
+        let bad = Instance {
+            start: Pose { rotation, ..rest },
+            ..good
+        };
+        let error = Instances::new(&[good, bad]).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            format!(
+                "body 1: the rotation is the quaternion {rotation:?}, expected one that is finite and not zero"
+            )
+        );
+    }
+}
+
+#[test]
+fn positions_that_do_not_fit_a_mesh_name_the_body() {
+    let (frame, rest) = (triangle(), Pose::at([0.0; 3]));
+    let mut short = frame.clone();
+    short.positions.pop();
+    let body = |frame| Instance {
+        frame,
+        start: rest,
+        end: rest,
     };
-    assert!(Instances::new(&[bad]).is_err());
+    let error = Instances::new(&[body(&short), body(&frame)]).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "body 0: 2 positions, expected one for each of 3 vertices"
+    );
+}
+
+#[test]
+fn the_length_of_a_quaternion_does_not_matter() {
+    let pose = |length: f64, [w, z]: [f64; 2]| Pose {
+        origin: [0.5, 0.0, 1.0],
+        rotation: [length * w, 0.0, 0.0, length * z],
+    };
+    let [start, end] = [[1.0, 0.0], [0.0, 1.0]];
+    let expected = pose(1.0, start).motion_to(&pose(1.0, end));
+    for length in [5e-324, 1e-170, 1e-140, 1e200, f64::MAX] {
+        assert_eq!(pose(length, start).motion_to(&pose(length, end)), expected);
+        assert_eq!(
+            pose(length, end).place([1.0, 2.0, 3.0]),
+            pose(1.0, end).place([1.0, 2.0, 3.0])
+        );
+    }
+    let half_turn = expected.unwrap().point([1.5, 0.0, 0.0]);
+    assert!((half_turn.at(1.0).point[0] + 0.5).abs() < 1e-15);
 }
 
 #[test]

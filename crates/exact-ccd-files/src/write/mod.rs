@@ -5,10 +5,12 @@ mod grid;
 mod obj;
 mod ply;
 mod pvd;
+mod vtp;
 mod vtu;
 
 pub use grid::UnstructuredGrid;
 pub use obj::write_obj;
 pub use ply::write_ply;
 pub use pvd::write_pvd;
+pub use vtp::{PointArray, write_vtp};
 pub use vtu::write_vtu;

@@ -87,16 +87,26 @@ impl Cells {
 }
 
 /// An array of three components for each vertex.
-fn vectors(name: &str, vectors: &[Point]) -> String {
-    let data = encoded(vectors.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
+pub(super) fn vectors(name: &str, vectors: &[Point]) -> String {
+    data_array(
+        "Float64",
+        name,
+        3,
+        vectors.as_flattened().iter().flat_map(|x| x.to_le_bytes()),
+    )
+}
+
+/// An array of this type with this number of components for each vertex.
+pub(super) fn data_array(kind: &str, name: &str, components: u8, data: impl Iterator<Item = u8>) -> String {
+    let data = encoded(data);
     format!(
-        "<DataArray type=\"Float64\" Name=\"{name}\" NumberOfComponents=\"3\" \
+        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" \
          format=\"binary\">{data}</DataArray>"
     )
 }
 
 /// The number of bytes, as 64 bits, and the bytes, in base64.
-fn encoded(data: impl Iterator<Item = u8>) -> String {
+pub(super) fn encoded(data: impl Iterator<Item = u8>) -> String {
     let mut bytes = vec![0; 8];
     bytes.extend(data);
     let length = bytes.len() as u64 - 8;

@@ -98,8 +98,8 @@ impl<B: BroadPhase> Detector<B> {
     ///
     /// The size is `keep` times the time of impact, rounded down, of the full step. The positions
     /// there, by [`Step::at`], are rounded, and the step from `x0` to them is checked exactly. If
-    /// it is not free, the size is reduced by one, two, four, … units in its last place until it
-    /// is.
+    /// it is not free, the next smaller f64 is tried, then the second, the fourth, … below the first
+    /// one, until it is.
     ///
     /// ```
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};
@@ -187,15 +187,17 @@ fn free_step<B: BroadPhase>(
         return Ok(free(1.0, x1.to_vec()));
     };
     let first = keep * contact.impact.time.lower();
-    let (mut size, mut retreat) = (first, first - first.next_down());
-    while size > 0.0 {
+    let (mut size, mut retreat) = (first, 1);
+    // By its bits: a comparison may read a subnormal number as zero, and a difference may be flushed to
+    // zero.
+    while size.to_bits() > 0 {
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        if !watched(search, &shorter, AnyContact::default(), &watch)?.is_found() {
+        if !watched(search, &shorter, AnyContact::new(|_| true), &watch)?.is_found() {
             return Ok(free(size, positions));
         }
-        size = first - retreat;
-        retreat *= 2.0;
+        size = f64::from_bits(first.to_bits().saturating_sub(retreat));
+        retreat *= 2;
     }
     Ok(free(0.0, x0.to_vec()))
 }

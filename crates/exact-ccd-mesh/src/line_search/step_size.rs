@@ -37,11 +37,11 @@ pub enum LineSearch<'a> {
 /// step from `start` to [`advance`]`(start, direction, α)` has been checked to be free of contact,
 /// exactly, for the rounded positions.
 ///
-/// With [`LineSearch::Exact`], α is the time of impact of the full step, or that less one, two,
-/// four, … units in its last place: the first of these for which the step is free. It is the size
+/// With [`LineSearch::Exact`], α is the time of impact of the full step, or the first, second,
+/// fourth, … f64 below it: the first of these for which the step is free. It is the size
 /// of [`Detector::free_step_along`](crate::Detector::free_step_along) with `keep` = 1. A
-/// bisection returns a step that is smaller by up to its tolerance. Both hold up to the rounding of
-/// the positions: where that decides, a larger step can be free again.
+/// bisection returns a step that is smaller by up to its tolerance. A larger step may be free, too: its
+/// rounded positions are others.
 ///
 /// # Errors
 /// [`LineSearchError`] names the positions or parts of the direction that are too many, too few or

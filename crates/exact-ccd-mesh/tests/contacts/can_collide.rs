@@ -1,16 +1,58 @@
 //! Every search examines only the pairs that can collide.
 
-use exact_ccd_mesh::{BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, StepReport};
+use exact_ccd_mesh::{
+    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, Pair, StepReport, TriangleMesh,
+};
 use fastrand::Rng;
 
 use crate::scene::{PIECES, Scene, contacts};
 
-/// True for the vertices of two primitives that can collide, by definition.
-type Definition = Box<dyn Fn(&[u32], &[u32]) -> bool>;
+/// A rule, and what it means: the vertices that take part, and the pairs of vertex lists that it allows.
+struct Rule {
+    can_collide: CanCollide,
+    takes_part: Vec<bool>,
+    allows: Box<dyn Fn(&[u32], &[u32]) -> bool + Sync>,
+}
 
-/// Rules of all kinds for the vertices of a scene of pieces, and the pairs of vertex lists that
-/// they allow, by definition.
-fn rules(random: &mut Rng) -> Vec<(CanCollide, Definition)> {
+impl Rule {
+    fn new(can_collide: CanCollide, allows: impl Fn(&[u32], &[u32]) -> bool + Sync + 'static) -> Self {
+        let takes_part = vec![true; 4 * PIECES];
+        Self {
+            can_collide,
+            takes_part,
+            allows: Box::new(allows),
+        }
+    }
+
+    /// The same rule among some vertices; those without a flag take part.
+    fn among(mut self, parts: &[bool]) -> Self {
+        self.can_collide = self.can_collide.among(parts.to_vec());
+        self.takes_part[..parts.len()].copy_from_slice(parts);
+        self
+    }
+
+    fn is_allowed(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
+        let vertices = pair.vertices(mesh).unwrap();
+        let first = if matches!(pair, Pair::EdgeEdge { .. }) {
+            2
+        } else {
+            1
+        };
+        let (a, b) = vertices.split_at(first);
+        (self.allows)(a, b)
+    }
+
+    /// The pairs of a scene, by definition.
+    fn pairs(&self, scene: &Scene) -> Candidates {
+        let all = scene.pairs_among(|vertex| self.takes_part[vertex as usize]);
+        all.pairs()
+            .filter(|&pair| self.is_allowed(&scene.mesh, pair))
+            .collect()
+    }
+}
+
+/// Rules of all kinds for the vertices of a scene of pieces.
+fn rules(random: &mut Rng) -> Vec<Rule> {
     let count = 4 * PIECES;
     let flags: Vec<bool> = (0..count).map(|_| random.u8(..3) > 0).collect();
     // Shorter than the number of vertices.
@@ -19,41 +61,27 @@ fn rules(random: &mut Rng) -> Vec<(CanCollide, Definition)> {
     let odd = |a: &[u32], b: &[u32]| (a[0] + b[0]) % 2 == 1;
     let group =
         |groups: &[u32], vertex: u32| groups.get(vertex as usize).map_or(1000 + vertex, |&group| group);
-    let is_in = |parts: &[bool], vertex: u32| parts.get(vertex as usize) != Some(&false);
+    let obstacles = || {
+        let flags = flags.clone();
+        Rule::new(CanCollide::not_two_obstacles(flags.clone()), move |a, b| {
+            [a, b].concat().iter().any(|&vertex| !flags[vertex as usize])
+        })
+    };
     vec![
-        (CanCollide::all(), Box::new(|_, _| true)),
-        (CanCollide::new(odd), Box::new(odd)),
-        (
-            CanCollide::any_vertices(|v, w| v + w == 20),
-            Box::new(|a, b| a.iter().any(|v| b.iter().any(|w| v + w == 20))),
-        ),
-        (CanCollide::not_two_obstacles(flags.clone()), {
-            let flags = flags.clone();
-            Box::new(move |a, b| [a, b].concat().iter().any(|&vertex| !flags[vertex as usize]))
+        Rule::new(CanCollide::all(), |_, _| true),
+        Rule::new(CanCollide::new(odd), odd),
+        Rule::new(CanCollide::any_vertices(|v, w| v + w == 20), |a, b| {
+            a.iter().any(|v| b.iter().any(|w| v + w == 20))
         }),
-        (CanCollide::different_groups(groups.clone()), {
-            Box::new(move |a, b| {
-                let first = group(&groups, a[0]);
-                [a, b]
-                    .concat()
-                    .iter()
-                    .any(|&vertex| group(&groups, vertex) != first)
-            })
+        obstacles(),
+        Rule::new(CanCollide::different_groups(groups.clone()), move |a, b| {
+            let first = group(&groups, a[0]);
+            let mut all = a.iter().chain(b);
+            all.any(|&vertex| group(&groups, vertex) != first)
         }),
-        (
-            CanCollide::not_two_obstacles(flags.clone()).among(parts.clone()),
-            {
-                Box::new(move |a, b| {
-                    let all = [a, b].concat();
-                    all.iter().all(|&vertex| is_in(&parts, vertex))
-                        && all.iter().any(|&vertex| !flags[vertex as usize])
-                })
-            },
-        ),
-        (
-            CanCollide::all().among(vec![false; count]),
-            Box::new(|_, _| false),
-        ),
+        obstacles().among(&parts),
+        Rule::new(CanCollide::all(), |_, _| true).among(&parts),
+        Rule::new(CanCollide::all(), |_, _| true).among(&[false; 4 * PIECES]),
     ]
 }
 
@@ -64,31 +92,18 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
     for _ in 0..60 {
         let (scene, scale) = Scene::pieces(&mut random);
         let step = scene.step();
-        let all = contacts(step, &scene.pairs(&CanCollide::all()));
-        for (rule, is_allowed) in rules(&mut random) {
-            // Pairs of the definition, not of the rule itself.
-            let expected: Vec<_> = all
-                .iter()
-                .filter(|contact| {
-                    let four = contact.pair.vertices(&scene.mesh).unwrap();
-                    let first = if contact.pair < (exact_ccd_mesh::Pair::EdgeEdge { a: 0, b: 0 }) {
-                        1
-                    } else {
-                        2
-                    };
-                    let (a, b) = four.split_at(first);
-                    is_allowed(a, b)
-                })
-                .copied()
-                .collect();
+        let all = contacts(step, &scene.pairs());
+        for rule in rules(&mut random) {
+            let expected = contacts(step, &rule.pairs(&scene));
             found += expected.len();
-            left_out += all.len() - expected.len();
+            left_out += all.iter().filter(|contact| !expected.contains(contact)).count();
+            let can_collide = &rule.can_collide;
 
             for boxes in [BoxKind::Swept, BoxKind::Moving] {
                 let options = CandidateOptions::default()
                     .with_distance(0.1 * scale)
                     .with_boxes(boxes)
-                    .with_can_collide(rule.clone());
+                    .with_can_collide(can_collide.clone());
                 let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
                 assert_eq!(candidates.contacts(step), expected);
                 let report = StepReport::with_options(step, &Bvh, &options, &|_| ()).unwrap();
@@ -97,7 +112,11 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
                 assert_eq!(report.earliest, expected.first().copied());
             }
 
-            let mut detector = Detector::new(scene.mesh.clone()).with_can_collide(rule);
+            let counts = |pair: Pair| rule.is_allowed(&scene.mesh, pair);
+            let mut open = Detector::new(scene.mesh.clone());
+            let is_free = open.is_free_of(&scene.x0, &scene.x1, counts).unwrap();
+            assert_eq!(is_free, !all.iter().any(|contact| counts(contact.pair)));
+            let mut detector = Detector::new(scene.mesh.clone()).with_can_collide(can_collide.clone());
             for _ in 0..2 {
                 let (x0, x1) = (&scene.x0, &scene.x1);
                 assert_eq!(detector.contacts(x0, x1, 1.0).unwrap(), expected);
@@ -118,9 +137,9 @@ fn candidates_are_those_of_all_pairs_that_can_collide() {
     for _ in 0..40 {
         let (scene, _) = Scene::pieces(&mut random);
         let all = Candidates::new(scene.step(), &Bvh);
-        for (rule, _) in rules(&mut random) {
-            let allowed = scene.pairs(&rule);
-            let options = CandidateOptions::default().with_can_collide(rule);
+        for rule in rules(&mut random) {
+            let allowed = rule.pairs(&scene);
+            let options = CandidateOptions::default().with_can_collide(rule.can_collide);
             let candidates = Candidates::with_options(scene.step(), &Bvh, &options).unwrap();
             let both = |a: &[[u32; 2]], b: &[[u32; 2]]| -> Vec<[u32; 2]> {
                 a.iter().filter(|pair| b.contains(pair)).copied().collect()

@@ -6,8 +6,8 @@ use std::sync::Mutex;
 use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CanCollide, CandidateError, CandidateOptions, Candidates, Pair, Step, StepError,
-    Sweep, TriangleMesh,
+    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Pair, Step, StepError, Sweep,
+    TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -20,7 +20,7 @@ fn contacts_of_candidates_are_those_of_all_pairs() {
     for _ in 0..150 {
         let (scene, _) = Scene::pieces(&mut random);
         let step = scene.step();
-        let expected = contacts(step, &scene.pairs(&CanCollide::all()));
+        let expected = contacts(step, &scene.pairs());
         let candidates = Candidates::new(step, &Bvh);
         assert_eq!(candidates.contacts(step), expected);
         assert_eq!(candidates.earliest_contact(step), expected.first().copied());
@@ -159,7 +159,7 @@ fn distances_that_are_no_distances_are_errors() {
     for boxes in [BoxKind::Swept, BoxKind::Moving] {
         let options = options.clone().with_boxes(boxes);
         let candidates = Candidates::with_options(scene.step(), &Bvh, &options).unwrap();
-        assert_eq!(candidates, scene.pairs(&CanCollide::all()));
+        assert_eq!(candidates, scene.pairs());
     }
 }
 

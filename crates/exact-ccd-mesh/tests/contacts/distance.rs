@@ -3,9 +3,7 @@
 use std::collections::HashSet;
 
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_mesh::{
-    BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, advance,
-};
+use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Pair, PairKind, Point, Step, advance};
 use fastrand::Rng;
 
 use crate::scene::{Scene, contacts};
@@ -78,7 +76,7 @@ fn candidates_contain_all_pairs_that_come_near() {
         let (scene, scale) = Scene::pieces(&mut random);
         let distance = scale * [0.0, 1e-3, 0.1, 0.4][random.usize(..4)];
         let step = scene.step();
-        let all = scene.pairs(&CanCollide::all());
+        let all = scene.pairs();
         let both = [BoxKind::Swept, BoxKind::Moving].map(|boxes| {
             let options = CandidateOptions::default()
                 .with_distance(distance)

@@ -14,7 +14,7 @@ use crate::scene::{Scene, contacts, moved, on_threads};
 fn is_free(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> bool {
     let (mesh, x0, x1) = (mesh.clone(), x0.to_vec(), x1.to_vec());
     let scene = Scene { mesh, x0, x1 };
-    contacts(scene.step(), &scene.pairs(&CanCollide::all())).is_empty()
+    contacts(scene.step(), &scene.pairs()).is_empty()
 }
 
 /// Checks a step against the exact detector and all pairs.

@@ -2,9 +2,7 @@
 
 use exact_ccd::separation::{DistanceBounds, Separation};
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_mesh::{
-    CanCollide, Candidates, Contact, MinDistance, Pair, PairKind, Point, Step, TriangleMesh,
-};
+use exact_ccd_mesh::{Candidates, Contact, MinDistance, Pair, PairKind, Point, Step, TriangleMesh};
 use fastrand::Rng;
 
 pub(crate) struct Scene {
@@ -66,8 +64,9 @@ impl Scene {
         Self { mesh, x0, x1 }
     }
 
-    /// Two pairs of faces, two rods of three vertices and eight points, in motion, and their scale. On a
-    /// grid, many distances are those that are drawn for queries.
+    /// Two pairs of faces, two rods of three vertices and eight points, in motion, and their scale. Of the
+    /// points, one is a face, and two are the ends of another. On a grid, many distances are those that
+    /// are drawn for queries.
     pub(crate) fn mixed(random: &mut Rng) -> (Self, f64) {
         let scale = [1.0, 1e-6][random.usize(..2)];
         let motion = [0.0, 0.2, 1.0][random.usize(..3)];
@@ -75,9 +74,12 @@ impl Scene {
         let mut ids: Vec<u32> = (0..22).collect();
         random.shuffle(&mut ids);
         let at = |vertex: usize| ids[vertex];
-        let faces = [[0, 1, 2], [3, 2, 1], [4, 5, 6], [7, 6, 5]].map(|face| face.map(at));
+        let sheets = [[0, 1, 2], [3, 2, 1], [4, 5, 6], [7, 6, 5]];
+        let flat = [[14, 14, 14], [15, 15, 16]];
+        let faces = [&sheets[..], &flat].concat();
+        let faces = faces.into_iter().map(|face| face.map(at)).collect();
         let rods = [[8, 9], [9, 10], [11, 12], [12, 13]].map(|edge| edge.map(at));
-        let mesh = TriangleMesh::with_edges(22, faces.to_vec(), &rods).unwrap();
+        let mesh = TriangleMesh::with_edges(22, faces, &rods).unwrap();
         let mut coordinate = |size: f64| {
             let x = size * (random.f64() - 0.5);
             scale * if grid > 0.0 { grid * (x / grid).round() } else { x }
@@ -92,39 +94,58 @@ impl Scene {
         Step::new(&self.mesh, &self.x0, &self.x1).unwrap()
     }
 
-    /// All pairs without a common vertex that can collide, the last two kinds among loose primitives.
-    pub(crate) fn pairs(&self, can_collide: &CanCollide) -> Candidates {
-        let mesh = &self.mesh;
-        let ids = |count: usize| 0..count as u32;
-        let (vertices, faces) = (ids(mesh.vertex_count()), ids(mesh.faces().len()));
-        let edges = ids(mesh.edges().len());
-        let loose_edges = (mesh.edges().len() - mesh.loose_edges().len()) as u32..edges.end;
-        let points: Vec<u32> = mesh.loose_vertices().collect();
+    /// All pairs without a common vertex.
+    pub(crate) fn pairs(&self) -> Candidates {
+        self.pairs_among(|_| true)
+    }
 
-        let with_faces = vertices.flat_map(|vertex| faces.clone().map(move |face| [vertex, face]));
-        let of_edges = edges.flat_map(|b| (0..b).map(move |a| [a, b]));
-        let with_edges = points
-            .iter()
-            .flat_map(|&p| loose_edges.clone().map(move |edge| [p, edge]));
-        let of_points = points.iter().flat_map(|&p| points.iter().map(move |&q| [p, q]));
-        self.filtered::<VertexFace>(with_faces, can_collide)
-            .chain(self.filtered::<EdgeEdge>(of_edges, can_collide))
-            .chain(self.filtered::<VertexEdge>(with_edges, can_collide))
-            .chain(self.filtered::<VertexVertex>(of_points, can_collide))
+    /// All pairs without a common vertex among the primitives whose vertices take part, the last two kinds
+    /// among loose primitives: edges without a face, and vertices without an edge, that take part.
+    pub(crate) fn pairs_among(&self, takes_part: impl Fn(u32) -> bool) -> Candidates {
+        let mesh = &self.mesh;
+        let is_in = |vertices: &[u32]| vertices.iter().all(|&vertex| takes_part(vertex));
+        let vertices: Vec<u32> = (0..mesh.vertex_count() as u32)
+            .filter(|&v| takes_part(v))
+            .collect();
+        let faces: Vec<u32> = ids(mesh.faces(), &is_in);
+        let edges: Vec<u32> = ids(mesh.edges(), &is_in);
+        let ends = |edge: u32| mesh.edges()[edge as usize];
+        let has_face = |edge: u32| {
+            let contains = |face: u32| {
+                let corners = mesh.faces()[face as usize];
+                ends(edge).iter().all(|end| corners.contains(end))
+            };
+            faces.iter().any(|&face| contains(face))
+        };
+        let mut rods = edges.clone();
+        rods.retain(|&edge| !has_face(edge));
+        let mut points = vertices.clone();
+        points.retain(|vertex| !edges.iter().any(|&edge| ends(edge).contains(vertex)));
+
+        let kind = |a: &[u32], b: &[u32]| -> Vec<[u32; 2]> {
+            let with = |&first: &u32| b.iter().map(move |&second| [first, second]);
+            a.iter().flat_map(with).collect()
+        };
+        let increasing = |mut pairs: Vec<[u32; 2]>| {
+            pairs.retain(|[a, b]| a < b);
+            pairs
+        };
+        self.apart::<VertexFace>(kind(&vertices, &faces))
+            .chain(self.apart::<EdgeEdge>(increasing(kind(&edges, &edges))))
+            .chain(self.apart::<VertexEdge>(kind(&points, &rods)))
+            .chain(self.apart::<VertexVertex>(increasing(kind(&points, &points))))
             .collect()
     }
 
-    fn filtered<K: PairKind>(
-        &self,
-        ids: impl Iterator<Item = [u32; 2]>,
-        can_collide: &CanCollide,
-    ) -> impl Iterator<Item = Pair> {
-        ids.filter(|&ids| {
-            let vertices = K::vertices(&self.mesh, ids).unwrap();
-            let (a, b) = vertices.as_ref().split_at(K::FIRST);
-            a.iter().all(|vertex| !b.contains(vertex)) && can_collide.allows(a, b)
-        })
-        .map(K::pair)
+    /// The pairs without a common vertex.
+    fn apart<K: PairKind>(&self, ids: Vec<[u32; 2]>) -> impl Iterator<Item = Pair> {
+        ids.into_iter()
+            .filter(|&ids| {
+                let vertices = K::vertices(&self.mesh, ids).unwrap();
+                let (a, b) = vertices.as_ref().split_at(K::FIRST);
+                a.iter().all(|vertex| !b.contains(vertex))
+            })
+            .map(K::pair)
     }
 }
 
@@ -216,4 +237,12 @@ fn allowed<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistanc
 pub(crate) fn on_threads<T: Send>(threads: usize, task: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
     pool.build().unwrap().install(task)
+}
+
+/// The indices of the primitives that take part.
+fn ids<const N: usize>(primitives: &[[u32; N]], takes_part: &impl Fn(&[u32]) -> bool) -> Vec<u32> {
+    let of = (0..).zip(primitives);
+    of.filter(|(_, vertices)| takes_part(*vertices))
+        .map(|(id, _)| id)
+        .collect()
 }

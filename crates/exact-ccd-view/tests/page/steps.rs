@@ -38,6 +38,17 @@ fn page(title: &str, end: &[[f64; 3]; 6]) -> Page {
 }
 
 #[test]
+fn the_blocks_of_a_page_are_the_elements_of_the_file() {
+    let page = page("Falling <b>", &moved(-2.0));
+    let (html, blocks) = (Html::of(&page), page.blocks());
+    let ids: Vec<&str> = blocks.keys().map(String::as_str).collect();
+    assert_eq!(ids, ["edges", "faces", "frame-0", "frame-1", "page"]);
+    for (id, text) in &blocks {
+        assert_eq!(html.element(id), text);
+    }
+}
+
+#[test]
 fn faces_and_positions_are_read_back() {
     let html = Html::of(&page("a step", &moved(-2.0)));
     let mut faces = html.words("faces");

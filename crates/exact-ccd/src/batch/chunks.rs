@@ -1,5 +1,7 @@
 //! The filters on chunks of queries: each filter passes on only those that it does not settle.
 
+use core::ops::Range;
+
 use fearless_simd::{Simd, dispatch};
 
 use super::instructions::Instructions;
@@ -46,53 +48,84 @@ fn without_filters<K: Kind>(rows: &[Row], queries: &[K::Vertices], found: Found<
 
 #[inline(always)]
 fn with_filters<S: Simd, K: Kind>(simd: S, rows: &[Row], queries: &[K::Vertices], found: Found<'_, K>) {
-    for_each_eight::<K>(
-        rows,
-        queries,
+    for_each_chunk(
+        queries.len(),
         #[inline(always)]
-        |_, rows| rows::are_separated::<S, K>(simd, rows),
-        #[inline(always)]
-        |indices, eight| {
-            let rest = planes::screen::<S, K>(simd, eight);
-            for (lane, &index) in indices.iter().enumerate() {
-                if rest.lanes >> lane & 1 != 0 {
-                    let query = query(eight[lane]);
-                    let decision = if rest.out_of_range >> lane & 1 == 0 {
-                        filter::decide_near_plane(&query, &rest.cubic(lane))
-                    } else {
-                        Decision::Unknown
-                    };
-                    if let Ok(collision) = Collision::from_decision(&query, decision) {
-                        found(index, collision);
-                    }
-                }
+        |chunk| {
+            let mut near = Unsettled::new();
+            for index in chunk {
+                let is_settled = rows::are_separated::<S, K>(simd, rows_of::<K>(rows, &queries[index]));
+                near.push_unless(is_settled, index);
             }
+            near.for_each_eight::<K>(
+                rows,
+                queries,
+                #[inline(always)]
+                |indices, eight| {
+                    let rest = planes::screen::<S, K>(simd, eight);
+                    for (lane, &index) in indices.iter().enumerate() {
+                        if rest.lanes >> lane & 1 != 0 {
+                            let query = query(eight[lane]);
+                            let decision = if rest.out_of_range >> lane & 1 == 0 {
+                                filter::decide_near_plane(&query, &rest.cubic(lane))
+                            } else {
+                                Decision::Unknown
+                            };
+                            if let Ok(collision) = Collision::from_decision(&query, decision) {
+                                found(index, collision);
+                            }
+                        }
+                    }
+                },
+            );
         },
     );
+}
+
+/// Calls a function with the indices of each chunk of queries.
+#[inline(always)]
+pub(super) fn for_each_chunk(count: usize, mut examine: impl FnMut(Range<usize>)) {
+    for begin in (0..count).step_by(CHUNK) {
+        examine(begin..count.min(begin + CHUNK));
+    }
 }
 
 /// The rows of eight queries.
 pub(super) type Eight<'a> = [[&'a Row; 4]; LANES];
 
-/// Passes on the queries that `is_settled` does not settle, by index and rows: eight at a time, and
-/// their indices. The last vector is filled up with copies of its last query, which have no index.
-#[inline(always)]
-pub(super) fn for_each_eight<'a, K: Kind>(
-    rows: &'a [Row],
-    queries: &[K::Vertices],
-    is_settled: impl Fn(usize, [&Row; 4]) -> bool,
-    mut pass_on: impl FnMut(&[usize], &Eight<'a>),
-) {
-    let mut near = [0; CHUNK];
-    for (chunk, in_chunk) in queries.chunks(CHUNK).enumerate() {
-        let mut count = 0;
-        for (offset, query) in in_chunk.iter().enumerate() {
-            let index = CHUNK * chunk + offset;
-            // Without a branch, which would be hard to predict.
-            near[count] = index;
-            count += usize::from(!is_settled(index, rows_of::<K>(rows, query)));
+/// The queries of a chunk that the filters so far do not settle, by their indices, in order.
+pub(super) struct Unsettled {
+    indices: [usize; CHUNK],
+    count: usize,
+}
+
+impl Unsettled {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self {
+            indices: [0; CHUNK],
+            count: 0,
         }
-        for indices in near[..count].chunks(LANES) {
+    }
+
+    /// Appends a query, of at most a chunk, that is not settled.
+    #[inline(always)]
+    pub(super) fn push_unless(&mut self, is_settled: bool, index: usize) {
+        // Without a branch, which would be hard to predict.
+        self.indices[self.count] = index;
+        self.count += usize::from(!is_settled);
+    }
+
+    /// Passes the queries on by index and rows, eight at a time. The last vector is filled up with
+    /// copies of its last query, which have no index.
+    #[inline(always)]
+    pub(super) fn for_each_eight<'a, K: Kind>(
+        &self,
+        rows: &'a [Row],
+        queries: &[K::Vertices],
+        mut pass_on: impl FnMut(&[usize], &Eight<'a>),
+    ) {
+        for indices in self.indices[..self.count].chunks(LANES) {
             let last = indices.len() - 1;
             let eight = core::array::from_fn(
                 #[inline(always)]
@@ -105,7 +138,7 @@ pub(super) fn for_each_eight<'a, K: Kind>(
 
 /// The rows of x₀ … x₃.
 #[inline(always)]
-fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [&'a Row; 4] {
+pub(super) fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [&'a Row; 4] {
     K::LAYOUT.map(|i| &rows[vertices.as_ref()[i] as usize])
 }
 

@@ -1,6 +1,8 @@
 //! Sets of vector instructions.
 
-use fearless_simd::{Level, Simd};
+use fearless_simd::Level;
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::Simd;
 
 /// A set of vector instructions of this processor.
 ///

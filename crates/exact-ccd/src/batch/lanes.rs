@@ -19,6 +19,11 @@ impl<S: Simd> Lanes for f64x8<S> {
     }
 
     #[inline(always)]
+    fn any(mask: Self::Mask) -> bool {
+        mask.any_true()
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         <Self as SimdBase<S>>::abs(self)
     }

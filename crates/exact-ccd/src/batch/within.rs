@@ -3,7 +3,7 @@
 use fearless_simd::prelude::*;
 use fearless_simd::{Simd, dispatch, f64x8};
 
-use super::chunks::{self, Eight, Found, for_each_eight, query, query_of};
+use super::chunks::{self, Found, Unsettled, for_each_chunk, query, query_of, rows_of};
 use super::instructions::Instructions;
 use super::planes::{LANES, transposed};
 use super::row::Row;
@@ -75,40 +75,58 @@ fn with_filters<S: Simd, K: Kind>(
         let (a, b) = queries[index].as_ref().split_at(K::FIRST);
         separations.between(a, b)
     };
-    for_each_eight::<K>(
-        rows,
-        queries,
+    let distances = |indices: &[usize]| {
+        let mut d = [0.0; LANES];
+        for (d, &index) in d.iter_mut().zip(indices) {
+            *d = separation(index).get();
+        }
+        d
+    };
+    for_each_chunk(
+        queries.len(),
         #[inline(always)]
-        |index, rows| rows::are_beyond::<S, K>(simd, rows, separation(index).get()),
-        #[inline(always)]
-        |indices, eight| {
-            let mut d = [0.0; LANES];
-            for (d, &index) in d.iter_mut().zip(indices) {
-                *d = separation(index).get();
+        |chunk| {
+            let (mut near, mut approaching) = (Unsettled::new(), Unsettled::new());
+            for index in chunk {
+                let rows = rows_of::<K>(rows, &queries[index]);
+                near.push_unless(
+                    rows::are_beyond::<S, K>(simd, rows, separation(index).get()),
+                    index,
+                );
             }
-            let rest = rest::<S, K>(simd, eight, d);
-            for (lane, &index) in indices.iter().enumerate() {
-                if rest >> lane & 1 != 0 {
-                    let query = query(eight[lane]);
-                    if let Some(collision) = query.collision_near(separation(index)) {
-                        found(index, collision);
+            near.for_each_eight::<K>(
+                rows,
+                queries,
+                #[inline(always)]
+                |indices, eight| {
+                    let points = transposed(simd, eight);
+                    let screening =
+                        Screening::new::<K>(&points, f64x8::from_slice(simd, &distances(indices)));
+                    let beyond = screening.planes_are_beyond::<K>(&points).to_bitmask();
+                    for (lane, &index) in indices.iter().enumerate() {
+                        approaching.push_unless(beyond >> lane & 1 != 0, index);
                     }
-                }
-            }
+                },
+            );
+            approaching.for_each_eight::<K>(
+                rows,
+                queries,
+                #[inline(always)]
+                |indices, eight| {
+                    let points = transposed(simd, eight);
+                    let screening =
+                        Screening::new::<K>(&points, f64x8::from_slice(simd, &distances(indices)));
+                    let free: [f64; LANES] = screening.free_until::<K>().into();
+                    for (lane, &index) in indices.iter().enumerate() {
+                        if free[lane] < 1.0 {
+                            let query = query(eight[lane]);
+                            if let Some(collision) = query.collision_after(separation(index), free[lane]) {
+                                found(index, collision);
+                            }
+                        }
+                    }
+                },
+            );
         },
     );
-}
-
-/// The queries that vectors do not settle, a bit for each.
-#[inline(always)]
-fn rest<S: Simd, K: Kind>(simd: S, eight: &Eight<'_>, d: [f64; LANES]) -> u64 {
-    let points = transposed(simd, eight);
-    let screening = Screening::new::<K>(&points, f64x8::from_slice(simd, &d));
-    let in_range = !screening.is_out_of_range();
-    let beyond = screening.planes_are_beyond::<K>(&points) & in_range;
-    let rest = (!beyond).to_bitmask();
-    if rest == 0 {
-        return 0;
-    }
-    rest & (!(screening.turning_is_beyond::<K>() & in_range)).to_bitmask()
 }

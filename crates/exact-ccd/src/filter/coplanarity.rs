@@ -54,7 +54,7 @@ impl<T: Lanes> Coplanarity<T> {
     ///
     /// A component of n₀ and n₁ results from four roundings, one of 2 m from five, of terms of at most
     /// the extent: each coefficient of |n| is off by less than 8 u times the extent. The lengths and
-    /// their means add at most eight roundings, and [`TINY`] in case the squares underflow.
+    /// their means add at most ten roundings, and [`TINY`] in case the squares underflow.
     #[inline(always)]
     pub(crate) fn are_planes_beyond(&self, d: T) -> T::Mask {
         let [start, end] = self.normals;

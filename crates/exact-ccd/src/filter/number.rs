@@ -26,6 +26,9 @@ pub(crate) trait Lanes:
     /// True in each lane that is greater than that of another number; never for a NaN.
     fn gt(self, other: Self) -> Self::Mask;
 
+    /// True if a lane is true.
+    fn any(mask: Self::Mask) -> bool;
+
     fn abs(self) -> Self;
 
     fn sqrt(self) -> Self;
@@ -51,6 +54,11 @@ impl Lanes for f64 {
     #[inline(always)]
     fn gt(self, other: Self) -> bool {
         self > other
+    }
+
+    #[inline(always)]
+    fn any(mask: bool) -> bool {
+        mask
     }
 
     #[inline(always)]

@@ -34,13 +34,13 @@ impl<K: Kind> Query<K> {
         Some(Collision::within(self, d, first))
     }
 
-    /// [`collision_within`](Self::collision_within) of a query that the filters of batches have not
-    /// settled.
-    pub(crate) fn collision_near(&self, d: Separation) -> Option<Collision<'_, K>> {
+    /// [`collision_within`](Self::collision_within) of a query whose primitives are known to be beyond
+    /// d before a time.
+    pub(crate) fn collision_after(&self, d: Separation, free: f64) -> Option<Collision<'_, K>> {
         if d.is_zero() {
             return self.collision();
         }
-        let first = match filter::first_near(self, d) {
+        let first = match filter::first_near(self, d, free) {
             Some((first, _)) => first,
             None => exact::first_within(self, d),
         };
@@ -59,7 +59,8 @@ impl<K: Kind> Query<K> {
     #[inline]
     pub fn first_within_with_stage(&self, d: Separation) -> (Option<ContactTime>, SeparationStage) {
         if d.is_zero() {
-            return (self.contact_times().first(), SeparationStage::Contact);
+            let first = self.collision().map(|collision| collision.first_contact_time());
+            return (first, SeparationStage::Contact);
         }
         filter::first_within(self, d)
             .unwrap_or_else(|| (exact::first_within(self, d), SeparationStage::Exact))

@@ -1,11 +1,13 @@
 //! Distances: the threshold of a query, and bounds of the distance at one time.
 
+use crate::non_negative::NonNegative;
+
 /// A distance d below which two primitives count as close: a finite f64, at least 0, in the unit of
 /// the coordinates.
 ///
 /// It is taken exactly. −0.0 is 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
-pub struct Separation(f64);
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Separation(NonNegative);
 
 /// A separation is negative, infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -21,33 +23,23 @@ impl Separation {
     /// # Errors
     /// [`InvalidSeparation`], if d is negative, infinite or not a number.
     pub fn new(d: f64) -> Result<Self, InvalidSeparation> {
-        let magnitude = d.abs();
-        // By its sign, because a comparison may read a subnormal number as zero.
-        if d.is_finite() && (d.is_sign_positive() || magnitude.to_bits() == 0) {
-            Ok(Self(magnitude))
-        } else {
-            Err(InvalidSeparation { value: d })
-        }
+        NonNegative::new(d)
+            .map(Self)
+            .ok_or(InvalidSeparation { value: d })
     }
 
     /// The separation as an f64.
     #[must_use]
     #[inline]
     pub fn get(self) -> f64 {
-        self.0
+        self.0.get()
     }
 
-    /// Returns true for 0. By its bits, because a comparison may read a subnormal number as zero.
+    /// Returns true for 0.
     #[must_use]
     #[inline]
     pub fn is_zero(self) -> bool {
-        self.0.to_bits() == 0
-    }
-
-    /// The larger of two separations. The bits of numbers that are not negative are in their order.
-    #[inline]
-    pub(super) fn max(self, other: Self) -> Self {
-        Self(f64::from_bits(self.0.to_bits().max(other.0.to_bits())))
+        self.0 == NonNegative::ZERO
     }
 
     /// The least f64 that is not below the sum of two separations, which is at most the largest f64.
@@ -58,7 +50,7 @@ impl Separation {
     #[inline]
     pub(super) fn plus(self, other: Self) -> Self {
         const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
-        let (a, b) = (self.0.to_bits(), other.0.to_bits());
+        let (a, b) = (self.get().to_bits(), other.get().to_bits());
         // A subnormal number has the unit of the smallest normal one.
         let exponent = |bits: u64| (bits >> DIGITS).max(1);
         let significand = |bits: u64| bits - ((exponent(bits) - 1) << DIGITS);
@@ -67,7 +59,7 @@ impl Separation {
         let sum = significand(large) + significand(small).div_ceil(1 << shift);
         let carry = u64::from(sum > 2 << DIGITS);
         let bits = ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry);
-        Self(f64::from_bits(bits))
+        Self(NonNegative::new(f64::from_bits(bits)).expect("the sum is at most the largest f64"))
     }
 }
 
@@ -100,10 +92,9 @@ pub struct TimeOutOfStep {
 impl TimeOutOfStep {
     /// Checks that a time is in [0, 1].
     pub(crate) fn check(time: f64) -> Result<(), Self> {
-        if (0.0..=1.0).contains(&time) {
-            Ok(())
-        } else {
-            Err(Self { time })
+        match NonNegative::new(time) {
+            Some(checked) if checked.get() <= 1.0 => Ok(()),
+            _ => Err(Self { time }),
         }
     }
 }

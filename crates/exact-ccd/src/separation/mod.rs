@@ -40,7 +40,8 @@ use crate::time::ContactTime;
 pub struct TimeInterval {
     /// The first time.
     pub start: ContactTime,
-    /// The last time; equal to `start` for a single moment.
+    /// The last time. It is equal to `start` for a single moment, and may be for an interval shorter
+    /// than the difference of two f64.
     pub end: ContactTime,
 }
 

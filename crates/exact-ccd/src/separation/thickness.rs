@@ -58,16 +58,13 @@ impl Thickness {
         self.0.len()
     }
 
-    /// The thickness of a primitive: the largest of those of its vertices. A vertex that has none given
-    /// has thickness 0.
+    /// The thickness of a primitive: the largest of those of its vertices. A vertex without a thickness
+    /// counts with 0.
     #[must_use]
     #[inline]
     pub fn of(&self, vertices: &[u32]) -> Separation {
         let of_vertex = |&vertex: &u32| self.0.get(vertex as usize).copied().unwrap_or_default();
-        vertices
-            .iter()
-            .map(of_vertex)
-            .fold(Separation::default(), Separation::max)
+        vertices.iter().map(of_vertex).max().unwrap_or_default()
     }
 }
 

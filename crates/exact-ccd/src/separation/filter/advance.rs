@@ -1,94 +1,71 @@
 //! Advancement: stretches of time, from the left, in which a turning direction keeps the primitives
-//! farther than d apart.
+//! farther than d apart. For one query, or for many side by side.
 
-use super::closest::Closest;
 use super::corners::Scaled;
+use super::nearest::nearest;
 use super::turning::{Moment, limit};
-use crate::filter::{UNIT, dot};
+use crate::filter::{Lanes, add, scaled};
 use crate::kind::Kind;
-use crate::point::Point;
 
-/// The outcome of advancement.
-pub(super) enum Advance {
-    /// The distance is less than d at t = 0.
-    Within,
-    /// The distance is above d at all times.
-    Free,
-    /// The distance is above d from t = 0 up to this time, and not much farther.
-    Until(f64),
+/// The corners of F at t = 0 and at t = 1, and d with all errors.
+pub(super) struct Advancement<T> {
+    start: [[T; 3]; 4],
+    end: [[T; 3]; 4],
+    limit: T,
 }
 
-/// A stretch of time is cut into at most two to this power of pieces.
-const DEPTH: u32 = 5;
-
-/// Advances from t = 0, in stretches that are cut in the middle where the directions at their ends prove
-/// nothing.
-pub(super) fn from_start<K: Kind>(scaled: &Scaled) -> Advance {
-    let corners = scaled.corners_at(0.0);
-    let closest = Closest::guess::<K>(&corners);
-    if is_within(scaled, closest.point(&corners)) {
-        return Advance::Within;
+impl Advancement<f64> {
+    pub(super) fn of(corners: &Scaled) -> Self {
+        let [start, end] = corners.at;
+        Self::new([start, end], corners.d, corners.reach)
     }
-    let start = Moment::new(corners, closest.direction(&corners));
-    let limit = limit(scaled.d, scaled.reach);
-    let stretch = Stretch { scaled, limit };
-    let free = stretch.free_until::<K>((0.0, &start), (1.0, &stretch.at::<K>(1.0)), DEPTH);
-    if free == 1.0 {
-        Advance::Free
-    } else {
-        Advance::Until(free)
+
+    /// The time before which the distance is certainly above d, from one time to at most a later one,
+    /// in stretches of at least a 4096th of the time between them.
+    pub(super) fn free_after<K: Kind>(&self, from: f64, to: f64) -> f64 {
+        let length = to - from;
+        self.free_until::<K>(from, to, length, length / 8192.0)
     }
 }
 
-/// True if the distance is certainly above d from one time to another.
-pub(super) fn is_beyond<K: Kind>(scaled: &Scaled, start: f64, end: f64, depth: u32) -> bool {
-    let limit = limit(scaled.d, scaled.reach);
-    let stretch = Stretch { scaled, limit };
-    let [first, last] = [start, end].map(|t| stretch.at::<K>(t));
-    stretch.free_until::<K>((start, &first), (end, &last), depth) == end
-}
+impl<T: Lanes> Advancement<T> {
+    /// From corners that are rounded once, and the largest magnitude of a component on each axis.
+    #[inline(always)]
+    pub(super) fn new([start, end]: [[[T; 3]; 4]; 2], d: T, reach: [T; 3]) -> Self {
+        let limit = limit(d, reach);
+        Self { start, end, limit }
+    }
 
-/// True if |x| < d for x = F(0, u, v), of which this is an approximation.
-///
-/// x is a combination of corners below 1, each rounded once, with at most three products and sums:
-/// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them).
-fn is_within(scaled: &Scaled, x: Point) -> bool {
-    const ERROR: f64 = 64.0 * UNIT;
-    let reach = x.map(|component| component.abs() + ERROR);
-    dot(reach, reach) * (1.0 + 8.0 * UNIT) < scaled.d * scaled.d && scaled.d_is_exact
-}
+    /// The time before which the distance is certainly above d, from one time to at most a later one.
+    ///
+    /// A stretch has the length `first` at first. The next one is twice as long if the directions at
+    /// its ends prove it free; otherwise it begins at the same time, and is half as long. All
+    /// are longer than `shortest`, unless other lanes need more. There is none if the distance may be d
+    /// from the beginning.
+    #[inline(always)]
+    pub(super) fn free_until<K: Kind>(&self, from: T, to: T, first: T, shortest: T) -> T {
+        let mut time = from;
+        let mut now = self.at::<K>(time);
+        let is_beyond = now.are_beyond_until::<K>(&now, self.limit);
+        let mut length = T::select(is_beyond, first, first.splat(0.0));
+        while T::any(to.gt(time) & length.gt(shortest)) {
+            let end = (time + length).min(to);
+            let then = self.at::<K>(end);
+            let is_free = now.are_beyond_until::<K>(&then, self.limit) & end.gt(time);
+            time = T::select(is_free, end, time);
+            now = Moment::select(is_free, &then, &now);
+            length = length * T::select(is_free, length.splat(2.0), length.splat(0.5));
+        }
+        time
+    }
 
-struct Stretch<'a> {
-    scaled: &'a Scaled,
-    limit: f64,
-}
-
-impl Stretch<'_> {
     /// A corner results from that of the query, 1 − t, a product and a sum: four roundings.
-    fn at<K: Kind>(&self, t: f64) -> Moment<f64> {
-        let corners = self.scaled.corners_at(t);
-        Moment::new(corners, Closest::guess::<K>(&corners).direction(&corners))
-    }
-
-    /// The time up to which the distance is certainly above d, from one time to at most another.
-    fn free_until<K: Kind>(
-        &self,
-        (start, first): (f64, &Moment<f64>),
-        (end, last): (f64, &Moment<f64>),
-        depth: u32,
-    ) -> f64 {
-        if first.are_beyond_until::<K>(last, self.limit) {
-            return end;
+    #[inline(always)]
+    fn at<K: Kind>(&self, t: T) -> Moment<T> {
+        let mut corners = self.start;
+        for (corner, end) in corners.iter_mut().zip(&self.end) {
+            *corner = add(scaled(*corner, -t + 1.0), scaled(*end, t));
         }
-        let middle = 0.5 * (start + end);
-        if depth == 0 || middle <= start || middle >= end {
-            return start;
-        }
-        let between = self.at::<K>(middle);
-        let free = self.free_until::<K>((start, first), (middle, &between), depth - 1);
-        if free < middle {
-            return free;
-        }
-        self.free_until::<K>((middle, &between), (end, last), depth - 1)
+        Moment::new(corners, nearest::<K, T>(&corners))
     }
 }

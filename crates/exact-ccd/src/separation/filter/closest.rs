@@ -1,6 +1,6 @@
 //! A guess of the closest points at one time, without bound.
 
-use crate::filter::{cross, dot, minus, towards};
+use crate::filter::{dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 
@@ -19,11 +19,11 @@ pub(super) enum Closest {
 impl Closest {
     pub(super) fn guess<K: Kind>(corners: &[Point; 4]) -> Self {
         let features = K::FEATURES;
-        let is_triangle = features.vertices.len() == 3;
-        if let Some([i, j]) = features.inner
-            && let Some(parameters) = inner(corners, [i, j], is_triangle)
-        {
-            return Self::Inner([i, j], parameters);
+        if let Some(inner) = features.inner {
+            let parameters = from_plane(corners, inner, corners[0]);
+            if is_inside::<K>(parameters) {
+                return Self::Inner(inner, parameters);
+            }
         }
         let mut best = (dot(corners[0], corners[0]), Self::Corner(0));
         for side in &K::SIDES[..features.sides] {
@@ -46,6 +46,21 @@ impl Closest {
         best.1
     }
 
+    /// The same with better parameters, if F there is known to twice the precision: one step of iterative
+    /// refinement. The parameters of nearly parallel edges have lost digits, and the distance with them.
+    pub(super) fn refined<K: Kind>(self, corners: &[Point; 4], point: Point) -> Self {
+        let Self::Inner(inner, [u, v]) = self else {
+            return self;
+        };
+        let [along_u, along_v] = from_plane(corners, inner, point);
+        let parameters = [u + along_u, v + along_v];
+        if is_inside::<K>(parameters) {
+            Self::Inner(inner, parameters)
+        } else {
+            self
+        }
+    }
+
     /// F there.
     pub(super) fn point(self, corners: &[Point; 4]) -> Point {
         match self {
@@ -60,37 +75,31 @@ impl Closest {
             }
         }
     }
-
-    /// A direction across the features: that of F there.
-    pub(super) fn direction(self, corners: &[Point; 4]) -> Point {
-        let Self::Inner([i, j], _) = self else {
-            return self.point(corners);
-        };
-        let n = cross(minus(corners[i], corners[0]), minus(corners[j], corners[0]));
-        if dot(n, corners[0]) < 0.0 {
-            [-n[0], -n[1], -n[2]]
-        } else {
-            n
-        }
-    }
 }
 
-/// The parameters of the point of a plane that is closest to the origin, if they are inside the
-/// domain.
-fn inner(corners: &[Point; 4], [i, j]: [usize; 2], is_triangle: bool) -> Option<[f64; 2]> {
-    let c = corners[0];
-    let (a, b) = (minus(corners[i], c), minus(corners[j], c));
+/// The steps along two sides from F at a place of a plane to the point that is closest to the origin,
+/// as fractions of the sides; NaN for parallel sides.
+fn from_plane(corners: &[Point; 4], [i, j]: [usize; 2], place: Point) -> [f64; 2] {
+    let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
     let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
-    let (ca, cb) = (dot(c, a), dot(c, b));
+    let (pa, pb) = (dot(place, a), dot(place, b));
     let determinant = aa * bb - ab * ab;
-    let u = (ab * cb - bb * ca) / determinant;
-    let v = (ab * ca - aa * cb) / determinant;
-    let is_inside = u > 0.0
+    let scale = if determinant > 0.0 {
+        1.0 / determinant
+    } else {
+        f64::NAN
+    };
+    [(ab * pb - bb * pa) * scale, (ab * pa - aa * pb) * scale]
+}
+
+/// True for parameters of inner points of the domain.
+fn is_inside<K: Kind>([u, v]: [f64; 2]) -> bool {
+    let is_triangle = K::FEATURES.vertices.len() == 3;
+    u > 0.0
         && v > 0.0
         && if is_triangle {
             u + v < 1.0
         } else {
             u < 1.0 && v < 1.0
-        };
-    (determinant > 0.0 && is_inside).then_some([u, v])
+        }
 }

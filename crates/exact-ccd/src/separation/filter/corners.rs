@@ -2,7 +2,7 @@
 
 use core::f64::consts::SQRT_2;
 
-use crate::filter::{Lanes, UNIT, add, scaled};
+use crate::filter::{Lanes, UNIT, scaled};
 use crate::kind::Kind;
 use crate::point::Point;
 use crate::query::Query;
@@ -114,16 +114,4 @@ pub(super) struct Scaled {
     /// d, scaled, or more if that is tiny.
     pub(super) d: f64,
     pub(super) d_is_exact: bool,
-}
-
-impl Scaled {
-    /// The corners at time t, to within rounding.
-    pub(super) fn corners_at(&self, t: f64) -> [Point; 4] {
-        let [start, end] = &self.at;
-        let mut corners = *start;
-        for (corner, end) in corners.iter_mut().zip(end) {
-            *corner = add(scaled(*corner, 1.0 - t), scaled(*end, t));
-        }
-        corners
-    }
 }

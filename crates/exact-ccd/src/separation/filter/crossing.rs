@@ -1,18 +1,12 @@
 //! The first time within d between two adjacent f64, where D decreases through d.
 
-use super::advance;
+use super::advance::Advancement;
 use super::corners::Scaled;
-use super::moment::{Moment, Moving, Precision};
+use super::moment::{Moving, Precision};
 use crate::filter::{DoubleDouble, Number, dot};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
-
-/// A stretch of time is cut into at most two to this power of pieces.
-const DEPTH: u32 = 5;
-
-/// The same where the distance does not seem to reach d: it may become nearly as small.
-const GRAZING_DEPTH: u32 = 12;
 
 /// The first time within d, or none, when D > d is known before the time `free`; `None` if that is
 /// not certain.
@@ -24,22 +18,21 @@ pub(super) fn first_after<K: Kind>(
     scaled: &Scaled,
     free: f64,
 ) -> Option<Option<ContactTime>> {
+    let advancement = Advancement::of(scaled);
+    let never = || (advancement.free_after::<K>(free, 1.0) == 1.0).then_some(None);
     if !scaled.d_is_exact {
-        return None;
+        return never();
     }
     let rough = Moving::<f64>::new(query, scaled);
     let precise = Moving::<DoubleDouble>::new(query, scaled);
-    let stretch = Stretch {
-        scaled,
-        precise: &precise,
+    let near = newton::<K, _>(&rough, [free, free]).and_then(|near| newton::<K, _>(&precise, [free, near]));
+    let Some(end) = near else {
+        return never();
     };
-    let floor = newton::<K, _>(&rough, [free, free]).and_then(|near| newton::<K, _>(&precise, [free, near]));
-    let end = floor.unwrap_or(1.0);
-    let is_beyond = match floor {
-        Some(end) => stretch.is_beyond::<K>([free, end], DEPTH),
-        None => advance::is_beyond::<K>(scaled, free, 1.0, GRAZING_DEPTH),
-    };
-    if !is_beyond {
+    // The last stretch ends next to the distance d and needs twice the precision.
+    let last = precise.at::<K>(end);
+    let is_beyond = |start: f64| precise.at::<K>(start).is_beyond_until(&last);
+    if !is_beyond(free) && !is_beyond(advancement.free_after::<K>(free, end)) {
         return None;
     }
     if end == 1.0 {
@@ -47,30 +40,6 @@ pub(super) fn first_after<K: Kind>(
     }
     let next = precise.at::<K>(end.next_up());
     next.is_within().then(|| Some(ContactTime::just_above(end)))
-}
-
-/// A stretch of time in both precisions.
-struct Stretch<'a> {
-    scaled: &'a Scaled,
-    precise: &'a Moving<DoubleDouble>,
-}
-
-impl Stretch<'_> {
-    /// True if the distance is certainly above d from one time to another: in one piece, or cut in
-    /// the middle. The last piece ends next to the distance d and needs twice the precision.
-    fn is_beyond<K: Kind>(&self, [start, end]: [f64; 2], depth: u32) -> bool {
-        let moment = |t| -> Moment<DoubleDouble> { self.precise.at::<K>(t) };
-        let middle = 0.5 * (start + end);
-        if moment(start).is_beyond_until(&moment(end)) {
-            return true;
-        }
-        if depth == 0 || middle <= start || middle >= end {
-            return false;
-        }
-        // The later part first: it is nearer to the distance d, so its proof fails more often.
-        self.is_beyond::<K>([middle, end], depth - 1)
-            && advance::is_beyond::<K>(self.scaled, start, middle, depth - 1)
-    }
 }
 
 /// A guess of the largest f64 in [`free`, 1] before D first reaches d, from another guess on;

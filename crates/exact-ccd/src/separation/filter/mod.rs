@@ -22,11 +22,12 @@ use super::{Separation, SeparationStage};
 pub(crate) use screening::Screening;
 
 use crate::environment::flushes_subnormals;
+use crate::filter::{UNIT, dot};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
-use advance::Advance;
-use corners::Corners;
+use closest::Closest;
+use corners::{Corners, Scaled};
 
 /// The first time within d, or none, and the stage that proved it; `None` if that is unknown.
 #[inline]
@@ -46,35 +47,50 @@ pub(super) fn first_within<K: Kind>(
         return Some((None, SeparationStage::Diagonals));
     }
     let screening = Screening::new::<K>(query.points(), d.get());
-    if !screening.is_out_of_range() && screening.planes_are_beyond::<K>(query.points()) {
+    if screening.planes_are_beyond::<K>(query.points()) {
         return Some((None, SeparationStage::Planes));
     }
-    first_after_planes(query, &corners, d)
+    let free = screening.free_until::<K>();
+    if free == 1.0 {
+        return Some((None, SeparationStage::Advancement));
+    }
+    first_after(query, &corners, d, free)
 }
 
-/// The same for a query that the stages up to `Planes` have not settled, in an environment with
+/// The same for a query whose primitives are known to be beyond d before a time, in an environment with
 /// gradual underflow.
 pub(super) fn first_near<K: Kind>(
     query: &Query<K>,
     d: Separation,
+    free: f64,
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
-    first_after_planes(query, &Corners::new(query), d)
+    first_after(query, &Corners::new(query), d, free)
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn first_after_planes<K: Kind>(
+fn first_after<K: Kind>(
     query: &Query<K>,
     corners: &Corners,
     d: Separation,
+    free: f64,
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
     let scaled = corners.scaled(d.get())?;
-    match advance::from_start::<K>(&scaled) {
-        Advance::Within => Some((Some(ContactTime::exactly(0.0)), SeparationStage::Start)),
-        Advance::Free => Some((None, SeparationStage::Advancement)),
-        Advance::Until(free) => {
-            let first = crossing::first_after(query, &scaled, free)?;
-            Some((first, SeparationStage::Crossing))
-        }
+    if free == 0.0 && starts_within::<K>(&scaled) {
+        return Some((Some(ContactTime::exactly(0.0)), SeparationStage::Start));
     }
+    let first = crossing::first_after(query, &scaled, free)?;
+    Some((first, SeparationStage::Crossing))
+}
+
+/// True if |x| < d for x = F(0, u, v) at a guess of the closest points.
+///
+/// x is a combination of corners below 1, each rounded once, with at most three products and sums:
+/// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them).
+fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
+    const ERROR: f64 = 64.0 * UNIT;
+    let [corners, _] = &scaled.at;
+    let x = Closest::guess::<K>(corners).point(corners);
+    let reach = x.map(|component| component.abs() + ERROR);
+    dot(reach, reach) * (1.0 + 8.0 * UNIT) < scaled.d * scaled.d && scaled.d_is_exact
 }

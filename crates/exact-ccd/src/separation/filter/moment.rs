@@ -5,26 +5,23 @@ use core::ops::{Mul, Neg};
 
 use super::closest::Closest;
 use super::corners::Scaled;
-use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, UNIT, cross, dot, minus, subtract};
+use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, cross, dot, minus, subtract};
 use crate::kind::Kind;
 use crate::query::Query;
 
-/// f64, or twice its precision.
+/// f64, for guesses, or twice its precision, for proofs.
 pub(super) trait Precision: Number<Real = f64> + Neg<Output = Self> + Mul<f64, Output = Self> {
-    /// The largest error of one operation, relative to its operands; for f64 that of a rounded
-    /// coordinate difference too.
-    const ROUNDOFF: f64;
     /// The step below which Newton's method has settled.
     const SETTLED: f64;
 }
 
 impl Precision for f64 {
-    const ROUNDOFF: f64 = UNIT;
-    const SETTLED: f64 = 64.0 * UNIT;
+    // 2⁻³²: one or two steps before twice the precision has settled. The error of a time is about that of
+    // the corners over the speed of the approach, and may be far above the unit roundoff.
+    const SETTLED: f64 = f64::from_bits((1023 - 32) << 52);
 }
 
 impl Precision for DoubleDouble {
-    const ROUNDOFF: f64 = ROUNDOFF;
     const SETTLED: f64 = 0.0;
 }
 
@@ -56,7 +53,9 @@ impl<T: Precision> Moving<T> {
     pub(super) fn at<K: Kind>(&self, t: f64) -> Moment<T> {
         let corners = [0, 1, 2, 3]
             .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t));
-        let closest = Closest::guess::<K>(&corners.map(|corner| corner.map(Number::value)));
+        let rounded = corners.map(|corner| corner.map(Number::value));
+        let closest = Closest::guess::<K>(&rounded);
+        let closest = closest.refined::<K>(&rounded, point(&corners, closest).map(Number::value));
         let direction = direction(&corners, closest);
         Moment {
             corners,
@@ -80,8 +79,9 @@ impl<T: Precision> Moving<T> {
 /// The corners of F at one time, with a guess of the closest points and the direction from one to
 /// the other.
 ///
-/// Let ε be [`Precision::ROUNDOFF`]. A component of a corner, of magnitude at most 1, results from four
-/// operations on terms of at most 1, 1, 2 and 3. Its error is at most 8 ε.
+/// Let ε be [`ROUNDOFF`], the largest error of one operation in twice the precision, relative to its
+/// operands. A component of a corner, of magnitude at most 1, results from four operations on terms of at
+/// most 1, 1, 2 and 3. Its error is at most 8 ε.
 pub(super) struct Moment<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
@@ -104,14 +104,16 @@ impl<T: Precision> Moment<T> {
         let d = T::difference(self.d, 0.0);
         dot(x, x) - d * d
     }
+}
 
+impl Moment<DoubleDouble> {
     /// True if the distance is certainly less than d, as |F| is at the guess.
     ///
     /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners
-    /// with factors of at most 1, and by 12 ε for the operations on them; |F|² by twice that for
+    /// with factors of at most 1, and by 17 ε for the operations on them; |F|² by twice that for
     /// each axis and by 12 ε more; d² by ε d², the difference by ε (3 + d²).
     pub(super) fn is_within(&self) -> bool {
-        let error = 512.0 * T::ROUNDOFF * (1.0 + self.d * self.d);
+        let error = 512.0 * ROUNDOFF * (1.0 + self.d * self.d);
         self.excess().value() < -error
     }
 
@@ -134,17 +136,17 @@ impl<T: Precision> Moment<T> {
 /// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
 /// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
 /// times itself, the right side by 12 ε times itself.
-fn are_beyond<T: Precision>(a: &Moment<T>, b: &Moment<T>) -> bool {
+fn are_beyond(a: &Moment<DoubleDouble>, b: &Moment<DoubleDouble>) -> bool {
     let extent = a
         .direction
         .iter()
         .chain(&b.direction)
         .fold(0.0, |sum, x| sum + x.value().abs());
-    let slack = T::difference(32.0 * T::ROUNDOFF * extent + UNDERFLOW, 0.0);
-    let d = T::difference(a.d, 0.0);
+    let slack = DoubleDouble::difference(32.0 * ROUNDOFF * extent + UNDERFLOW, 0.0);
+    let d = DoubleDouble::difference(a.d, 0.0);
     let lengths = dot(a.direction, a.direction) + dot(b.direction, b.direction);
     let threshold = d * d * lengths * 2.0;
-    let limit = 32.0 * T::ROUNDOFF * threshold.value() + UNDERFLOW;
+    let limit = 32.0 * ROUNDOFF * threshold.value() + UNDERFLOW;
     a.corners
         .iter()
         .zip(&b.corners)
@@ -152,7 +154,7 @@ fn are_beyond<T: Precision>(a: &Moment<T>, b: &Moment<T>) -> bool {
         .all(|(&of_a, &of_b)| {
             let least = dot(a.direction, of_b) + dot(b.direction, of_a) - slack;
             let square = least * least;
-            least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * T::ROUNDOFF * square.value()
+            least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * ROUNDOFF * square.value()
         })
 }
 

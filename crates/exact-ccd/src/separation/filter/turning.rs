@@ -1,6 +1,6 @@
 //! A direction that turns from one time to another and keeps the primitives farther than d apart.
 
-use crate::filter::{Lanes, UNDERFLOW, UNIT, dot, scaled};
+use crate::filter::{Lanes, UNDERFLOW, UNIT, dot, scaled, select};
 use crate::kind::Kind;
 
 /// The corners of F at one time, each component off by at most 5 u times the reach on its axis, and a
@@ -15,7 +15,7 @@ pub(super) struct Moment<T> {
 ///
 /// Let r be the sum of the reaches on the three axes. The sum gₐ · x_b + g_b · xₐ results from nine
 /// roundings, five of them those of a corner, of terms of at most 2 r (1 + 8 u): it is off by less than
-/// 32 u r. d times the lengths is at most 2 d (1 + 8 u).
+/// 32 u r, and compared with twice the limit. d times the lengths is at most 2 d (1 + 8 u).
 #[inline(always)]
 pub(super) fn limit<T: Lanes>(d: T, reach: [T; 3]) -> T {
     d * (1.0 + 16.0 * UNIT) + (reach[0] + reach[1] + reach[2]) * (32.0 * UNIT) + UNDERFLOW
@@ -35,6 +35,17 @@ impl<T: Lanes> Moment<T> {
             corners,
             direction: scaled(across, scale),
         }
+    }
+
+    /// One moment in the lanes of a mask, another one elsewhere.
+    #[inline(always)]
+    pub(super) fn select(mask: T::Mask, yes: &Self, no: &Self) -> Self {
+        let mut chosen = *no;
+        for (corner, yes) in chosen.corners.iter_mut().zip(&yes.corners) {
+            *corner = select(mask, *yes, *corner);
+        }
+        chosen.direction = select(mask, yes.direction, no.direction);
+        chosen
     }
 
     /// True where the distance is certainly above d at this time, at another one, and at all times

@@ -19,7 +19,8 @@ use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::predicates::{EdgeFace, orient3d};
-use exact_ccd::{EdgeEdge, Point, Query, Stage, VertexFace};
+use exact_ccd::separation::Separation;
+use exact_ccd::{ContactTime, EdgeEdge, Point, Query, Stage, VertexEdge, VertexFace};
 
 /// The smallest subnormal number.
 const TINY: f64 = f64::from_bits(1);
@@ -119,6 +120,7 @@ struct Answers {
     array: [bool; 2],
     orientation: Ordering,
     intersects: bool,
+    first_within: [u64; 2],
 }
 
 const EXPECTED: Answers = Answers {
@@ -128,6 +130,7 @@ const EXPECTED: Answers = Answers {
     array: [true, false],
     orientation: Ordering::Less,
     intersects: true,
+    first_within: [1, 1],
 };
 
 const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
@@ -185,5 +188,19 @@ fn answers(unit: f64) -> Option<Answers> {
         array: of_array,
         orientation: orient3d([v1, v2, v3, b]).ok()?,
         intersects: EdgeFace::new([a, b], [v1, v2, v3]).ok()?.intersects(),
+        first_within: first_within()?,
     })
+}
+
+/// The bits of a subnormal time at which a vertex and an edge are first within a distance, of two
+/// functions. The edge gets there at 1.6 times the smallest subnormal number, its ends much later.
+fn first_within() -> Option<[u64; 2]> {
+    const HUGE: f64 = 1.25 * f64::from_bits(2046 << 52);
+    let at = |y: f64| [[0.0, 1.0 + 4.0 * f64::EPSILON, 0.0], [-0.5, y, 0.0], [0.5, y, 0.0]];
+    let query = Query::<VertexEdge>::new(at(0.0), at(HUGE)).ok()?;
+    let d = Separation::new(1.0).ok()?;
+    let first = query.first_within(d)?;
+    let impact = query.impact_within(d)?;
+    let bits = |time: ContactTime| (!time.is_start() && !time.is_exact()).then(|| time.lower().to_bits());
+    Some([bits(first)?, bits(impact.time)?])
 }

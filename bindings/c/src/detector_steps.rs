@@ -1,0 +1,134 @@
+//! Steps: contact, and the certified step.
+
+use exact_ccd::Point;
+use exact_ccd_mesh::FreeStepOptions;
+
+use crate::border::call;
+use crate::contact::Contact;
+use crate::contacts::Contacts;
+use crate::detector::Detector;
+use crate::error::Status;
+use crate::pointers::{array_mut, positions, reference_mut};
+
+/// Decides if a step is free of contact. `x0` and `x1` are the positions of the `vertex_count`
+/// vertices at t = 0 and t = 1. Ends soon after the first contact found.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_is_free(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    is_free: *mut bool,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (Detector(detector), x0, x1, is_free) = unsafe {
+            let detector = reference_mut("detector", detector)?;
+            let is_free = reference_mut("is_free", is_free)?;
+            (
+                detector,
+                positions("x0", x0, vertex_count)?,
+                positions("x1", x1, vertex_count)?,
+                is_free,
+            )
+        };
+        *is_free = detector.is_free(x0, x1)?;
+        Ok(())
+    })
+}
+
+/// The earliest contact of a step; `contact` is written only if there is one. Positions as in
+/// `exact_ccd_detector_is_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    is_found: *mut bool,
+    contact: *mut Contact,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (Detector(detector), x0, x1, is_found, contact) = unsafe {
+            let detector = reference_mut("detector", detector)?;
+            let (x0, x1) = (
+                positions("x0", x0, vertex_count)?,
+                positions("x1", x1, vertex_count)?,
+            );
+            let is_found = reference_mut("is_found", is_found)?;
+            (detector, x0, x1, is_found, reference_mut("contact", contact)?)
+        };
+        let earliest = detector.earliest_contact(x0, x1)?;
+        *is_found = earliest.is_some();
+        if let Some(earliest) = &earliest {
+            *contact = Contact::of(detector.mesh(), earliest);
+        }
+        Ok(())
+    })
+}
+
+/// The contacts of a step whose first time is not after `until`, the earliest first; all for 1. The
+/// list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_contacts(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    until: f64,
+    contacts: *mut *mut Contacts,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let (Detector(detector), x0, x1, contacts) = unsafe {
+            let detector = reference_mut("detector", detector)?;
+            let contacts = reference_mut("contacts", contacts)?;
+            (
+                detector,
+                positions("x0", x0, vertex_count)?,
+                positions("x1", x1, vertex_count)?,
+                contacts,
+            )
+        };
+        let found = detector.contacts(x0, x1, until)?;
+        let mesh = detector.mesh();
+        let list = found.iter().map(|contact| Contact::of(mesh, contact)).collect();
+        *contacts = Box::into_raw(Box::new(Contacts(list)));
+        Ok(())
+    })
+}
+
+/// A step that is certified to be free of contact: its size, from 0 to 1, and the positions at its
+/// end, which are written to `positions`.
+///
+/// The size is at most `keep` times the time of impact of the full step, for 0 < `keep` <= 1, and 1
+/// if the full step is free. If it is 0, the mesh is in contact at the start, and no motion is
+/// certified. `positions` has room for `vertex_count` points, and may be `x0` or `x1`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_free_step(
+    detector: *mut Detector,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    keep: f64,
+    size: *mut f64,
+    positions: *mut f64,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise. The result is written after
+        // the last use of the positions, which may be the same memory.
+        unsafe {
+            let Detector(detector) = reference_mut("detector", detector)?;
+            let size = reference_mut("size", size)?;
+            let step = {
+                let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
+                let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
+                detector.free_step(x0, x1, &FreeStepOptions::default().with_keep(keep))?
+            };
+            array_mut("positions", positions.cast::<Point>(), vertex_count)?.copy_from_slice(&step.positions);
+            *size = step.size;
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,160 @@
+"""The frames of a recorded motion: positions in an array, or mesh files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from os import PathLike, fspath
+from pathlib import Path
+from typing import Any, Optional, Protocol, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from .meshes import Mesh, MeshFile
+
+FilePath = Union[str, PathLike[str]]
+
+
+class FileSystem(Protocol):
+    """The method of ``pyarrow.fs.FileSystem`` that is needed to read a file."""
+
+    def open_input_file(self, path: str) -> Any: ...
+
+
+class Frames(Protocol):
+    """Frames of one mesh, which can be read in any order, and sent to another process."""
+
+    def __len__(self) -> int: ...
+
+    def __iter__(self) -> Iterator[NDArray[Any]]:
+        """The positions in the order of time, read one frame at a time."""
+        ...
+
+    def mesh(self) -> Mesh:
+        """The mesh of all frames."""
+        ...
+
+    def part(self, first: int, last: int) -> Frames:
+        """The frames from `first` to `last`, both included."""
+        ...
+
+
+@dataclass(frozen=True)
+class ArrayFrames:
+    """Frames in an array of shape (T, V, 3)."""
+
+    positions: NDArray[Any]
+    faces: ArrayLike
+    edges: Optional[ArrayLike]
+
+    def __len__(self) -> int:
+        return len(self.positions)
+
+    def __iter__(self) -> Iterator[NDArray[Any]]:
+        return iter(self.positions)
+
+    def mesh(self) -> Mesh:
+        """The mesh of all frames."""
+        if self.positions.ndim != 3:
+            raise ValueError(f"frames has the shape {self.positions.shape}, expected (T, V, 3)")
+        return Mesh(self.positions.shape[1], self.faces, self.edges)
+
+    def part(self, first: int, last: int) -> ArrayFrames:
+        """The frames from `first` to `last`, both included."""
+        return replace(self, positions=self.positions[first : last + 1])
+
+
+class FileFrames:
+    """Frames in mesh files, of this machine or of a file system of pyarrow.
+
+    STL files have no shared vertices: vertices that coincide in all frames become one.
+    """
+
+    def __init__(self, files: Iterable[FilePath], filesystem: Optional[FileSystem] = None) -> None:
+        self._filesystem = filesystem
+        self._places = [place for file in files for place in self._within(fspath(file))]
+        if not self._places:
+            raise ValueError("there are no frames")
+        self._first = next(self._read())
+        self._faces, self._edges = self._first.faces, self._first.edges
+        self._kept: Optional[NDArray[np.int64]] = None
+        if all(_native.mesh_format(file) == "Stl" for file, _ in self._places):
+            self._weld()
+
+    def _within(self, file: str) -> Iterator[tuple[str, int]]:
+        """The frames of a file: that of a mesh, those in arrays, or the files of a collection."""
+        if self._filesystem is not None:
+            yield file, 0
+            return
+        sequence = _native.FrameSequence(file)
+        for frame in range(len(sequence)):
+            place = fspath(sequence.file(frame))
+            yield place, frame if place == file else 0
+
+    def _weld(self) -> None:
+        """One vertex in place of all that coincide in every frame."""
+        welding = _native.Welding()
+        for vertices in self:
+            welding.restrict(vertices)
+        first = self._first
+        self._faces, self._edges = welding.primitives(Mesh(first.vertices, first.faces, first.edges)._native)
+        numbers = np.zeros_like(first.vertices)
+        numbers[:, 0] = np.arange(len(numbers))
+        self._kept = welding.positions(numbers)[:, 0].astype(np.int64)
+
+    def __len__(self) -> int:
+        return len(self._places)
+
+    def __iter__(self) -> Iterator[NDArray[np.float64]]:
+        for (file, _), frame in zip(self._places, self._read()):
+            same = np.array_equal(frame.faces, self._first.faces)
+            if not same or not np.array_equal(frame.edges, self._first.edges):
+                raise ValueError(f"{file} has other faces or edges than the first frame")
+            yield frame.vertices if self._kept is None else frame.vertices[self._kept]
+
+    def _read(self) -> Iterator[MeshFile]:
+        """The meshes in the files."""
+        name, sequence = "", None
+        for file, frame in self._places:
+            if self._filesystem is not None:
+                with self._filesystem.open_input_file(file) as stream:
+                    yield MeshFile(*_native.parse_mesh(stream.read(), file))
+                continue
+            if sequence is None or file != name:
+                name, sequence = file, _native.FrameSequence(file)
+            yield MeshFile(*sequence.read(frame))
+
+    def mesh(self) -> Mesh:
+        """The mesh of all frames."""
+        count = len(self._first.vertices) if self._kept is None else len(self._kept)
+        return Mesh(count, self._faces, self._edges)
+
+    def identity(self) -> list[tuple[str, int, int, int]]:
+        """Name, number, size and time of change of each frame."""
+        states = ((file, frame, Path(file).stat()) for file, frame in self._places)
+        return [(file, frame, state.st_size, state.st_mtime_ns) for file, frame, state in states]
+
+    def part(self, first: int, last: int) -> FileFrames:
+        """The frames from `first` to `last`, both included."""
+        part = object.__new__(FileFrames)
+        part.__dict__.update(self.__dict__, _places=self._places[first : last + 1])
+        return part
+
+
+def files_in(path: FilePath) -> Sequence[FilePath]:
+    """The mesh files in a folder, in the order of the numbers in their names; a file itself."""
+    folder = Path(path)
+    if not folder.is_dir():
+        return [path]
+    return ordered(folder, folder.iterdir())
+
+
+def ordered(folder: FilePath, files: Iterable[FilePath]) -> Sequence[FilePath]:
+    """The mesh files of one format among the files of a folder, in the order of the numbers in their names."""
+    formats = {fspath(file): _native.mesh_format(file) for file in files}
+    meshes = [file for file, format in formats.items() if format is not None]
+    if len({formats[file] for file in meshes}) != 1:
+        raise ValueError(f"{folder}: expected mesh files of one format, such as .ply, .obj, .stl, .off or .vtu")
+    return _native.in_order(meshes)

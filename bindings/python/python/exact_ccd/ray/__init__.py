@@ -1,0 +1,15 @@
+"""Large sets of queries and long recordings, on one machine or many, by Ray.
+
+``pip install exact-ccd[ray]`` installs what is needed. Without a cluster, the work runs on the cores of this
+machine; ``ray.init`` with an address, or the variable ``RAY_ADDRESS``, connects to a cluster, all machines of
+which need this package.
+
+- :func:`check_dataset` answers for the queries of a ``ray.data.Dataset``.
+- :func:`audit` certifies a recording, in chunks of frames.
+- The program ``exact-ccd-ray`` does both with files.
+"""
+
+from .audits import audit
+from .datasets import check_dataset
+
+__all__ = ["audit", "check_dataset"]

@@ -1,0 +1,206 @@
+"""The certificate of a sequence of frames, by tasks of Ray."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from os import PathLike, fspath
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+import pyarrow.fs
+import ray
+from numpy.typing import ArrayLike, NDArray
+
+from ..audits import AuditReport, examine, in_files
+from ..frames import ArrayFrames, FileFrames, FilePath, Frames, ordered
+from ..meshes import Detector, Progress
+from .chunks import Chunk, Results, chunks, digest, file_system
+
+
+def audit(
+    frames: Union[ArrayLike, Iterable[Any], FilePath],
+    faces: Optional[ArrayLike] = None,
+    *,
+    edges: Optional[ArrayLike] = None,
+    min_distance: Union[float, ArrayLike] = 0.0,
+    filesystem: Optional[pyarrow.fs.FileSystem] = None,
+    steps: int = 32,
+    window: Optional[int] = None,
+    results: Optional[FilePath] = None,
+    progress: Optional[Progress] = None,
+    retries: int = 100,
+) -> AuditReport:
+    """Certify a recorded motion by tasks of Ray: the same report as :func:`exact_ccd.audit`, bit for bit.
+
+    Each task examines a chunk of steps on one core. Two chunks share the frame between them, and only frame
+    0 is examined at rest. The violation in the earliest chunk is the answer, whichever is found first: the
+    later chunks are cancelled, and the earlier ones are awaited. A task whose process or machine is lost runs
+    again. An error of a frame counts in its place, as if the frames were examined one after the other.
+
+    Parameters
+    ----------
+    frames, faces, edges, min_distance
+        As of :func:`exact_ccd.audit`. Files must be at the same place on all machines. An array is sent in
+        chunks.
+    filesystem : pyarrow.fs.FileSystem, optional
+        The file system of the files and of the results, in place of that of each machine; also given by
+        addresses such as ``s3://bucket/frames`` in `frames`. Its files are meshes with one frame each.
+    steps : int
+        The number of steps of a chunk.
+    window : int, optional
+        The largest number of chunks in work at once; by default twice the number of cores of the cluster.
+    results : path, optional
+        A folder for the results of finished chunks. The same audit, started again with the same folder, does
+        not repeat them. Files count as the same by name, size and time of change.
+    progress : callable, optional
+        Called with the number of steps done since its last call, as ``tqdm.update``.
+    retries : int
+        The number of times that a task may be lost with its process or machine.
+
+    Raises
+    ------
+    ValueError
+        As of :func:`exact_ccd.audit`.
+    """
+    source, identity = _open(frames, faces, edges, filesystem)
+    if len(source) == 0:
+        raise ValueError("there are no frames")
+    if steps < 1 or window is not None and window < 1:
+        raise ValueError("steps and window must be 1 or more")
+    distance = np.asarray(min_distance, np.float64)
+    # Errors of the mesh and of the distance are those of the caller.
+    Detector(source.mesh(), min_distance=distance)
+    kept: Optional[Results] = None
+    if results is not None:
+        place, folder = file_system(results, filesystem)
+        kept = Results(folder, digest(distance, *identity), place)
+    if not ray.is_initialized():
+        ray.init()
+    work = _Work(source, distance, kept, progress, retries)
+    return work.run(window or 2 * max(1, int(ray.cluster_resources().get("CPU", 1))), steps)
+
+
+def examine_chunk(part: Frames, distance: NDArray[np.float64], first: int) -> AuditReport:
+    """The report of a chunk, whose first frame has this number."""
+    detector = Detector(part.mesh(), min_distance=distance, threads=1)
+    return AuditReport(*examine(detector, part, first))
+
+
+_examine_chunk = ray.remote(num_cpus=1)(examine_chunk)
+
+
+class _Work(NamedTuple):
+    """An audit in chunks."""
+
+    frames: Frames
+    distance: NDArray[np.float64]
+    results: Optional[Results]
+    progress: Optional[Progress]
+    retries: int
+
+    def run(self, window: int, steps: int) -> AuditReport:
+        """The report of the earliest chunk with a violation or an error; of the last one if there is none."""
+        coming = chunks(len(self.frames), steps)
+        running: dict[Any, Chunk] = {}
+        end: Optional[tuple[Chunk, Union[AuditReport, Exception]]] = None
+        try:
+            while True:
+                while end is None and len(running) < window:
+                    chunk = next(coming, None)
+                    if chunk is None:
+                        break
+                    known = None if self.results is None else self.results.read(chunk)
+                    if known is None:
+                        running[self._start(chunk)] = chunk
+                        continue
+                    self._advance(chunk)
+                    if known.violation is not None:
+                        end = chunk, known
+                if not running:
+                    break
+                (done, *_), _ = ray.wait(list(running), num_returns=1)
+                chunk = running.pop(done)
+                outcome = self._finish(chunk, done)
+                if isinstance(outcome, Exception) or outcome.violation is not None:
+                    end = chunk, outcome
+                    for later in [task for task, other in running.items() if other > chunk]:
+                        del running[later]
+                        ray.cancel(later)
+        finally:
+            for task in running:
+                ray.cancel(task)
+        if end is None:
+            return AuditReport(len(self.frames), None)
+        if isinstance(end[1], Exception):
+            raise end[1]
+        return end[1]
+
+    def _start(self, chunk: Chunk) -> Any:
+        part = self.frames.part(chunk.first, chunk.last)
+        task = _examine_chunk.options(max_retries=self.retries)
+        return task.remote(part, self.distance, chunk.first)
+
+    def _finish(self, chunk: Chunk, task: Any) -> Union[AuditReport, Exception]:
+        try:
+            report: AuditReport = ray.get(task)
+        except ray.exceptions.RayTaskError as error:
+            cause: Exception = error.cause if isinstance(error.cause, Exception) else error
+            return cause
+        except ray.exceptions.RayError as error:
+            lost: Exception = error
+            return lost
+        if self.results is not None:
+            self.results.write(chunk, report)
+        self._advance(chunk)
+        return report
+
+    def _advance(self, chunk: Chunk) -> None:
+        if self.progress is not None:
+            self.progress(chunk.last - chunk.first)
+
+
+def _open(
+    frames: Any,
+    faces: Optional[ArrayLike],
+    edges: Optional[ArrayLike],
+    filesystem: Optional[pyarrow.fs.FileSystem],
+) -> tuple[Frames, list[Any]]:
+    """The frames, and all that distinguishes them from others."""
+    listed = list(frames) if isinstance(frames, (list, tuple)) else [frames]
+    is_path = all(isinstance(frame, (str, PathLike)) for frame in listed) and len(listed) > 0
+    if is_path and (filesystem is not None or "://" in fspath(listed[0])):
+        return _on(filesystem, [fspath(path) for path in listed], faces, edges)
+    files = in_files(frames, faces, edges)
+    if files is not None:
+        return files, files.identity()
+    if faces is None:
+        raise TypeError("expected the faces of the mesh")
+    array = np.asarray(frames)
+    if array.dtype == object:
+        raise TypeError("expected an array of shape (T, V, 3), or files; other iterables are for exact_ccd.audit")
+    return ArrayFrames(array, faces, edges), [array, np.asarray(faces), None if edges is None else np.asarray(edges)]
+
+
+def _on(
+    filesystem: Optional[pyarrow.fs.FileSystem],
+    paths: list[str],
+    faces: Optional[ArrayLike],
+    edges: Optional[ArrayLike],
+) -> tuple[Frames, list[Any]]:
+    """The frames in files or folders on a file system of pyarrow."""
+    if faces is not None or edges is not None:
+        raise TypeError("the faces and edges are those of the files")
+    files: list[FilePath] = []
+    identity: list[Any] = []
+    for path in paths:
+        place, inside = file_system(path, filesystem)
+        filesystem = place
+        info = place.get_file_info(inside)
+        if info.type == pyarrow.fs.FileType.Directory:
+            selected = place.get_file_info(pyarrow.fs.FileSelector(inside))
+            files.extend(ordered(inside, [file.path for file in selected]))
+        else:
+            files.append(inside)
+    for info in filesystem.get_file_info([fspath(file) for file in files]) if filesystem is not None else []:
+        identity.append((info.path, info.size, info.mtime_ns))
+    return FileFrames(files, filesystem), identity

@@ -1,0 +1,114 @@
+"""Chunks of a sequence of frames, and the results of those that are finished."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import uuid
+from collections.abc import Iterator
+from os import PathLike, fspath
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+import pyarrow.fs
+
+from .._native import __version__
+from ..audits import AuditReport, Violation
+from ..contacts import Contact
+
+
+class Chunk(NamedTuple):
+    """The frames from `first` to `last`, both included. The last one is the first of the next chunk."""
+
+    first: int
+    last: int
+
+
+def chunks(frames: int, steps: int) -> Iterator[Chunk]:
+    """Chunks of at most so many steps, in order."""
+    yield from (Chunk(first, min(first + steps, frames - 1)) for first in range(0, max(frames - 1, 1), steps))
+
+
+class Results:
+    """The results of finished chunks, in a folder: one file for each.
+
+    A file is written under another name and then renamed, so every file of a result is whole. Its name
+    contains a digest of all that the answer depends on, so that audits of different recordings share a folder.
+    """
+
+    def __init__(self, folder: str, digest: str, filesystem: pyarrow.fs.FileSystem) -> None:
+        self._folder, self._digest, self._filesystem = folder.rstrip("/"), digest, filesystem
+        filesystem.create_dir(folder, recursive=True)
+
+    def _path(self, chunk: Chunk) -> str:
+        return f"{self._folder}/{self._digest}-{chunk.first}-{chunk.last}.json"
+
+    def read(self, chunk: Chunk) -> Optional[AuditReport]:
+        """The report of a chunk; None if it is not finished."""
+        path = self._path(chunk)
+        if self._filesystem.get_file_info(path).type != pyarrow.fs.FileType.File:
+            return None
+        with self._filesystem.open_input_file(path) as stream:
+            return from_json(json.loads(stream.read()))
+
+    def write(self, chunk: Chunk, report: AuditReport) -> None:
+        """Keep the report of a finished chunk."""
+        path = self._path(chunk)
+        unfinished = f"{path}.{uuid.uuid4().hex}"
+        with self._filesystem.open_output_stream(unfinished) as stream:
+            stream.write(json.dumps(to_json(report)).encode())
+        self._filesystem.move(unfinished, path)
+
+
+def digest(*parts: Any) -> str:
+    """A digest of arrays and of anything else by its text, and of the version of this package."""
+    total = hashlib.sha256(__version__.encode())
+    for part in parts:
+        if isinstance(part, np.ndarray):
+            total.update(f"{part.dtype.str}{part.shape}".encode())
+            total.update(np.ascontiguousarray(part).data)
+        else:
+            total.update(repr(part).encode())
+    return total.hexdigest()[:32]
+
+
+def to_json(report: AuditReport) -> Any:
+    """A report as JSON, in which every float64 keeps its value."""
+    violation = report.violation
+    if violation is None:
+        return {"frames": report.frames, "violation": None}
+    contact = violation.contact
+    fields = None if contact is None else {name: _plain(value) for name, value in contact._asdict().items()}
+    found = {"frame": violation.frame, "contact": fields, "intersection": violation.intersection}
+    return {"frames": report.frames, "violation": found}
+
+
+def _plain(value: Any) -> Any:
+    return value.tolist() if isinstance(value, np.ndarray) else value
+
+
+def from_json(value: Any) -> AuditReport:
+    """The report that :func:`to_json` has written."""
+    found = value["violation"]
+    if found is None:
+        return AuditReport(value["frames"], None)
+    contact: Optional[Contact] = None
+    if found["contact"] is not None:
+        types = {"vertices": np.int64, "normal": np.float64, "points": np.float64, "distance": np.float64}
+        arrays = {name: np.array(found["contact"][name], type) for name, type in types.items()}
+        contact = Contact(**{**found["contact"], **arrays})
+    pair = found["intersection"]
+    intersection = None if pair is None else (pair[0], pair[1])
+    return AuditReport(value["frames"], Violation(found["frame"], contact, intersection))
+
+
+def file_system(
+    path: Union[str, PathLike[str]], filesystem: Optional[pyarrow.fs.FileSystem]
+) -> tuple[pyarrow.fs.FileSystem, str]:
+    """The file system of a path or address, and the path in it."""
+    if filesystem is not None:
+        return filesystem, fspath(path)
+    if "://" in fspath(path):
+        found, inside = pyarrow.fs.FileSystem.from_uri(fspath(path))
+        return found, inside
+    return pyarrow.fs.LocalFileSystem(), fspath(path)

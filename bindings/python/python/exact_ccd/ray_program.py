@@ -1,0 +1,94 @@
+"""The program ``exact-ccd-ray``."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import logging
+import sys
+from typing import Any
+
+USAGE = """Exact continuous collision detection by Ray, on the cores of this machine or on a cluster.
+
+Exit status: 0 success, for `audit` free of contact; 1 violation; 2 error."""
+
+
+def arguments() -> argparse.ArgumentParser:
+    """The arguments of the program."""
+    parser = argparse.ArgumentParser(
+        prog="exact-ccd-ray", description=USAGE, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--address", help="the cluster, as for ray.init; by default RAY_ADDRESS, or this machine")
+    commands = parser.add_subparsers(dest="command", required=True)
+    audit = commands.add_parser("audit", help="certify that a mesh never touches itself in a sequence of frames")
+    audit.add_argument("frames", nargs="+", metavar="FRAMES", help="mesh files in the order of time, or a folder")
+    audit.add_argument("--steps", type=int, default=32, help="the number of steps of a task (32)")
+    audit.add_argument("--results", metavar="DIR", help="keep finished chunks, so that a killed audit goes on")
+    queries = commands.add_parser("queries", help="decide the queries in Parquet files, as of exact-ccd convert")
+    queries.add_argument("files", nargs="+", metavar="FILES", help="Parquet files, or folders of them")
+    queries.add_argument("--output", metavar="DIR", help="write the queries with their answers as Parquet files")
+    for command in (audit, queries):
+        command.add_argument("--min-distance", type=float, default=0.0, metavar="D", help="count D apart as touching")
+    return parser
+
+
+def run(options: argparse.Namespace) -> int:
+    """Run a command; its exit status."""
+    import ray
+
+    from .ray import audit, check_dataset
+    from .ray.chunks import to_json
+
+    ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
+    if options.command == "audit":
+        frames = options.frames if len(options.frames) > 1 else options.frames[0]
+        report = audit(frames, min_distance=options.min_distance, steps=options.steps, results=options.results)
+        _print(to_json(report))
+        return 0 if report.is_free else 1
+    import ray.data
+
+    ray.data.DataContext.get_current().enable_progress_bars = False
+    answered = check_dataset(
+        ray.data.read_parquet(options.files), answers=["collides", "toi"], min_distance=options.min_distance
+    )
+    if options.output is not None:
+        answered.write_parquet(options.output)
+        answered = ray.data.read_parquet(options.output)
+    table: dict[str, Any] = {"queries": 0, "colliding": 0, "wrong": None}
+    for batch in answered.iter_batches(batch_format="pyarrow", batch_size=None):
+        _count(table, batch)
+    _print(table)
+    return 0
+
+
+def _count(table: dict[str, Any], batch: Any) -> None:
+    """Add a batch: its queries, those in contact, and those whose truth differs."""
+    import pyarrow.compute as pc
+
+    table["queries"] += batch.num_rows
+    table["colliding"] += pc.sum(batch["collides"], min_count=0).as_py()
+    wrong = pc.sum(pc.not_equal(batch["collides"], batch["truth"])).as_py() if "truth" in batch.column_names else None
+    if wrong is not None:
+        table["wrong"] = (table["wrong"] or 0) + wrong
+
+
+def _print(table: Any) -> None:
+    sys.stdout.write(json.dumps(table) + "\n")
+
+
+def main() -> None:
+    """Run the program with the arguments of the process, and end with its exit status."""
+    options = arguments().parse_args()
+    try:
+        status = run(options)
+    except ImportError as error:
+        sys.stderr.write(f"error: {error}; pip install exact-ccd[ray]\n")
+        status = 2
+    except (ValueError, TypeError, OSError) as error:
+        sys.stderr.write(f"error: {error}\n")
+        status = 2
+    sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()

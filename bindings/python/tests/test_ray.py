@@ -1,0 +1,264 @@
+"""Audits and data sets on a Ray cluster of two nodes on this machine."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import exact_ccd
+from exact_ccd import AuditReport
+from generated import POINTS, queries
+
+# No reports to the makers of Ray.
+os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
+pytest.importorskip("ray", reason="ray is not installed: pip install 'ray[data]'")
+pytest.importorskip("pyarrow", reason="pyarrow is not installed: pip install pyarrow")
+if sys.platform != "linux":
+    pytest.skip("processes of tasks are found in /proc, which only Linux has", allow_module_level=True)
+
+import pyarrow as pa
+import pyarrow.fs
+import pyarrow.parquet
+import ray
+from ray.cluster_utils import Cluster
+
+import exact_ccd.ray
+
+SIDE = 16
+"""The number of vertices along a side of each of two sheets."""
+GRID = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
+CORNERS = [GRID[:-1, :-1], GRID[1:, :-1], GRID[1:, 1:], GRID[:-1, 1:]]
+A, B, C, D = (corner.ravel() for corner in CORNERS)
+SHEET = np.concatenate([np.stack([A, B, C], 1), np.stack([A, C, D], 1)])
+FACES = np.concatenate([SHEET, SHEET + GRID.size])
+
+
+def recording(count: int, contact: int | None = None) -> np.ndarray:
+    """Frames of two sheets with waves, above each other; they meet after the frame `contact`."""
+    x, y = np.meshgrid(np.arange(SIDE, dtype=float), np.arange(SIDE, dtype=float), indexing="ij")
+    frames = np.empty((count, 2, GRID.size, 3))
+    for number in range(count):
+        wave = np.sin(0.7 * x + 0.05 * number) * np.cos(0.6 * y)
+        gap = 2.5 if contact is None or number <= contact else 1.0
+        frames[number, 0] = np.stack([x, y, wave], -1).reshape(-1, 3)
+        frames[number, 1] = np.stack([x + 0.3, y, gap - wave], -1).reshape(-1, 3)
+    return frames.reshape(count, -1, 3)
+
+
+def same(a: AuditReport, b: AuditReport) -> bool:
+    """Return True if all bits are the same."""
+    from exact_ccd.ray.chunks import to_json
+
+    return json.dumps(to_json(a)) == json.dumps(to_json(b))
+
+
+@pytest.fixture(scope="module")
+def cluster():
+    """Two nodes of one core each: this process is connected to the first."""
+    node = {"num_cpus": 1, "object_store_memory": 2**28}
+    try:
+        started = Cluster(initialize_head=True, head_node_args=node)
+        started.add_node(**node)
+    except Exception as error:
+        # Its processes end by themselves if they do not start within half a minute.
+        pytest.skip(f"Ray does not start on this machine, or not in time: {error}")
+    # The processes of tasks find the modules where this one does.
+    environment = {"env_vars": {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}}
+    ray.init(address=started.address, log_to_driver=False, runtime_env=environment)
+    started.wait_for_nodes()
+    yield started
+    ray.shutdown()
+    started.shutdown()
+
+
+@pytest.mark.parametrize("steps", [499, 125, 32])
+def test_any_number_of_chunks(cluster, steps: int) -> None:
+    frames = recording(500, 471)
+    # Two earlier violations at other times of their steps.
+    frames[390:, GRID.size + 20, 2] -= 4.0
+    frames[400:, GRID.size + 40, 2] -= 4.0
+    expected = exact_ccd.audit(frames, FACES)
+    assert expected.violation.frame == 389
+    done = []
+    report = exact_ccd.ray.audit(frames, FACES, steps=steps, progress=done.append)
+    assert same(report, expected)
+    # In the chunk of the violation and before, at least.
+    assert sum(done) >= 389
+
+
+def test_a_violation_at_rest_or_in_the_first_step(cluster) -> None:
+    for shift in (0, 1):
+        frames = recording(9)
+        frames[shift:, GRID.size :, 2] -= 2.0
+        expected = exact_ccd.audit(frames, FACES)
+        assert expected.frames == shift + 1
+        assert same(exact_ccd.ray.audit(frames, FACES, steps=2), expected)
+    assert same(exact_ccd.ray.audit(recording(1), FACES), exact_ccd.audit(recording(1), FACES))
+
+
+def test_an_error_counts_in_its_place(cluster) -> None:
+    frames = recording(60, 30)
+    frames[40, 5, 1] = np.nan
+    assert exact_ccd.ray.audit(frames, FACES, steps=5).violation.frame == 30
+    frames[20, 7, 2] = np.inf
+    with pytest.raises(ValueError, match="frame 20: .*vertex 7 has z = inf"):
+        exact_ccd.ray.audit(frames, FACES, steps=5)
+    with pytest.raises(ValueError, match="steps and window"):
+        exact_ccd.ray.audit(frames, FACES, steps=0)
+    with pytest.raises(ValueError, match="there are no frames"):
+        exact_ccd.ray.audit(frames[:0], FACES)
+    with pytest.raises(TypeError, match="expected the faces"):
+        exact_ccd.ray.audit(frames)
+
+
+def write_frames(folder: Path, frames: np.ndarray) -> None:
+    faces = "".join(f"f {a} {b} {c}\n" for a, b, c in (FACES + 1).tolist())
+    for number, frame in enumerate(frames):
+        vertices = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in frame.tolist())
+        (folder / f"frame{number}.obj").write_text(vertices + faces)
+
+
+def test_files_and_file_systems(cluster, tmp_path) -> None:
+    folder = tmp_path / "frames"
+    folder.mkdir()
+    frames = recording(12, 10)
+    write_frames(folder, frames)
+    expected = exact_ccd.audit(frames, FACES)
+    assert same(exact_ccd.audit(folder), expected)
+    within = pyarrow.fs.SubTreeFileSystem(str(tmp_path), pyarrow.fs.LocalFileSystem())
+    assert same(exact_ccd.ray.audit(folder, steps=3), expected)
+    assert same(exact_ccd.ray.audit(f"file://{folder}", steps=3), expected)
+    assert same(exact_ccd.ray.audit("frames", filesystem=within, steps=3), expected)
+    listed = [folder / f"frame{number}.obj" for number in range(12)]
+    assert same(exact_ccd.ray.audit(listed, steps=3), expected)
+    np.savez(tmp_path / "frames.npz", positions=frames, faces=FACES)
+    assert same(exact_ccd.ray.audit(tmp_path / "frames.npz", steps=3), expected)
+
+
+def test_finished_chunks_are_not_repeated(cluster, tmp_path) -> None:
+    class Stopped(Exception):
+        pass
+
+    frames = recording(40, 35)
+    done: list[int] = []
+
+    def stop(count: int) -> None:
+        done.append(count)
+        if len(done) == 5:
+            raise Stopped
+
+    with pytest.raises(Stopped):
+        exact_ccd.ray.audit(frames, FACES, steps=4, window=1, results=tmp_path, progress=stop)
+    files = sorted(tmp_path.iterdir())
+    assert len(files) == 5
+    # A known result is not computed again: this one is wrong, and the answer shows it.
+    expected = exact_ccd.audit(frames, FACES)
+    assert same(exact_ccd.ray.audit(frames, FACES, steps=4, results=tmp_path), expected)
+    files[0].write_text('{"frames": 3, "violation": {"frame": 1, "contact": null, "intersection": [7, 8]}}')
+    known = exact_ccd.ray.audit(frames, FACES, steps=4, results=tmp_path)
+    assert known.violation.intersection == (7, 8)
+    # Another recording has other files in the same folder.
+    frames[3, 0, 0] += 1e-9
+    other = exact_ccd.ray.audit(frames, FACES, steps=4, results=tmp_path)
+    assert same(other, exact_ccd.audit(frames, FACES))
+
+
+def processes_of_tasks(raylet: int) -> list[int]:
+    """The processes of a node that examine a chunk now."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            if parent_of(folder) == raylet and b"ray::examine_chunk" in (folder / "cmdline").read_bytes():
+                found.append(int(folder.name))
+        except (OSError, ValueError):
+            continue
+    return found
+
+
+def parent_of(process: Path) -> int:
+    """The parent of a process, by its folder in /proc."""
+    return int((process / "stat").read_text().rsplit(")", 1)[1].split()[1])
+
+
+def raylet_of(node) -> int:
+    return node.all_processes["raylet"][0].process.pid
+
+
+def test_a_worker_and_a_node_are_lost(cluster) -> None:
+    frames = recording(500, 480)
+    expected = exact_ccd.audit(frames, FACES)
+    lost: list[str] = []
+
+    def kill() -> None:
+        """Kill a process at work on the first node, then the second node while it is at work."""
+        first, second = cluster.head_node, cluster.list_all_nodes()[-1]
+        deadline = time.monotonic() + 60
+        while not lost and time.monotonic() < deadline:
+            for process in processes_of_tasks(raylet_of(first)):
+                os.kill(process, signal.SIGKILL)
+                lost.append("worker")
+                break
+            time.sleep(0.001)
+        while len(lost) == 1 and time.monotonic() < deadline:
+            if processes_of_tasks(raylet_of(second)):
+                cluster.remove_node(second, allow_graceful=False)
+                lost.append("node")
+            time.sleep(0.001)
+
+    killer = threading.Thread(target=kill)
+    killer.start()
+    done: list[int] = []
+    report = exact_ccd.ray.audit(frames, FACES, steps=25, progress=done.append)
+    killer.join()
+    assert lost == ["worker", "node"]
+    assert same(report, expected)
+    assert report.violation.frame == 480
+
+
+def test_data_sets(cluster, tmp_path) -> None:
+    for kind in POINTS:
+        points = queries(kind, 500)
+        lists = pa.array(list(points.reshape(500, -1)), pa.list_(pa.float64()))
+        table = pa.table({"kind": [kind] * 500, "points": lists, "id_a": np.arange(500)})
+        pyarrow.parquet.write_table(table, tmp_path / f"{kind}.parquet", row_group_size=100)
+    answered = exact_ccd.ray.check_dataset(ray.data.read_parquet(str(tmp_path)))
+    rows = pa.concat_tables(ray.get(answered.to_arrow_refs())).to_pandas()
+    for kind in POINTS:
+        part = rows[rows["kind"] == kind].sort_values("id_a")
+        points = queries(kind, 500)
+        np.testing.assert_array_equal(part["collides"], exact_ccd.collides(kind, points))
+        np.testing.assert_array_equal(part["count"], exact_ccd.contact_count(kind, points))
+        np.testing.assert_array_equal(part["toi"], exact_ccd.time_of_impact(kind, points))
+
+
+def test_the_program(cluster, tmp_path) -> None:
+    def run(*arguments: object) -> tuple[int, str, str]:
+        command = [sys.executable, "-m", "exact_ccd.ray_program", "--address", cluster.address, *map(str, arguments)]
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+        done = subprocess.run(command, capture_output=True, text=True, env=environment)
+        return done.returncode, done.stdout, done.stderr
+
+    np.savez(tmp_path / "frames.npz", positions=recording(12, 10), faces=FACES)
+    status, output, errors = run("audit", tmp_path / "frames.npz", "--steps", 4)
+    assert status == 1, errors
+    assert json.loads(output)["violation"]["frame"] == 10
+    points = queries("vf", 300)
+    lists = pa.array(list(points.reshape(300, -1)), pa.list_(pa.float64()))
+    truth = exact_ccd.collides("vf", points)
+    table = pa.table({"kind": ["vf"] * 300, "points": lists, "truth": truth ^ (np.arange(300) < 2)})
+    pyarrow.parquet.write_table(table, tmp_path / "queries.parquet")
+    status, output, errors = run("queries", tmp_path / "queries.parquet", "--output", tmp_path / "answers")
+    assert status == 0, errors
+    assert json.loads(output) == {"queries": 300, "colliding": int(truth.sum()), "wrong": 2}
+    answers = pyarrow.parquet.read_table(tmp_path / "answers")
+    assert sorted(answers["collides"].to_pylist()) == sorted(truth.tolist())
+    assert run("audit", tmp_path / "missing.ply")[0] == 2

@@ -1,0 +1,40 @@
+//! Errors of the page.
+
+use exact_ccd::NonFinite;
+use exact_ccd::separation::InvalidSeparation;
+use exact_ccd_files::ParseError;
+use exact_ccd_mesh::{CandidateError, MotionError, StepError};
+use exact_ccd_view::PageError;
+
+/// The reason why there is no answer.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Error {
+    #[error("{0:?} is not a kind of query, expected vertex-face, edge-edge, vertex-edge or vertex-vertex")]
+    Kind(String),
+    #[error("{found} coordinates, expected {expected}: three for each point at t = 0, then at t = 1")]
+    Coordinates { found: usize, expected: usize },
+    #[error(transparent)]
+    NonFinite(#[from] NonFinite),
+    #[error(transparent)]
+    Distance(#[from] InvalidSeparation),
+    #[error(
+        "{0}: not the name of a mesh file, expected .ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, .glb, .npz or .npy"
+    )]
+    Extension(String),
+    #[error("{name}: {source}")]
+    Parse { name: String, source: ParseError },
+    #[error("{start} and {end}: {source}")]
+    Motion {
+        start: String,
+        end: String,
+        source: MotionError,
+    },
+    #[error(transparent)]
+    Step(#[from] StepError),
+    #[error(transparent)]
+    Candidates(#[from] CandidateError),
+    #[error(transparent)]
+    Page(#[from] PageError),
+    #[error("the mesh has no vertex {0}")]
+    Vertex(u32),
+}

@@ -1,0 +1,105 @@
+//! The columns of a list of contacts.
+
+use super::record::ContactRecord;
+use crate::shortest::shortest;
+
+/// The type of a column.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Type {
+    Text,
+    Integer,
+    Real,
+}
+
+/// A value in a column; an absent one is empty or null.
+pub(super) enum Cell {
+    Text(&'static str),
+    Integer(Option<i64>),
+    Real(Option<f64>),
+}
+
+/// The names and types of the columns.
+pub(super) const COLUMNS: [(&str, Type); 21] = [
+    ("frame", Type::Integer),
+    ("kind", Type::Text),
+    ("id_a", Type::Integer),
+    ("id_b", Type::Integer),
+    ("v0", Type::Integer),
+    ("v1", Type::Integer),
+    ("v2", Type::Integer),
+    ("v3", Type::Integer),
+    ("v4", Type::Integer),
+    ("time_lower", Type::Real),
+    ("time_upper", Type::Real),
+    ("x", Type::Real),
+    ("y", Type::Real),
+    ("z", Type::Real),
+    ("nx", Type::Real),
+    ("ny", Type::Real),
+    ("nz", Type::Real),
+    ("u", Type::Real),
+    ("v", Type::Real),
+    ("distance_lower", Type::Real),
+    ("distance_upper", Type::Real),
+];
+
+/// A row: the values of a record in the order of the columns.
+pub(super) fn row(record: &ContactRecord) -> [Cell; 21] {
+    let ContactRecord {
+        ids,
+        vertices,
+        time,
+        point,
+        normal,
+        parameters,
+        distance,
+        ..
+    } = record;
+    let integer = |value: u32| Cell::Integer(Some(value.into()));
+    let real = |value: f64| Cell::Real(Some(value));
+    let vertex = |index: usize| {
+        let [first, second] = vertices;
+        let vertex = first
+            .get(index)
+            .or_else(|| second.get(index.checked_sub(first.len())?));
+        Cell::Integer(vertex.copied().map(i64::from))
+    };
+    let place = |axis: usize| Cell::Real(point.map(|point| point[axis]));
+    let direction = |axis: usize| Cell::Real(normal.map(|normal| normal[axis]));
+    let parameter = |index: usize| Cell::Real(parameters.map(|parameters| parameters[index]));
+    [
+        Cell::Integer(record.frame.map(|frame| frame as i64)),
+        Cell::Text(record.kind.name()),
+        integer(ids[0]),
+        integer(ids[1]),
+        vertex(0),
+        vertex(1),
+        vertex(2),
+        vertex(3),
+        vertex(4),
+        real(time.lower),
+        real(time.upper),
+        place(0),
+        place(1),
+        place(2),
+        direction(0),
+        direction(1),
+        direction(2),
+        parameter(0),
+        parameter(1),
+        real(distance.lower),
+        real(distance.upper),
+    ]
+}
+
+/// The value in a CSV file.
+impl std::fmt::Display for Cell {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Text(text) => f.write_str(text),
+            Self::Integer(Some(value)) => write!(f, "{value}"),
+            Self::Real(Some(value)) => f.write_str(&shortest(*value)),
+            Self::Integer(None) | Self::Real(None) => Ok(()),
+        }
+    }
+}

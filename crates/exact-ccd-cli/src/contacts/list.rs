@@ -1,0 +1,72 @@
+//! Lists of all contacts, in files.
+
+use std::io::{self, BufWriter, Write};
+use std::path::PathBuf;
+use std::str::FromStr;
+
+use super::cells::{COLUMNS, row};
+use super::parquet;
+use super::record::ContactRecord;
+use crate::failure::Failure;
+use crate::output::write_file;
+
+/// A file for a list of contacts. Its extension is the format.
+#[derive(Clone, Debug)]
+pub(crate) struct ListFile {
+    path: PathBuf,
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Csv,
+    JsonLines,
+    Parquet,
+}
+
+impl FromStr for ListFile {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let path = PathBuf::from(text);
+        let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
+        let format = match extension.to_str() {
+            Some("csv") => Format::Csv,
+            Some("jsonl" | "ndjson") => Format::JsonLines,
+            Some("parquet") => Format::Parquet,
+            _ => return Err("expected a file name that ends in .csv, .jsonl or .parquet".to_owned()),
+        };
+        Ok(Self { path, format })
+    }
+}
+
+/// Contacts and intersections, in the order of time.
+#[derive(Default)]
+pub(crate) struct ContactList(pub(crate) Vec<ContactRecord>);
+
+impl ContactList {
+    /// Writes the list to a file, which is replaced.
+    pub(crate) fn write(&self, file: &ListFile) -> Result<(), Failure> {
+        write_file(&file.path, |writer| match file.format {
+            Format::Csv => self.csv(writer),
+            Format::JsonLines => self.json_lines(writer),
+            Format::Parquet => parquet::write(writer, &self.0),
+        })
+    }
+
+    fn csv(&self, writer: &mut BufWriter<impl Write>) -> io::Result<()> {
+        writeln!(writer, "{}", COLUMNS.map(|(name, _)| name).join(","))?;
+        for record in &self.0 {
+            writeln!(writer, "{}", row(record).map(|cell| cell.to_string()).join(","))?;
+        }
+        Ok(())
+    }
+
+    fn json_lines(&self, writer: &mut BufWriter<impl Write>) -> io::Result<()> {
+        for record in &self.0 {
+            serde_json::to_writer(&mut *writer, record)?;
+            writeln!(writer)?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,10 @@
+//! Contacts and intersections in reports and in files of their own.
+
+mod cells;
+mod list;
+mod parquet;
+mod places;
+mod record;
+
+pub(crate) use list::{ContactList, ListFile};
+pub(crate) use record::ContactRecord;

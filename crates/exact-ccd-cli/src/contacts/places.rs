@@ -1,0 +1,46 @@
+//! Contacts as points with data.
+
+use exact_ccd::Point;
+use exact_ccd_mesh::Step;
+
+use super::list::ContactList;
+
+/// The points of contacts, and their data in the same order.
+#[derive(Default)]
+pub(crate) struct Places {
+    pub(crate) points: Vec<Point>,
+    pub(crate) times: Vec<f64>,
+    /// Zero, if a contact has no normal.
+    pub(crate) normals: Vec<Point>,
+    /// 0 for vf, 1 for ee, 2 for ve, 3 for vv, 4 for ef.
+    pub(crate) kinds: Vec<i64>,
+    pub(crate) ids: [Vec<i64>; 2],
+}
+
+impl ContactList {
+    /// The points of the contacts in a step. An intersection is at the middle of its edge.
+    pub(crate) fn places(&self, step: Step<'_>) -> Places {
+        let [x0, _] = step.positions();
+        let mut places = Places::default();
+        for record in &self.0 {
+            let [first, _] = &record.vertices;
+            let count = first.len() as f64;
+            let middle = |axis: usize| {
+                first
+                    .iter()
+                    .map(|&vertex| x0[vertex as usize][axis] / count)
+                    .sum()
+            };
+            places
+                .points
+                .push(record.point.unwrap_or_else(|| [0, 1, 2].map(middle)));
+            places.times.push(record.time.lower);
+            places.normals.push(record.normal.unwrap_or_default());
+            places.kinds.push(record.kind as i64);
+            for (ids, id) in places.ids.iter_mut().zip(record.ids) {
+                ids.push(id.into());
+            }
+        }
+        places
+    }
+}

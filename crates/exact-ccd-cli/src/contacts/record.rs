@@ -1,0 +1,178 @@
+//! One contact or intersection, as reports have it.
+
+use std::fmt;
+
+use exact_ccd::Point;
+use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
+use serde::Serialize;
+
+use crate::distances::Reached;
+use crate::shortest::shortest;
+
+/// Two primitives that touch, in the shape of the JSON object. All ids count from 0.
+#[derive(Clone, Serialize)]
+pub(crate) struct ContactRecord {
+    /// The number of the frame at which the step begins, in a sequence of frames.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) frame: Option<usize>,
+    pub(super) kind: RecordKind,
+    /// The indices of the two primitives.
+    pub(super) ids: [u32; 2],
+    /// Their vertices.
+    pub(super) vertices: [Vec<u32>; 2],
+    /// Bounds of the first time of contact.
+    pub(super) time: TimeBounds,
+    /// The place on the first primitive; none for an intersection.
+    pub(super) point: Option<Point>,
+    pub(super) normal: Option<Point>,
+    pub(super) parameters: Option<[f64; 2]>,
+    /// The distance of the pair then.
+    pub(super) distance: Reached,
+}
+
+/// The kinds of pairs, with that of an edge and a face, which intersect at rest.
+#[derive(Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum RecordKind {
+    Vf,
+    Ee,
+    Ve,
+    Vv,
+    Ef,
+}
+
+/// The adjacent f64 between which a time lies, or the same one twice.
+#[derive(Clone, Copy, Serialize)]
+pub(crate) struct TimeBounds {
+    pub(super) lower: f64,
+    pub(super) upper: f64,
+}
+
+impl RecordKind {
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Vf => "vf",
+            Self::Ee => "ee",
+            Self::Ve => "ve",
+            Self::Vv => "vv",
+            Self::Ef => "ef",
+        }
+    }
+}
+
+impl ContactRecord {
+    /// A contact in a step between positions.
+    pub(crate) fn of_contact(mesh: &TriangleMesh, positions: [&[Point]; 2], contact: &Contact) -> Self {
+        let vertices = contact.pair.vertices(mesh).expect("the pair is one of the mesh");
+        let (first, second) = vertices.split_at(contact.pair.first_len());
+        let impact = &contact.impact;
+        let points = contact_points([first, second], positions, impact);
+        Self {
+            frame: None,
+            kind: match contact.pair {
+                Pair::VertexFace { .. } => RecordKind::Vf,
+                Pair::EdgeEdge { .. } => RecordKind::Ee,
+                Pair::VertexEdge { .. } => RecordKind::Ve,
+                Pair::VertexVertex { .. } => RecordKind::Vv,
+            },
+            ids: contact.pair.ids(),
+            time: TimeBounds {
+                lower: impact.time.lower(),
+                upper: impact.time.upper(),
+            },
+            point: points.map(|[point, _]| point),
+            // Without the sign of a zero, which means nothing here.
+            normal: impact.normal.map(|normal| normal.map(|x| x + 0.0)),
+            parameters: Some(impact.parameters),
+            distance: contact.distance.into(),
+            vertices: [first.to_vec(), second.to_vec()],
+        }
+    }
+
+    /// An edge that meets a face at rest.
+    pub(crate) fn of_intersection(mesh: &TriangleMesh, intersection: Intersection) -> Self {
+        let Intersection { edge, face } = intersection;
+        Self {
+            frame: None,
+            kind: RecordKind::Ef,
+            ids: [edge, face],
+            vertices: [
+                mesh.edges()[edge as usize].to_vec(),
+                mesh.faces()[face as usize].to_vec(),
+            ],
+            time: TimeBounds {
+                lower: 0.0,
+                upper: 0.0,
+            },
+            point: None,
+            normal: None,
+            parameters: None,
+            distance: Reached::default(),
+        }
+    }
+
+    /// The same record in a frame of a sequence.
+    pub(crate) fn in_frame(self, frame: usize) -> Self {
+        let frame = Some(frame);
+        Self { frame, ..self }
+    }
+
+    pub(crate) fn frame(&self) -> Option<usize> {
+        self.frame
+    }
+
+    /// The first time of contact, rounded down.
+    pub(crate) fn toi(&self) -> f64 {
+        self.time.lower
+    }
+
+    pub(crate) fn is_intersection(&self) -> bool {
+        self.kind == RecordKind::Ef
+    }
+
+    /// The place of the contact, its normal and its parameters, as a line of text; empty for an
+    /// intersection.
+    pub(crate) fn place(&self) -> String {
+        let [Some(point), normal] = [self.point, self.normal] else {
+            return String::new();
+        };
+        let list = |numbers: &[f64]| {
+            numbers
+                .iter()
+                .copied()
+                .map(shortest)
+                .collect::<Vec<_>>()
+                .join(", ")
+        };
+        let mut text = format!("  at ({})", list(&point));
+        if let Some(normal) = normal {
+            text += &format!(", normal ({})", list(&normal));
+        }
+        if let Some(parameters) = self.parameters {
+            text += &format!(", parameters {}", list(&parameters));
+        }
+        text + "; ids count from 0\n"
+    }
+}
+
+/// The two primitives, with their vertices.
+impl fmt::Display for ContactRecord {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let names = match self.kind {
+            RecordKind::Vf => ["vertex", "face"],
+            RecordKind::Ee => ["edge", "edge"],
+            RecordKind::Ve => ["vertex", "edge"],
+            RecordKind::Vv => ["vertex", "vertex"],
+            RecordKind::Ef => ["edge", "face"],
+        };
+        for (side, name) in names.into_iter().enumerate() {
+            let and = if side == 0 { "" } else { " and " };
+            write!(f, "{and}{name} {}", self.ids[side])?;
+            if let vertices @ [_, _, ..] = &self.vertices[side][..] {
+                let vertices: Vec<_> = vertices.iter().map(ToString::to_string).collect();
+                write!(f, " (vertices {})", vertices.join(", "))?;
+            }
+        }
+        self.distance.fmt(f)
+    }
+}

@@ -1,0 +1,49 @@
+//! The folder of `--out`: the mesh at the time of impact, and the contacts, for ParaView.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+use exact_ccd_files::{PointArray, UnstructuredGrid, write_vtp, write_vtu};
+use exact_ccd_mesh::Step;
+
+use crate::contacts::ContactList;
+use crate::failure::Failure;
+use crate::output::write_file;
+
+/// Writes `impact.vtu`, the mesh at the time of the first contact, and `contacts.vtp`, the places of the
+/// contacts with their times, normals and ids. Without a contact, there is no `impact.vtu`.
+pub(crate) fn write(folder: &Path, step: Step<'_>, list: &ContactList) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))?;
+    let impact = folder.join("impact.vtu");
+    match list.0.first() {
+        Some(first) => {
+            let positions = step.at(first.toi());
+            let mesh = step.mesh();
+            let grid = UnstructuredGrid {
+                positions: &positions,
+                triangles: mesh.faces(),
+                lines: mesh.loose_edges(),
+                ..UnstructuredGrid::default()
+            };
+            write_file(&impact, |writer| write_vtu(writer, grid))?;
+        }
+        // That of an earlier run would be another answer.
+        None => match fs::remove_file(&impact) {
+            Err(source) if source.kind() != io::ErrorKind::NotFound => {
+                return Err(Failure::write(&impact, source));
+            }
+            _ => {}
+        },
+    }
+    let places = list.places(step);
+    let arrays = [
+        ("time", PointArray::Reals(&places.times)),
+        ("normal", PointArray::Vectors(&places.normals)),
+        ("kind", PointArray::Integers(&places.kinds)),
+        ("id_a", PointArray::Integers(&places.ids[0])),
+        ("id_b", PointArray::Integers(&places.ids[1])),
+    ];
+    let file = folder.join("contacts.vtp");
+    write_file(&file, |writer| write_vtp(writer, &places.points, &arrays))
+}

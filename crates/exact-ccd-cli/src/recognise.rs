@@ -1,0 +1,108 @@
+//! The kind of queries in files, where it is certain.
+
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{ColumnReader, QueryKind};
+
+use crate::failure::Failure;
+use crate::kind::Kind;
+use crate::query_files::is_parquet;
+
+/// The given kind, or that of all files.
+pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf]) -> Result<Kind, Failure> {
+    if let Some(kind) = given {
+        return Ok(kind);
+    }
+    let mut found: Option<Kind> = None;
+    for file in files {
+        let kind = of_file(file).ok_or_else(|| Failure::KindUncertain(file.clone()))?;
+        match found {
+            Some(other) if other != kind => {
+                return Err(Failure::KindsDiffer {
+                    file: file.clone(),
+                    kind,
+                    other,
+                });
+            }
+            _ => found = Some(kind),
+        }
+    }
+    found.ok_or_else(|| Failure::KindUncertain(PathBuf::new()))
+}
+
+/// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
+/// whose queries fill the rows of the file.
+fn of_file(file: &Path) -> Option<Kind> {
+    if is_parquet(file) {
+        return of_columns(file);
+    }
+    let folder = std::path::absolute(file).ok()?;
+    match folder.parent()?.file_name()?.to_str() {
+        Some("vertex-face") => Some(Kind::Vf),
+        Some("edge-edge") => Some(Kind::Ee),
+        _ => of_count(row_count(file)?),
+    }
+}
+
+fn of_columns(file: &Path) -> Option<Kind> {
+    fn reads<K: QueryKind>(file: &Path) -> bool {
+        let first = ColumnReader::<K>::open(file).map(|reader| reader.records().next());
+        matches!(first, Ok(Some(Ok(_))))
+    }
+    [
+        (Kind::Vf, reads::<VertexFace>(file)),
+        (Kind::Ee, reads::<EdgeEdge>(file)),
+        (Kind::Ve, reads::<VertexEdge>(file)),
+        (Kind::Vv, reads::<VertexVertex>(file)),
+    ]
+    .into_iter()
+    .find_map(|(kind, reads)| reads.then_some(kind))
+}
+
+/// A query has eight rows, of vf or ee, six of ve, or four of vv.
+fn of_count(rows: usize) -> Option<Kind> {
+    if rows == 0 || rows.is_multiple_of(8) {
+        return None;
+    }
+    match (rows.is_multiple_of(6), rows.is_multiple_of(4)) {
+        (true, false) => Some(Kind::Ve),
+        (false, true) => Some(Kind::Vv),
+        _ => None,
+    }
+}
+
+/// The number of lines that are not blank.
+fn row_count(file: &Path) -> Option<usize> {
+    let mut reader = BufReader::new(File::open(file).ok()?);
+    let (mut line, mut rows) = (Vec::new(), 0);
+    while reader.read_until(b'\n', &mut line).ok()? > 0 {
+        rows += usize::from(!line.trim_ascii().is_empty());
+        line.clear();
+    }
+    Some(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_count_is_certain_if_one_kind_fits() {
+        for (rows, kind) in [
+            (4, Some(Kind::Vv)),
+            (6, Some(Kind::Ve)),
+            (18, Some(Kind::Ve)),
+            (20, Some(Kind::Vv)),
+            (0, None),
+            (8, None),
+            (12, None),
+            (24, None),
+            (5, None),
+        ] {
+            assert_eq!(of_count(rows), kind, "{rows}");
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The frames of a part: their files in order, and the reading of them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, Polygons, ReadError};
+
+use crate::failure::Failure;
+use crate::notes::Notes;
+
+/// Frames in the order of time, each the one of a file or one of several in a file.
+pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
+
+impl Frames {
+    /// All frames in a file: of a mesh, of arrays, or of a list of files.
+    pub(super) fn of_file(file: &Path, polygons: Polygons) -> Result<Self, Failure> {
+        let sequence = Arc::new(FrameSequence::open(file, polygons)?);
+        if sequence.is_empty() {
+            return Err(Failure::NoFrames(file.to_owned()));
+        }
+        Ok(Self(
+            (0..sequence.len())
+                .map(|frame| (sequence.clone(), frame))
+                .collect(),
+        ))
+    }
+
+    /// The start and the end of a step, each the only frame in a file.
+    pub(super) fn of_pair(start: &Path, end: &Path, polygons: Polygons) -> Result<Self, Failure> {
+        let mut frames = Vec::new();
+        for file in [start, end] {
+            let Self(found) = Self::of_file(file, polygons)?;
+            if found.len() != 1 {
+                let (file, count) = (file.to_owned(), found.len());
+                return Err(Failure::FrameCount {
+                    file,
+                    expected: 1,
+                    count,
+                });
+            }
+            frames.extend(found);
+        }
+        Ok(Self(frames))
+    }
+
+    /// The frames in files, folders and lists of files. Numbered files are taken in the order of their
+    /// numbers, unless `as_given`.
+    pub(super) fn of_paths(
+        paths: &[PathBuf],
+        as_given: bool,
+        polygons: Polygons,
+        notes: &mut Notes,
+    ) -> Result<Self, Failure> {
+        let order = FrameOrder::of_row(paths.to_vec());
+        let is_row = !as_given && paths.len() > 1;
+        if is_row {
+            if order.is_changed {
+                notes.note(
+                    "the frames are sorted by the numbers in their names; --as-given keeps the order given"
+                        .to_owned(),
+                );
+            }
+            warn_of_missing(&order, notes);
+        }
+        let paths = if is_row { &order.files } else { paths };
+        let mut frames = Vec::new();
+        for path in paths {
+            if path.is_dir() {
+                for file in meshes_in(path, notes)? {
+                    frames.extend(Self::of_file(&file, polygons)?.0);
+                }
+            } else {
+                frames.extend(Self::of_file(path, polygons)?.0);
+            }
+        }
+        Ok(Self(frames))
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.0.len()
+    }
+
+    /// The name of a frame for messages.
+    pub(super) fn name(&self, index: usize) -> String {
+        let (sequence, frame) = &self.0[index];
+        sequence.name(*frame)
+    }
+
+    pub(super) fn read(&self, index: usize) -> Result<MeshFile, ReadError> {
+        let (sequence, frame) = &self.0[index];
+        sequence.read(*frame)
+    }
+
+    /// The files of two frames, for errors about both.
+    pub(super) fn files(&self, frames: [usize; 2]) -> [PathBuf; 2] {
+        frames.map(|frame| PathBuf::from(self.name(frame)))
+    }
+
+    /// Returns true if all files are STL, which has no shared vertices.
+    pub(super) fn are_stl(&self) -> bool {
+        let is_stl = |(sequence, frame): &(Arc<FrameSequence>, usize)| {
+            Format::of_path(sequence.file(*frame)) == Some(Format::Stl)
+        };
+        self.0.iter().all(is_stl)
+    }
+}
+
+/// The meshes in a folder, in the order of the numbers in their names. Other files are skipped.
+fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> {
+    let failed = |source| {
+        let path = folder.to_owned();
+        Failure::Mesh(ReadError::Io { path, source })
+    };
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if Format::of_path(&path).is_some() {
+            files.push(path);
+        }
+    }
+    let order = FrameOrder::of(files);
+    warn_of_missing(&order, notes);
+    let one_format = order
+        .files
+        .windows(2)
+        .all(|pair| Format::of_path(&pair[0]) == Format::of_path(&pair[1]));
+    if order.files.is_empty() || !one_format {
+        return Err(Failure::NoFrames(folder.to_owned()));
+    }
+    Ok(order.files)
+}
+
+/// The number of gaps that a warning lists.
+const LISTED: usize = 5;
+
+fn warn_of_missing(order: &FrameOrder, notes: &mut Notes) {
+    if order.missing.is_empty() {
+        return;
+    }
+    let gaps = order.missing.iter().take(LISTED).map(ToString::to_string);
+    let gaps = gaps.collect::<Vec<_>>().join(", ");
+    let more = if order.missing.len() > LISTED {
+        ", and others"
+    } else {
+        ""
+    };
+    notes.warn(format!(
+        "numbers are missing in the names of the frames: {gaps}{more}; the frames around a gap are one step"
+    ));
+}

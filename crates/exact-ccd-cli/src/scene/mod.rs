@@ -1,0 +1,193 @@
+//! The meshes of a command, as one scene: parts that move or rest, read and joined frame by frame.
+
+mod frames;
+mod options;
+mod part;
+mod rules;
+mod split;
+mod summary;
+
+use std::path::PathBuf;
+
+use exact_ccd_files::{Contents, Polygons};
+use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
+
+use crate::failure::Failure;
+use crate::notes::Notes;
+pub(crate) use frames::Frames;
+pub(crate) use options::SceneOptions;
+use part::{Part, named};
+pub(crate) use rules::PartPair;
+pub(crate) use split::note_split_vertices;
+pub(crate) use summary::Summary;
+
+/// Parts with the same number of frames, or with one frame, which rest.
+pub(crate) struct Scene {
+    parts: Vec<Part>,
+    mesh: TriangleMesh,
+    /// The first frame, until it is read.
+    first: Option<Frame>,
+    contents: Contents,
+    can_collide: CanCollide,
+    frame_count: usize,
+}
+
+impl Scene {
+    /// The scene of parts that move, by their names, and of the obstacles of the options.
+    pub(crate) fn open(moving: Vec<(String, Frames)>, options: &SceneOptions) -> Result<Self, Failure> {
+        let weld = options.weld;
+        let frame_count = moving.iter().map(|(_, frames)| frames.count()).max().unwrap_or(0);
+        let mut parts = Vec::new();
+        for (name, frames) in moving {
+            parts.push(Part::open(name, frames, false, weld)?);
+        }
+        for path in &options.obstacles {
+            let (name, file) = named(path);
+            let frames = Frames::of_file(&file, options.polygons())?;
+            if frames.count() != 1 {
+                let (file, count) = (file, frames.count());
+                return Err(Failure::FrameCount {
+                    file,
+                    expected: 1,
+                    count,
+                });
+            }
+            parts.push(Part::open(name, frames, true, weld)?);
+        }
+        part::make_names_unique(&mut parts);
+        let frame = joined(&mut parts, None, 0)?;
+        let contents = part::contents(&parts, &frame);
+        let can_collide = rules::can_collide(&parts, options)?;
+        let (mesh, first) = (frame.mesh.clone(), Some(frame));
+        Ok(Self {
+            parts,
+            mesh,
+            first,
+            contents,
+            can_collide,
+            frame_count,
+        })
+    }
+
+    /// The frames of pairs of files, each the start and the end of a part; or of one file of two frames.
+    pub(crate) fn of_pairs(files: &[PathBuf], options: &SceneOptions) -> Result<Self, Failure> {
+        let polygons = options.polygons();
+        let mut moving = Vec::new();
+        if let [file] = files {
+            let (name, file) = named(file);
+            let frames = Frames::of_file(&file, polygons)?;
+            if frames.count() != 2 {
+                let count = frames.count();
+                return Err(Failure::FrameCount {
+                    file,
+                    expected: 2,
+                    count,
+                });
+            }
+            moving.push((name, frames));
+        } else {
+            let (pairs, rest) = files.as_chunks::<2>();
+            if let [file] = rest {
+                return Err(Failure::NoEnd(file.clone()));
+            }
+            for [start, end] in pairs {
+                let (name, start) = named(start);
+                moving.push((name, Frames::of_pair(&start, end, polygons)?));
+            }
+        }
+        Self::open(moving, options)
+    }
+
+    /// The frames of one part that moves, in the files, folders and lists of files.
+    pub(crate) fn of_sequence(
+        paths: &[PathBuf],
+        as_given: bool,
+        options: &SceneOptions,
+        notes: &mut Notes,
+    ) -> Result<Self, Failure> {
+        let frames = Frames::of_paths(paths, as_given, options.polygons(), notes)?;
+        let (name, _) = named(paths.first().unwrap_or(&PathBuf::new()));
+        Self::open(vec![(name, frames)], options)
+    }
+
+    pub(crate) fn frame_count(&self) -> usize {
+        self.frame_count
+    }
+
+    /// The name of a frame: that of the first part.
+    pub(crate) fn frame_name(&self, index: usize) -> String {
+        self.parts[0].frame_name(index)
+    }
+
+    /// The frame of all parts.
+    pub(crate) fn read(&mut self, index: usize) -> Result<Frame, Failure> {
+        match self.first.take() {
+            Some(first) if index == 0 => Ok(first),
+            _ => joined(&mut self.parts, Some(&self.mesh), index),
+        }
+    }
+
+    /// The pairs that can collide.
+    pub(crate) fn can_collide(&self) -> CanCollide {
+        self.can_collide.clone()
+    }
+
+    /// The error for a frame that does not belong to the frames before it.
+    pub(crate) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
+        self.parts[0].mismatch(index, source)
+    }
+
+    /// The contents and the parts, for reports.
+    pub(crate) fn summary(&self) -> Summary {
+        Summary::new(self.contents, &self.parts)
+    }
+
+    /// Refuses a scene in which nothing can touch.
+    pub(crate) fn check_contents(&self, has_distance: bool) -> Result<(), Failure> {
+        if self.contents.is_only_points() && !has_distance {
+            let (file, read) = (self.frame_name(0), self.contents.to_string());
+            return Err(Failure::OnlyPoints { file, read });
+        }
+        Ok(())
+    }
+}
+
+/// The frames of all parts as one frame. The mesh is the given one, unless it is the first frame.
+fn joined(parts: &mut [Part], mesh: Option<&TriangleMesh>, index: usize) -> Result<Frame, Failure> {
+    if let [part] = parts {
+        return part.read(index);
+    }
+    let (mut positions, mut faces, mut edges) = (Vec::new(), Vec::new(), Vec::new());
+    for part in parts {
+        let frame = part.read(index)?;
+        let first = positions.len() as u32;
+        if mesh.is_none() {
+            faces.extend(
+                frame
+                    .mesh
+                    .faces()
+                    .iter()
+                    .map(|face| face.map(|vertex| first + vertex)),
+            );
+            let loose = frame.mesh.loose_edges().iter();
+            edges.extend(loose.map(|edge| edge.map(|vertex| first + vertex)));
+        }
+        positions.extend(frame.positions);
+        part.set_vertices(first, positions.len())?;
+    }
+    let mesh = match mesh {
+        Some(mesh) => mesh.clone(),
+        None => TriangleMesh::with_edges(positions.len(), faces, &edges).map_err(Failure::Join)?,
+    };
+    Ok(Frame { mesh, positions })
+}
+
+impl SceneOptions {
+    fn polygons(&self) -> Polygons {
+        if self.triangles_only {
+            Polygons::Refuse
+        } else {
+            Polygons::Triangulate
+        }
+    }
+}

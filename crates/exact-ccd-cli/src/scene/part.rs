@@ -1,0 +1,163 @@
+//! One part of a scene.
+
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use exact_ccd_files::{Contents, MeshFile, ReadMotionError};
+use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
+
+use super::Frames;
+use crate::failure::Failure;
+
+/// A mesh in motion, or at rest if it has one frame.
+pub(super) struct Part {
+    pub(super) name: String,
+    pub(super) is_obstacle: bool,
+    /// The vertices of the part in the scene.
+    pub(super) vertices: Range<u32>,
+    frames: Frames,
+    /// The first frames, until they are read.
+    loaded: Vec<Option<Frame>>,
+    /// The contents of the first frame, as it is in its file.
+    contents: Contents,
+    /// The mesh of all frames in their files.
+    mesh: TriangleMesh,
+    welded: Option<(Welding, TriangleMesh)>,
+}
+
+impl Part {
+    /// Reads the first two frames, and all frames to find the vertices to weld.
+    pub(super) fn open(name: String, frames: Frames, is_obstacle: bool, weld: bool) -> Result<Self, Failure> {
+        let (first, second) = rayon::join(
+            || frames.read(0),
+            || (frames.count() > 1).then(|| frames.read(1)).transpose(),
+        );
+        let MeshFile { frame, contents, .. } = first?;
+        let mesh = frame.mesh.clone();
+        let vertices = 0..mesh.vertex_count() as u32;
+        let second = second?.map(|file| file.frame);
+        let mut part = Self {
+            name,
+            is_obstacle,
+            vertices,
+            frames,
+            loaded: [Some(frame), second].to_vec(),
+            contents,
+            mesh,
+            welded: None,
+        };
+        let is_stl = part.frames.are_stl();
+        if weld || is_stl {
+            part.welded = Some(part.weld(is_stl)?);
+        }
+        Ok(part)
+    }
+
+    fn weld(&self, is_stl: bool) -> Result<(Welding, TriangleMesh), Failure> {
+        let mut welding = Welding::default();
+        for index in 0..self.frames.count() {
+            if let Some(Some(frame)) = self.loaded.get(index) {
+                self.check(index, frame)?;
+                welding.restrict(&frame.positions);
+            } else {
+                let frame = self.frames.read(index)?.frame;
+                self.check(index, &frame)?;
+                welding.restrict(&frame.positions);
+            }
+        }
+        if !is_stl {
+            welding = welding.along_edges(&self.mesh);
+        }
+        let mesh = welding
+            .mesh(&self.mesh)
+            .map_err(|error| self.mismatch(0, error))?;
+        Ok((welding, mesh))
+    }
+
+    /// The frame, welded. A part at rest has the same one at all times.
+    pub(super) fn read(&mut self, index: usize) -> Result<Frame, Failure> {
+        let is_at_rest = self.frames.count() == 1;
+        let index = if is_at_rest { 0 } else { index };
+        let loaded = match self.loaded.get_mut(index) {
+            Some(frame) if is_at_rest => frame.clone(),
+            Some(frame) => frame.take(),
+            None => None,
+        };
+        let frame = match loaded {
+            Some(frame) => frame,
+            None => self.frames.read(index)?.frame,
+        };
+        self.check(index, &frame)?;
+        Ok(match &self.welded {
+            None => frame,
+            Some((welding, mesh)) => Frame {
+                mesh: mesh.clone(),
+                positions: welding.positions(&frame.positions),
+            },
+        })
+    }
+
+    fn check(&self, index: usize, frame: &Frame) -> Result<(), Failure> {
+        let same = self.mesh.check_same(&frame.mesh);
+        same.map_err(|error| self.mismatch(index, error))
+    }
+
+    pub(super) fn frame_name(&self, index: usize) -> String {
+        self.frames.name(index.min(self.frames.count() - 1))
+    }
+
+    /// The error for a frame that does not belong to the frames before it.
+    pub(super) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
+        let [start, end] = self.frames.files([index.saturating_sub(1), index]);
+        Failure::Motion(ReadMotionError::Motion { start, end, source })
+    }
+
+    /// Sets the vertices of the part in the scene.
+    pub(super) fn set_vertices(&mut self, first: u32, end: usize) -> Result<(), Failure> {
+        let end = u32::try_from(end).map_err(|_| Failure::TooManyVertices)?;
+        self.vertices = first..end;
+        Ok(())
+    }
+}
+
+/// The contents of the scene: what the files have, after welding.
+pub(super) fn contents(parts: &[Part], frame: &Frame) -> Contents {
+    if let [part] = parts
+        && part.welded.is_none()
+    {
+        return part.contents;
+    }
+    let mut contents = Contents::of(frame);
+    contents.polygons = parts.iter().map(|part| part.contents.polygons).sum();
+    contents.solids = parts.iter().map(|part| part.contents.solids).sum();
+    contents
+}
+
+/// The name of a part and its file: NAME=FILE, unless there is such a file; else the name is that of the
+/// file, up to the first dot.
+pub(super) fn named(path: &Path) -> (String, PathBuf) {
+    let text = path.to_string_lossy();
+    if let Some((name, file)) = text.split_once('=')
+        && !name.is_empty()
+        && !path.exists()
+    {
+        return (name.to_owned(), file.into());
+    }
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+    let stem = name.split('.').find(|stem| !stem.is_empty()).unwrap_or("part");
+    (stem.to_owned(), path.to_owned())
+}
+
+/// Appends a number to the names that an earlier part has.
+pub(super) fn make_names_unique(parts: &mut [Part]) {
+    for index in 1..parts.len() {
+        let (before, rest) = parts.split_at_mut(index);
+        let is_taken = |name: &str| before.iter().any(|part| part.name == name);
+        if is_taken(&rest[0].name) {
+            let numbered = (2..).map(|number| format!("{}-{number}", rest[0].name));
+            if let Some(name) = numbered.into_iter().find(|name| !is_taken(name)) {
+                rest[0].name = name;
+            }
+        }
+    }
+}

@@ -1,0 +1,85 @@
+//! The contents of a scene, at the beginning of reports.
+
+use std::fmt;
+
+use exact_ccd_files::Contents;
+use serde::Serialize;
+
+use super::part::Part;
+
+/// The contents of a scene, as a part of a JSON object.
+#[derive(Serialize)]
+pub(crate) struct Summary {
+    read: Counts,
+    /// The parts, if there are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parts: Vec<PartSummary>,
+    #[serde(skip)]
+    contents: Contents,
+}
+
+#[derive(Serialize)]
+struct Counts {
+    vertices: usize,
+    edges: usize,
+    faces: usize,
+    loose_edges: usize,
+    loose_vertices: usize,
+    parts: usize,
+    polygons: usize,
+    solids: usize,
+}
+
+/// A part of the scene: its name and its vertices.
+#[derive(Serialize)]
+struct PartSummary {
+    name: String,
+    first_vertex: u32,
+    vertex_count: usize,
+    is_obstacle: bool,
+}
+
+impl Summary {
+    pub(super) fn new(contents: Contents, parts: &[Part]) -> Self {
+        let several = if parts.len() > 1 { parts } else { &[] };
+        let part = |part: &Part| PartSummary {
+            name: part.name.clone(),
+            first_vertex: part.vertices.start,
+            vertex_count: part.vertices.len(),
+            is_obstacle: part.is_obstacle,
+        };
+        Self {
+            read: Counts {
+                vertices: contents.vertices,
+                edges: contents.edges,
+                faces: contents.faces,
+                loose_edges: contents.loose_edges,
+                loose_vertices: contents.loose_vertices,
+                parts: contents.parts,
+                polygons: contents.polygons,
+                solids: contents.solids,
+            },
+            parts: several.iter().map(part).collect(),
+            contents,
+        }
+    }
+}
+
+/// The first lines of a text.
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "read: {}", self.contents)?;
+        for part in &self.parts {
+            let kind = if part.is_obstacle { "obstacle" } else { "part" };
+            write!(f, "{kind} {}: ", part.name)?;
+            match part.vertex_count {
+                1 => writeln!(f, "vertex {}", part.first_vertex)?,
+                count => {
+                    let last = part.first_vertex as usize + count - 1;
+                    writeln!(f, "vertices {} to {last}", part.first_vertex)?;
+                }
+            }
+        }
+        Ok(())
+    }
+}

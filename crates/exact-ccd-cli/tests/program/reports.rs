@@ -1,0 +1,345 @@
+//! JSON reports against their schema, lists of all contacts, and the files for ParaView.
+
+use std::fs::File;
+
+use exact_ccd_files::{MeshFile, Polygons, read_frame};
+use exact_ccd_mesh::{CanCollide, Detector, Frame, crossings};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::{Field, Row};
+use serde_json::{Value, json};
+
+use crate::folder::{Folder, Run};
+use crate::meshes::{fall, ply, tip_above_square};
+use crate::queries::{miss, pass, slide};
+use crate::query_rows::rows;
+use crate::schema::Schema;
+
+#[track_caller]
+fn json_of(run: &Run) -> Value {
+    assert_eq!(run.stdout.lines().count(), 1, "{run:?}");
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+/// A row of a Parquet file.
+pub(crate) fn row_of(row: &Row) -> Value {
+    let value = |field: &Field| match field {
+        Field::Null => Value::Null,
+        Field::Long(value) => json!(value),
+        Field::Double(value) => json!(value),
+        Field::Str(value) => json!(value),
+        other => json!(other.to_string()),
+    };
+    let columns = row.get_column_iter();
+    columns
+        .map(|(name, field)| (name.clone(), value(field)))
+        .collect()
+}
+
+/// The lines of a list of contacts.
+fn lines(folder: &Folder, name: &str) -> Vec<Value> {
+    let text = folder.read(name);
+    text.lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
+}
+
+#[test]
+fn every_report_has_its_schema() {
+    let schema = Schema::of_reports();
+    for (from, to) in [(1.0, -2.0), (1.0, 0.5), (-1.0, 1.0), (0.0, 0.0)] {
+        let folder = fall(from, to);
+        for options in [
+            &[][..],
+            &["--toi"],
+            &["--any"],
+            &["--no-start-check"],
+            &["--min-distance", "0.125", "--inner-distance", "0"],
+            &["--with", "end.ply"],
+        ] {
+            let run = folder.run(&[&["step", "start.ply", "end.ply", "--json"], options].concat());
+            schema.assert("step", &json_of(&run));
+        }
+        for options in [
+            &[][..],
+            &["--all", "all.csv"],
+            &["--min-distance", "0.125"],
+            &["--with", "end.ply"],
+        ] {
+            let run = folder.run(&[&["audit", "start.ply", "end.ply", "--json"], options].concat());
+            schema.assert("audit", &json_of(&run));
+        }
+        schema.assert(
+            "round",
+            &json_of(&folder.run(&["round", "start.ply", "end.ply", "--json"])),
+        );
+    }
+    let folder = Folder::new();
+    folder.write(
+        "vf.csv",
+        [miss(), pass(), slide()].map(|query| rows(&query, "")).concat(),
+    );
+    for method in ["exact", "parity", "FPRF", "TI"] {
+        let run = folder.run(&["queries", "--kind", "vf", "--method", method, "--json", "vf.csv"]);
+        assert_eq!(run.stdout.lines().count(), 3, "{run:?}");
+        for line in run.stdout.lines() {
+            schema.assert("query", &serde_json::from_str(line).unwrap());
+        }
+    }
+    std::fs::create_dir_all(folder.path("data/vertex-face")).unwrap();
+    folder.write("data/vertex-face/0.csv", rows(&pass(), ",1"));
+    let run = folder.run(&["bench", "data", "--methods", "exact", "--json"]);
+    schema.assert("bench", &json_of(&run));
+}
+
+#[test]
+fn answers_as_json_lines() {
+    let folder = Folder::new();
+    folder.write(
+        "vf.csv",
+        [miss(), pass(), slide()].map(|query| rows(&query, "")).concat(),
+    );
+    let run = folder.run(&["queries", "--kind", "vf", "--json", "vf.csv"]);
+    assert_eq!(
+        run.stdout,
+        "{\"query\":0,\"contact\":false,\"count\":0,\"toi\":null}\n\
+         {\"query\":1,\"contact\":true,\"count\":1,\"toi\":0.3333333333333333}\n\
+         {\"query\":2,\"contact\":true,\"count\":-1,\"toi\":0.5}\n"
+    );
+    let run = folder.run(&[
+        "queries", "--kind", "vf", "--json", "--method", "parity", "vf.csv",
+    ]);
+    assert!(run.stdout.contains("\"count\":\"boundary\""), "{run:?}");
+}
+
+#[test]
+fn all_contacts_of_a_step_are_listed_in_every_format() {
+    let folder = fall(1.0, -2.0);
+    let [start, end] = [1.0, -2.0].map(tip_above_square);
+    let mut detector = Detector::new(start.mesh.clone());
+    let contacts = detector.contacts(&start.positions, &end.positions, 1.0).unwrap();
+    assert!(contacts.len() > 1);
+    let list = |name: &str| {
+        let run = folder.run(&["step", "start.ply", "end.ply", "--json", "--all", name]);
+        assert_eq!(run.status, 1, "{run:?}");
+        json_of(&run)
+    };
+    let report = list("all.jsonl");
+    let found = lines(&folder, "all.jsonl");
+    assert_eq!(found[0], report["contact"]);
+    assert_eq!(found.len(), contacts.len());
+    let schema = Schema::of_reports();
+    for (record, contact) in found.iter().zip(&contacts) {
+        schema.assert("contact", record);
+        assert_eq!(record["ids"], json!(contact.pair.ids()));
+        assert_eq!(record["time"]["lower"], json!(contact.impact.time.lower()));
+    }
+
+    list("all.csv");
+    let csv = folder.read("all.csv");
+    let mut csv = csv.lines();
+    assert_eq!(
+        csv.next(),
+        Some(
+            "frame,kind,id_a,id_b,v0,v1,v2,v3,v4,time_lower,time_upper,x,y,z,nx,ny,nz,u,v,\
+             distance_lower,distance_upper"
+        )
+    );
+    assert_eq!(
+        csv.next(),
+        Some(
+            ",vf,4,1,4,2,1,3,,0.3333333333333333,0.33333333333333337,0.75,0.5,1.1102230246251565e-16,0,0,1,0.5,0.25,0,0"
+        )
+    );
+    assert_eq!(csv.count() + 1, contacts.len());
+
+    list("all.parquet");
+    let file = SerializedFileReader::new(File::open(folder.path("all.parquet")).unwrap()).unwrap();
+    let rows: Vec<_> = file
+        .get_row_iter(None)
+        .unwrap()
+        .map(|row| row_of(&row.unwrap()))
+        .collect();
+    assert_eq!(rows.len(), contacts.len());
+    for (row, record) in rows.iter().zip(&found) {
+        assert_eq!(json!([row["id_a"], row["id_b"]]), record["ids"]);
+        assert_eq!(row["kind"], record["kind"]);
+        assert_eq!(row["time_lower"], record["time"]["lower"]);
+        assert_eq!(json!([row["x"], row["y"], row["z"]]), record["point"]);
+        assert_eq!(row["v4"], Value::Null);
+    }
+}
+
+#[test]
+fn a_list_has_the_intersections_at_the_start() {
+    let folder = fall(-1.0, 1.0);
+    let run = folder.run(&["step", "start.ply", "end.ply", "--all", "all.jsonl"]);
+    assert_eq!(run.status, 1);
+    let Frame { mesh, positions } = tip_above_square(-1.0);
+    let expected = crossings(&mesh, &positions, &CanCollide::all()).unwrap();
+    let found = lines(&folder, "all.jsonl");
+    let (at_rest, moving): (Vec<&Value>, Vec<_>) = found.iter().partition(|record| record["kind"] == "ef");
+    let ids: Vec<_> = expected
+        .iter()
+        .map(|pair| json!([pair.edge, pair.face]))
+        .collect();
+    assert_eq!(
+        at_rest
+            .iter()
+            .map(|record| record["ids"].clone())
+            .collect::<Vec<_>>(),
+        ids
+    );
+    // The tip comes back through the square.
+    assert!(!moving.is_empty());
+}
+
+#[test]
+fn an_audit_lists_every_bad_frame_and_pair() {
+    let folder = Folder::new();
+    let heights = [1.0, -1.0, 1.0, 2.0, -1.0];
+    for (frame, height) in heights.into_iter().enumerate() {
+        folder.write(&format!("{frame}.ply"), ply(&tip_above_square(height)));
+    }
+    let run = folder.run(&[
+        "audit",
+        "0.ply",
+        "1.ply",
+        "2.ply",
+        "3.ply",
+        "4.ply",
+        "--json",
+        "--all",
+        "all.jsonl",
+    ]);
+    assert_eq!(run.status, 1);
+    let report = json_of(&run);
+    assert_eq!(
+        (&report["examined"], &report["violation"]["frame"]),
+        (&json!(5), &json!(0))
+    );
+    let found = lines(&folder, "all.jsonl");
+    assert_eq!(report["violations"], json!({"count": found.len(), "frames": 4}));
+    let frames = |kind: &str| {
+        let of_kind = found
+            .iter()
+            .filter(|record| (record["kind"] == "ef") == (kind == "ef"));
+        let mut frames: Vec<_> = of_kind.map(|record| record["frame"].as_u64().unwrap()).collect();
+        frames.dedup();
+        frames
+    };
+    // The tip is below the square in frames 1 and 4, and passes it in the steps around them.
+    assert_eq!(frames("ef"), [1, 4]);
+    assert_eq!(frames("contact"), [0, 1, 3]);
+    let order = |record: &Value| {
+        (
+            record["frame"].as_u64().unwrap(),
+            record["time"]["lower"].as_f64().unwrap(),
+        )
+    };
+    assert!(found.is_sorted_by(|a, b| order(a) <= order(b)), "{found:?}");
+    // Those of one step are those of `step`.
+    folder.run(&["step", "3.ply", "4.ply", "--all", "step.jsonl"]);
+    let mut of_step = lines(&folder, "step.jsonl");
+    of_step.iter_mut().for_each(|record| record["frame"] = json!(3));
+    let of_frame: Vec<_> = found
+        .iter()
+        .filter(|record| record["frame"] == 3)
+        .cloned()
+        .collect();
+    assert_eq!(of_frame, of_step);
+
+    let run = folder.run(&["audit", "0.ply", "--all", "all.jsonl"]);
+    assert_eq!(
+        (run.status, folder.read("all.jsonl").as_str()),
+        (0, ""),
+        "{run:?}"
+    );
+    folder.write("touching.ply", ply(&tip_above_square(0.0)));
+    let run = folder.run(&["audit", "touching.ply", "--all", "all.jsonl"]);
+    let kinds: Vec<_> = lines(&folder, "all.jsonl")
+        .iter()
+        .map(|record| record["kind"].clone())
+        .collect();
+    assert_eq!(run.status, 1);
+    assert!(
+        kinds.contains(&json!("vf")) && kinds.contains(&json!("ef")),
+        "{kinds:?}"
+    );
+}
+
+/// The mesh and the points with their times in the files for ParaView.
+#[track_caller]
+fn impact(folder: &Folder) -> (Frame, Vec<[f64; 3]>) {
+    let points = folder.path("out/contacts.vtp");
+    let points = MeshFile::read(points, Polygons::Refuse).unwrap().frame;
+    (
+        read_frame(folder.path("out/impact.vtu")).unwrap(),
+        points.positions,
+    )
+}
+
+#[test]
+fn the_impact_is_written_for_paraview() {
+    let folder = fall(1.0, -1.0);
+    let run = folder.run(&[
+        "step",
+        "start.ply",
+        "end.ply",
+        "--out",
+        "out",
+        "--all",
+        "all.jsonl",
+    ]);
+    assert_eq!(run.status, 1);
+    let (mesh, points) = impact(&folder);
+    assert_eq!(mesh, tip_above_square(0.0));
+    let list = lines(&folder, "all.jsonl");
+    assert_eq!(
+        json!(points),
+        list.iter()
+            .map(|record| record["point"].clone())
+            .collect::<Value>()
+    );
+    let text = folder.read("out/contacts.vtp");
+    for name in ["time", "normal", "kind", "id_a", "id_b"] {
+        assert!(text.contains(&format!(" Name=\"{name}\" ")), "{name}");
+    }
+
+    let run = folder.run(&["audit", "start.ply", "end.ply", "--as-given", "--out", "out"]);
+    assert_eq!(run.status, 1);
+    assert_eq!(impact(&folder), (mesh, points[..1].to_vec()));
+
+    // An answer without a contact leaves no mesh of an earlier one.
+    let run = folder.run(&["step", "start.ply", "start.ply", "--out", "out"]);
+    assert_eq!(run.status, 0);
+    assert!(!folder.path("out/impact.vtu").exists() && folder.path("out/contacts.vtp").exists());
+}
+
+#[test]
+fn an_intersection_is_written_at_rest() {
+    let folder = fall(-1.0, 1.0);
+    for command in [&["step", "start.ply", "end.ply"][..], &["audit", "start.ply"]] {
+        folder.run(&[command, &["--out", "out"]].concat());
+        let (mesh, points) = impact(&folder);
+        assert_eq!(mesh, tip_above_square(-1.0));
+        // The middle of the first side of the tip.
+        assert_eq!(points[0], [0.875, 0.5, 0.0]);
+    }
+}
+
+#[test]
+fn files_that_cannot_be_written_are_errors() {
+    let folder = fall(1.0, -1.0);
+    let error = |option: &[&str]| folder.run(&[&["step", "start.ply", "end.ply"], option].concat());
+    folder.write("blocked", "");
+    assert!(
+        error(&["--out", "blocked"])
+            .error()
+            .starts_with("cannot write blocked: ")
+    );
+    assert!(
+        error(&["--all", "missing/all.csv"])
+            .error()
+            .starts_with("cannot write missing/all.csv: ")
+    );
+}

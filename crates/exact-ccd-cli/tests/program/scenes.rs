@@ -1,0 +1,308 @@
+//! Several files as one scene, the order of frames, polygons and split vertices.
+
+use exact_ccd_mesh::Frame;
+use serde_json::{Value, json};
+
+use crate::folder::{Folder, Run};
+use crate::meshes::{obj, ply, tip_above_square};
+
+/// A triangle parallel to the floor, as an OBJ file.
+fn tile(x: f64, z: f64) -> String {
+    let positions = vec![[x, 0.0, z], [x + 1.0, 0.0, z], [x, 1.0, z]];
+    obj(&Frame::new(positions, vec![[0, 1, 2]]).unwrap())
+}
+
+fn note(run: &Run) -> &str {
+    run.stderr.strip_suffix('\n').unwrap_or_default()
+}
+
+fn json_of(run: &Run) -> Value {
+    serde_json::from_str(&run.stdout).unwrap()
+}
+
+/// Files of a tile `a` that falls from 2 to −2, a tile `b` that rises from 1 to 3, and a `floor` at 0.
+fn tiles() -> Folder {
+    let folder = Folder::new();
+    folder.write("a.obj", tile(0.0, 2.0));
+    folder.write("a-end.obj", tile(0.0, -2.0));
+    folder.write("b.obj", tile(0.25, 1.0));
+    folder.write("b-end.obj", tile(0.25, 3.0));
+    folder.write("floor.obj", tile(-0.25, 0.0));
+    folder
+}
+
+#[test]
+fn pairs_of_files_are_parts_of_one_scene() {
+    let folder = tiles();
+    let run = folder.run(&["step", "a.obj", "a-end.obj", "--toi"]);
+    assert_eq!(run.status, 0, "{run:?}");
+    let both = ["step", "a.obj", "a-end.obj", "b.obj", "b-end.obj"];
+    let report = json_of(&folder.run(&[&both[..], &["--json"]].concat()));
+    // They meet where 2 − 4 t = 1 + 2 t.
+    assert_eq!(report["toi"], json!(1.0 / 6.0));
+    assert_eq!(
+        report["parts"],
+        json!([
+            {"name": "a", "first_vertex": 0, "vertex_count": 3, "is_obstacle": false},
+            {"name": "b", "first_vertex": 3, "vertex_count": 3, "is_obstacle": false},
+        ])
+    );
+    let run = folder.run(&both);
+    assert!(
+        run.stdout.starts_with(
+            "read: 6 vertices, 6 edges, 2 faces, 2 parts\npart a: vertices 0 to 2\npart b: vertices 3 to 5\ncontact"
+        ),
+        "{run:?}"
+    );
+    let run = folder.run(&["step", "a.obj", "a-end.obj", "b.obj"]);
+    assert_eq!(
+        run.error(),
+        "b.obj: there is no end to this start: expected pairs of files, START END"
+    );
+}
+
+#[test]
+fn obstacles_rest_and_do_not_collide_with_each_other() {
+    let folder = tiles();
+    let run = folder.run(&["step", "a.obj", "a-end.obj", "--with", "floor.obj", "--json"]);
+    assert_eq!((run.status, &json_of(&run)["toi"]), (1, &json!(0.5)));
+    assert_eq!(json_of(&run)["parts"][1]["is_obstacle"], json!(true));
+    // Two obstacles in the same place.
+    let run = folder.run(&[
+        "step",
+        "b.obj",
+        "b-end.obj",
+        "--with",
+        "floor.obj",
+        "--with",
+        "second=floor.obj",
+        "--json",
+    ]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
+    assert_eq!(json_of(&run)["parts"][2]["name"], "second");
+
+    let run = folder.run(&["audit", "a.obj", "a-end.obj", "--with", "floor.obj", "--as-given"]);
+    assert_eq!(run.status, 1);
+    assert!(
+        run.stdout
+            .contains("contact between frame 0 (a.obj) and frame 1 (a-end.obj) at t = 0.5: "),
+        "{run:?}"
+    );
+    let run = folder.run(&["audit", "b.obj", "b-end.obj", "--with", "floor.obj", "--as-given"]);
+    assert_eq!(run.status, 0, "{run:?}");
+}
+
+#[test]
+fn parts_are_left_out_by_name() {
+    let folder = tiles();
+    let scene = [
+        "step",
+        "a.obj",
+        "a-end.obj",
+        "b.obj",
+        "b-end.obj",
+        "--with",
+        "floor.obj",
+        "--json",
+    ];
+    let toi = |rules: &[&str]| json_of(&folder.run(&[&scene[..], rules].concat()))["toi"].clone();
+    assert_eq!(toi(&[]), json!(1.0 / 6.0));
+    assert_eq!(toi(&["--ignore", "a:b"]), json!(0.5));
+    assert_eq!(toi(&["--ignore", "b:a", "--ignore", "floor:a"]), Value::Null);
+    assert_eq!(toi(&["--only", "a:floor"]), json!(0.5));
+    assert_eq!(toi(&["--only", "b:floor"]), Value::Null);
+    let run = folder.run(&[&scene[..], &["--only", "a:ceiling"]].concat());
+    assert_eq!(run.error(), "there is no part ceiling; there are a, b, floor");
+}
+
+#[test]
+fn parts_that_intersect_at_the_start_count_only_if_they_can_collide() {
+    let folder = Folder::new();
+    folder.write("mesh.ply", ply(&tip_above_square(-1.0)));
+    let upright = Frame::new(
+        vec![[0.25, 0.25, -1.0], [0.25, 0.5, 1.0], [0.5, 0.25, 1.0]],
+        vec![[0, 1, 2]],
+    )
+    .unwrap();
+    folder.write("flat.obj", tile(0.0, 0.0));
+    folder.write("upright.ply", ply(&upright));
+    let scene = ["step", "flat.obj", "flat.obj", "--with", "upright.ply"];
+    assert_eq!(folder.run(&scene).status, 1);
+    let run = folder.run(&[&scene[..], &["--ignore", "flat:upright"]].concat());
+    assert_eq!(run.status, 0);
+    assert!(run.stdout.contains("\nfree of contact\n"), "{run:?}");
+    let run = folder.run(&["audit", "flat.obj", "--with", "upright.ply"]);
+    assert_eq!(run.status, 1);
+    let run = folder.run(&[
+        "audit",
+        "flat.obj",
+        "--with",
+        "upright.ply",
+        "--ignore",
+        "flat:upright",
+    ]);
+    assert_eq!(run.status, 0);
+}
+
+#[test]
+fn frames_are_taken_in_the_order_of_their_numbers() {
+    let folder = Folder::new();
+    // The order of a shell: f1, f10, f11, f2. The tip reaches the square in frame 11 only.
+    for (frame, height) in [(1, 4.0), (2, 3.0), (10, 2.0), (11, -1.0)] {
+        folder.write(&format!("f{frame}.ply"), ply(&tip_above_square(height)));
+    }
+    let files = ["audit", "f1.ply", "f10.ply", "f11.ply", "f2.ply"];
+    let run = folder.run(&files);
+    assert!(
+        run.stdout
+            .contains("contact between frame 2 (f10.ply) and frame 3 (f11.ply)"),
+        "{run:?}"
+    );
+    assert_eq!(
+        note(&run),
+        "exact-ccd: note: the frames are sorted by the numbers in their names; --as-given keeps the order given\n\
+         exact-ccd: warning: numbers are missing in the names of the frames: 3 to 9; the frames around a gap are \
+         one step"
+    );
+    let run = folder.run(&[&files[..], &["--as-given"]].concat());
+    assert!(
+        run.stdout
+            .contains("contact between frame 1 (f10.ply) and frame 2 (f11.ply)"),
+        "{run:?}"
+    );
+    assert_eq!(note(&run), "");
+    let run = folder.run(&["audit", "f1.ply", "f2.ply", "--json"]);
+    assert_eq!((note(&run), json_of(&run).get("notes")), ("", None));
+    let run = folder.run(&["audit", "f10.ply", "f2.ply", "--json"]);
+    assert_eq!(json_of(&run)["notes"].as_array().unwrap().len(), 1);
+
+    // In a folder, too, a missing number is worth a warning.
+    std::fs::create_dir(folder.path("frames")).unwrap();
+    for frame in [0, 1, 3] {
+        folder.write(&format!("frames/{frame}.ply"), ply(&tip_above_square(1.0)));
+    }
+    let run = folder.run(&["audit", "frames"]);
+    assert!(
+        note(&run).starts_with("exact-ccd: warning: numbers are missing in the names of the frames: 2; "),
+        "{run:?}"
+    );
+}
+
+#[test]
+fn polygons_are_counted_or_refused() {
+    let folder = Folder::new();
+    let quad = |z: f64| format!("v 0 0 {z}\nv 1 0 {z}\nv 1 1 {z}\nv 0 1 {z}\nf 1 2 3 4\n");
+    folder.write("start.obj", quad(0.0));
+    folder.write("end.obj", quad(1.0));
+    let run = folder.run(&["step", "start.obj", "end.obj"]);
+    assert!(
+        run.stdout.starts_with(
+            "read: 4 vertices, 5 edges, 2 faces, 1 part; 1 polygon triangulated as a fan from its lowest vertex\n"
+        ),
+        "{run:?}"
+    );
+    for command in [&["step", "start.obj", "end.obj"][..], &["audit", "start.obj"]] {
+        let run = folder.run(&[command, &["--triangles-only"]].concat());
+        assert_eq!(
+            run.error(),
+            "start.obj: line 5: face 0 has 4 corners, but only triangles are allowed"
+        );
+    }
+}
+
+#[test]
+fn points_alone_are_an_error_that_says_what_was_read() {
+    let folder = Folder::new();
+    folder.write("points.obj", "v 0 0 0\nv 1 0 0\n");
+    let error = "points.obj: 2 vertices, 0 edges, 0 faces, 2 points, 2 parts: without a face or an edge, there is \
+                 nothing that can touch; --min-distance D compares points";
+    for command in [
+        &["step", "points.obj", "points.obj"][..],
+        &["audit", "points.obj"],
+    ] {
+        assert_eq!(folder.run(command).error(), error);
+        let run = folder.run(&[command, &["--min-distance", "2"]].concat());
+        assert_eq!(run.status, 1, "{run:?}");
+    }
+}
+
+/// A flat square of two faces, split at the common edge, and a triangle that touches it in one corner.
+fn split(z: f64) -> String {
+    let [a, b, c, d] = [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z], [1.0, 1.0, z]];
+    obj(&Frame::new(vec![a, b, c, c, b, d], vec![[0, 1, 2], [3, 4, 5]]).unwrap())
+}
+
+#[test]
+fn split_vertices_are_noted_and_welded_on_request() {
+    let folder = Folder::new();
+    folder.write("start.obj", split(0.0));
+    folder.write("end.obj", split(1.0));
+    for command in [
+        &["step", "start.obj", "end.obj"][..],
+        &["audit", "start.obj", "end.obj", "--as-given"],
+    ] {
+        let run = folder.run(command);
+        assert_eq!(run.status, 1, "{run:?}");
+        let note = note(&run);
+        assert!(
+            note.starts_with("exact-ccd: note: ") && note.contains("--weld"),
+            "{run:?}"
+        );
+        let run = folder.run(&[command, &["--weld"]].concat());
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
+        assert!(
+            run.stdout
+                .starts_with("read: 4 vertices, 5 edges, 2 faces, 1 part\n"),
+            "{run:?}"
+        );
+    }
+    // A real contact at the start is not split vertices.
+    folder.write("touching.ply", ply(&tip_above_square(0.0)));
+    let run = folder.run(&["step", "touching.ply", "touching.ply"]);
+    assert_eq!((run.status, run.stderr.as_str()), (1, ""));
+}
+
+#[test]
+fn welding_keeps_bodies_that_touch_in_a_point_apart() {
+    let folder = Folder::new();
+    let corner = |z: f64| {
+        let positions = vec![
+            [0.0, 0.0, z],
+            [1.0, 0.0, z],
+            [0.0, 1.0, z],
+            [0.0, 0.0, z],
+            [-1.0, 0.0, z],
+            [0.0, -1.0, z],
+        ];
+        obj(&Frame::new(positions, vec![[0, 1, 2], [3, 4, 5]]).unwrap())
+    };
+    folder.write("start.obj", corner(0.0));
+    folder.write("end.obj", corner(1.0));
+    let run = folder.run(&["step", "start.obj", "end.obj", "--weld"]);
+    assert_eq!(run.status, 1);
+    assert!(run.stdout.starts_with("read: 6 vertices"), "{run:?}");
+}
+
+#[test]
+fn a_file_of_two_frames_is_a_step() {
+    let folder = Folder::new();
+    for (name, height) in [("a.vtu", 1.0), ("b.vtu", -1.0), ("c.vtu", -2.0)] {
+        let mut file = Vec::new();
+        exact_ccd_files::write_vtu(&mut file, &tip_above_square(height)).unwrap();
+        folder.write(name, file);
+    }
+    let collection = |files: &[&str]| {
+        let mut collection = Vec::new();
+        let entries: Vec<_> = files.iter().map(|&name| (0.0, name)).collect();
+        exact_ccd_files::write_pvd(&mut collection, entries).unwrap();
+        collection
+    };
+    folder.write("two.pvd", collection(&["a.vtu", "b.vtu"]));
+    folder.write("three.pvd", collection(&["a.vtu", "b.vtu", "c.vtu"]));
+    let run = folder.run(&["step", "two.pvd", "--json"]);
+    assert_eq!((run.status, &json_of(&run)["toi"]), (1, &json!(0.5)));
+    assert_eq!(
+        folder.run(&["step", "three.pvd"]).error(),
+        "three.pvd: 3 frames, expected 2; `exact-ccd audit` examines longer motions"
+    );
+}

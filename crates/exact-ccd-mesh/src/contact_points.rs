@@ -1,0 +1,59 @@
+//! The places of contacts.
+
+use exact_ccd::{Impact, Point};
+
+/// The points of two primitives that touch or are closest at the time of an impact; `None` if a vertex has no
+/// position.
+///
+/// `primitives` are the vertices of both, in the order of the query: one for a vertex, two for an edge,
+/// three for a face. `positions` are those of all vertices at t = 0 and at t = 1.
+///
+/// The points are rounded: at contact, both are the same point up to a few ε of the largest coordinate, and
+/// up to the error of the [parameters](Impact::parameters). So they are for pictures and tables, not for
+/// decisions.
+///
+/// ```
+/// use exact_ccd_mesh::{contact_points, step, TriangleMesh};
+///
+/// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
+/// let at = |z: f64| [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [2.0, 1.0, z]];
+/// let (x0, x1) = (at(1.0), at(-1.0));
+/// let contact = step(&mesh, &x0, &x1)?.earliest.expect("the point falls through the face");
+/// let vertices = contact.pair.vertices(&mesh).expect("the pair is one of the mesh");
+/// let (point, face) = vertices.split_at(contact.pair.first_len());
+/// let points = contact_points([point, face], [&x0, &x1], &contact.impact);
+/// assert_eq!(points, Some([[2.0, 1.0, 0.0]; 2]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn contact_points(
+    primitives: [&[u32]; 2],
+    positions: [&[Point]; 2],
+    impact: &Impact,
+) -> Option<[Point; 2]> {
+    let (time, [u, v]) = (impact.time.lower(), impact.parameters);
+    let at = |vertex: u32| -> Option<Point> {
+        let [a, b] = positions.map(|x| x.get(vertex as usize).copied());
+        Some(mix(a?, b?, time))
+    };
+    let on = |primitive: &[u32], place: f64| -> Option<Point> {
+        match *primitive {
+            [a, b, c] => {
+                let [a, b, c] = [at(a)?, at(b)?, at(c)?];
+                let weights = [1.0 - u - v, u, v];
+                Some([0, 1, 2].map(|axis| weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]))
+            }
+            [a, b] => Some(mix(at(a)?, at(b)?, place)),
+            [a] => at(a),
+            _ => None,
+        }
+    };
+    let [first, second] = primitives;
+    // On two edges, u is the place on the first one.
+    Some([on(first, u)?, on(second, v)?])
+}
+
+/// (1 − t) a + t b, which is finite for t in [0, 1].
+fn mix(a: Point, b: Point, t: f64) -> Point {
+    [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis])
+}

@@ -1,0 +1,12 @@
+//! Calls of the C interface: no defect, no result of a call that fails, answers that agree.
+
+#![no_main]
+
+#[path = "../../bindings/c/tests/calls/calls.rs"]
+mod calls;
+
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    calls::check(bytes);
+});
