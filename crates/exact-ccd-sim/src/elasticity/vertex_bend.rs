@@ -19,7 +19,8 @@ const OWN: f64 = 0.2;
 /// l with the unit normal n in the surface is l θ n ⊗ n, where θ is the change of the angle between both
 /// faces. The mean curvature tensor about a vertex, weighted by the linear function that is 1 at the vertex,
 /// is H = Σ ½ l θ n ⊗ n / A, over the edges of the vertex, with a third of the area of its faces, A. The
-/// energy is that of a plate: ½ A D ((1 − ν) H : H + ν (tr H)²), with the flexural rigidity D and Poisson's ratio ν.
+/// energy is that of a plate: ½ A D ((1 − ν) H : H + ν (tr H)²), with the flexural rigidity D and Poisson's
+/// ratio ν.
 ///
 /// The energy of a shell is 0.8 times the sum of this over all vertices, and 0.2 times that of its
 /// [hinges](Hinge), which also resist the folds whose mean about every vertex vanishes. That of hinges alone
