@@ -18,14 +18,15 @@ const OWN: f64 = 0.2;
 /// The curvature of a surface of triangles is concentrated at its edges: its integral along an edge of length
 /// l with the unit normal n in the surface is l θ n ⊗ n, where θ is the change of the angle between both
 /// faces. The mean curvature tensor about a vertex, weighted by the linear function that is 1 at the vertex,
-/// is H = Σ ½ l θ n ⊗ n / A, over the edges of the vertex, with a third of the area of its faces, A. The energy is
-/// that of a plate: ½ A D ((1 − ν) H : H + ν (tr H)²), with the flexural rigidity D and Poisson's ratio ν.
+/// is H = Σ ½ l θ n ⊗ n / A, over the edges of the vertex, with a third of the area of its faces, A. The
+/// energy is that of a plate: ½ A D ((1 − ν) H : H + ν (tr H)²), with the flexural rigidity D and Poisson's
+/// ratio ν.
 ///
 /// The energy of a shell is 0.8 times the sum of this over all vertices, and 0.2 times that of its
 /// [hinges](Hinge), which also resist the folds whose mean about every vertex vanishes. That of hinges alone
-/// depends on the arrangement of the triangles, not on their size: strips are 7 to 22 % too soft. The mean is a
-/// mixed finite element of the Hessian with lumped masses, as that of O. Stein, E. Grinspun, M. Wardetzky, A.
-/// Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with terms of the
+/// depends on the arrangement of the triangles, not on their size: strips are 7 to 22 % too soft. The mean is
+/// a mixed finite element of the Hessian with lumped masses, as that of O. Stein, E. Grinspun, M. Wardetzky,
+/// A. Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with terms of the
 /// vertices on the boundary too.
 #[derive(Clone, Debug)]
 pub struct VertexBend {
@@ -53,7 +54,7 @@ impl VertexBend {
         self.changes(&shapes) * (&self.stiffness * self.bends(&shapes))
     }
 
-    /// The gradient, and the Hessian without the second derivatives of angles, which is positive semi-definite.
+    /// The gradient, and the Hessian without second derivatives of angles, which is positive semi-definite.
     #[must_use]
     pub(crate) fn derivatives(&self, points: &[Point]) -> Patch {
         let shapes = self.shapes(points);

@@ -67,8 +67,8 @@ impl HalfSpace {
         }
     }
 
-    /// A square of the boundary beneath a box, for pictures: its corners, counterclockwise for a viewer at whom
-    /// the normal points. Its sides are longer than the diagonal of the box.
+    /// A square of the boundary beneath a box, for pictures: its corners, counterclockwise for a viewer at
+    /// whom the normal points. Its sides are longer than the diagonal of the box.
     #[must_use]
     pub fn square(&self, bounds: &Aabb) -> [Point; 4] {
         let plane = self.plane();

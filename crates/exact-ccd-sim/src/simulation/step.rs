@@ -31,7 +31,8 @@ impl Simulation {
     /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
     /// If Newton's method does not converge, the time step is repeated in twice as many parts of equal
-    /// duration, up to [`Settings::max_substeps`]. Only the increments of the last attempt are visited.
+    /// duration, up to [`max_substeps`](crate::Settings::max_substeps). Only the increments of the last
+    /// attempt are visited.
     ///
     /// # Errors
     /// As [`Simulation::step`].

@@ -23,8 +23,8 @@ pub enum Warning {
         /// The diagonal of its bounding box, in m.
         size: f64,
     },
-    /// Two bodies, two parts of one, or a body and a half space are within the contact distance. Where that is at the start, the
-    /// barrier pushes them apart in the first time steps.
+    /// Two bodies, two parts of one, or a body and a half space are within the contact distance. At the
+    /// start, the barrier then pushes them apart in the first time steps.
     Near {
         /// The two bodies, by their places in the list of bodies: twice the same for parts of one body, and
         /// `None` for a half space.
