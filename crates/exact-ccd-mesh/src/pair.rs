@@ -24,8 +24,8 @@ use crate::pair_kind::PairKind;
 /// [`intersections`](crate::intersections) finds.
 ///
 /// The remaining cases are a vertex p against an edge e, and against a vertex q. Primitives contain their
-/// edges and vertices. So a pair of which one contains p, and the other e or q, is at most as far apart. There is
-/// one, if
+/// edges and vertices. So a pair of which one contains p, and the other e or q, is at most as far apart.
+/// There is one, if
 ///
 /// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;
 /// - p is an end of an edge that has no vertex in common with e, or with an edge of q: both edges;
