@@ -56,8 +56,8 @@ impl Instances {
     /// The mesh and the trajectories of some bodies.
     ///
     /// # Errors
-    /// [`InstanceError`] names the body whose motion or positions are not valid, the vertex whose place is not finite,
-    /// or the number of vertices if it exceeds 2³².
+    /// [`InstanceError`] names the body whose motion or positions are not valid, the vertex whose
+    /// place is not finite, or the number of vertices if it exceeds 2³².
     pub fn new(instances: &[Instance<'_>]) -> Result<Self, InstanceError> {
         let (mut faces, mut edges, mut positions) = (Vec::new(), Vec::new(), Vec::new());
         let (mut trajectories, mut bodies) = (Vec::new(), Vec::new());

@@ -8,12 +8,13 @@ use crate::error::SearchError;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SearchOptions {
-    /// A part of the step. The search ends when the gap between the time until which the distance is certainly above d and
-    /// the time by which it is certainly at most d + ε is at most this. Less than 2⁻⁵⁰ counts as 2⁻⁵⁰. The
-    /// default is 0.
+    /// A part of the step. The search ends when the gap between the time until which the distance
+    /// is certainly above d and the time by which it is certainly at most d + ε is at most this.
+    /// Less than 2⁻⁵⁰ counts as 2⁻⁵⁰. The default is 0.
     pub time_tolerance: f64,
-    /// ε, in the unit of the coordinates. The default is 0: contact itself has to be proved. That is not possible where the primitives
-    /// only touch, and for contact (d = 0) of a vertex with an edge or a vertex.
+    /// ε, in the unit of the coordinates. The default is 0: contact itself has to be proved. That
+    /// is not possible where the primitives only touch, and for contact (d = 0) of a vertex with an
+    /// edge or a vertex.
     pub distance_tolerance: Separation,
     /// The largest number of chords for two primitives. The default is 1000.
     pub chord_limit: usize,

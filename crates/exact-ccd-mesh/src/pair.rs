@@ -23,8 +23,8 @@ use crate::pair_kind::PairKind;
 /// a vertex and the face or two edges come into contact, unless the two intersect at the start, which
 /// [`intersections`](crate::intersections) finds.
 ///
-/// What remains is a vertex p against an edge e, or against a vertex q. Primitives contain their edges and
-/// vertices. So a pair of which one contains p, and the other e or q, is at most as far apart. There is
+/// The remaining cases are a vertex p against an edge e, and against a vertex q. Primitives contain their
+/// edges and vertices. So a pair of which one contains p, and the other e or q, is at most as far apart. There is
 /// one, if
 ///
 /// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;

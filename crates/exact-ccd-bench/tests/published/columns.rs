@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use exact_ccd::separation::Separation;
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataKind, QueryKind, QueryReader, QueryWriter, Record, Rounding, Seventh,
@@ -95,7 +96,7 @@ fn counts_and_times_of_scenes_are_those_of_the_exact_method() {
         let motion = scene.motion().unwrap();
         if scene.roots::<EdgeEdge>().unwrap().is_some() {
             let records: Vec<Record<EdgeEdge>> = scene.records(&motion.step().unwrap()).unwrap();
-            let answered: Vec<_> = records.iter().cloned().map(Record::answered).collect();
+            let answered: Vec<_> = records.iter().cloned().map(|record| record.answered(Separation::default())).collect();
             assert_eq!(records, answered, "{}", scene.name());
             intervals += records.iter().filter(|record| record.count == Some(-1)).count();
         }

@@ -7,11 +7,14 @@ use fastrand::Rng;
 
 use crate::scene::{PIECES, Scene, contacts};
 
-/// A rule, and what it means: the vertices that take part, and the pairs of vertex lists that it allows.
+/// The pairs of vertex lists that a rule allows.
+type Allows = dyn Fn(&[u32], &[u32]) -> bool + Sync;
+
+/// A rule, and its definition: the vertices that take part, and the pairs of vertex lists that it allows.
 struct Rule {
     can_collide: CanCollide,
     takes_part: Vec<bool>,
-    allows: Box<dyn Fn(&[u32], &[u32]) -> bool + Sync>,
+    allows: Box<Allows>,
 }
 
 impl Rule {
