@@ -84,12 +84,6 @@ impl Dyadic {
         Self::new((&low << bits) + (high - low) * index, exponent + bits)
     }
 
-    /// a + (b − a) / 2ᵏ.
-    pub(super) fn towards(a: &Self, b: &Self, halvings: usize) -> Self {
-        let ([from, to], exponent) = Self::align(a, b);
-        Self::new((&from << halvings) + to - from, exponent + halvings)
-    }
-
     /// The k with 2⁻ᵏ ≤ x < 2¹⁻ᵏ for a number in (0, 1], `None` for 0.
     fn magnitude(&self) -> Option<usize> {
         (!self.numerator.is_zero()).then(|| self.exponent + 1 - self.numerator.bit_len())

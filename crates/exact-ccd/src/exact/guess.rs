@@ -9,8 +9,8 @@
 use core::cmp::Ordering;
 
 use dashu_int::IBig;
+use dashu_int::ops::DivEuclid;
 
-use super::ball::Ball;
 use super::dyadic::Dyadic;
 use super::polynomial::Polynomial;
 
@@ -22,45 +22,40 @@ pub(super) fn secant(
     high: &Dyadic,
     bits: usize,
 ) -> ([Dyadic; 2], Ordering) {
-    let [start, end] = [low, high].map(|t| polynomial.value_at(t, bits));
-    // They have different signs: their difference is known as well as they are.
-    let length = start.minus(&end, bits + 64);
-    let sign = start.sign().unwrap_or(Ordering::Equal);
-    let position = start.shifted(bits as isize).quotient(&length).unwrap_or_default();
-    (cell(low, high, position, bits), sign)
-}
-
-/// The first and the last cell of a bracket, in which roots lie that are near an end of it at several
-/// scales.
-pub(super) fn boundary(low: &Dyadic, high: &Dyadic, bits: usize) -> [[Dyadic; 2]; 2] {
-    [
-        [low.clone(), Dyadic::towards(low, high, bits)],
-        [Dyadic::towards(high, low, bits), high.clone()],
-    ]
+    let ([a, b], exponent) = Dyadic::align(low, high);
+    let [start, end] = [a, b].map(|t| polynomial.scaled_value(&t, exponent));
+    let sign = start.cmp(&IBig::ZERO);
+    let length = &start - end;
+    (cell(low, high, quotient(start, length, bits), bits), sign)
 }
 
 /// The cells to which a step of Newton's method for a root of this multiplicity leads from the ends of
 /// a bracket.
-pub(super) fn newton<'a>(
-    polynomial: &'a Polynomial,
+pub(super) fn newton(
+    polynomial: &Polynomial,
     multiplicity: usize,
-    low: &'a Dyadic,
-    high: &'a Dyadic,
+    low: &Dyadic,
+    high: &Dyadic,
     bits: usize,
-) -> impl Iterator<Item = [Dyadic; 2]> + 'a {
+) -> impl Iterator<Item = [Dyadic; 2]> {
     let derivative = polynomial.derivative();
-    let precision = bits + 64;
-    let width = Ball::of_dyadic(&Dyadic::difference(high, low), precision);
-    let factor = Ball::of(&multiplicity.into(), precision);
-    [(low, IBig::ZERO), (high, IBig::ONE << bits)]
+    let ([a, b], exponent) = Dyadic::align(low, high);
+    let width = &b - &a;
+    [(a, IBig::ZERO), (b, IBig::ONE << bits)]
         .into_iter()
         .filter_map(move |(end, position)| {
-            let value = polynomial.value_at(end, bits).times(&factor, precision);
-            let slope = derivative.value_at(end, bits).times(&width, precision);
-            let position = position - value.shifted(bits as isize).quotient(&slope)?;
+            let value = polynomial.scaled_value(&end, exponent) * IBig::from(multiplicity);
+            let slope = derivative.scaled_value(&end, exponent) * &width;
+            let step = (!slope.is_zero()).then(|| quotient(value, slope, bits))?;
+            let position = position - step;
             let is_inside = position >= IBig::ZERO && position <= IBig::ONE << bits;
             is_inside.then(|| cell(low, high, position, bits))
         })
+}
+
+/// 2ᵇ a / b, rounded.
+fn quotient(a: IBig, b: IBig, bits: usize) -> IBig {
+    ((a << (bits + 1)).div_euclid(b) + IBig::ONE) >> 1
 }
 
 /// The two cells of the grid of 2ᵇ next to its point of this index, without those outside the bracket.

@@ -26,18 +26,6 @@ pub(crate) enum Instant {
 }
 
 impl Instant {
-    /// The only root of a polynomial in a bracket.
-    fn root(of: &Arc<Polynomial>, low: Dyadic, high: Dyadic) -> Self {
-        let root = Self::Root {
-            of: Arc::clone(of),
-            low,
-            high,
-            bits: 4,
-        };
-        // In a narrow bracket, Descartes' rule proves most signs.
-        root.narrowed_by(16)
-    }
-
     /// The sign of a polynomial at this time.
     pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
         self.clone().narrow_to_sign(polynomial)
@@ -171,28 +159,6 @@ impl Instant {
         }
     }
 
-    /// Returns true if this time is another one.
-    fn equals(&self, other: &Self) -> bool {
-        match other {
-            Self::Dyadic(t) => self.compare(t).is_eq(),
-            Self::Root { of, low, high, .. } => {
-                self.bounds().0 < high
-                    && low < self.bounds().1
-                    && self.is_root_of(of)
-                    && self.compare(low).is_gt()
-                    && self.compare(high).is_lt()
-            }
-        }
-    }
-
-    /// Inserts this time into distinct ones in increasing order, unless it is one of them.
-    pub(crate) fn insert_into(self, times: &mut Vec<Self>) {
-        let index = times.partition_point(|time| !time.equals(&self) && time.is_before(&self));
-        if !times.get(index).is_some_and(|time| time.equals(&self)) {
-            times.insert(index, self);
-        }
-    }
-
     /// A lower and an upper bound of this time.
     pub(crate) fn bounds(&self) -> (&Dyadic, &Dyadic) {
         match self {
@@ -231,36 +197,26 @@ impl Instant {
 
 /// The distinct roots in [0, 1] of polynomials that are not zero, in increasing order.
 pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
+    roots_between(polynomials, &Dyadic::ZERO, &Dyadic::ONE)
+}
+
+/// The distinct roots in [low, high] of polynomials that are not zero, in increasing order.
+pub(crate) fn roots_between(polynomials: Vec<Polynomial>, low: &Dyadic, high: &Dyadic) -> Vec<Instant> {
     let mut all: Vec<Instant> = Vec::new();
     for polynomial in coprime(polynomials) {
-        for root in roots_between(polynomial, &Dyadic::ZERO, &Dyadic::ONE, &|_, _| true) {
+        let mut roots = Vec::new();
+        for end in [low, high] {
+            if polynomial.sign_at(end).is_eq() {
+                roots.push(Instant::Dyadic(end.clone()));
+            }
+        }
+        let inner = polynomial.without_root(low).without_root(high);
+        isolate(inner, low.clone(), high.clone(), &mut roots);
+        for root in roots {
             all.insert(all.partition_point(|other| other.is_before(&root)), root);
         }
     }
     all
-}
-
-/// The roots in [low, high] of a square-free polynomial, in increasing order. Those inside brackets
-/// that are not admitted may be left out.
-pub(crate) fn roots_between(
-    polynomial: Polynomial,
-    low: &Dyadic,
-    high: &Dyadic,
-    admits: &dyn Fn(&Dyadic, &Dyadic) -> bool,
-) -> Vec<Instant> {
-    let mut roots = Vec::new();
-    let at_end = |end: &Dyadic| {
-        polynomial
-            .sign_at(end)
-            .is_eq()
-            .then(|| Instant::Dyadic(end.clone()))
-    };
-    let [first, last] = [low, high].map(at_end);
-    roots.extend(first);
-    let inner = polynomial.without_root(low).without_root(high);
-    isolate(inner, low.clone(), high.clone(), admits, &mut roots);
-    roots.extend(last);
-    roots
 }
 
 /// Square-free polynomials without common roots, whose roots are those of the given ones; zero ones
@@ -276,27 +232,22 @@ fn coprime(polynomials: Vec<Polynomial>) -> Vec<Polynomial> {
 
 /// Appends the roots of a square-free polynomial between two numbers that are not roots, by
 /// Descartes' rule. The depth of recursion is at most the number of roots.
-fn isolate(
-    polynomial: Polynomial,
-    mut low: Dyadic,
-    mut high: Dyadic,
-    admits: &dyn Fn(&Dyadic, &Dyadic) -> bool,
-    roots: &mut Vec<Instant>,
-) {
+fn isolate(polynomial: Polynomial, mut low: Dyadic, mut high: Dyadic, roots: &mut Vec<Instant>) {
     let mut bits = 0;
-    let mut changes = polynomial.sign_changes(&low, &high).0;
     loop {
-        if changes == 0 || !admits(&low, &high) {
+        let changes = polynomial.sign_changes(&low, &high).0;
+        if changes == 0 {
             return;
         }
         if changes == 1 {
-            roots.push(Instant::root(&Arc::new(polynomial), low, high));
-            return;
-        }
-        if changes == 2
-            && let Some(pair) = pair(&polynomial, &low, &high, admits)
-        {
-            roots.extend(pair);
+            let root = Instant::Root {
+                of: Arc::new(polynomial),
+                low,
+                high,
+                bits: 4,
+            };
+            // In a narrow bracket, Descartes' rule proves most signs.
+            roots.push(root.narrowed_by(16));
             return;
         }
         // The sign changes of disjoint intervals add up to at most those of an interval that contains
@@ -307,9 +258,7 @@ fn isolate(
                 && polynomial.sign_at(right).is_ne()
         };
         if bits >= 4 {
-            let cell = guess::newton(&polynomial, changes, &low, &high, bits)
-                .chain(guess::boundary(&low, &high, bits))
-                .find(holds_all);
+            let cell = guess::newton(&polynomial, changes, &low, &high, bits).find(holds_all);
             if let Some(cell) = cell {
                 [low, high] = cell;
                 bits *= 2;
@@ -321,86 +270,17 @@ fn isolate(
         let middle = Dyadic::between(&low, &high);
         if polynomial.sign_at(&middle).is_eq() {
             let others = polynomial.without_root(&middle);
-            isolate(others.clone(), low, middle.clone(), admits, roots);
+            isolate(others.clone(), low, middle.clone(), roots);
             roots.push(Instant::Dyadic(middle.clone()));
-            return isolate(others, middle, high, admits, roots);
+            return isolate(others, middle, high, roots);
         }
         match polynomial.sign_changes(&low, &middle).0 {
-            0 => {
-                changes = polynomial.sign_changes(&middle, &high).0;
-                low = middle;
-            }
+            0 => low = middle,
             left if left == changes => high = middle,
             _ => {
-                isolate(polynomial.clone(), low, middle.clone(), admits, roots);
-                changes = polynomial.sign_changes(&middle, &high).0;
+                isolate(polynomial.clone(), low, middle.clone(), roots);
                 (low, bits) = (middle, 0);
             }
         }
     }
-}
-
-/// The two roots or none of a square-free polynomial whose derivative has one root in a bracket, the
-/// polynomial the same sign at both ends of it; `None` if Descartes' rule does not prove that.
-///
-/// The polynomial is monotone on each side of the extremum. As a bracket (a, b) of it becomes narrow,
-/// either the sign at a or b differs from that at the ends, and separates two roots, or the polynomial
-/// has one sign from a to b, and hence everywhere. Newton's method for the simple root of the derivative
-/// is faster than any for two roots that are nearly one.
-fn pair(
-    polynomial: &Polynomial,
-    low: &Dyadic,
-    high: &Dyadic,
-    admits: &dyn Fn(&Dyadic, &Dyadic) -> bool,
-) -> Option<Vec<Instant>> {
-    let derivative = polynomial.derivative();
-    let [start, end] = [low, high].map(|t| derivative.sign_at(t));
-    if start.is_eq() || start != end.reverse() || derivative.sign_changes(low, high).0 != 1 {
-        return None;
-    }
-    let outside = polynomial.sign_at(low);
-    let mut extremum = Instant::Root {
-        of: Arc::new(derivative),
-        low: low.clone(),
-        high: high.clone(),
-        bits: 4,
-    };
-    loop {
-        let narrower = extremum.clone().narrowed();
-        let (a, b) = narrower.bounds();
-        let inside = [a, b].into_iter().find(|t| polynomial.sign_at(t) != outside);
-        if let Some(inside) = inside {
-            let of = Arc::new(polynomial.clone());
-            let (low, high) = extremum.bounds();
-            return polynomial.sign_at(inside).is_ne().then(|| {
-                [low, high]
-                    .map(|outside| side_of_pair(&of, inside, outside))
-                    .into()
-            });
-        }
-        if polynomial.sign_between(a, b).is_some() || !admits(a, b) {
-            return Some(Vec::new());
-        }
-        extremum = narrower;
-    }
-}
-
-/// The root between a number near the extremum of a polynomial, which separates two roots, and a number
-/// beyond one of them.
-///
-/// The polynomial is nearly v − c s² at the distance s from the extremum: if its values are v there and
-/// −w at the distance 1, the root is at about √(v / w).
-fn side_of_pair(polynomial: &Arc<Polynomial>, inside: &Dyadic, outside: &Dyadic) -> Instant {
-    let [value, beyond] = [inside, outside].map(|t| polynomial.value_at(t, 4));
-    let halvings = (beyond.top() - value.top()) / 2;
-    let mut ends = [inside.clone(), outside.clone()];
-    for (end, halvings) in [halvings + 3, halvings - 3].into_iter().enumerate() {
-        let t = Dyadic::towards(inside, outside, halvings.max(0) as usize);
-        if polynomial.sign_at(&t) == polynomial.sign_at(&ends[end]) {
-            ends[end] = t;
-        }
-    }
-    ends.sort();
-    let [low, high] = ends;
-    Instant::root(polynomial, low, high)
 }

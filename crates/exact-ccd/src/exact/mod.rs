@@ -7,9 +7,7 @@
 //! filter, for audits. They read coordinates as bit patterns, and do not depend on the
 //! floating-point environment.
 
-mod ball;
 mod dyadic;
-mod evaluation;
 mod first_contact;
 mod guess;
 mod impact;

@@ -2,6 +2,7 @@
 
 use alloc::vec;
 use alloc::vec::Vec;
+use core::cmp::Ordering;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use dashu_int::ops::{Gcd, UnsignedAbs};
@@ -58,9 +59,74 @@ impl Polynomial {
         self.0.is_empty()
     }
 
-    /// The coefficients from the constant one up.
-    pub(super) fn coefficients(&self) -> &[IBig] {
-        &self.0
+    /// The sign of the value at t.
+    pub(crate) fn sign_at(&self, t: &Dyadic) -> Ordering {
+        self.scaled_value(&t.numerator, t.exponent).cmp(&IBig::ZERO)
+    }
+
+    /// The value at t = n / 2ᵏ, times 2ᵏ to the power of the degree.
+    pub(super) fn scaled_value(&self, numerator: &IBig, exponent: usize) -> IBig {
+        let mut sum = IBig::ZERO;
+        for (power, coefficient) in self.0.iter().rev().enumerate() {
+            sum = sum * numerator + (coefficient << (exponent * power));
+        }
+        sum
+    }
+
+    /// The quotient of the values of two polynomials at t, truncated to an integer, if it is in the
+    /// range of u64.
+    pub(crate) fn quotient_at(&self, divisor: &Self, t: &Dyadic) -> Option<u64> {
+        let lifted = |p: &Self, other: &Self| {
+            p.scaled_value(&t.numerator, t.exponent) << (t.exponent * other.0.len().saturating_sub(p.0.len()))
+        };
+        let (value, by) = (lifted(self, divisor), lifted(divisor, self));
+        if by.is_zero() {
+            return None;
+        }
+        u64::try_from(value / by).ok()
+    }
+
+    /// The sign in the whole interval (low, high), if Descartes' rule proves it: no
+    /// [`sign_changes`](Self::sign_changes).
+    pub(crate) fn sign_between(&self, low: &Dyadic, high: &Dyadic) -> Option<Ordering> {
+        let (changes, sign) = self.sign_changes(low, high);
+        (changes == 0).then_some(sign)
+    }
+
+    /// The number of sign changes in the coefficients of (1 + s)ᵈ q((low + high s) / (1 + s)), and
+    /// the first sign that is not zero.
+    ///
+    /// By Descartes' rule, the number of roots of q in (low, high), counted with multiplicity, is
+    /// the number of sign changes or less than that by an even number.
+    pub(crate) fn sign_changes(&self, low: &Dyadic, high: &Dyadic) -> (usize, Ordering) {
+        let ([low, high], exponent) = Dyadic::align(low, high);
+        let from_unit = Self(vec![low.clone(), high - low]);
+        let mut inner = self.compose(&from_unit, exponent);
+        inner.resize(self.0.len(), IBig::ZERO);
+        inner.reverse();
+        let outer = Self(inner).compose(&Self(vec![IBig::ONE, IBig::ONE]), 0);
+        let (mut first, mut last, mut changes) = (Ordering::Equal, Ordering::Equal, 0);
+        for sign in outer
+            .iter()
+            .map(|c| c.cmp(&IBig::ZERO))
+            .filter(|sign| sign.is_ne())
+        {
+            if first.is_eq() {
+                first = sign;
+            }
+            changes += usize::from(last == sign.reverse());
+            last = sign;
+        }
+        (changes, first)
+    }
+
+    /// The coefficients of 2ᵏᵈ q(inner / 2ᵏ), from the constant one up.
+    fn compose(&self, inner: &Self, exponent: usize) -> Vec<IBig> {
+        let mut sum = Self::zero();
+        for (power, coefficient) in self.0.iter().rev().enumerate() {
+            sum = &(&sum * inner) + &Self::new(vec![coefficient << (exponent * power)]);
+        }
+        sum.0
     }
 
     /// A polynomial with the same roots, all simple.

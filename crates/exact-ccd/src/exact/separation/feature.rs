@@ -5,7 +5,6 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 
 use crate::exact::dyadic::Dyadic;
-use crate::exact::instant::{Instant, roots_between};
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
 use crate::kind::{Difference, Side};
@@ -53,17 +52,14 @@ impl Feature {
         }
     }
 
-    /// The times in [low, high] at which the excess vanishes and the feature exists, in increasing order;
-    /// none if the excess is zero at all times.
-    pub(super) fn crossings(&self, [low, high]: &[Dyadic; 2]) -> impl Iterator<Item = Instant> {
-        let changes = self.excess.sign_between(low, high).is_none();
-        let exists = |low: &Dyadic, high: &Dyadic| {
-            let is_negative = |guard: &Polynomial| guard.sign_between(low, high) == Some(Ordering::Less);
-            !self.guards.iter().any(is_negative)
-        };
-        let roots = changes.then(|| roots_between(self.excess.square_free(), low, high, &exists));
-        let roots = roots.into_iter().flatten();
-        roots.filter(|root| self.exists(&Narrowing::new(root)))
+    /// The squared distance less d², times the denominator: at most 0 within d.
+    pub(super) fn excess(&self) -> &Polynomial {
+        &self.excess
+    }
+
+    /// False if the excess is zero or certainly has no root inside the step.
+    pub(super) fn may_cross(&self) -> bool {
+        self.excess.sign_between(&Dyadic::ZERO, &Dyadic::ONE).is_none()
     }
 
     /// Numerator and denominator of the squared distance.
