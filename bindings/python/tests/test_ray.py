@@ -172,6 +172,46 @@ def test_finished_chunks_are_not_repeated(cluster, tmp_path) -> None:
     assert same(other, exact_ccd.audit(frames, FACES))
 
 
+def test_data_sets(cluster, tmp_path) -> None:
+    for kind in POINTS:
+        points = queries(kind, 500)
+        lists = pa.array(list(points.reshape(500, -1)), pa.list_(pa.float64()))
+        table = pa.table({"kind": [kind] * 500, "points": lists, "id_a": np.arange(500)})
+        pyarrow.parquet.write_table(table, tmp_path / f"{kind}.parquet", row_group_size=100)
+    answered = exact_ccd.ray.check_dataset(ray.data.read_parquet(str(tmp_path)))
+    rows = pa.concat_tables(ray.get(answered.to_arrow_refs())).to_pandas()
+    for kind in POINTS:
+        part = rows[rows["kind"] == kind].sort_values("id_a")
+        points = queries(kind, 500)
+        np.testing.assert_array_equal(part["collides"], exact_ccd.collides(kind, points))
+        np.testing.assert_array_equal(part["count"], exact_ccd.contact_count(kind, points))
+        np.testing.assert_array_equal(part["toi"], exact_ccd.time_of_impact(kind, points))
+
+
+def test_the_program(cluster, tmp_path) -> None:
+    def run(*arguments: object) -> tuple[int, str, str]:
+        command = [sys.executable, "-m", "exact_ccd.ray_program", "--address", cluster.address, *map(str, arguments)]
+        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+        done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=300)
+        return done.returncode, done.stdout, done.stderr
+
+    np.savez(tmp_path / "frames.npz", positions=recording(12, 10), faces=FACES)
+    status, output, errors = run("audit", tmp_path / "frames.npz", "--steps", 4)
+    assert status == 1, errors
+    assert json.loads(output)["violation"]["frame"] == 10
+    points = queries("vf", 300)
+    lists = pa.array(list(points.reshape(300, -1)), pa.list_(pa.float64()))
+    truth = exact_ccd.collides("vf", points)
+    table = pa.table({"kind": ["vf"] * 300, "points": lists, "truth": truth ^ (np.arange(300) < 2)})
+    pyarrow.parquet.write_table(table, tmp_path / "queries.parquet")
+    status, output, errors = run("queries", tmp_path / "queries.parquet", "--output", tmp_path / "answers")
+    assert status == 0, errors
+    assert json.loads(output) == {"queries": 300, "colliding": int(truth.sum()), "wrong": 2}
+    answers = pyarrow.parquet.read_table(tmp_path / "answers")
+    assert sorted(answers["collides"].to_pylist()) == sorted(truth.tolist())
+    assert run("audit", tmp_path / "missing.ply")[0] == 2
+
+
 def processes_of_tasks(raylet: int) -> list[int]:
     """The processes of a node that examine a chunk now."""
     found = []
@@ -194,6 +234,7 @@ def raylet_of(node) -> int:
 
 
 def test_a_worker_and_a_node_are_lost(cluster) -> None:
+    # The last test: the cluster has one node afterwards, and Ray takes a while to notice it.
     frames = recording(500, 480)
     expected = exact_ccd.audit(frames, FACES)
     lost: list[str] = []
@@ -222,43 +263,3 @@ def test_a_worker_and_a_node_are_lost(cluster) -> None:
     assert lost == ["worker", "node"]
     assert same(report, expected)
     assert report.violation.frame == 480
-
-
-def test_data_sets(cluster, tmp_path) -> None:
-    for kind in POINTS:
-        points = queries(kind, 500)
-        lists = pa.array(list(points.reshape(500, -1)), pa.list_(pa.float64()))
-        table = pa.table({"kind": [kind] * 500, "points": lists, "id_a": np.arange(500)})
-        pyarrow.parquet.write_table(table, tmp_path / f"{kind}.parquet", row_group_size=100)
-    answered = exact_ccd.ray.check_dataset(ray.data.read_parquet(str(tmp_path)))
-    rows = pa.concat_tables(ray.get(answered.to_arrow_refs())).to_pandas()
-    for kind in POINTS:
-        part = rows[rows["kind"] == kind].sort_values("id_a")
-        points = queries(kind, 500)
-        np.testing.assert_array_equal(part["collides"], exact_ccd.collides(kind, points))
-        np.testing.assert_array_equal(part["count"], exact_ccd.contact_count(kind, points))
-        np.testing.assert_array_equal(part["toi"], exact_ccd.time_of_impact(kind, points))
-
-
-def test_the_program(cluster, tmp_path) -> None:
-    def run(*arguments: object) -> tuple[int, str, str]:
-        command = [sys.executable, "-m", "exact_ccd.ray_program", "--address", cluster.address, *map(str, arguments)]
-        environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-        done = subprocess.run(command, capture_output=True, text=True, env=environment)
-        return done.returncode, done.stdout, done.stderr
-
-    np.savez(tmp_path / "frames.npz", positions=recording(12, 10), faces=FACES)
-    status, output, errors = run("audit", tmp_path / "frames.npz", "--steps", 4)
-    assert status == 1, errors
-    assert json.loads(output)["violation"]["frame"] == 10
-    points = queries("vf", 300)
-    lists = pa.array(list(points.reshape(300, -1)), pa.list_(pa.float64()))
-    truth = exact_ccd.collides("vf", points)
-    table = pa.table({"kind": ["vf"] * 300, "points": lists, "truth": truth ^ (np.arange(300) < 2)})
-    pyarrow.parquet.write_table(table, tmp_path / "queries.parquet")
-    status, output, errors = run("queries", tmp_path / "queries.parquet", "--output", tmp_path / "answers")
-    assert status == 0, errors
-    assert json.loads(output) == {"queries": 300, "colliding": int(truth.sum()), "wrong": 2}
-    answers = pyarrow.parquet.read_table(tmp_path / "answers")
-    assert sorted(answers["collides"].to_pylist()) == sorted(truth.tolist())
-    assert run("audit", tmp_path / "missing.ply")[0] == 2
