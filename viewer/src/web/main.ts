@@ -96,6 +96,8 @@ class App {
   }
 
   private opened(start: File, end: File): void {
+    // A distance that suits a query may have millions of contacts on a mesh.
+    if (this.mode === "query") this.editor.edit({ distance: 0, tolerance: 0 });
     this.setMode("meshes");
     const { distance, tolerance } = this.editor.entry;
     this.run(async () => {

@@ -33,12 +33,6 @@ export const PRESETS: Preset[] = [
     [[-1, 0, -1], [1, 0, -1], [-0.5, 0, 0], [1.5, 0, 0]],
   ),
   preset(
-    "Two edges cross twice: the first contact is missed",
-    "edge-edge",
-    [[-2, 2, 0.5], [-2, -1, -1], [1, 0, 0], [-1, -1, -1]],
-    [[-2, 0, 0], [0.5, -0.5, 1], [2, 2, -2], [-1, -1, 2]],
-  ),
-  preset(
     "A contact that is none",
     "vertex-face",
     [[-0.5, -2, -1.5], [0, 2, -1], [-2, 0, 1], [-1, 1, 0]],
