@@ -66,8 +66,10 @@ fn name(path: &Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
-/// The lines of an answer, without that of the durations.
+/// The lines of an answer, without those that the page has elsewhere (the contents of the mesh, the place of
+/// the contact) and that of the durations.
 fn lines(answer: &str) -> impl Iterator<Item = String> {
-    let lines = answer.lines().filter(|line| !line.starts_with("seconds: "));
-    lines.map(str::to_owned)
+    let left_out = ["read: ", "  at ", "seconds: "];
+    let is_kept = move |line: &&str| !left_out.iter().any(|start| line.starts_with(start));
+    answer.lines().filter(is_kept).map(str::to_owned)
 }
