@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::failure::Failure;
 use crate::kind::Kind;
 use crate::min_distance;
+use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::query_files::{self, Records};
 use crate::recognise::kind_of;
@@ -72,7 +73,7 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let kind = kind_of(arguments.kind, &arguments.inputs)?;
+    let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
     during(progress::queries(), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
         Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),
