@@ -77,7 +77,7 @@ pub(crate) enum Failure {
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, such as .ply, .obj, .stl or .vtu", .0.display())]
     NoFrames(PathBuf),
-    #[error("{}: {count} frames, expected {expected}; `exact-ccd audit` examines longer motions", file.display())]
+    #[error("{}: {}", file.display(), frame_count(*count, *expected))]
     FrameCount {
         file: PathBuf,
         expected: usize,
@@ -134,6 +134,17 @@ pub(crate) enum Failure {
     Write { file: PathBuf, source: io::Error },
     #[error("cannot write the answer: {0}")]
     Output(#[from] io::Error),
+}
+
+/// The message for a number of frames that a step cannot have.
+fn frame_count(count: usize, expected: usize) -> String {
+    let remedy = if count < expected {
+        "add the file of the end"
+    } else {
+        "`exact-ccd audit` examines longer motions"
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} frame{plural}, expected {expected}; {remedy}")
 }
 
 /// The number of names that a message lists.

@@ -7,8 +7,8 @@ use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 use crate::animation::invalid;
 use crate::picture::Picture;
 
-/// The shortest time for which programs show a picture, in s, less the rounding of sums of times. Shorter ones
-/// are shown longer.
+/// The shortest time for which programs show a picture, in s, less the rounding of sums of times. Shorter
+/// ones are shown longer.
 const SHORTEST: f64 = 0.02 - 1e-6;
 
 /// The thoroughness of the choice of colours, from 1 to 30; 1 is the slowest.

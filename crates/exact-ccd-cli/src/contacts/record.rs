@@ -30,8 +30,8 @@ pub(crate) struct ContactRecord {
     pub(super) distance: Reached,
 }
 
-/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex at rest in a
-/// half space.
+/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex in a
+/// half space at rest.
 #[derive(Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum RecordKind {

@@ -103,7 +103,13 @@ fn every_report_has_its_schema() {
         (&["--answers"], "again.csv", [3, 0, 0]),
         (&["data/vertex-face/0.csv"], "all.csv", [4, 1, 0]),
     ] {
-        let run = folder.run(&[&["convert", "--kind", "vf", "--json", "-o", output, "vf.csv"], options].concat());
+        let run = folder.run(
+            &[
+                &["convert", "--kind", "vf", "--json", "-o", output, "vf.csv"],
+                options,
+            ]
+            .concat(),
+        );
         assert_eq!(run.status, 0, "{run:?}");
         let report = json_of(&run);
         schema.assert("convert", &report);

@@ -306,6 +306,10 @@ fn a_file_of_two_frames_is_a_step() {
     let run = folder.run(&["step", "two.pvd", "--json"]);
     assert_eq!((run.status, &json_of(&run)["toi"]), (1, &json!(0.5)));
     assert_eq!(
+        folder.run(&["step", "a.vtu"]).error(),
+        "a.vtu: 1 frame, expected 2; add the file of the end"
+    );
+    assert_eq!(
         folder.run(&["step", "three.pvd"]).error(),
         "three.pvd: 3 frames, expected 2; `exact-ccd audit` examines longer motions"
     );
