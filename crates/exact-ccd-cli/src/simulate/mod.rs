@@ -155,6 +155,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if simulation.state().step == 0 {
         simulation.warnings().iter().for_each(|warning| warn(warning));
     }
+    let text_of_page = line::of_scene(&simulation, steps, true);
     let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));
     recording.add_state(&simulation)?;
     let mut pictures = match folder.as_ref().filter(|_| arguments.render) {
@@ -205,7 +206,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Ok(())
     })?;
-    recording.finish(&scene_line)?;
+    recording.finish(&text_of_page)?;
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         warn(&warning);
     }
