@@ -12,6 +12,7 @@ use serde::Serialize;
 use crate::failure::Failure;
 use crate::kind::Kind;
 use crate::min_distance;
+use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
 use crate::query_files::{self, Records};
@@ -92,7 +93,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if arguments.json && query_files::is_dash(&arguments.output) {
         return Err(Failure::TwoAnswers);
     }
-    let kind = kind_of(arguments.kind, &arguments.inputs)?;
+    let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
     let report = during(progress::queries(), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
         Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),

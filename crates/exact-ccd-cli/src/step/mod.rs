@@ -121,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let answer = answers.swap_remove(answers.len() / 2);
 
     let Motion { mesh, x0, x1 } = &problem.motion;
-    if answer.touches_at_start() || !start.is_empty() {
+    if answer.may_touch_at_start() || !start.is_empty() {
         let touching = detector.contacts(x0, x1, 0.0)?;
         note_split_vertices(mesh, x0, &touching, &start, &arguments.scene, &mut notes);
     }
@@ -143,6 +143,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.view.step(
         &arguments.files,
         &problem.motion,
+        &start,
         &mut detector,
         &output.to_string(),
     )?;

@@ -243,6 +243,7 @@ fn split_vertices_are_noted_and_welded_on_request() {
     folder.write("end.obj", split(1.0));
     for command in [
         &["step", "start.obj", "end.obj"][..],
+        &["step", "start.obj", "end.obj", "--any"],
         &["audit", "start.obj", "end.obj", "--as-given"],
     ] {
         let run = folder.run(command);
