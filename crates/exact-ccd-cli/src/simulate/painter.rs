@@ -11,8 +11,10 @@ pub(super) struct Painter {
     camera: Camera,
     /// The radii of rods and particles: those of their contact surface.
     radii: Vec<f64>,
-    /// The vertices that fill the pictures.
-    subject: Vec<usize>,
+    /// The positions in the first frame.
+    start: Vec<Point>,
+    /// A flag for each vertex that fills the pictures.
+    subject: Vec<bool>,
     half_spaces: Vec<HalfSpace>,
     time_step: f64,
     decimals: usize,
@@ -29,6 +31,7 @@ impl Painter {
             rendering,
             camera: Camera::new(up, towards),
             radii: system.surface_offsets(),
+            start: Vec::new(),
             subject: subject(system, rendering.subject),
             half_spaces: system.half_spaces().to_vec(),
             time_step: settings.time_step,
@@ -40,6 +43,13 @@ impl Painter {
 
     /// Includes a frame in the motion that fills the pictures.
     pub(super) fn include(&mut self, frame: &Frame) {
+        if self.start.is_empty() {
+            self.start.clone_from(&frame.positions);
+        }
+        let places = frame.positions.iter().zip(&self.start);
+        for (is_subject, (place, start)) in self.subject.iter_mut().zip(places) {
+            *is_subject |= place != start;
+        }
         self.bounds = self.bounds.union(&frame.bounds());
         self.extent = self.extent.union(&self.extent_of(frame));
     }
@@ -50,8 +60,12 @@ impl Painter {
             let corner = |corner: usize| [0, 1, 2].map(|axis| [lower, upper][corner >> axis & 1][axis]);
             return self.camera.extent((0..8).map(|index| (corner(index), 0.0)));
         }
-        let ball = |&vertex: &usize| (frame.positions[vertex], self.radii[vertex]);
-        self.camera.extent(self.subject.iter().map(ball))
+        let is_empty = !self.subject.contains(&true);
+        let balls = frame.positions.iter().copied().zip(self.radii.iter().copied());
+        let shown = balls
+            .zip(&self.subject)
+            .filter(|(_, is_subject)| is_empty || **is_subject);
+        self.camera.extent(shown.map(|(ball, _)| ball))
     }
 
     /// The picture of a frame, with its time.
@@ -72,14 +86,13 @@ impl Painter {
     }
 }
 
-/// The vertices of the surface that fill the pictures.
-fn subject(system: &System, subject: Subject) -> Vec<usize> {
+/// A flag for each vertex of the surface that fills the pictures from the start on.
+fn subject(system: &System, subject: Subject) -> Vec<bool> {
     let has_mass = |&vertex: &u32| system.masses()[vertex as usize] > 0.0;
-    let surface = system.surface_vertices();
-    let is_all = subject != Subject::Bodies || !surface.iter().any(has_mass);
-    let vertices = surface.iter().enumerate();
-    let chosen = vertices.filter(|(_, vertex)| is_all || has_mass(vertex));
-    chosen.map(|(index, _)| index).collect()
+    let surface = system.surface_vertices().iter();
+    surface
+        .map(|vertex| subject != Subject::Moving || has_mass(vertex))
+        .collect()
 }
 
 /// A frame with a square of the boundary of a half space, beneath the bounds of the scene.

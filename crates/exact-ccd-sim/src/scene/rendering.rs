@@ -25,9 +25,9 @@ pub struct Rendering {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Subject {
-    /// The bodies with mass; all bodies, if none has mass.
+    /// The bodies with mass, and vertices that move. If there are none, everything.
     #[default]
-    Bodies,
+    Moving,
     /// All bodies, obstacles included.
     All,
     /// A box.
@@ -45,7 +45,7 @@ impl Default for Rendering {
             size: [800, 600],
             up: None,
             camera: None,
-            subject: Subject::Bodies,
+            subject: Subject::Moving,
             follow: false,
             speed: 1.0,
         }
@@ -61,7 +61,7 @@ impl Rendering {
         let is_box = match self.subject {
             Subject::Box { lower, upper } => (0..3)
                 .all(|axis| lower[axis].is_finite() && upper[axis].is_finite() && lower[axis] <= upper[axis]),
-            Subject::Bodies | Subject::All => true,
+            Subject::Moving | Subject::All => true,
         };
         let direction = "a direction that is finite and not zero";
         let checks = [
