@@ -6,6 +6,7 @@ use exact_ccd_mesh::Point;
 use serde::Deserialize;
 
 use super::placement::{Rotation, Scale};
+use super::rendering::Rendering;
 use crate::body::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::half_space::HalfSpace;
 use crate::load::Force;
@@ -28,6 +29,9 @@ pub(super) struct Description {
     /// The half spaces, `[[half-space]]`.
     #[serde(default)]
     pub(super) half_space: Vec<HalfSpace>,
+    /// The settings of the pictures.
+    #[serde(default)]
+    pub(super) render: Rendering,
 }
 
 /// A body. Without a material, it is an obstacle.

@@ -6,6 +6,7 @@ use super::body::{load, select};
 use super::document::{Document, Key, SceneError};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
+use super::rendering::Rendering;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;
@@ -30,6 +31,8 @@ pub struct Scene {
     pub filter: StepFilter,
     /// The duration, as a number of time steps.
     pub steps: u64,
+    /// The settings of the pictures.
+    pub rendering: Rendering,
 }
 
 impl Scene {
@@ -66,6 +69,8 @@ impl Scene {
             let message = "the key `duration` is missing, expected a number of seconds";
             return Err(document.error_of(&[], message));
         };
+        let checked = description.render.check();
+        checked.map_err(|(field, message)| document.error_of(&[Name("render"), Name(field)], &message))?;
         let settings = description.settings.clone();
         let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
 
@@ -141,6 +146,7 @@ impl Scene {
             settings,
             filter,
             steps: 0,
+            rendering: description.render,
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
         scene

@@ -36,6 +36,8 @@ mod locate;
 mod mesh;
 mod parse;
 mod placement;
+mod rendering;
 
 pub use document::SceneError;
 pub use load::{FilterByName, Scene};
+pub use rendering::{Rendering, Subject};

@@ -323,6 +323,12 @@ impl System {
         Ok(frame)
     }
 
+    /// The vertices of the system that are in [`System::surface_frame`], in its order.
+    #[must_use]
+    pub fn surface_vertices(&self) -> &[u32] {
+        &self.surface_vertices
+    }
+
     /// The offsets of the contact surface at the vertices of [`System::surface_frame`], in m.
     #[must_use]
     pub fn surface_offsets(&self) -> Vec<f64> {
