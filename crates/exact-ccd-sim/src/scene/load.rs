@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::body::{load, select};
 use super::document::{Document, Key, SceneError};
+use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use crate::checkpoint::Checkpoint;
@@ -30,10 +31,13 @@ pub struct Scene {
     pub filter: StepFilter,
     /// The duration, as a number of time steps.
     pub steps: u64,
+    /// The entries of a scene of another program that are ignored.
+    pub notes: Vec<Note>,
 }
 
 impl Scene {
-    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from that of the scene file.
+    /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
+    /// `meshes`, or from that of the scene file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
@@ -43,6 +47,12 @@ impl Scene {
         filter_by_name: &FilterByName<'_>,
     ) -> Result<Self, SceneError> {
         let file = file.as_ref();
+        if let Some(Imported { toml, meshes, notes }) = import(file, meshes)? {
+            let mut label = file.as_os_str().to_owned();
+            label.push(" as TOML");
+            let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
+            return Ok(Self { notes, ..scene });
+        }
         let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
@@ -91,7 +101,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let selected = select(script.vertices, &body.points, first)
+                let selected = select(&script.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
                 script.motion.check().map_err(|error| {
                     let of_motion = error.field.split('.').map(Name);
@@ -110,7 +120,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let vertices = select(load.vertices, &body.points, first)
+                let vertices = select(&load.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
                 let load = Load {
                     vertices,
@@ -141,6 +151,7 @@ impl Scene {
             settings,
             filter,
             steps: 0,
+            notes: Vec::new(),
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
         scene

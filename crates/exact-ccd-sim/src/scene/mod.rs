@@ -31,6 +31,7 @@
 mod body;
 mod description;
 mod document;
+mod import;
 mod load;
 mod locate;
 mod mesh;
@@ -38,4 +39,5 @@ mod parse;
 mod placement;
 
 pub use document::SceneError;
+pub use import::{ImportError, Imported, Note, Place, Problem, import};
 pub use load::{FilterByName, Scene};
