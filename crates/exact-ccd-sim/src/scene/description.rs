@@ -148,6 +148,24 @@ pub(super) struct ScriptDescription {
     pub(super) vertices: Selection,
     /// Their motion.
     pub(super) motion: Script,
+    /// The axes along which they are scripted.
+    #[serde(default = "all_axes")]
+    pub(super) axes: Vec<Axis>,
+    /// The time from which they are free, in s.
+    pub(super) release: Option<f64>,
+}
+
+/// An axis of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+fn all_axes() -> Vec<Axis> {
+    vec![Axis::X, Axis::Y, Axis::Z]
 }
 
 /// A selection of vertices and a force on them.

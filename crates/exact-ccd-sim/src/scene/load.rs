@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::body::{load, select};
+use super::description::Axis;
 use super::document::{Document, Key, SceneError};
 use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
@@ -10,6 +11,7 @@ use super::parse::parse;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;
+use crate::scripted::Scripted;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
 use crate::system::System;
@@ -103,12 +105,20 @@ impl Scene {
                 };
                 let selected = select(&script.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
-                script.motion.check().map_err(|error| {
-                    let of_motion = error.field.split('.').map(Name);
-                    let path: Vec<Key<'_>> = of_script("motion").into_iter().chain(of_motion).collect();
+                let scripted = Scripted {
+                    vertices: selected,
+                    script: script.motion.clone(),
+                    axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
+                    release: script.release,
+                };
+                scripted.check().map_err(|error| {
+                    let names = error.field.split('.').map(Name);
+                    let motion = error.field.contains('.').then_some(Name("motion"));
+                    let path = [Name("body"), Index(index), Name("script"), Index(number)];
+                    let path: Vec<Key<'_>> = path.into_iter().chain(motion).chain(names).collect();
                     document.error_of(&path, &error.to_string())
                 })?;
-                scripts.push((selected, script.motion.clone()));
+                scripts.push(scripted);
             }
             for (number, load) in described.load.iter().enumerate() {
                 let of_load = |field| {
