@@ -149,14 +149,14 @@ pub(super) struct ScriptDescription {
     /// Their motion.
     pub(super) motion: Script,
     /// The axes along which they are scripted.
-    #[serde(default = "all_axes")]
+    #[serde(default = "all_axes", skip_serializing_if = "are_all")]
     pub(super) axes: Vec<Axis>,
     /// The time from which they are free, in s.
     pub(super) release: Option<f64>,
 }
 
 /// An axis of the scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub(super) enum Axis {
     X,
@@ -166,6 +166,22 @@ pub(super) enum Axis {
 
 fn all_axes() -> Vec<Axis> {
     vec![Axis::X, Axis::Y, Axis::Z]
+}
+
+fn are_all(axes: &[Axis]) -> bool {
+    axes == all_axes()
+}
+
+impl ScriptDescription {
+    /// A script along all axes, at all times.
+    pub(super) fn new(vertices: Selection, motion: Script) -> Self {
+        Self {
+            vertices,
+            motion,
+            axes: all_axes(),
+            release: None,
+        }
+    }
 }
 
 /// A selection of vertices and a force on them.

@@ -6,6 +6,7 @@
 mod fault;
 mod ipc;
 mod meshes;
+mod polyfem;
 mod pose;
 mod selection;
 mod text;
@@ -53,6 +54,7 @@ struct Draft {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Program {
     Ipc,
+    PolyFem,
 }
 
 impl Program {
@@ -61,6 +63,7 @@ impl Program {
         let extension = file.extension()?.to_str()?.to_ascii_lowercase();
         match extension.as_str() {
             "txt" | "ipc" => Some(Self::Ipc),
+            "json" => Some(Self::PolyFem),
             _ => None,
         }
     }
@@ -68,12 +71,13 @@ impl Program {
     fn name(self) -> &'static str {
         match self {
             Self::Ipc => "IPC",
+            Self::PolyFem => "PolyFEM",
         }
     }
 }
 
 /// The TOML file of a scene of another program; `None` for a file that is not named as one: `.txt` and `.ipc`
-/// are scenes of IPC.
+/// are scenes of IPC, `.json` those of PolyFEM.
 ///
 /// `meshes` is the folder of the mesh files. Without it, they are in the folder of the scene or, as of IPC,
 /// in a folder above it.
@@ -92,6 +96,7 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
     let mut meshes = Meshes::new(file, meshes);
     let draft = match program {
         Program::Ipc => ipc::import(&text, &mut meshes),
+        Program::PolyFem => polyfem::import(&text, file.parent().unwrap_or(Path::new("")), &mut meshes),
     };
     let Draft { description, notes } = draft.map_err(|fault| fault.in_file(file))?;
     let toml = text::toml(&description, program.name(), file).map_err(|fault| fault.in_file(file))?;

@@ -100,15 +100,14 @@ fn twist(parts: &mut [Part<'_>], ratio: f64) {
             if selected.is_empty() {
                 continue;
             }
-            part.body.script.push(ScriptDescription {
-                vertices: of_vertices(&selected, &part.points),
-                motion: Script::Twisting {
-                    center,
-                    axis: [1.0, 0.0, 0.0],
-                    rate,
-                    until: None,
-                },
-            });
+            let motion = Script::Twisting {
+                center,
+                axis: [1.0, 0.0, 0.0],
+                rate,
+                until: None,
+            };
+            let vertices = of_vertices(&selected, &part.points);
+            part.body.script.push(ScriptDescription::new(vertices, motion));
         }
     }
 }

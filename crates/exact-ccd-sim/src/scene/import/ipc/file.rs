@@ -257,14 +257,13 @@ fn check(line: &mut Line<'_>, allowed: &[&str], what: &str, instead: &str) -> Re
     }
 }
 
-/// Skips the lines up to `section end`, unless they are for the interior point.
+/// Skips the lines up to `section end` or to the end of the file, unless they are for the interior point.
 fn skip_section(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<(), Fault> {
     let mut is_ours = false;
     while !line.is_empty() {
         is_ours |= matches!(line.word("")?, "end" | "interiorPoint" | "IP");
     }
-    while !is_ours {
-        let mut next = text.following(line.place(), "the line `section end`")?;
+    while !is_ours && let Some(mut next) = text.line() {
         is_ours = next.keyword() == Some("section") && next.word("").is_ok_and(|word| word == "end");
     }
     Ok(())

@@ -63,14 +63,12 @@ pub(super) fn script(
         }
         end = Some(piece.until);
     }
-    let end = end.unwrap_or(0.0);
-    let last = sorted.last().map(|piece| piece.place.clone());
-    if let Some(place) = last.filter(|_| end < file.duration) {
-        let instead = "let the last motion end with the duration";
-        return Err(Problem::unsupported(format!("vertices that are free from {end} s"), instead).at(&place));
-    }
+    let release = end.filter(|end| *end < file.duration);
     let motion = motion(&sorted, center, file)?;
-    Ok(ScriptDescription { vertices, motion })
+    Ok(ScriptDescription {
+        release,
+        ..ScriptDescription::new(vertices, motion)
+    })
 }
 
 fn motion(pieces: &[&Piece], center: Point, file: &File) -> Result<Script, Fault> {
