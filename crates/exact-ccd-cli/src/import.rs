@@ -12,8 +12,8 @@ use crate::simulate::note;
 
 /// Convert a scene of another program to a scene of `exact-ccd simulate`
 ///
-/// SCENE is a text scene of IPC, whose name ends in .txt or .ipc. The TOML file has the same bodies,
-/// motions and settings, with the defaults of that program. What exact-ccd cannot simulate is an
+/// SCENE is a text scene of IPC, whose name ends in .txt or .ipc, or a scene of PolyFEM, in .json.
+/// The TOML file has the same bodies, motions and settings, with the defaults of that program. What exact-ccd cannot simulate is an
 /// error; what has no meaning for it is a note on standard error.
 ///
 /// `exact-ccd simulate` converts such scenes by itself.
@@ -44,8 +44,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     };
     write_file(output, |file| file.write_all(toml.as_bytes()))?;
     if output.parent() != Some(&meshes) {
-        let folder = if meshes.as_os_str().is_empty() { Path::new(".") } else { &meshes };
-        note(&format!("the meshes are in the folder {0}: simulate with `--meshes {0}`", folder.display()));
+        let folder = if meshes.as_os_str().is_empty() {
+            Path::new(".")
+        } else {
+            &meshes
+        };
+        note(&format!(
+            "the meshes are in the folder {0}: simulate with `--meshes {0}`",
+            folder.display()
+        ));
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -158,7 +158,9 @@ pub(super) fn select(selection: &Selection, points: &[Point], first: u32) -> Res
 /// The vertices with these numbers of a body.
 fn numbered(vertices: &[u32], count: usize, first: u32) -> Result<Vec<u32>, String> {
     match vertices.iter().find(|&&vertex| vertex as usize >= count) {
-        Some(vertex) => Err(format!("the body has no vertex {vertex}, expected numbers from 0, below {count}")),
+        Some(vertex) => Err(format!(
+            "the body has no vertex {vertex}, expected numbers from 0, below {count}"
+        )),
         None if vertices.is_empty() => Err("no vertex is selected, expected at least one number".to_owned()),
         None => Ok(vertices.iter().map(|vertex| first + vertex).collect()),
     }

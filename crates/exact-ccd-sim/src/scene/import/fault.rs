@@ -47,8 +47,8 @@ pub enum Problem {
         /// The values that are allowed.
         expected: String,
     },
-    /// The entry has a meaning that scenes of this program do not have.
-    #[error("{what} cannot be said in a scene of exact-ccd: {instead}")]
+    /// Scenes of this program have no counterpart of the entry.
+    #[error("exact-ccd has no counterpart of {what}: {instead}")]
     Unsupported {
         /// The meaning.
         what: String,

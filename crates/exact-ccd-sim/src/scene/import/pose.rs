@@ -54,9 +54,13 @@ pub(super) fn about_axes(rotations: &[(Vector3<f64>, f64)]) -> Option<Rotation> 
             axis: (*axis).into(),
             degrees: *degrees,
         }),
-        _ => of_matrix(&rotations.iter().fold(Rotation3::identity(), |matrix, (axis, degrees)| {
-            matrix * Rotation3::new(axis * degrees.to_radians())
-        })),
+        _ => of_matrix(
+            &rotations
+                .iter()
+                .fold(Rotation3::identity(), |matrix, (axis, degrees)| {
+                    matrix * Rotation3::new(axis * degrees.to_radians())
+                }),
+        ),
     }
 }
 

@@ -36,7 +36,9 @@ pub(super) fn bodies(
     match file.script {
         Motion::Fall => {
             let shift = Vector3::new(0.0, 0.5 * diagonal(&parts), 0.0);
-            parts.iter_mut().for_each(|part| part.place(part.pose.then(1.0, shift)));
+            parts
+                .iter_mut()
+                .for_each(|part| part.place(part.pose.then(1.0, shift)));
         }
         Motion::Twist => twist(&mut parts, file.handle_ratio),
         Motion::BallHitsWall(velocity) => {
@@ -65,7 +67,7 @@ fn diagonal(parts: &[Part<'_>]) -> f64 {
     if length.is_finite() { length } else { 0.0 }
 }
 
-/// Scales the scene such that the longest side of its box is `size`, and moves the lower corner to the origin.
+/// Scales the scene to a box with the longest side `size`, and moves its lower corner to the origin.
 fn resize(parts: &mut [Part<'_>], size: f64) -> Result<(), Problem> {
     let Aabb { lower, upper } = whole(parts);
     let range = (Vector3::from(upper) - Vector3::from(lower)).max();
@@ -77,12 +79,14 @@ fn resize(parts: &mut [Part<'_>], size: f64) -> Result<(), Problem> {
         ));
     }
     let shift = -Vector3::from(lower) * factor;
-    parts.iter_mut().for_each(|part| part.place(part.pose.then(factor, shift)));
+    parts
+        .iter_mut()
+        .for_each(|part| part.place(part.pose.then(factor, shift)));
     Ok(())
 }
 
-/// Turns the ends of the scene along x about the axis along x through the center of its box: all vertices within
-/// a fraction of the length of the box.
+/// Turns the ends of the scene along x about the axis along x through the center of its box: all vertices
+/// within a fraction of the length of the box.
 fn twist(parts: &mut [Part<'_>], ratio: f64) {
     let Aabb { lower, upper } = whole(parts);
     let center = core::array::from_fn(|axis| 0.5 * (lower[axis] + upper[axis]));
@@ -112,8 +116,8 @@ fn twist(parts: &mut [Part<'_>], ratio: f64) {
     }
 }
 
-/// The body of `meshCO`: its mesh about the mean of its vertices, of which the longest side of the box gets the
-/// length `scale`.
+/// The body of `meshCO`: its mesh about the mean of its vertices. The longest side of its box gets the length
+/// `scale`.
 fn obstacle(described: &Obstacle, meshes: &mut Meshes) -> Result<BodyDescription, Fault> {
     let at_place = |problem: Problem| problem.at(&described.place);
     let (path, mesh) = meshes.find(&described.mesh).map_err(at_place)?;
@@ -122,7 +126,10 @@ fn obstacle(described: &Obstacle, meshes: &mut Meshes) -> Result<BodyDescription
     let factor = described.scale / range;
     if !(factor.is_normal() && range.is_normal()) {
         let found = format!("a mesh with a box of {range} m");
-        return Err(at_place(Problem::invalid(found, "a mesh that can be scaled to this size")));
+        return Err(at_place(Problem::invalid(
+            found,
+            "a mesh that can be scaled to this size",
+        )));
     }
     let rotation = shape::rotation(described.degrees);
     let scaled = Pose {

@@ -57,7 +57,10 @@ pub(super) fn script(
     let mut end = None;
     for piece in &sorted {
         if end.map_or(piece.from > 0.0, |end| piece.from != end) {
-            let what = format!("a motion from {} s, of vertices that are free or held by another one before,", piece.from);
+            let what = format!(
+                "a motion from {} s, of vertices that are free or held by another one before,",
+                piece.from
+            );
             let instead = "let the times of the motions of a box follow each other, from 0";
             return Err(Problem::unsupported(what, instead).at(&piece.place));
         }
@@ -72,7 +75,8 @@ pub(super) fn script(
 }
 
 fn motion(pieces: &[&Piece], center: Point, file: &File) -> Result<Script, Fault> {
-    let turns: Vec<Option<(Vector3<f64>, f64)>> = pieces.iter().map(|piece| piece.turn(file.time_step)).collect();
+    let turns: Vec<Option<(Vector3<f64>, f64)>> =
+        pieces.iter().map(|piece| piece.turn(file.time_step)).collect();
     if let ([piece], [turn]) = (pieces, &turns[..]) {
         match (turn, piece.linear == [0.0; 3]) {
             (None, true) => return Ok(Script::Fixed),
@@ -93,7 +97,11 @@ fn motion(pieces: &[&Piece], center: Point, file: &File) -> Result<Script, Fault
             (Some(_), false) => {}
         }
     }
-    let axis = turns.iter().flatten().next().map_or(Vector3::y(), |(axis, _)| *axis);
+    let axis = turns
+        .iter()
+        .flatten()
+        .next()
+        .map_or(Vector3::y(), |(axis, _)| *axis);
     let mut state = KeyFrame {
         time: 0.0,
         translate: [0.0; 3],

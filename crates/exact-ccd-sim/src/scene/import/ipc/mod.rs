@@ -2,10 +2,11 @@
 //!
 //! Source of the format: the reference implementation of M. Li et al., *Incremental Potential Contact*, 2020
 //! (github.com/ipc-sim/IPC, version of March 2024): `Config.cpp` and `Config.hpp` for keywords and default
-//! values, `main.cpp` for the placement of meshes, `AnimScripter.cpp` for motions, `IglUtils.cpp` for selections,
-//! and `Optimizer.cpp` for lengths relative to the box and for gravity.
+//! values, `main.cpp` for the placement of meshes, `AnimScripter.cpp` for motions, `IglUtils.cpp` for
+//! selections, and `Optimizer.cpp` for lengths relative to the box and for gravity.
 
 mod bodies;
+mod entries;
 mod file;
 mod held;
 mod part;
@@ -74,8 +75,12 @@ fn settings(file: &File) -> Settings {
 /// Checks that all friction coefficients are the same.
 fn check_friction(file: &File) -> Result<(), Fault> {
     let planes = file.planes.iter().map(|plane| (&plane.place, plane.friction));
-    let obstacles = file.obstacles.iter().map(|obstacle| (&obstacle.place, obstacle.friction));
-    let differs = |(place, friction): (&Place, f64)| (friction != file.friction).then_some((place.clone(), friction));
+    let obstacles = file
+        .obstacles
+        .iter()
+        .map(|obstacle| (&obstacle.place, obstacle.friction));
+    let differs =
+        |(place, friction): (&Place, f64)| (friction != file.friction).then_some((place.clone(), friction));
     match planes.chain(obstacles).find_map(differs) {
         None => Ok(()),
         Some((place, friction)) => {

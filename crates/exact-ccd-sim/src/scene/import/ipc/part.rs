@@ -93,9 +93,15 @@ impl<'a> Part<'a> {
             return Err(Problem::unsupported(what, "write one of them").at(place));
         }
         if let Some(place) = moved {
-            let [linear, angular] = velocities.map(|velocity| velocity.map_or([0.0; 3], |(_, velocity)| *velocity));
+            let [linear, angular] =
+                velocities.map(|velocity| velocity.map_or([0.0; 3], |(_, velocity)| *velocity));
             let all: Vec<u32> = (0..self.points.len() as u32).collect();
-            self.script(&all, &[Piece::endless(place.clone(), linear, angular)], file, notes)?;
+            self.script(
+                &all,
+                &[Piece::endless(place.clone(), linear, angular)],
+                file,
+                notes,
+            )?;
         }
         self.hold(file, notes)?;
         if let Some((place, [linear, angular])) = &shape.initial {
@@ -148,7 +154,10 @@ impl<'a> Part<'a> {
             }
             if let Some((_, pieces)) = groups.iter_mut().find(|(others, _)| *others == vertices) {
                 pieces.push(piece);
-            } else if groups.iter().any(|(others, _)| others.iter().any(|other| vertices.contains(other))) {
+            } else if groups
+                .iter()
+                .any(|(others, _)| others.iter().any(|other| vertices.contains(other)))
+            {
                 let what = "a vertex in two boxes, of which IPC adds the motions,";
                 return Err(Problem::unsupported(what, "separate the boxes").at(&held.place));
             } else {
@@ -176,7 +185,9 @@ impl<'a> Part<'a> {
         }
         let selection = of_vertices(vertices, &self.points);
         let center = center(vertices, &self.points);
-        self.body.script.push(held::script(selection, pieces, center, file)?);
+        self.body
+            .script
+            .push(held::script(selection, pieces, center, file)?);
         Ok(())
     }
 
@@ -231,7 +242,10 @@ fn is_solid(shape: &Shape) -> Result<bool, Problem> {
         }
         _ => {
             let found = format!("`{}`", shape.mesh);
-            Err(Problem::invalid(found, "a .msh file of tetrahedra or an .obj file of triangles"))
+            Err(Problem::invalid(
+                found,
+                "a .msh file of tetrahedra or an .obj file of triangles",
+            ))
         }
     }
 }

@@ -102,7 +102,11 @@ pub(super) fn matrix(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<Vec<Sha
     for count in &mut counts {
         *count = line.count("three numbers of shapes")?;
     }
-    if counts.iter().try_fold(1_usize, |product, &count| product.checked_mul(count)).is_none_or(|count| count > MOST) {
+    if counts
+        .iter()
+        .try_fold(1_usize, |product, &count| product.checked_mul(count))
+        .is_none_or(|count| count > MOST)
+    {
         return Err(line.invalid(&format!("{counts:?}"), &format!("at most {MOST} shapes")));
     }
     let corner: Point = core::array::from_fn(|_| line.optional().unwrap_or(0.0));
@@ -222,5 +226,8 @@ fn relative_box(line: &mut Line<'_>) -> Result<RelativeBox, Fault> {
 
 /// The time of the start and that of the end, if they are given.
 fn times(line: &mut Line<'_>) -> [f64; 2] {
-    [line.optional().unwrap_or(0.0), line.optional().unwrap_or(f64::INFINITY)]
+    [
+        line.optional().unwrap_or(0.0),
+        line.optional().unwrap_or(f64::INFINITY),
+    ]
 }

@@ -55,7 +55,9 @@ impl<'a> Text<'a> {
         }
         if numbers.len() > count {
             let found = format!("{} numbers", numbers.len());
-            return Err(Problem::invalid(found, format!("{count} numbers in the lines that follow")).at(&line.place));
+            return Err(
+                Problem::invalid(found, format!("{count} numbers in the lines that follow")).at(&line.place),
+            );
         }
         Ok(numbers)
     }

@@ -9,8 +9,8 @@ use super::super::fault::{Fault, Place, Problem};
 /// The most files that refer to each other.
 const DEPTH: usize = 16;
 
-/// The contents of a scene, together with those of the file that its key `common` names, relative to `folder`.
-/// Objects are merged (RFC 7396).
+/// The contents of a scene, together with those of the file that its key `common` names, relative to
+/// `folder`. Objects are merged (RFC 7396).
 pub(super) fn resolved(mut scene: Value, folder: &Path) -> Result<Value, Fault> {
     let mut folder = folder.to_owned();
     for _ in 0..DEPTH {

@@ -96,7 +96,11 @@ impl<'a> Entry<'a> {
     }
 
     /// Checks all keys of an object.
-    pub(super) fn check(&self, rules: &[(&str, Rule)], notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
+    pub(super) fn check(
+        &self,
+        rules: &[(&str, Rule)],
+        notes: &mut Vec<(Place, String)>,
+    ) -> Result<(), Fault> {
         let object = self.value.as_object().ok_or_else(|| self.invalid("an object"))?;
         for (key, value) in object {
             let entry = self.below(key, value);

@@ -5,10 +5,13 @@ use core::f64::consts::PI;
 /// The deepest nesting of an expression.
 const DEPTH: usize = 64;
 
-/// The value of an expression of the time `t`: numbers, `pi`, `+ - * /`, parentheses, and the functions `sin`,
-/// `cos`, `sqrt`, `abs`, `min` and `max`. `None` for any other text.
+/// The value of an expression of the time `t`: numbers, `pi`, `+ - * /`, parentheses, and the functions
+/// `sin`, `cos`, `sqrt`, `abs`, `min` and `max`. `None` for any other text.
 pub(super) fn value(text: &str, t: f64) -> Option<f64> {
-    let mut rest = Rest { text: text.trim_start(), t };
+    let mut rest = Rest {
+        text: text.trim_start(),
+        t,
+    };
     let value = rest.sum(DEPTH)?;
     (rest.text.is_empty() && value.is_finite()).then_some(value)
 }
@@ -73,7 +76,10 @@ impl Rest<'_> {
             let value = self.sum(depth)?;
             return self.take(')').then_some(value);
         }
-        if self.text.starts_with(|first: char| first.is_ascii_digit() || first == '.') {
+        if self
+            .text
+            .starts_with(|first: char| first.is_ascii_digit() || first == '.')
+        {
             return self.number();
         }
         let end = self.text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -88,7 +94,11 @@ impl Rest<'_> {
             return None;
         }
         let first = self.sum(depth)?;
-        let second = if self.take(',') { Some(self.sum(depth)?) } else { None };
+        let second = if self.take(',') {
+            Some(self.sum(depth)?)
+        } else {
+            None
+        };
         if !self.take(')') {
             return None;
         }

@@ -7,16 +7,17 @@ use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Place};
 use super::super::meshes::Meshes;
-use super::super::pose::{Pose, about_axes};
+use super::super::pose::Pose;
 use super::NOTHING;
-use super::boundary::{Conditions, Surface};
+use super::boundary::Conditions;
 use super::entry::{Default, Entry, Rule};
 use super::material::{self, Material};
 use super::region::Regions;
+use super::surface::Surface;
+use super::transformation::pose;
 use crate::half_space::HalfSpace;
 use crate::scene::description::BodyDescription;
 use crate::scene::mesh::Mesh;
-use crate::scene::placement::Rotation;
 
 /// The most copies of a mesh.
 const MOST: i64 = 10_000;
@@ -69,10 +70,15 @@ impl Geometry {
             let kind = entry.get("type");
             let kind = kind.as_ref().map_or(Ok("mesh"), Entry::text)?;
             if kind == "mesh_sequence" {
-                return Err(entry.unsupported("a sequence of meshes", "move a mesh by `obstacle_displacements`"));
+                return Err(
+                    entry.unsupported("a sequence of meshes", "move a mesh by `obstacle_displacements`")
+                );
             }
             entry.check(&RULES, notes)?;
-            if !entry.get("enabled").map_or(Ok(true), |enabled| enabled.is_true())? {
+            if !entry
+                .get("enabled")
+                .map_or(Ok(true), |enabled| enabled.is_true())?
+            {
                 continue;
             }
             match kind {
@@ -104,11 +110,15 @@ impl Geometry {
         let is_obstacle = entry.flag("is_obstacle")?;
         check_options(entry, is_obstacle, notes)?;
         let path = entry.need("mesh")?;
-        let found = meshes.find(path.text()?).map_err(|problem| problem.at(&path.place()));
+        let found = meshes
+            .find(path.text()?)
+            .map_err(|problem| problem.at(&path.place()));
         let (path, mesh): (_, Rc<Mesh>) = found?;
         let whole: Aabb = mesh.points.iter().copied().collect();
         let size = Vector3::from(whole.upper) - Vector3::from(whole.lower);
-        let pose = entry.get("transformation").map_or(Ok(Pose::IDENTITY), |entry| pose(&entry, &size, notes))?;
+        let pose = entry
+            .get("transformation")
+            .map_or(Ok(Pose::IDENTITY), |entry| pose(&entry, &size, notes))?;
         let id = volume_id(entry)?.filter(|_| !is_obstacle);
         let solid = if is_obstacle {
             None
@@ -124,7 +134,10 @@ impl Geometry {
         let points: Vec<Point> = mesh.points.iter().map(|&point| body.place(point)).collect();
         self.measure(&mesh, &points);
         let bounds: Aabb = points.iter().copied().collect();
-        let regions = entry.get("surface_selection").map(|entry| Regions::parse(&entry, &bounds, notes)).transpose()?;
+        let regions = entry
+            .get("surface_selection")
+            .map(|entry| Regions::parse(&entry, &bounds, notes))
+            .transpose()?;
         let surface = Surface::new(&points, &mesh.faces, regions.as_ref(), &bounds);
         if is_obstacle {
             conditions.move_obstacle(&mut body, regions.as_ref().and_then(|_| surface.single_id()))?;
@@ -141,7 +154,8 @@ impl Geometry {
                 copy.script.clear();
                 copy.load.clear();
                 if is_obstacle {
-                    conditions.move_obstacle(&mut copy, regions.as_ref().and_then(|_| surface.single_id()))?;
+                    conditions
+                        .move_obstacle(&mut copy, regions.as_ref().and_then(|_| surface.single_id()))?;
                 } else {
                     conditions.apply(&mut copy, &surface.at(&moved))?;
                 }
@@ -161,11 +175,18 @@ impl Geometry {
     }
 }
 
-fn check_options(entry: &Entry<'_>, is_obstacle: bool, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
+fn check_options(
+    entry: &Entry<'_>,
+    is_obstacle: bool,
+    notes: &mut Vec<(Place, String)>,
+) -> Result<(), Fault> {
     if let Some(extract) = entry.get("extract") {
         let is_whole = extract.text()? == "volume" || is_obstacle && extract.text()? == "surface";
         if !is_whole {
-            return Err(extract.unsupported("a part of a mesh", "write \"volume\", or \"surface\" for an obstacle"));
+            return Err(extract.unsupported(
+                "a part of a mesh",
+                "write \"volume\", or \"surface\" for an obstacle",
+            ));
         }
     }
     if let Some(advanced) = entry.get("advanced") {
@@ -185,7 +206,9 @@ fn volume_id(entry: &Entry<'_>) -> Result<Option<i64>, Fault> {
     let Some(selection) = entry.get("volume_selection") else {
         return Ok(None);
     };
-    let single = selection.get("id").filter(|_| selection.value.as_object().is_some_and(|keys| keys.len() == 1));
+    let single = selection
+        .get("id")
+        .filter(|_| selection.value.as_object().is_some_and(|keys| keys.len() == 1));
     let id = single.unwrap_or_else(|| selection.clone());
     match id.value.as_i64() {
         Some(id) => Ok(Some(id)),
@@ -204,7 +227,14 @@ fn offsets(
         return Ok(vec![Vector3::zeros()]);
     }
     let array = entry.need("array")?;
-    array.check(&[("offset", Rule::Said), ("size", Rule::Said), ("relative", Rule::Said)], notes)?;
+    array.check(
+        &[
+            ("offset", Rule::Said),
+            ("size", Rule::Said),
+            ("relative", Rule::Said),
+        ],
+        notes,
+    )?;
     let mut step = Vector3::from_element(array.need("offset")?.number()?);
     if array.flag("relative")? {
         step.component_mul_assign(&(Vector3::from(bounds.upper) - Vector3::from(bounds.lower)));
@@ -212,7 +242,9 @@ fn offsets(
     let sizes = array.need("size")?;
     let counts: Result<Vec<i64>, Fault> = sizes.elements()?.iter().map(Entry::integer).collect();
     let counts = counts?;
-    let product = counts.iter().try_fold(1_i64, |product, &count| product.checked_mul(count));
+    let product = counts
+        .iter()
+        .try_fold(1_i64, |product, &count| product.checked_mul(count));
     let is_good = counts.iter().all(|&count| count > 0) && product.is_some_and(|product| product <= MOST);
     let &[x, y, z] = &counts[..] else {
         return Err(sizes.invalid("three numbers of copies"));
@@ -221,69 +253,7 @@ fn offsets(
         return Err(sizes.invalid(&format!("numbers above 0, at most {MOST} copies")));
     }
     let copies = (0..x).flat_map(|i| (0..y).flat_map(move |j| (0..z).map(move |k| [i, j, k])));
-    Ok(copies.map(|copy| Vector3::from(copy.map(|index| index as f64)).component_mul(&step)).collect())
-}
-
-/// `transformation`, for a mesh with a box of this size.
-fn pose(entry: &Entry<'_>, size: &Vector3<f64>, notes: &mut Vec<(Place, String)>) -> Result<Pose, Fault> {
-    let rules = [
-        ("translation", Rule::Said),
-        ("rotation", Rule::Said),
-        ("rotation_mode", Rule::Said),
-        ("scale", Rule::Said),
-        ("dimensions", Rule::Said),
-    ];
-    entry.check(&rules, notes)?;
-    let vector = |key: &str, default: Vector3<f64>| match entry.get(key) {
-        None => Ok(default),
-        Some(value) if value.value.as_array().is_some_and(Vec::is_empty) => Ok(default),
-        Some(value) if key == "scale" && value.value.is_number() => Ok(Vector3::from_element(value.number()?)),
-        Some(value) => value.point().map(Vector3::from),
-    };
-    let scale = match entry.get("dimensions").filter(|dimensions| dimensions.value.is_array()) {
-        // The factor of an axis along which the mesh is flat does not matter.
-        Some(dimensions) => {
-            let dimensions = Vector3::from(dimensions.point()?);
-            dimensions.zip_map(size, |length, size| if size == 0.0 { 1.0 } else { length / size })
-        }
-        None => vector("scale", Vector3::from_element(1.0))?,
-    };
-    Ok(Pose {
-        scale,
-        rotation: rotation(entry)?,
-        translation: vector("translation", Vector3::zeros())?,
-    })
-}
-
-fn rotation(entry: &Entry<'_>) -> Result<Option<Rotation>, Fault> {
-    let Some(angles) = entry.get("rotation").filter(|angles| angles.value.as_array().is_none_or(|list| !list.is_empty()))
-    else {
-        return Ok(None);
-    };
-    let mode = entry.get("rotation_mode");
-    let mode = mode.as_ref().map_or(Ok("xyz"), Entry::text)?.to_ascii_lowercase();
-    let numbers: Result<Vec<f64>, Fault> = angles.list().iter().map(Entry::number).collect();
-    match (mode.as_str(), &numbers?[..]) {
-        ("axis_angle", &[degrees, x, y, z]) => Ok(Some(Rotation {
-            axis: [x, y, z],
-            degrees,
-        })),
-        ("rotation_vector", &[x, y, z]) => {
-            let degrees = Vector3::new(x, y, z).norm();
-            let axis = [x, y, z];
-            Ok((degrees != 0.0).then_some(Rotation { axis, degrees }))
-        }
-        ("quaternion", &[x, y, z, w]) => {
-            let degrees = 2.0 * Vector3::new(x, y, z).norm().atan2(w).to_degrees();
-            let axis = [x, y, z];
-            Ok((degrees != 0.0).then_some(Rotation { axis, degrees }))
-        }
-        (mode, angles) if mode.len() == angles.len() && mode.chars().all(|axis| "xyz".contains(axis)) => {
-            let axis = |name| Vector3::ith("xyz".find(name).unwrap_or(0), 1.0);
-            let mut turns: Vec<(Vector3<f64>, f64)> = mode.chars().map(axis).zip(angles.iter().copied()).collect();
-            turns.reverse();
-            Ok(about_axes(&turns))
-        }
-        _ => Err(angles.invalid("the angles in degrees of the axes of `rotation_mode`, three if it is not given")),
-    }
+    Ok(copies
+        .map(|copy| Vector3::from(copy.map(|index| index as f64)).component_mul(&step))
+        .collect())
 }

@@ -17,7 +17,11 @@ pub(super) struct Material {
 pub(super) fn materials(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<Vec<Material>, Fault> {
     let entry = root.need("materials")?;
     let is_list = entry.value.is_array();
-    entry.list().iter().map(|entry| material(entry, is_list, notes)).collect()
+    entry
+        .list()
+        .iter()
+        .map(|entry| material(entry, is_list, notes))
+        .collect()
 }
 
 fn material(entry: &Entry<'_>, is_listed: bool, notes: &mut Vec<(Place, String)>) -> Result<Material, Fault> {
@@ -41,7 +45,10 @@ fn material(entry: &Entry<'_>, is_listed: bool, notes: &mut Vec<(Place, String)>
         (entry.need("E")?.number()?, entry.need("nu")?.number()?)
     } else {
         let (lambda, mu) = (entry.need("lambda")?.number()?, entry.need("mu")?.number()?);
-        (mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu), lambda / (2.0 * (lambda + mu)))
+        (
+            mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu),
+            lambda / (2.0 * (lambda + mu)),
+        )
     };
     let ids = match entry.get("id") {
         None => vec![0],
@@ -58,9 +65,13 @@ fn material(entry: &Entry<'_>, is_listed: bool, notes: &mut Vec<(Place, String)>
     })
 }
 
-/// The material of a body with an id. A body without one has the id of the elements in its mesh file, which is
-/// that of the material if there is only one.
-pub(super) fn of_body(id: Option<i64>, materials: &[Material], body: &Entry<'_>) -> Result<SolidProperties, Fault> {
+/// The material of a body with an id. A body without one has the id of the elements in its mesh file, which
+/// is that of the material if there is only one.
+pub(super) fn of_body(
+    id: Option<i64>,
+    materials: &[Material],
+    body: &Entry<'_>,
+) -> Result<SolidProperties, Fault> {
     let has_id = |material: &&Material| match (&material.ids, id) {
         (None, _) => true,
         (Some(_), None) => materials.len() == 1,
@@ -70,7 +81,10 @@ pub(super) fn of_body(id: Option<i64>, materials: &[Material], body: &Entry<'_>)
     let material = materials.iter().rev().find(has_id);
     let missing = || match id {
         Some(id) => body.invalid(&format!("a material with the id {id}")),
-        None => body.unsupported("a material for each element", "give the body an id by `volume_selection`"),
+        None => body.unsupported(
+            "a material for each element",
+            "give the body an id by `volume_selection`",
+        ),
     };
     material.map(|material| material.properties).ok_or_else(missing)
 }

@@ -1,7 +1,7 @@
 //! PolyFEM's JSON.
 //!
-//! Source of the format: PolyFEM (github.com/polyfem/polyfem, version of June 2026): `json-specs` for keys and
-//! default values, `GeometryReader.cpp` for the placement of meshes and for obstacles, `Selection.cpp` for
+//! Source of the format: PolyFEM (github.com/polyfem/polyfem, version of June 2026): `json-specs` for keys
+//! and default values, `GeometryReader.cpp` for the placement of meshes and for obstacles, `Selection.cpp` for
 //! selections, `JSONUtils.cpp` for `common` and for rotations, `RhsAssembler.cpp` for signs, and
 //! `NonlinearElasticVarForm.cpp` for the contact distance.
 
@@ -11,8 +11,11 @@ mod entry;
 mod expression;
 mod geometry;
 mod material;
+mod motion;
 mod region;
 mod settings;
+mod surface;
+mod transformation;
 
 use std::path::Path;
 

@@ -47,8 +47,16 @@ const RULES: [(&str, Rule); 15] = {
 
 impl Regions {
     /// The selections of an entry, for a placed mesh with this box.
-    pub(super) fn parse(entry: &Entry<'_>, bounds: &Aabb, notes: &mut Vec<(Place, String)>) -> Result<Self, Fault> {
-        let regions = entry.list().iter().map(|entry| Region::parse(entry, bounds, notes)).collect::<Result<_, _>>()?;
+    pub(super) fn parse(
+        entry: &Entry<'_>,
+        bounds: &Aabb,
+        notes: &mut Vec<(Place, String)>,
+    ) -> Result<Self, Fault> {
+        let regions = entry
+            .list()
+            .iter()
+            .map(|entry| Region::parse(entry, bounds, notes))
+            .collect::<Result<_, _>>()?;
         Ok(Self { regions })
     }
 
@@ -72,7 +80,11 @@ impl Region {
         let is_relative = entry.flag("relative")?;
         let place = |point: Point| {
             let point = Vector3::from(point);
-            if is_relative { size.component_mul(&point) + lower } else { point }
+            if is_relative {
+                size.component_mul(&point) + lower
+            } else {
+                point
+            }
         };
         let length = |length: f64| if is_relative { size.norm() * length } else { length };
         if entry.get("threshold").is_some() {
@@ -86,7 +98,10 @@ impl Region {
             let [lower, upper] = &corners.elements()?[..] else {
                 return Err(corners.invalid("two corners"));
             };
-            return Ok(Self::Box(id, [place(lower.point()?).into(), place(upper.point()?).into()]));
+            return Ok(Self::Box(
+                id,
+                [place(lower.point()?).into(), place(upper.point()?).into()],
+            ));
         }
         if let Some(center) = entry.get("center") {
             let radius = length(entry.need("radius")?.number()?);
@@ -119,10 +134,12 @@ impl Region {
     fn id(&self, x: &Vector3<f64>, bounds: &Aabb) -> Option<i64> {
         match self {
             Self::All(id) => Some(*id),
-            Self::Box(id, [lower, upper]) => {
-                (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&x[axis])).then_some(*id)
+            Self::Box(id, [lower, upper]) => (0..3)
+                .all(|axis| (lower[axis]..=upper[axis]).contains(&x[axis]))
+                .then_some(*id),
+            Self::Sphere(id, center, radius) => {
+                ((x - center).norm_squared() <= radius * radius).then_some(*id)
             }
-            Self::Sphere(id, center, radius) => ((x - center).norm_squared() <= radius * radius).then_some(*id),
             Self::Cylinder(id, [from, to], radius) => {
                 let axis = (to - from).normalize();
                 let along = axis.dot(&(x - from));
@@ -132,8 +149,17 @@ impl Region {
             Self::HalfSpace(id, point, normal) => ((x - point).dot(normal) >= 0.0).then_some(*id),
             Self::Sides(offset, tolerance) => {
                 let (lower, upper) = (bounds.lower, bounds.upper);
-                let sides = [(0, lower), (1, lower), (0, upper), (1, upper), (2, lower), (2, upper)];
-                let side = sides.iter().position(|(axis, corner)| (x[*axis] - corner[*axis]).abs() < *tolerance);
+                let sides = [
+                    (0, lower),
+                    (1, lower),
+                    (0, upper),
+                    (1, upper),
+                    (2, lower),
+                    (2, upper),
+                ];
+                let side = sides
+                    .iter()
+                    .position(|(axis, corner)| (x[*axis] - corner[*axis]).abs() < *tolerance);
                 Some(offset + 1 + side.unwrap_or(sides.len()) as i64)
             }
         }
@@ -143,7 +169,10 @@ impl Region {
 /// An axis from 0, and the sign of its direction.
 fn signed_axis(entry: &Entry<'_>) -> Result<(usize, f64), Fault> {
     let expected = "an axis, such as 1, -2, \"x\" or \"-y\"";
-    let text = entry.value.as_i64().map_or_else(|| entry.value.as_str().unwrap_or_default().to_ascii_lowercase(), |axis| axis.to_string());
+    let text = entry.value.as_i64().map_or_else(
+        || entry.value.as_str().unwrap_or_default().to_ascii_lowercase(),
+        |axis| axis.to_string(),
+    );
     let (sign, name) = match text.strip_prefix('-') {
         Some(name) => (-1.0, name),
         None => (1.0, text.strip_prefix('+').unwrap_or(&text)),

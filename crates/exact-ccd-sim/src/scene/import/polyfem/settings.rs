@@ -3,8 +3,8 @@
 use exact_ccd_mesh::Point;
 
 use super::super::fault::{Fault, Place};
-use super::entry::{Default, Entry, Rule};
 use super::NOTHING;
+use super::entry::{Default, Entry, Rule};
 use crate::integrator::Integrator;
 use crate::settings::{Formulation, Friction, Length, Settings};
 
@@ -22,7 +22,15 @@ pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, St
     let unit = |text| Rule::Only(Default::Text(text));
     if let Some(units) = root.get("units") {
         let length = ("characteristic_length", SOLVER);
-        units.check(&[("length", unit("m")), ("mass", unit("kg")), ("time", unit("s")), length], notes)?;
+        units.check(
+            &[
+                ("length", unit("m")),
+                ("mass", unit("kg")),
+                ("time", unit("s")),
+                length,
+            ],
+            notes,
+        )?;
     }
     if let Some(space) = root.get("space") {
         let rules = [
@@ -36,7 +44,10 @@ pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, St
             ("advanced", SOLVER),
         ];
         space.check(&rules, notes)?;
-        if let Some(remesh) = space.get("remesh").filter(|remesh| remesh.value.get("enabled").is_some()) {
+        if let Some(remesh) = space
+            .get("remesh")
+            .filter(|remesh| remesh.value.get("enabled").is_some())
+        {
             if remesh.flag("enabled")? {
                 return Err(remesh.unsupported("meshes that change", "write `\"enabled\": false`"));
             }
@@ -97,7 +108,10 @@ pub(super) fn settings(
     shortest_edge: f64,
     notes: &mut Vec<(Place, String)>,
 ) -> Result<Settings, Fault> {
-    let Some(contact) = root.get("contact").filter(|contact| contact.value.get("enabled") == Some(&true.into())) else {
+    let Some(contact) = root
+        .get("contact")
+        .filter(|contact| contact.value.get("enabled") == Some(&true.into()))
+    else {
         let instead = "write `\"enabled\": true` in `contact`";
         return Err(root.unsupported("bodies that pass through each other", instead));
     };
@@ -176,13 +190,18 @@ fn solver(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(usize, 
         number.ok_or_else(|| entry.invalid("an integer above 0"))
     };
     if let Some(nonlinear) = solver.get("nonlinear") {
-        iterations = nonlinear.get("max_iterations").map_or(Ok(iterations), |entry| positive(&entry))?;
+        iterations = nonlinear
+            .get("max_iterations")
+            .map_or(Ok(iterations), |entry| positive(&entry))?;
         let reason = "ignored but for `max_iterations`: the tolerance of Newton's method is a velocity here";
         notes.push((nonlinear.place(), reason.to_owned()));
     }
     if let Some(contact) = solver.get("contact") {
         let rules = [
-            ("CCD", Rule::Ignored("contact is decided exactly; `settings.ccd` selects another method")),
+            (
+                "CCD",
+                Rule::Ignored("contact is decided exactly; `settings.ccd` selects another method"),
+            ),
             ("friction_iterations", Rule::Said),
             ("tangential_adhesion_iterations", SOLVER),
             ("friction_convergence_tol", SOLVER),
@@ -190,7 +209,9 @@ fn solver(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(usize, 
             ("initial_barrier_stiffness", SOLVER),
         ];
         contact.check(&rules, notes)?;
-        lags = contact.get("friction_iterations").map_or(Ok(lags), |entry| positive(&entry))?;
+        lags = contact
+            .get("friction_iterations")
+            .map_or(Ok(lags), |entry| positive(&entry))?;
     }
     Ok((lags, iterations))
 }
