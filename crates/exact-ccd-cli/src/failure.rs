@@ -105,6 +105,8 @@ pub(crate) enum Failure {
     TooManyVertices,
     #[error("the parts together: {0}")]
     Join(exact_ccd_mesh::MeshError),
+    #[error("{}: expected a scene of IPC, whose name ends in .txt or .ipc, or of PolyFEM, in .json", .0.display())]
+    NotForeign(PathBuf),
     #[error(transparent)]
     Scene(#[from] SceneError),
     #[error(transparent)]

@@ -34,7 +34,8 @@ use queries::QueryFolder;
 
 /// Simulate a scene: elastic bodies with contact and friction, without intersections
 ///
-/// SCENE is a TOML file with bodies, materials, scripted motions and settings. The key
+/// SCENE is a TOML file with bodies, materials, scripted motions and settings, or a scene of
+/// another program as of `exact-ccd import`. The key
 /// `settings.ccd` selects the method of continuous collision detection (CCD). The
 /// command prints one line for the scene and one for each time step.
 ///
@@ -55,7 +56,7 @@ use queries::QueryFolder;
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The scene, a .toml file.
+    /// The scene, a .toml file or one of another program.
     scene: PathBuf,
     /// The output folder.
     #[arg(long, value_name = "DIR")]
@@ -128,6 +129,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         filters::by_name(name, system).map_err(|error| error.to_string())
     };
     let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
+    scene.notes.iter().for_each(|text| note(text));
     let (simulation, mut folder) = match &arguments.out {
         None => (scene.simulation()?, None),
         Some(folder) => {
@@ -230,6 +232,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// Writes a warning to standard error. An error of this is ignored.
 fn warn(warning: &dyn Display) {
     let _ = writeln!(std::io::stderr(), "exact-ccd: warning: {warning}");
+}
+
+/// Writes a note to standard error. An error of this is ignored.
+pub(crate) fn note(note: &dyn Display) {
+    let _ = writeln!(std::io::stderr(), "exact-ccd: note: {note}");
 }
 
 /// A simulation from its start or from the checkpoint in a folder, with the opened folder.
