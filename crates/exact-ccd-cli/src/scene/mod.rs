@@ -19,7 +19,7 @@ use crate::notes::Notes;
 pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
 use part::{Part, named};
-pub(crate) use rules::{PartPair, Rules};
+use rules::Rules;
 pub(crate) use split::note_split_vertices;
 pub(crate) use summary::Summary;
 
