@@ -140,12 +140,11 @@ impl<B: BroadPhase> Detector<B> {
     /// `until`, the earliest first. All contacts for `until` = 1.
     ///
     /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite.
+    /// [`StepError`] names the positions that are too many, too few or not finite, or a time `until` that
+    /// is not in [0, 1].
     pub fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> Result<Vec<Contact>, StepError> {
         let step = Step::new(&self.mesh, x0, x1)?;
-        let Some(contacts) = ContactsUntil::new(until) else {
-            return Ok(Vec::new());
-        };
+        let contacts = ContactsUntil::new(until)?;
         self.search.run(&step, &contacts);
         Ok(contacts.sorted())
     }

@@ -245,6 +245,8 @@ class Detector:
     def contacts(self, x0: ArrayLike, x1: ArrayLike, until: float = 1.0) -> NDArray[np.void]:
         """Return all contacts of the step whose first time is not after `until`, the earliest first.
 
+        A time `until` that is not in [0, 1] raises ValueError.
+
         Returns
         -------
         structured array of shape (M,), with the fields of :data:`CONTACT`
