@@ -1,5 +1,7 @@
 //! The kinds of query.
 
+use crate::error::Error;
+
 /// The kind of a query: the two primitives, and the order of its points.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,29 +16,36 @@ pub enum Kind {
     VertexVertex = 3,
 }
 
+const KINDS: [Kind; 4] = [
+    Kind::VertexFace,
+    Kind::EdgeEdge,
+    Kind::VertexEdge,
+    Kind::VertexVertex,
+];
+
+/// The kind that a number stands for.
+pub(crate) fn kind_of(number: u32) -> Result<Kind, Error> {
+    let kind = KINDS.into_iter().find(|&kind| kind as u32 == number);
+    kind.ok_or_else(|| {
+        Error::argument(format_args!(
+            "kind is {number}, expected a value of exact_ccd_kind, 0 to {}",
+            KINDS.len() - 1
+        ))
+    })
+}
+
 /// Evaluates an expression with a type `$K`, the kind that the number stands for.
 macro_rules! with_kind {
     ($number:expr, $K:ident => $body:expr) => {
-        match $number {
-            0 => {
-                type $K = exact_ccd::VertexFace;
+        $crate::kind::with_kind!($number, $K => $body; VertexFace, EdgeEdge, VertexEdge, VertexVertex)
+    };
+    ($number:expr, $K:ident => $body:expr; $($kind:ident),+) => {
+        match $crate::kind::kind_of($number) {
+            $(Ok($crate::kind::Kind::$kind) => {
+                type $K = exact_ccd::$kind;
                 $body
-            }
-            1 => {
-                type $K = exact_ccd::EdgeEdge;
-                $body
-            }
-            2 => {
-                type $K = exact_ccd::VertexEdge;
-                $body
-            }
-            3 => {
-                type $K = exact_ccd::VertexVertex;
-                $body
-            }
-            other => Err($crate::error::Error::argument(format_args!(
-                "kind is {other}, expected a value of exact_ccd_kind, 0 to 3"
-            ))),
+            })+
+            Err(error) => Err(error),
         }
     };
 }
