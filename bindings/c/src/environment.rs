@@ -1,8 +1,8 @@
 //! The floating-point environment of the host, which the library replaces by the standard one.
 //!
 //! Hosts flush subnormal numbers (`-ffast-math`) or round upwards (interval arithmetic). Rust, as
-//! IEEE 754, assumes neither. The control register is read at each call, and written back at its end,
-//! with the flags of exceptions, which the library raises.
+//! IEEE 754, assumes neither. The control register is read at the start and at the end of each call, and
+//! written only if it differs. It has the flags of exceptions too, which the library raises.
 
 /// The standard environment until it is dropped; then that of the caller.
 pub(crate) struct Environment {
@@ -61,6 +61,8 @@ impl Drop for Environment {
     #[inline]
     fn drop(&mut self) {
         #[cfg(target_arch = "x86_64")]
-        control::write(self.caller);
+        if control::read() != self.caller {
+            control::write(self.caller);
+        }
     }
 }
