@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include <ipc/collision_mesh.hpp>
@@ -25,10 +26,12 @@ namespace exact_ccd {
 class CollisionDetector {
 public:
     explicit CollisionDetector(const ipc::CollisionMesh& mesh)
-        : mesh_(mesh.num_vertices(), faces(mesh), edges(mesh)), detector_(mesh_), can_collide_(mesh.can_collide)
+        : mesh_(mesh.num_vertices(), faces(mesh), edges(mesh)),
+          detector_(mesh_),
+          can_collide_(function(mesh.can_collide))
     {
         // The filter of a mesh without one allows all pairs; it need not be called.
-        const Filter all = decltype(mesh.can_collide)();
+        const Filter all = function(decltype(mesh.can_collide)());
         if (can_collide_.target_type() != all.target_type()) {
             detector_.set_can_collide(
                 [](std::uint32_t a, std::uint32_t b, void* filter) noexcept {
@@ -72,6 +75,18 @@ public:
 
 private:
     using Filter = std::function<bool(std::size_t, std::size_t)>;
+
+    // The function in an ipc::CollisionFilter, not a function that holds the filter: their types tell a
+    // filter that allows all pairs from others. Before 1.6, `can_collide` is the function itself.
+    template <typename CanCollide>
+    static Filter function(const CanCollide& can_collide)
+    {
+        if constexpr (std::is_same_v<CanCollide, Filter>) {
+            return can_collide;
+        } else {
+            return can_collide.operator Filter();
+        }
+    }
 
     static std::vector<std::array<std::uint32_t, 3>> faces(const ipc::CollisionMesh& mesh)
     {
