@@ -16,37 +16,27 @@ pub enum Kind {
     VertexVertex = 3,
 }
 
-const KINDS: [Kind; 4] = [
-    Kind::VertexFace,
-    Kind::EdgeEdge,
-    Kind::VertexEdge,
-    Kind::VertexVertex,
-];
-
-/// The kind that a number stands for.
-pub(crate) fn kind_of(number: u32) -> Result<Kind, Error> {
-    let kind = KINDS.into_iter().find(|&kind| kind as u32 == number);
-    kind.ok_or_else(|| {
-        Error::argument(format_args!(
-            "kind is {number}, expected a value of exact_ccd_kind, 0 to {}",
-            KINDS.len() - 1
-        ))
-    })
-}
-
 /// Evaluates an expression with a type `$K`, the kind that the number stands for.
 macro_rules! with_kind {
     ($number:expr, $K:ident => $body:expr) => {
         $crate::kind::with_kind!($number, $K => $body; VertexFace, EdgeEdge, VertexEdge, VertexVertex)
     };
     ($number:expr, $K:ident => $body:expr; $($kind:ident),+) => {
-        match $crate::kind::kind_of($number) {
-            $(Ok($crate::kind::Kind::$kind) => {
+        match $number {
+            $(number if number == $crate::kind::Kind::$kind as u32 => {
                 type $K = exact_ccd::$kind;
                 $body
             })+
-            Err(error) => Err(error),
+            other => Err($crate::kind::unknown(other)),
         }
     };
 }
 pub(crate) use with_kind;
+
+#[cold]
+pub(crate) fn unknown(number: u32) -> Error {
+    Error::argument(format_args!(
+        "kind is {number}, expected a value of exact_ccd_kind, 0 to {}",
+        Kind::VertexVertex as u32
+    ))
+}
