@@ -17,7 +17,7 @@ import exact_ccd
 
 PACKAGE = Path(__file__).parents[1]
 EXAMPLES = sorted((PACKAGE / "examples").glob("*.py"))
-LIBRARIES = {"trimesh_scene": "trimesh", "blender_audit": "bpy"}
+LIBRARIES = {"trimesh_scene": "trimesh", "blender_audit": "bpy", "draw_contacts": "pyvista"}
 TYPED = [file for file in EXAMPLES if file.stem not in LIBRARIES]
 """The examples whose libraries have types, or that need none."""
 

@@ -69,6 +69,9 @@ def test_the_contacts_are_those_of_all_pairs(seed: int) -> None:
     # The time of a contact may lie just above the float64 that it is rounded down to.
     middle = float(np.nextafter(np.median(contacts["time"]), 1.0))
     assert len(detector.contacts(x0, x1, until=middle)) == (contacts["time"] <= middle).sum()
+    for wrong in (np.nan, -1.0, np.inf):
+        with pytest.raises(ValueError, match="from 0 to 1"):
+            detector.contacts(x0, x1, until=wrong)
 
 
 def test_contact_fields() -> None:

@@ -61,8 +61,8 @@ class FreeStep(NamedTuple):
     Attributes
     ----------
     size : float
-        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if the mesh
-        touches itself at the start.
+        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if no positive
+        size is certified: the mesh touches itself at the start, or within the smallest float of it.
     positions : float64 array of shape (V, 3)
         The positions at its end. Unless `size` is 0, the straight motion to these very positions has
         been decided to be free of contact, exactly.
@@ -244,6 +244,8 @@ class Detector:
 
     def contacts(self, x0: ArrayLike, x1: ArrayLike, until: float = 1.0) -> NDArray[np.void]:
         """Return all contacts of the step whose first time is not after `until`, the earliest first.
+
+        A time `until` that is not in [0, 1] raises ValueError.
 
         Returns
         -------

@@ -80,7 +80,8 @@ def compute_collision_free_stepsize(
     Returns
     -------
     float
-        1 if the whole step is free; 0 if the mesh touches itself at the start. Otherwise the motion to
+        1 if the whole step is free; 0 if no positive size is certified: the mesh touches itself at the start,
+        or within the smallest float of it. Otherwise the motion to
         ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact.
 
     Examples
