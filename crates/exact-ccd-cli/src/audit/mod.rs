@@ -2,6 +2,7 @@
 
 mod every;
 mod found;
+mod half_spaces;
 mod report;
 
 use std::path::PathBuf;
@@ -9,11 +10,12 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use exact_ccd::separation::Separation;
-use exact_ccd_mesh::{Audit, Frame, MotionError, Violation};
+use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
-use crate::contacts::ListFile;
+use crate::contacts::{ContactList, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::impact_files;
 use crate::min_distance;
 use crate::notes::Notes;
 use crate::output::print;
@@ -21,7 +23,8 @@ use crate::progress::{self, during};
 use crate::scene::{Scene, SceneOptions, note_split_vertices};
 use crate::view::View;
 use every::EveryViolation;
-use found::{Found, Moved};
+use found::{Found, Moved, record};
+use half_spaces::{HalfSpaceArgument, HalfSpaces};
 use report::{Report, Seconds, Totals};
 
 /// Does a mesh touch itself in a sequence of frames?
@@ -55,6 +58,10 @@ pub(crate) struct Arguments {
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
     min_distance: Separation,
+    /// A half space that no vertex of a part that moves may touch, nor come within the minimum distance
+    /// of; may be repeated: a point of its boundary, then its outward normal, of any length.
+    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", allow_hyphen_values = true)]
+    half_space: Vec<HalfSpaceArgument>,
     /// Go on after the first violation: examine every frame at rest and every step, and list all
     /// intersections and contacts in a file that ends in .csv, .jsonl (JSON lines) or .parquet.
     /// docs/reports.md has its columns.
@@ -107,6 +114,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut recording = arguments.view.recording(&arguments.frames);
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
+    let half_spaces = HalfSpaces {
+        half_spaces: &arguments.half_space,
+        min_distance: arguments.min_distance,
+        vertices: scene.moving_vertices(),
+    };
     let (count, mut examined) = (scene.frame_count(), 0);
     during(progress::frames(count), |progress| {
         for index in 0..count {
@@ -119,23 +131,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 .examine(frame)
                 .map_err(|error| scene.mismatch(index, error))?;
             examined = index + 1;
-            let (Some(last), false) = (examination.last(), violations.is_empty()) else {
-                progress(1);
+            let Some(last) = examination.last() else {
                 continue;
             };
             for violation in &violations {
                 recording.violation(violation)?;
             }
-            if index == 0 {
+            if index == 0 && !violations.is_empty() {
                 note_at_rest(last, &violations, &arguments.scene, &mut notes);
             }
             let start = before.as_ref().unwrap_or(&last.positions);
-            found.add(
-                &scene,
-                &Moved { index, start, last },
-                &violations,
-                arguments.out.as_deref(),
-            )?;
+            let moved = Moved { index, start, last };
+            let mut records: Vec<_> = violations
+                .iter()
+                .map(|violation| record(&moved, violation))
+                .collect();
+            records.extend(half_spaces.touching(index, last));
+            if records.is_empty() {
+                progress(1);
+                continue;
+            }
+            found.add(&scene, &moved, records, arguments.out.as_deref())?;
             if arguments.all.is_none() {
                 break;
             }
@@ -146,6 +162,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let total = clock.elapsed();
     if let Some(file) = &arguments.all {
         found.list.write(file)?;
+    }
+    if let (Some(folder), Some(last)) = (&arguments.out, examination.last())
+        && found.first.is_none()
+    {
+        let rest = Step::new(&last.mesh, &last.positions, &last.positions)?;
+        impact_files::write(folder, rest, &ContactList::default())?;
     }
     let seconds = |duration: Duration| duration.as_secs_f64();
     let report = Report {

@@ -6,7 +6,9 @@ mod part;
 mod rules;
 mod split;
 mod summary;
+mod vertex_set;
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use exact_ccd_files::{Contents, Polygons};
@@ -17,7 +19,7 @@ use crate::notes::Notes;
 pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
 use part::{Part, named};
-pub(crate) use rules::PartPair;
+pub(crate) use rules::{PartPair, Rules};
 pub(crate) use split::note_split_vertices;
 pub(crate) use summary::Summary;
 
@@ -28,49 +30,61 @@ pub(crate) struct Scene {
     /// The first frame, until it is read.
     first: Option<Frame>,
     contents: Contents,
+    rules: Rules,
     can_collide: CanCollide,
     frame_count: usize,
 }
 
 impl Scene {
-    /// The scene of parts that move, by their names, and of the obstacles of the options.
-    pub(crate) fn open(moving: Vec<(String, Frames)>, options: &SceneOptions) -> Result<Self, Failure> {
+    /// The scene of parts that move, by their names, and of those of the options.
+    fn open(
+        moving: Vec<(String, Frames)>,
+        options: &SceneOptions,
+        notes: &mut Notes,
+    ) -> Result<Self, Failure> {
         let weld = options.weld;
         let frame_count = moving.iter().map(|(_, frames)| frames.count()).max().unwrap_or(0);
         let mut parts = Vec::new();
         for (name, frames) in moving {
             parts.push(Part::open(name, frames, false, weld)?);
         }
-        for path in &options.obstacles {
+        for path in &options.others {
             let (name, file) = named(path);
-            let frames = Frames::of_file(&file, options.polygons())?;
-            if frames.count() != 1 {
-                let (file, count) = (file, frames.count());
-                return Err(Failure::FrameCount {
+            let frames = Frames::of_paths(&[file.clone()], false, options.polygons(), notes)?;
+            let count = frames.count();
+            let rests = count == 1;
+            if !rests && count != frame_count {
+                return Err(Failure::SeriesLength {
                     file,
-                    expected: 1,
                     count,
+                    first: parts.first().map_or_else(String::new, |part| part.name.clone()),
+                    expected: frame_count,
                 });
             }
-            parts.push(Part::open(name, frames, true, weld)?);
+            parts.push(Part::open(name, frames, rests, weld)?);
         }
         part::make_names_unique(&mut parts);
         let frame = joined(&mut parts, None, 0)?;
         let contents = part::contents(&parts, &frame);
-        let can_collide = rules::can_collide(&parts, options)?;
+        let can_collide = rules::can_collide(&parts, &options.rules)?;
         let (mesh, first) = (frame.mesh.clone(), Some(frame));
         Ok(Self {
             parts,
             mesh,
             first,
             contents,
+            rules: options.rules.clone(),
             can_collide,
             frame_count,
         })
     }
 
     /// The frames of pairs of files, each the start and the end of a part; or of one file of two frames.
-    pub(crate) fn of_pairs(files: &[PathBuf], options: &SceneOptions) -> Result<Self, Failure> {
+    pub(crate) fn of_pairs(
+        files: &[PathBuf],
+        options: &SceneOptions,
+        notes: &mut Notes,
+    ) -> Result<Self, Failure> {
         let polygons = options.polygons();
         let mut moving = Vec::new();
         if let [file] = files {
@@ -95,7 +109,7 @@ impl Scene {
                 moving.push((name, Frames::of_pair(&start, end, polygons)?));
             }
         }
-        Self::open(moving, options)
+        Self::open(moving, options, notes)
     }
 
     /// The frames of one part that moves, in the files, folders and lists of files.
@@ -107,7 +121,7 @@ impl Scene {
     ) -> Result<Self, Failure> {
         let frames = Frames::of_paths(paths, as_given, options.polygons(), notes)?;
         let (name, _) = named(paths.first().unwrap_or(&PathBuf::new()));
-        Self::open(vec![(name, frames)], options)
+        Self::open(vec![(name, frames)], options, notes)
     }
 
     pub(crate) fn frame_count(&self) -> usize {
@@ -132,6 +146,12 @@ impl Scene {
         self.can_collide.clone()
     }
 
+    /// The vertices of the parts that are no obstacles.
+    pub(crate) fn moving_vertices(&self) -> Vec<Range<u32>> {
+        let moving = self.parts.iter().filter(|part| !part.is_obstacle);
+        moving.map(|part| part.vertices.clone()).collect()
+    }
+
     /// The error for a frame that does not belong to the frames before it.
     pub(crate) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
         self.parts[0].mismatch(index, source)
@@ -139,7 +159,7 @@ impl Scene {
 
     /// The contents and the parts, for reports.
     pub(crate) fn summary(&self) -> Summary {
-        Summary::new(self.contents, &self.parts)
+        Summary::new(self.contents, &self.parts, &self.rules)
     }
 
     /// Refuses a scene in which nothing can touch.

@@ -6,6 +6,8 @@ use exact_ccd_files::Contents;
 use serde::Serialize;
 
 use super::part::Part;
+use super::rules::{PartPair, Rules};
+use crate::failure::listed;
 
 /// The contents of a scene, as a part of a JSON object.
 #[derive(Serialize)]
@@ -14,8 +16,25 @@ pub(crate) struct Summary {
     /// The parts, if there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     parts: Vec<PartSummary>,
+    /// The named groups, if there are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    groups: Vec<GroupSummary>,
+    /// The pairs of `--only`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    only: Vec<String>,
+    /// The pairs of `--ignore`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    ignore: Vec<String>,
     #[serde(skip)]
     contents: Contents,
+}
+
+/// A named group: the part that has it, and the number of its vertices.
+#[derive(Serialize)]
+struct GroupSummary {
+    part: String,
+    name: String,
+    vertex_count: usize,
 }
 
 #[derive(Serialize)]
@@ -40,7 +59,17 @@ struct PartSummary {
 }
 
 impl Summary {
-    pub(super) fn new(contents: Contents, parts: &[Part]) -> Self {
+    pub(super) fn new(contents: Contents, parts: &[Part], rules: &Rules) -> Self {
+        let groups: Vec<GroupSummary> = parts
+            .iter()
+            .flat_map(|part| {
+                part.groups.iter().map(|group| GroupSummary {
+                    part: part.name.clone(),
+                    name: group.name.clone(),
+                    vertex_count: group.vertices.len(),
+                })
+            })
+            .collect();
         let several = if parts.len() > 1 { parts } else { &[] };
         let part = |part: &Part| PartSummary {
             name: part.name.clone(),
@@ -60,6 +89,9 @@ impl Summary {
                 solids: contents.solids,
             },
             parts: several.iter().map(part).collect(),
+            groups: if groups.len() > 1 { groups } else { Vec::new() },
+            only: rules.only.iter().map(PartPair::to_string).collect(),
+            ignore: rules.ignore.iter().map(PartPair::to_string).collect(),
             contents,
         }
     }
@@ -78,6 +110,15 @@ impl fmt::Display for Summary {
                     let last = part.first_vertex as usize + count - 1;
                     writeln!(f, "vertices {} to {last}", part.first_vertex)?;
                 }
+            }
+        }
+        if !self.groups.is_empty() {
+            let names: Vec<_> = self.groups.iter().map(|group| group.name.clone()).collect();
+            writeln!(f, "groups: {}", listed(&names))?;
+        }
+        for (rule, pairs) in [("only", &self.only), ("ignored", &self.ignore)] {
+            if !pairs.is_empty() {
+                writeln!(f, "{rule}: {}", pairs.join(", "))?;
             }
         }
         Ok(())
