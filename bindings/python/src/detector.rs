@@ -6,7 +6,7 @@ use exact_ccd::Point;
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, FreeStepOptions, MinDistance, Pair, PairCounts, Step, StepReport,
-    TriangleMesh, intersections,
+    TriangleMesh, intersections_by,
 };
 use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
@@ -251,10 +251,13 @@ impl Detector {
         let x = points(&x)?;
         let found = self.compute(py, None, |detector| {
             let mesh = &detector.mesh;
-            let mut found = intersections(mesh, x).map_err(refused)?;
+            let broad_phase = Interruptible {
+                watch: detector.watch.clone(),
+            };
+            let mut found = intersections_by(&broad_phase, mesh, x, &CanCollide::all()).map_err(refused)?;
             found.retain(|pair| {
                 let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
-                detector.rule.allows(&edge, &face)
+                !detector.watch.is_cancelled() && detector.rule.allows(&edge, &face)
             });
             Ok::<_, PyErr>(found)
         })??;

@@ -4,36 +4,41 @@ from __future__ import annotations
 
 import subprocess
 import sys
+import time
 
 import pytest
 
-SLOW = {
-    # Numbers that leave every query to integers, for minutes.
-    "batch": """
+HARD = """
 import numpy as np, exact_ccd
+# Numbers that leave every query to integers, for minutes.
 random = np.random.default_rng(0)
 points = np.ldexp(random.normal(size=(20_000, 8, 3)), random.integers(-900, 900, (20_000, 8, 3)))
-print("ready", flush=True)
-exact_ccd.impacts("ee", points, min_distance=1.0)
-""",
-    # A mesh whose pairs are all near each other.
-    "step": """
+"""
+CROWD = """
 import numpy as np, exact_ccd
+# A mesh whose pairs are all near each other.
 x = np.random.default_rng(0).normal(size=(90_000, 3))
-detector = exact_ccd.Detector(exact_ccd.Mesh(len(x), np.arange(len(x)).reshape(-1, 3)))
-print("ready", flush=True)
-detector.step(x, x[::-1])
-""",
+faces = np.arange(len(x)).reshape(-1, 3)
+detector = exact_ccd.Detector(exact_ccd.Mesh(len(x), faces))
+"""
+SLOW = {
+    "impacts": (HARD, 'exact_ccd.impacts("ee", points, min_distance=1.0)'),
+    "contact_times": (HARD, 'exact_ccd.contact_times("ee", points, min_distance=1.0, threads=1)'),
+    "step": (CROWD, "detector.step(x, x[::-1])"),
+    "contacts": (CROWD, "detector.contacts(x, x[::-1])"),
+    "intersections": (CROWD, "detector.intersections(x)"),
+    "audit": (CROWD, "exact_ccd.audit([x, x[::-1]], faces)"),
 }
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals differ on Windows")
-@pytest.mark.parametrize("work", SLOW)
-def test_ctrl_c_ends_a_long_computation(work: str) -> None:
+@pytest.mark.parametrize("name", SLOW)
+def test_ctrl_c_ends_a_long_computation(name: str) -> None:
     import signal
 
+    setting, call = SLOW[name]
     process = subprocess.Popen(
-        [sys.executable, "-c", SLOW[work]],
+        [sys.executable, "-c", f"{setting}print('ready', flush=True)\n{call}"],
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
@@ -44,8 +49,11 @@ def test_ctrl_c_ends_a_long_computation(work: str) -> None:
     with pytest.raises(subprocess.TimeoutExpired):
         process.wait(1.0)
     process.send_signal(signal.SIGINT)
+    start = time.monotonic()
     try:
         _, errors = process.communicate(timeout=60)
     finally:
         process.kill()
+    # Seen with `pytest -s`.
+    print(f"{name}: {time.monotonic() - start:.2f} s")
     assert "KeyboardInterrupt" in errors

@@ -17,6 +17,7 @@ import pytest
 import exact_ccd
 from exact_ccd import AuditReport
 from generated import POINTS, queries
+from hostile import CASES, integers, positions, survive, table
 
 # No reports to the makers of Ray.
 os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
@@ -210,6 +211,36 @@ def test_the_program(cluster, tmp_path) -> None:
     answers = pyarrow.parquet.read_table(tmp_path / "answers")
     assert sorted(answers["collides"].to_pylist()) == sorted(truth.tolist())
     assert run("audit", tmp_path / "missing.ply")[0] == 2
+
+
+def test_hostile_arguments(cluster, tmp_path) -> None:
+    random = np.random.default_rng(1)
+    answers = 0
+    for _ in range(CASES):
+        frames = [positions(random, 6, 3) for _ in range(3)]
+        faces = integers(random, 6, 3, 3)
+        edges = [None, integers(random, 6, 2, 2)][random.integers(2)]
+        options = {
+            "min_distance": [0.0, 0.0, 1.0, -1.0, np.nan, "a"][random.integers(6)],
+            "steps": [1, 1, 2, 2**70, 0, -1, 1.5, None][random.integers(8)],
+            "window": [None, None, 1, 2**70, 0][random.integers(5)],
+            "results": [None, tmp_path][random.integers(2)],
+        }
+        answers += survive(lambda: exact_ccd.ray.audit(frames, faces, edges=edges, **options))
+    assert 0 < answers < CASES
+
+    def decide(rows) -> None:
+        d = float(random.choice([0.0, 1.0, np.nan, -1.0], p=[0.6, 0.2, 0.1, 0.1]))
+        answered = exact_ccd.ray.check_dataset(ray.data.from_arrow(rows), min_distance=d)
+        try:
+            answered.materialize()
+        except (pa.ArrowException, ray.exceptions.RayError) as error:
+            # An exception of the task, not the end of its process.
+            assert not isinstance(error, ray.exceptions.WorkerCrashedError)
+            raise ValueError(str(error)) from error
+
+    answers = sum(survive(lambda: decide(table(random))) for _ in range(CASES))
+    assert 0 < answers < CASES
 
 
 def processes_of_tasks(raylet: int) -> list[int]:

@@ -9,6 +9,13 @@
 // The time of impact is exact: the first time at which the distance is at most `min_distance`,
 // rounded down. A step of exactly that size may end in contact. Hence `toi` is that time multiplied by
 // `conservative_rescaling`, 0.9 unless it is set.
+//
+// `tmax` is compared with the time before it is multiplied: a contact after `tmax` is none. The step size
+// of the toolkit passes the least `toi` so far, which is multiplied, as `tmax` of the next pair. So it
+// depends on the order of the pairs, which the threads of the toolkit change from run to run. Let t be the
+// first contact of all pairs. If its pair comes first, the step is 0.9 t. If another pair comes first, with
+// contact at t' > t, the step is 0.9 t' unless t <= 0.9 t'. It is at least 0.9 t and less than t in any
+// order. With a rescaling of 1 it is t, and by CollisionDetector (ipc_collision_mesh.hpp) 0.9 t.
 
 #ifndef EXACT_CCD_IPC_TOOLKIT_HPP
 #define EXACT_CCD_IPC_TOOLKIT_HPP
