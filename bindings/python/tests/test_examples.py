@@ -17,7 +17,7 @@ from documents import PACKAGE, PROGRAMS, libraries, needs_ray, run
 from generated import write_queries
 
 EXAMPLES = sorted((PACKAGE / "examples").glob("*.py"))
-LIBRARIES = {"trimesh_scene": "trimesh", "blender_audit": "bpy"}
+LIBRARIES = {"trimesh_scene": "trimesh", "blender_audit": "bpy", "draw_contacts": "pyvista"}
 TYPED = [file for file in EXAMPLES if file.stem not in LIBRARIES]
 """The examples whose libraries have types, or that need none."""
 

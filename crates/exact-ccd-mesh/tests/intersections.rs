@@ -7,8 +7,9 @@ mod oracle;
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
-    StepError, TriangleMesh, Violation, crossings, intersections, intersections_among, step,
+    AllPairs, Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
+    StepError, Sweep, TriangleMesh, Violation, crossings, intersections, intersections_among,
+    intersections_by, step,
 };
 use proptest::prelude::*;
 
@@ -73,7 +74,11 @@ fn positions(vertices: usize, coordinate: impl Strategy<Value = f64>) -> impl St
 proptest! {
     #[test]
     fn intersections_are_those_of_the_definition(mesh in mesh(9, 0..8), x in positions(9, coordinate())) {
-        prop_assert_eq!(intersections(&mesh, &x).unwrap(), expected(&mesh, &x));
+        let found = expected(&mesh, &x);
+        let all = CanCollide::all();
+        prop_assert_eq!(&intersections_by(&Sweep, &mesh, &x, &all).unwrap(), &found);
+        prop_assert_eq!(&intersections_by(&AllPairs, &mesh, &x, &all).unwrap(), &found);
+        prop_assert_eq!(intersections(&mesh, &x).unwrap(), found);
     }
 
     /// Crossings are intersections, and any other intersection touches at the start of a step.
