@@ -8,7 +8,7 @@
 //! and lagged [`friction`], by projected Newton. A [`StepFilter`] bounds each Newton step: by the exact
 //! method or, for comparison, by any other [`Ccd`](exact_ccd::Ccd).
 //!
-//! - A [`Body`] is a mesh with its material. Bodies and [`Script`]s form a [`System`]. The vertices of a
+//! - A [`Body`] is a mesh with its material. Bodies and [`Scripted`] vertices form a [`System`]. The vertices of a
 //!   system are those of its bodies, one body after the other ([`System::ranges`]).
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
@@ -53,6 +53,7 @@ mod load;
 pub mod psd;
 pub mod scene;
 mod script;
+mod scripted;
 mod settings;
 pub mod shapes;
 mod simulation;
@@ -69,6 +70,7 @@ pub use half_space::{HalfSpace, HalfSpaceError, Plane};
 pub use integrator::Integrator;
 pub use load::{Force, Load, LoadError};
 pub use script::{KeyFrame, Script, ScriptError};
+pub use scripted::Scripted;
 pub use settings::{Formulation, Friction, Length, SettingError, Settings};
 pub use simulation::{Primitive, Simulation, SimulationError, Warning};
 pub use state::{Earlier, State};

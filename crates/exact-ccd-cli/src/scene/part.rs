@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, MeshFile, ReadMotionError};
+use exact_ccd_files::{Contents, Group, MeshFile, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
 
 use super::Frames;
@@ -23,6 +23,8 @@ pub(super) struct Part {
     /// The mesh of all frames in their files.
     mesh: TriangleMesh,
     welded: Option<(Welding, TriangleMesh)>,
+    /// The named groups of the first frame, by their vertices in the part.
+    pub(super) groups: Vec<Group>,
 }
 
 impl Part {
@@ -32,7 +34,12 @@ impl Part {
             || frames.read(0),
             || (frames.count() > 1).then(|| frames.read(1)).transpose(),
         );
-        let MeshFile { frame, contents, .. } = first?;
+        let MeshFile {
+            frame,
+            contents,
+            groups,
+            ..
+        } = first?;
         let mesh = frame.mesh.clone();
         let vertices = 0..mesh.vertex_count() as u32;
         let second = second?.map(|file| file.frame);
@@ -45,10 +52,15 @@ impl Part {
             contents,
             mesh,
             welded: None,
+            groups,
         };
         let is_stl = part.frames.are_stl();
         if weld || is_stl {
-            part.welded = Some(part.weld(is_stl)?);
+            let (welding, mesh) = part.weld(is_stl)?;
+            for vertex in part.groups.iter_mut().flat_map(|group| &mut group.vertices) {
+                *vertex = welding.vertex_of(*vertex).unwrap_or(*vertex);
+            }
+            part.welded = Some((welding, mesh));
         }
         Ok(part)
     }

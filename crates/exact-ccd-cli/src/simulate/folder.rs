@@ -21,9 +21,12 @@ const CHECKPOINT: &str = "checkpoint.json";
 const STATISTICS: &str = "statistics.csv";
 const COLLECTION: &str = "motion.pvd";
 pub(super) const ANIMATION: &str = "motion.png";
+pub(super) const GIF: &str = "motion.gif";
 pub(super) const ENERGIES: &str = "energies.svg";
 pub(super) const DISTANCE: &str = "minimal-distance.svg";
-const FILES: [&str; 6] = [CHECKPOINT, STATISTICS, COLLECTION, ANIMATION, ENERGIES, DISTANCE];
+const FILES: [&str; 7] = [
+    CHECKPOINT, STATISTICS, COLLECTION, ANIMATION, GIF, ENERGIES, DISTANCE,
+];
 
 /// The subfolders, which have one or more files for each time step.
 const FRAMES: &str = "frames";

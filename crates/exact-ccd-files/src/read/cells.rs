@@ -4,6 +4,7 @@ use std::fmt;
 
 use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 
+use super::group::Group;
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
@@ -17,6 +18,8 @@ pub(super) struct Cells {
     pub(super) lines: Vec<[u32; 2]>,
     pub(super) faces: Faces,
     pub(super) solids: Vec<Solid>,
+    /// Named groups, in formats without cells with volume.
+    pub(super) groups: Vec<Group>,
 }
 
 /// The frame of a file, and the facts about the file that a frame does not have.
@@ -27,6 +30,7 @@ pub(super) struct Assembled {
     pub(super) first_polygon: Option<ParseError>,
     /// The number of cells with volume, of which the frame has the surface.
     pub(super) solids: usize,
+    pub(super) groups: Vec<Group>,
 }
 
 /// The numbers of elements in the file, for the error of a file without any mesh.
@@ -63,6 +67,7 @@ impl Cells {
             polygons,
             first_polygon,
             solids: 0,
+            groups: self.groups,
         })
     }
 
@@ -141,6 +146,7 @@ impl Cells {
             polygons: surface.polygons + self.faces.polygons,
             first_polygon: surface.first_polygon.or(self.faces.first_polygon),
             solids: self.solids.len(),
+            groups: Vec::new(),
         })
     }
 

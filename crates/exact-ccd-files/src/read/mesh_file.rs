@@ -6,6 +6,7 @@ use exact_ccd_mesh::Frame;
 
 use super::cells::{Assembled, Cells};
 use super::file::{format_of, parse_file};
+use super::group::Group;
 use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
@@ -32,6 +33,9 @@ pub struct MeshFile {
     pub frame: Frame,
     /// The numbers of its elements.
     pub contents: Contents,
+    /// The objects and groups of an OBJ file. An element belongs to the last statement `o` or `g` before it;
+    /// several statements of one name are one group.
+    pub groups: Vec<Group>,
 }
 
 impl MeshFile {
@@ -77,8 +81,11 @@ impl MeshFile {
             solids: assembled.solids,
             ..Contents::of(&assembled.frame)
         };
-        let frame = assembled.frame;
-        Ok(Self { frame, contents })
+        Ok(Self {
+            frame: assembled.frame,
+            contents,
+            groups: assembled.groups,
+        })
     }
 }
 

@@ -140,8 +140,11 @@ impl FrameSequence {
                 };
                 let checked = frame.check();
                 checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::File)))?;
-                let contents = recording.contents;
-                Ok(MeshFile { frame, contents })
+                Ok(MeshFile {
+                    frame,
+                    contents: recording.contents,
+                    groups: Vec::new(),
+                })
             }
         }
     }

@@ -37,7 +37,10 @@ pub struct HalfSpaceError {
 
 impl HalfSpace {
     /// Checks that the point is finite and that the normal has a direction.
-    pub(crate) fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] has the number `half_space`.
+    pub fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
         let Self { point, normal } = *self;
         let error = |what, value, expected| HalfSpaceError {
             half_space,

@@ -5,7 +5,6 @@ mod fingerprint;
 mod parts;
 
 use std::ops::Range;
-use std::sync::Arc;
 
 use exact_ccd::separation::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
@@ -19,7 +18,7 @@ use crate::contact::{Barrier, Part, Surface, Weights};
 use crate::elasticity::{Elastic, VertexBend};
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
-use crate::script::Script;
+use crate::scripted::{Axes, Coordinates, Scripted, Timed};
 use crate::settings::Formulation;
 use parts::Parts;
 
@@ -35,8 +34,8 @@ pub struct System {
     pub(crate) elements: Vec<Elastic>,
     /// The bending of shells about vertices.
     pub(crate) bends: Vec<VertexBend>,
-    /// The script of each vertex that has one.
-    pub(crate) scripts: Vec<Option<Arc<Script>>>,
+    /// The scripts of each vertex.
+    pub(crate) scripts: Vec<Coordinates>,
     /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
     pub(crate) surface: TriangleMesh,
     /// The vertices of faces and rods, and particles, increasing: without those in the interior of solids.
@@ -68,25 +67,27 @@ pub struct System {
 
 impl System {
     /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
-    /// the motion of vertices; the last script of a vertex applies. Obstacles without a script are fixed.
+    /// the motion of vertices; along each axis, the last script of a vertex applies. Obstacles without a script
+    /// are fixed.
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script.
-    pub fn new(bodies: &[Body], scripts: &[(Vec<u32>, Script)]) -> Result<Self, SystemError> {
+    pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
         let mut parts = Parts::default();
         for (index, body) in bodies.iter().enumerate() {
             parts.add(index, body)?;
         }
         let vertex_count = parts.start.len();
-        for (index, (vertices, script)) in scripts.iter().enumerate() {
-            script.check().map_err(|source| SystemError::Motion {
+        for (index, scripted) in scripts.iter().enumerate() {
+            scripted.check().map_err(|source| SystemError::Motion {
                 script: index,
                 source,
             })?;
-            let script = Arc::new(script.clone());
-            for &vertex in vertices {
+            let script = Timed::new(scripted);
+            for &vertex in &scripted.vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
-                *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(Arc::clone(&script));
+                let slot = slot.ok_or(SystemError::Script { vertex, vertex_count })?;
+                slot.set(scripted.axes, &script);
             }
         }
         let mesh = TriangleMesh::with_edges(vertex_count, parts.faces, &parts.edges)?;
@@ -115,9 +116,7 @@ impl System {
             &parts.start,
             &contact_parts(&ranges, &parts.obstacle, &parts.scripts),
         );
-        let is_fixed = |(&is_obstacle, script): (&bool, &Option<Arc<Script>>)| {
-            is_obstacle && script.as_deref() == Some(&Script::Fixed)
-        };
+        let is_fixed = |(&is_obstacle, scripts): (&bool, &Coordinates)| is_obstacle && scripts.are_fixed();
         let fixed = parts.obstacle.iter().zip(&parts.scripts).map(is_fixed).collect();
         let is_grounded = |&vertex: &u32| !parts.obstacle[vertex as usize];
         let grounded = surface_vertices.iter().copied().filter(is_grounded).collect();
@@ -323,6 +322,12 @@ impl System {
         Ok(frame)
     }
 
+    /// The vertices of the system that are in [`System::surface_frame`], in its order.
+    #[must_use]
+    pub fn surface_vertices(&self) -> &[u32] {
+        &self.surface_vertices
+    }
+
     /// The offsets of the contact surface at the vertices of [`System::surface_frame`], in m.
     #[must_use]
     pub fn surface_offsets(&self) -> Vec<f64> {
@@ -375,10 +380,19 @@ impl System {
             .map(move |range| diagonal(points(range).copied()))
     }
 
-    /// True if a vertex has mass and no script.
+    /// True if a vertex has mass, and at least one coordinate that no script holds at all times.
     #[must_use]
     pub fn is_free(&self, vertex: usize) -> bool {
-        self.scripts[vertex].is_none() && self.masses[vertex] > 0.0
+        self.masses[vertex] > 0.0 && !self.scripts[vertex].are_held()
+    }
+
+    /// The coordinates of each vertex that are not free in a time step that ends at this time, in s: those
+    /// that scripts hold, and all of a vertex without mass.
+    pub(crate) fn held(&self, time: f64) -> Vec<Axes> {
+        let held = |(scripts, &mass): (&Coordinates, &f64)| {
+            if mass > 0.0 { scripts.held(time) } else { [true; 3] }
+        };
+        self.scripts.iter().zip(&self.masses).map(held).collect()
     }
 
     /// The mass of all free vertices, in kg. If no vertex is free, the mass of all vertices; if no vertex has
@@ -408,7 +422,7 @@ impl System {
 }
 
 /// The part of each vertex in contact.
-fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Option<Arc<Script>>]) -> Vec<Part> {
+fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Coordinates]) -> Vec<Part> {
     let part = |range: &Range<u32>| {
         let vertices = range.start as usize..range.end as usize;
         let (obstacle, scripts) = (&obstacle[vertices.clone()], &scripts[vertices.clone()]);

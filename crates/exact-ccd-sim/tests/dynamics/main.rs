@@ -15,6 +15,7 @@ mod pairs;
 mod rest;
 mod resume;
 mod rods;
+mod scripted_axes;
 mod scripts;
 mod start;
 mod stiffness;
