@@ -76,9 +76,11 @@ def _count(table: dict[str, Any], batch: Any) -> None:
 
 def _message(error: Exception) -> str:
     """The message of an error, or of the error of a task that it passes on."""
-    cause = getattr(error, "cause", None) or error
-    is_plain = isinstance(cause, (ValueError, TypeError, OSError))
-    return str(cause) if is_plain else f"{type(cause).__name__}: {cause}"
+    for one in (getattr(error, "cause", None), error):
+        if isinstance(one, (ValueError, TypeError, OSError)):
+            return str(one)
+    # The text of an error of Ray contains that of its causes.
+    return f"{type(error).__name__}: {error}"
 
 
 def main() -> None:
