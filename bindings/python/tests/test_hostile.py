@@ -9,7 +9,7 @@ import pytest
 
 import exact_ccd
 from exact_ccd import ipc
-from generated import POINTS
+from exact_ccd.queries import POINTS
 from hostile import CASES, integers, positions, survive, table
 
 
