@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, MeshFile, ReadMotionError};
+use exact_ccd_files::{Contents, MeshFile, NamedPart, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
 
 use super::Frames;
@@ -23,6 +23,8 @@ pub(super) struct Part {
     /// The mesh of all frames in their files.
     mesh: TriangleMesh,
     welded: Option<(Welding, TriangleMesh)>,
+    /// The names that the file has for its vertices.
+    named: Vec<NamedPart>,
 }
 
 impl Part {
@@ -32,7 +34,12 @@ impl Part {
             || frames.read(0),
             || (frames.count() > 1).then(|| frames.read(1)).transpose(),
         );
-        let MeshFile { frame, contents, .. } = first?;
+        let MeshFile {
+            frame,
+            contents,
+            parts: named,
+            ..
+        } = first?;
         let mesh = frame.mesh.clone();
         let vertices = 0..mesh.vertex_count() as u32;
         let second = second?.map(|file| file.frame);
@@ -45,12 +52,25 @@ impl Part {
             contents,
             mesh,
             welded: None,
+            named,
         };
         let is_stl = part.frames.are_stl();
         if weld || is_stl {
             part.welded = Some(part.weld(is_stl)?);
         }
         Ok(part)
+    }
+
+    /// The names in the part, each with the end of its vertices in the scene, which begin where the ones
+    /// before end: those in its file, or that of the part if the file has none or its vertices are welded.
+    pub(super) fn names(&self) -> Vec<(&str, u32)> {
+        if self.named.is_empty() || self.welded.is_some() {
+            return vec![(&self.name, self.vertices.end)];
+        }
+        let named = self.named.iter();
+        named
+            .map(|part| (part.name.as_str(), self.vertices.start + part.vertices.end))
+            .collect()
     }
 
     fn weld(&self, is_stl: bool) -> Result<(Welding, TriangleMesh), Failure> {

@@ -33,40 +33,68 @@ impl fmt::Display for PartPair {
     }
 }
 
-/// The pairs of a scene that can collide: those of the rules, without those of two obstacles.
+/// Vertices of the scene with a name.
+struct Named<'a> {
+    name: &'a str,
+    /// The name of the part to which they belong.
+    part: &'a str,
+    /// The vertex after the last one. The first one follows those before.
+    end: u32,
+    is_obstacle: bool,
+}
+
+/// The pairs of a scene that can collide: those of the rules, without those of two obstacles. A name stands
+/// for all vertices that have it, and for all parts that have it.
 pub(super) fn can_collide(parts: &[Part], options: &SceneOptions) -> Result<CanCollide, Failure> {
-    let count = parts.len();
-    let indices = |pair: &PartPair| -> Result<[usize; 2], Failure> {
-        let mut found = [0; 2];
-        for (index, name) in found.iter_mut().zip(&pair.0) {
-            let part = parts.iter().position(|part| part.name == *name);
-            *index = part.ok_or_else(|| Failure::UnknownPart {
+    let named: Vec<Named<'_>> = parts
+        .iter()
+        .flat_map(|part| {
+            let is_obstacle = part.is_obstacle;
+            part.names().into_iter().map(move |(name, end)| Named {
+                name,
+                part: &part.name,
+                end,
+                is_obstacle,
+            })
+        })
+        .collect();
+    let count = named.len();
+    let places = |name: &String| -> Result<Vec<usize>, Failure> {
+        let places: Vec<usize> = (0..count)
+            .filter(|&place| [named[place].name, named[place].part].contains(&name.as_str()))
+            .collect();
+        if places.is_empty() {
+            return Err(Failure::UnknownPart {
                 name: name.clone(),
-                known: parts.iter().map(|part| part.name.clone()).collect(),
-            })?;
+                known: named.iter().map(|named| named.name.to_owned()).collect(),
+            });
         }
-        Ok(found)
+        Ok(places)
     };
     let mut allowed = vec![options.only.is_empty(); count * count];
     for (pairs, value) in [(&options.only, true), (&options.ignore, false)] {
-        for pair in pairs {
-            let [a, b] = indices(pair)?;
-            allowed[a * count + b] = value;
-            allowed[b * count + a] = value;
+        for PartPair([first, second]) in pairs {
+            let second = places(second)?;
+            for a in places(first)? {
+                for &b in &second {
+                    allowed[a * count + b] = value;
+                    allowed[b * count + a] = value;
+                }
+            }
         }
     }
-    for (a, first) in parts.iter().enumerate() {
-        for (b, second) in parts.iter().enumerate() {
+    for (a, first) in named.iter().enumerate() {
+        for (b, second) in named.iter().enumerate() {
             allowed[a * count + b] &= !(first.is_obstacle && second.is_obstacle);
         }
     }
     if allowed.iter().all(|&allowed| allowed) {
         return Ok(CanCollide::all());
     }
-    // Parts have no vertices in common, so that a primitive is in the part of its first vertex.
-    let ends: Vec<u32> = parts.iter().map(|part| part.vertices.end).collect();
-    let part_of = move |primitive: &[u32]| ends.partition_point(|&end| end <= primitive[0]);
+    // Bodies have no vertices in common, so that a primitive is in the body of its first vertex.
+    let ends: Vec<u32> = named.iter().map(|named| named.end).collect();
+    let place_of = move |primitive: &[u32]| ends.partition_point(|&end| end <= primitive[0]);
     Ok(CanCollide::new(move |a, b| {
-        allowed[part_of(a) * count + part_of(b)]
+        allowed[place_of(a) * count + place_of(b)]
     }))
 }

@@ -7,6 +7,7 @@ use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
+use crate::named_part::NamedPart;
 
 /// The contents of a mesh file. Readers have checked all indices.
 #[derive(Default)]
@@ -17,6 +18,8 @@ pub(super) struct Cells {
     pub(super) lines: Vec<[u32; 2]>,
     pub(super) faces: Faces,
     pub(super) solids: Vec<Solid>,
+    /// Names of all vertices, or nothing.
+    pub(super) parts: Vec<NamedPart>,
 }
 
 /// The frame of a file, and the facts about the file that a frame does not have.
@@ -27,6 +30,7 @@ pub(super) struct Assembled {
     pub(super) first_polygon: Option<ParseError>,
     /// The number of cells with volume, of which the frame has the surface.
     pub(super) solids: usize,
+    pub(super) parts: Vec<NamedPart>,
 }
 
 /// The numbers of elements in the file, for the error of a file without any mesh.
@@ -63,6 +67,7 @@ impl Cells {
             polygons,
             first_polygon,
             solids: 0,
+            parts: self.parts,
         })
     }
 
@@ -141,6 +146,8 @@ impl Cells {
             polygons: surface.polygons + self.faces.polygons,
             first_polygon: surface.first_polygon.or(self.faces.first_polygon),
             solids: self.solids.len(),
+            // Vertices may be left out.
+            parts: Vec::new(),
         })
     }
 

@@ -10,6 +10,7 @@ use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::Format;
+use crate::named_part::NamedPart;
 
 /// The treatment of faces with more than three corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -32,6 +33,8 @@ pub struct MeshFile {
     pub frame: Frame,
     /// The numbers of its elements.
     pub contents: Contents,
+    /// The names of all vertices, as parts in their order; empty if the file has none, or names some only.
+    pub parts: Vec<NamedPart>,
 }
 
 impl MeshFile {
@@ -77,8 +80,11 @@ impl MeshFile {
             solids: assembled.solids,
             ..Contents::of(&assembled.frame)
         };
-        let frame = assembled.frame;
-        Ok(Self { frame, contents })
+        Ok(Self {
+            frame: assembled.frame,
+            contents,
+            parts: assembled.parts,
+        })
     }
 }
 

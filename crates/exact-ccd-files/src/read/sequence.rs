@@ -141,7 +141,12 @@ impl FrameSequence {
                 let checked = frame.check();
                 checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::File)))?;
                 let contents = recording.contents;
-                Ok(MeshFile { frame, contents })
+                let parts = Vec::new();
+                Ok(MeshFile {
+                    frame,
+                    contents,
+                    parts,
+                })
             }
         }
     }

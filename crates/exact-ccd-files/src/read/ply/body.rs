@@ -7,6 +7,7 @@ use super::super::polygons::Faces;
 use super::header::{Element, Header, Integer, Kind, Property, Scalar};
 use super::rows::{Row, Rows};
 use crate::error::{Fault, ParseError, Place, quoted};
+use crate::named_part::NamedPart;
 
 /// Reads all rows of all elements, in the order of the header.
 pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Result<Cells, ParseError> {
@@ -29,6 +30,9 @@ pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Resul
         }
     }
     rows.finish()?;
+    if NamedPart::cover(&header.parts, cells.positions.len()) {
+        cells.parts.clone_from(&header.parts);
+    }
     Ok(cells)
 }
 
