@@ -3,7 +3,7 @@
 use exact_ccd::Collision;
 use std::time::{Duration, Instant};
 
-use exact_ccd::batch::{Trajectories, collisions_within};
+use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::separation::Separation;
 use numpy::{PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
@@ -65,7 +65,8 @@ impl<K: ArrayKind> Queries<'_, K> {
         let rows = first..first + answers.len();
         let found = |index: usize, collision: Collision<'_, K>| answers[index] = of(&collision);
         match self {
-            Self::Points(queries) => collisions_within::<K>(&queries[rows], d, found)
+            Self::Points(queries) => batch::Queries::<K>::new(&queries[rows])
+                .collisions_within(d, found)
                 .map_err(|error| Failure::Row(first + error.query, error.source.to_string())),
             Self::Vertices(queries, trajectories) => trajectories
                 .collisions_within::<K>(&queries[rows.clone()], d.into(), found)

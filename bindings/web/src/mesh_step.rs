@@ -5,7 +5,9 @@ use std::path::Path;
 use exact_ccd::Point;
 use exact_ccd::separation::Separation;
 use exact_ccd_files::{Format, MeshFile, Polygons};
-use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, MinDistance, Motion};
+use exact_ccd_mesh::{
+    Bvh, CanCollide, CandidateOptions, Candidates, MinDistance, Motion, StepError, crossings,
+};
 use exact_ccd_view::Page;
 
 use crate::error::Error;
@@ -54,6 +56,8 @@ impl MeshStep {
         let step = self.motion.step()?;
         self.candidates = Candidates::with_options(step, &Bvh, &options)?;
         let contacts = self.candidates.contacts(step);
+        let start = crossings(&self.motion.mesh, &self.motion.x0, &CanCollide::all());
+        let start = start.map_err(StepError::from)?;
         let touching = if separation.is_zero() {
             "contact".to_owned()
         } else {
@@ -61,13 +65,22 @@ impl MeshStep {
         };
         let answer = match contacts.first() {
             Some(first) => format!("{touching} at t = {}", first.impact.time.lower()),
-            None if separation.is_zero() => "free of contact".to_owned(),
+            None if separation.is_zero() && start.is_empty() => "free of contact".to_owned(),
+            None if separation.is_zero() => {
+                "no contact of a vertex and a face, or of two edges, in the step".to_owned()
+            }
             None => format!("never {touching}"),
         };
         let at_start = contacts
             .iter()
             .filter(|contact| contact.impact.touching_at_start());
-        let mut summary = vec![answer];
+        let mut summary = Vec::new();
+        if let count @ 1.. = start.len() {
+            summary.push(format!(
+                "the mesh passes through itself at t = 0: {count} pairs of an edge and a face"
+            ));
+        }
+        summary.push(answer);
         match at_start.count() {
             0 => {}
             count => summary.push(format!("{count} of the contacts are at t = 0")),
@@ -75,7 +88,7 @@ impl MeshStep {
         let pairs = self.candidates.counts().total();
         summary.push(format!("{pairs} pairs were near each other, and decided"));
         summary.extend(self.contents.iter().cloned());
-        let page = Page::of_step(&self.title, step, &contacts)?.with_summary(summary);
+        let page = Page::of_step(&self.title, step, &start, &contacts)?.with_summary(summary);
         // Cannot panic: the keys are strings.
         Ok(serde_json::to_string(&page.blocks()).expect("the page has a text"))
     }

@@ -7,10 +7,13 @@ use exact_ccd::separation::Separation;
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
 use rayon::prelude::*;
+use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::kind::Kind;
 use crate::min_distance;
+use crate::notes::Notes;
+use crate::output::print;
 use crate::progress::{self, during};
 use crate::query_files::{self, Records};
 use crate::recognise::kind_of;
@@ -66,19 +69,40 @@ pub(crate) struct Arguments {
     /// The file to write; - is CSV on standard output.
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
+    /// Print the numbers of queries as a JSON object. docs/reports.md has its schema.
+    #[arg(long)]
+    json: bool,
     /// Query files, of which - is CSV on standard input, or folders of scenes.
     #[arg(required = true, value_name = "INPUT")]
     inputs: Vec<PathBuf>,
 }
 
+/// The numbers of queries, in the shape of the JSON object.
+#[derive(Default, Serialize)]
+struct Report {
+    output: String,
+    kind: &'static str,
+    /// The number of all queries.
+    queries: usize,
+    /// The numbers of those with ground truth, in contact and not.
+    colliding: usize,
+    free: usize,
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let kind = kind_of(arguments.kind, &arguments.inputs)?;
-    during(progress::queries(), |progress| match kind {
+    if arguments.json && query_files::is_dash(&arguments.output) {
+        return Err(Failure::TwoAnswers);
+    }
+    let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
+    let report = during(progress::queries(), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
         Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),
         Kind::Ve => convert::<VertexEdge>(arguments, no_scene, progress),
         Kind::Vv => convert::<VertexVertex>(arguments, no_scene, progress),
     })?;
+    if arguments.json {
+        print(&serde_json::to_string(&report).map_err(std::io::Error::from)?)?;
+    }
     Ok(ExitCode::SUCCESS)
 }
 
@@ -87,7 +111,7 @@ fn convert<K: QueryKind + 'static>(
     arguments: &Arguments,
     scene: fn(&Path) -> Result<Records<K>, Failure>,
     progress: &(dyn Fn(usize) + Sync),
-) -> Result<(), Failure> {
+) -> Result<Report, Failure> {
     let seventh = query_files::seventh(arguments.roots);
     let open = |input: &PathBuf| {
         let records = if input.is_dir() {
@@ -112,7 +136,19 @@ fn convert<K: QueryKind + 'static>(
             batch
         }
     });
-    query_files::write(&arguments.output, seventh, answered)
+    let mut report = Report {
+        output: arguments.output.display().to_string(),
+        kind: K::SHORT,
+        ..Report::default()
+    };
+    let counted = answered.inspect(|record| {
+        let truth = record.as_ref().ok().map(|record| record.sample.truth);
+        report.queries += usize::from(truth.is_some());
+        report.colliding += usize::from(truth == Some(Some(true)));
+        report.free += usize::from(truth == Some(Some(false)));
+    });
+    query_files::write(&arguments.output, seventh, counted)?;
+    Ok(report)
 }
 
 /// The queries of a scene.

@@ -51,6 +51,8 @@ pub(crate) enum Failure {
     KindUncertain(PathBuf),
     #[error("{}: queries of the kind {kind}, after others of the kind {other}", file.display())]
     KindsDiffer { file: PathBuf, kind: Kind, other: Kind },
+    #[error("--json needs a file of --output: with -, standard output has the queries")]
+    TwoAnswers,
     #[error("0 queries: the input is empty")]
     NoQueries,
     #[error("{}: a folder is a scene, which has queries of the kinds vf and ee, not {kind}", folder.display())]
@@ -75,7 +77,7 @@ pub(crate) enum Failure {
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, such as .ply, .obj, .stl or .vtu", .0.display())]
     NoFrames(PathBuf),
-    #[error("{}: {count} frames, expected {expected}; `exact-ccd audit` examines longer motions", file.display())]
+    #[error("{}: {}", file.display(), frame_count(*count, *expected))]
     FrameCount {
         file: PathBuf,
         expected: usize,
@@ -88,12 +90,23 @@ pub(crate) enum Failure {
          --min-distance D compares points"
     )]
     OnlyPoints { file: String, read: String },
-    #[error("there is no part {name}; there are {}", known.join(", "))]
+    #[error("there is no part or group {name}; there are {}", listed(known))]
     UnknownPart { name: String, known: Vec<String> },
+    #[error("several parts have a group {name}: its names are {}, {} and so on", long[0], long[1])]
+    SameGroup { name: String, long: [String; 2] },
+    #[error("{}: {count} frames, expected {expected} as of {first}, or 1 of a mesh at rest", file.display())]
+    SeriesLength {
+        file: PathBuf,
+        count: usize,
+        first: String,
+        expected: usize,
+    },
     #[error("all parts together have more than 2^32 vertices")]
     TooManyVertices,
     #[error("the parts together: {0}")]
     Join(exact_ccd_mesh::MeshError),
+    #[error("{}: expected a scene of IPC, whose name ends in .txt or .ipc, or of PolyFEM, in .json", .0.display())]
+    NotForeign(PathBuf),
     #[error(transparent)]
     Scene(#[from] SceneError),
     #[error(transparent)]
@@ -123,6 +136,26 @@ pub(crate) enum Failure {
     Write { file: PathBuf, source: io::Error },
     #[error("cannot write the answer: {0}")]
     Output(#[from] io::Error),
+}
+
+/// The message for a number of frames that a step cannot have.
+fn frame_count(count: usize, expected: usize) -> String {
+    let remedy = if count < expected {
+        "add the file of the end"
+    } else {
+        "`exact-ccd audit` examines longer motions"
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} frame{plural}, expected {expected}; {remedy}")
+}
+
+/// The number of names that a message lists.
+const LISTED: usize = 20;
+
+/// The first names, as a list.
+pub(crate) fn listed(names: &[String]) -> String {
+    let more = if names.len() > LISTED { ", and others" } else { "" };
+    names[..names.len().min(LISTED)].join(", ") + more
 }
 
 impl Failure {

@@ -10,6 +10,7 @@ mod convert;
 mod distances;
 mod failure;
 mod impact_files;
+mod import;
 mod kind;
 mod method;
 mod min_distance;
@@ -56,6 +57,7 @@ enum Command {
     Convert(convert::Arguments),
     Bench(bench::Arguments),
     Simulate(simulate::Arguments),
+    Import(import::Arguments),
 }
 
 /// Runs the program with these arguments, of which the first is its name.
@@ -98,5 +100,6 @@ fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Fail
         Command::Convert(arguments) => convert::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, command),
+        Command::Import(arguments) => import::run(arguments),
     }
 }

@@ -17,6 +17,7 @@ use crate::failure::Failure;
 use crate::kind::Kind;
 use crate::method::{Answer, Method};
 use crate::min_distance;
+use crate::notes::Notes;
 use crate::progress::{self, during};
 use crate::query_files::{self, Samples};
 use crate::recognise::kind_of;
@@ -43,7 +44,7 @@ const BATCH: usize = 4096;
 ///
 /// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
 /// the column kind of a Parquet file, or the only one whose queries fill the rows
-/// of a file. If it is not certain, that is an error.
+/// of a file, which is noted. If it is not certain, that is an error.
 ///
 /// The answers are CSV, a row for each query:
 ///   query    the number of the query, from 0, over all files
@@ -110,7 +111,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         progress::queries()
     };
     let (method, d) = (&arguments.method, arguments.min_distance);
-    let kind = kind_of(arguments.kind, &arguments.files)?;
+    let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
     method.check(kind, d)?;
     let tally = during(bar, |progress| match kind {
         Kind::Vf => answer_all::<VertexFace>(arguments, &|query| method.answer(query, d), progress),

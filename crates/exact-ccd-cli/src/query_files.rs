@@ -98,7 +98,7 @@ pub(crate) fn name(file: &Path) -> &Path {
     }
 }
 
-fn is_dash(file: &Path) -> bool {
+pub(crate) fn is_dash(file: &Path) -> bool {
     file == Path::new("-")
 }
 

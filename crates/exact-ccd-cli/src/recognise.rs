@@ -1,24 +1,26 @@
 //! The kind of queries in files, where it is certain.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader};
+use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{ColumnReader, QueryKind};
+use exact_ccd_data::{ColumnReader, DataError, QueryKind};
 
 use crate::failure::Failure;
 use crate::kind::Kind;
-use crate::query_files::is_parquet;
+use crate::notes::Notes;
+use crate::query_files::{is_dash, is_parquet};
 
-/// The given kind, or that of all files.
-pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf]) -> Result<Kind, Failure> {
+/// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
+/// ends too early may have the rows of another one.
+pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes) -> Result<Kind, Failure> {
     if let Some(kind) = given {
         return Ok(kind);
     }
     let mut found: Option<Kind> = None;
     for file in files {
-        let kind = of_file(file).ok_or_else(|| Failure::KindUncertain(file.clone()))?;
+        let kind = of_file(file, notes)?;
         match found {
             Some(other) if other != kind => {
                 return Err(Failure::KindsDiffer {
@@ -35,15 +37,38 @@ pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf]) -> Result<Kind, Fa
 
 /// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
 /// whose queries fill the rows of the file.
-fn of_file(file: &Path) -> Option<Kind> {
-    if is_parquet(file) {
-        return of_columns(file);
+fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
+    let uncertain = || Failure::KindUncertain(file.to_owned());
+    if is_dash(file) {
+        return Err(uncertain());
     }
-    let folder = std::path::absolute(file).ok()?;
-    match folder.parent()?.file_name()?.to_str() {
+    if is_parquet(file) {
+        return of_columns(file).ok_or_else(uncertain);
+    }
+    let rows = row_count(file).map_err(|source| DataError::Io {
+        file: file.to_owned(),
+        source,
+    })?;
+    if rows == 0 {
+        return Err(Failure::NoQueries);
+    }
+    if let Some(kind) = of_folder(file) {
+        return Ok(kind);
+    }
+    let kind = of_count(rows).ok_or_else(uncertain)?;
+    notes.note(format!(
+        "{}: {rows} rows are queries of the kind {kind}; --kind names another",
+        file.display()
+    ));
+    Ok(kind)
+}
+
+fn of_folder(file: &Path) -> Option<Kind> {
+    let file = std::path::absolute(file).ok()?;
+    match file.parent()?.file_name()?.to_str() {
         Some("vertex-face") => Some(Kind::Vf),
         Some("edge-edge") => Some(Kind::Ee),
-        _ => of_count(row_count(file)?),
+        _ => None,
     }
 }
 
@@ -75,14 +100,14 @@ fn of_count(rows: usize) -> Option<Kind> {
 }
 
 /// The number of lines that are not blank.
-fn row_count(file: &Path) -> Option<usize> {
-    let mut reader = BufReader::new(File::open(file).ok()?);
+fn row_count(file: &Path) -> io::Result<usize> {
+    let mut reader = BufReader::new(File::open(file)?);
     let (mut line, mut rows) = (Vec::new(), 0);
-    while reader.read_until(b'\n', &mut line).ok()? > 0 {
+    while reader.read_until(b'\n', &mut line)? > 0 {
         rows += usize::from(!line.trim_ascii().is_empty());
         line.clear();
     }
-    Some(rows)
+    Ok(rows)
 }
 
 #[cfg(test)]
@@ -90,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_count_is_certain_if_one_kind_fits() {
+    fn the_kind_follows_from_a_count_if_no_other_one_fits() {
         for (rows, kind) in [
             (4, Some(Kind::Vv)),
             (6, Some(Kind::Ve)),

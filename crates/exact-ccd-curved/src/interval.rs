@@ -12,7 +12,7 @@ use crate::kind::CurvedKind;
 use crate::options::SearchOptions;
 use crate::rounding::add_up;
 use crate::search::search;
-use crate::step::{CurvedStep, CurvedStepError, CurvedStepOptions};
+use crate::step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 use crate::straight::time_before;
 use crate::trajectory::{Chord, Trajectory};
 

@@ -46,10 +46,12 @@ mod kind;
 mod options;
 mod polynomial;
 mod pose;
+mod proximity;
 mod rigid;
 mod rounding;
 mod search;
 mod step;
+mod step_answer;
 mod straight;
 mod trajectory;
 
@@ -63,7 +65,8 @@ pub use polynomial::Polynomial;
 pub use pose::Pose;
 pub use rigid::{RigidMotion, RigidMotionError, RigidPoint};
 pub use search::first_within;
-pub use step::{CurvedStep, CurvedStepError, CurvedStepOptions, curved_step};
+pub use step::curved_step;
+pub use step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 pub use trajectory::{Position, Trajectory};
 
 /// The examples in the README of this crate, as tests.

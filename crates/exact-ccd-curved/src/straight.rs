@@ -3,8 +3,6 @@
 use exact_ccd::separation::Separation;
 use exact_ccd::{NonFinite, Query};
 
-use crate::answer::{Proximity, Within};
-use crate::crossing;
 use crate::error::SearchError;
 use crate::kind::{CurvedKind, points};
 use crate::rounding::add_up;
@@ -64,24 +62,11 @@ impl<K: CurvedKind> Straight<K> {
         Some(time_before(first, self.start, self.end))
     }
 
-    /// The earliest time by which the chords prove a distance of at most d or else d + ε, or contact.
-    pub(crate) fn proximity(&self, d: Separation, tolerance: Separation) -> Option<Within> {
-        let wider = Separation::new((d.get() + tolerance.get()).next_down()).unwrap_or(d);
-        let is_zero = d == Separation::default();
-        let crossing = || (is_zero && crossing::is_certain(self)).then_some(self.end);
-        let contact = self.within_by(d).or_else(crossing);
-        let near = || if wider > d { self.within_by(wider) } else { None };
-        let within = |by, proximity| Within { by, proximity };
-        contact
-            .map(|by| within(by, Proximity::Contact))
-            .or_else(|| near().map(|by| within(by, Proximity::Near)))
-    }
-
     /// At a time not after this one, the curved primitives are certainly at most d apart; `None` if
     /// this does not follow from the chords.
     ///
     /// They are where the chords are within d − Δ.
-    fn within_by(&self, d: Separation) -> Option<f64> {
+    pub(crate) fn within_by(&self, d: Separation) -> Option<f64> {
         let threshold = if self.deviation == 0.0 {
             d
         } else {

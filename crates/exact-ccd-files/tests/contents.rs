@@ -82,6 +82,12 @@ fn files_that_are_something_else_say_so() {
             "the contents are PLY, expected Wavefront OBJ; rename the file to end in .ply",
         ),
         (
+            "mesh.msh",
+            "\n(1 \"meshio 5.3.5\")\n(2 3)\n",
+            "the contents are a mesh of ANSYS Fluent, expected Gmsh MSH; write the format of Gmsh, in meshio with \
+             `file_format=\"gmsh\"`",
+        ),
+        (
             "mesh.stl",
             "glTF\x02\0\0\0",
             "the contents are binary glTF, expected STL; rename the file to end in .glb",

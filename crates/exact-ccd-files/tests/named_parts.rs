@@ -4,7 +4,7 @@
 
 use std::ops::Range;
 
-use exact_ccd_files::{Format, MeshFile, NamedPart, Polygons, write_ply, write_ply_with_parts};
+use exact_ccd_files::{Format, Group, MeshFile, NamedPart, Polygons, write_ply, write_ply_with_parts};
 use exact_ccd_mesh::Frame;
 
 fn frame() -> Frame {
@@ -17,22 +17,34 @@ fn part(name: &str, vertices: Range<u32>) -> NamedPart {
     NamedPart { name, vertices }
 }
 
+fn group(name: &str, vertices: &[u32]) -> Group {
+    Group {
+        name: name.to_owned(),
+        vertices: vertices.to_vec(),
+    }
+}
+
 fn read(file: &[u8]) -> MeshFile {
     MeshFile::parse(file, Format::Ply, Polygons::Refuse).unwrap()
 }
 
 #[test]
 fn names_are_read_as_they_were_written() {
-    let parts = [part("a block: ü", 0..3), part("", 3..3), part("a block: ü", 3..6)];
+    let parts = [
+        part("a block: ü", 0..2),
+        part("tip", 2..3),
+        part("a block: ü", 3..6),
+    ];
     let mut file = Vec::new();
     write_ply_with_parts(&mut file, &frame(), &parts).unwrap();
     let found = read(&file);
-    // The end of a comment is trimmed, so that the part without a name is none.
-    assert_eq!(found.parts, [parts[0].clone(), parts[2].clone()]);
+    // Parts of one name are one group.
+    let expected = [group("a block: ü", &[0, 1, 3, 4, 5]), group("tip", &[2])];
+    assert_eq!(found.groups, expected);
     assert_eq!(found.frame, frame());
     let mut plain = Vec::new();
     write_ply(&mut plain, &frame()).unwrap();
-    assert!(read(&plain).parts.is_empty());
+    assert!(read(&plain).groups.is_empty());
 }
 
 #[test]
@@ -41,9 +53,12 @@ fn other_comments_and_parts_with_gaps_name_nothing() {
     write_ply(&mut plain, &frame()).unwrap();
     let with = |comments: &str| {
         let end = plain.windows(8).position(|bytes| bytes == b"element ").unwrap();
-        read(&[&plain[..end], comments.as_bytes(), &plain[end..]].concat()).parts
+        read(&[&plain[..end], comments.as_bytes(), &plain[end..]].concat()).groups
     };
-    assert_eq!(with("comment part 0 6 all\n"), [part("all", 0..6)]);
+    assert_eq!(
+        with("comment part 0 6 all\n"),
+        [group("all", &[0, 1, 2, 3, 4, 5])]
+    );
     for comments in [
         "comment part 0 6\n",
         "comment part 0 5 a\n",

@@ -106,3 +106,43 @@ fn each_error_names_its_line() {
         assert_eq!(error, message, "{file}");
     }
 }
+
+/// Arrays of texts, as pyvista writes them, are skipped. Their lengths have 1, 2, 4 or 8 bytes.
+#[test]
+fn texts_in_fields_are_skipped() {
+    let text = |length: usize, header: &[u8]| [header, "x".repeat(length).as_bytes()].concat();
+    let texts = [
+        text(0, &[0xc0]),
+        text(63, &[0xff]),
+        text(129, &[0x80, 0x81]),
+        text(70_000, &[0x40, 0x01, 0x11, 0x70]),
+        text(3, &[0, 0, 0, 0, 0, 0, 0, 3]),
+    ]
+    .concat();
+    let triangle: Vec<u8> = [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0]
+        .into_iter()
+        .flat_map(f32::to_be_bytes)
+        .collect();
+    let corners: Vec<u8> = [3_i32, 0, 1, 2].into_iter().flat_map(i32::to_be_bytes).collect();
+    let head =
+        b"# vtk DataFile Version 4.2\n\nBINARY\nDATASET POLYDATA\nFIELD FieldData 1\nnames 1 5 string\n";
+    let file = |texts: &[u8]| {
+        [
+            &head[..],
+            texts,
+            b"\nPOINTS 3 float\n",
+            &triangle,
+            b"\nPOLYGONS 1 4\n",
+            &corners,
+        ]
+        .concat()
+    };
+    let frame = parse_frame(&file(&texts), Format::Vtk).unwrap();
+    assert_eq!(frame.mesh.faces(), [[0, 1, 2]]);
+    for end in [0, 1, 40, texts.len() - 1] {
+        let mut cut = file(&texts);
+        cut.truncate(head.len() + end);
+        let error = parse_frame(&cut, Format::Vtk).unwrap_err().to_string();
+        assert!(error.contains("a text and its length"), "{error}");
+    }
+}

@@ -63,6 +63,7 @@ mod narrow_phase;
 mod overlaps;
 mod pair;
 mod pair_kind;
+mod pair_vertices;
 mod positions;
 mod primitive_count;
 mod report;

@@ -1,10 +1,6 @@
-//! Pairs of primitives of a mesh, and their vertices.
-
-use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
+//! Pairs of primitives of a mesh.
 
 use crate::by_kind::PairCounts;
-use crate::mesh::TriangleMesh;
-use crate::pair_kind::PairKind;
 
 /// Two primitives of a mesh without a common vertex.
 ///
@@ -45,12 +41,12 @@ pub enum Pair {
     VertexFace {
         /// The index of the vertex.
         vertex: u32,
-        /// The index of the face in [`TriangleMesh::faces`].
+        /// The index of the face in [`TriangleMesh::faces`](crate::TriangleMesh::faces).
         face: u32,
     },
     /// Two edges, a < b.
     EdgeEdge {
-        /// The index of the first edge in [`TriangleMesh::edges`].
+        /// The index of the first edge in [`TriangleMesh::edges`](crate::TriangleMesh::edges).
         a: u32,
         /// The index of the second edge.
         b: u32,
@@ -59,7 +55,7 @@ pub enum Pair {
     VertexEdge {
         /// The index of the vertex.
         vertex: u32,
-        /// The index of the edge in [`TriangleMesh::edges`].
+        /// The index of the edge in [`TriangleMesh::edges`](crate::TriangleMesh::edges).
         edge: u32,
     },
     /// Two loose vertices, a < b.
@@ -72,42 +68,6 @@ pub enum Pair {
 }
 
 impl Pair {
-    /// The vertices of the pair, in the order of the query: those of the first primitive, then those
-    /// of the second. `None` if the mesh has no such primitives.
-    ///
-    /// ```
-    /// use exact_ccd_mesh::{Pair, TriangleMesh};
-    ///
-    /// let mesh = TriangleMesh::new(4, vec![[2, 0, 1]])?;
-    /// assert_eq!(Pair::VertexFace { vertex: 3, face: 0 }.vertices(&mesh), Some(vec![3, 2, 0, 1]));
-    /// assert_eq!(Pair::VertexFace { vertex: 3, face: 1 }.vertices(&mesh), None);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[must_use]
-    pub fn vertices(&self, mesh: &TriangleMesh) -> Option<Vec<u32>> {
-        fn of<K: PairKind>(mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Vec<u32>> {
-            K::vertices(mesh, ids).map(|vertices| vertices.as_ref().to_vec())
-        }
-        match *self {
-            Self::VertexFace { vertex, face } => of::<VertexFace>(mesh, [vertex, face]),
-            Self::EdgeEdge { a, b } => of::<EdgeEdge>(mesh, [a, b]),
-            Self::VertexEdge { vertex, edge } => of::<VertexEdge>(mesh, [vertex, edge]),
-            Self::VertexVertex { a, b } => of::<VertexVertex>(mesh, [a, b]),
-        }
-    }
-
-    /// The number of vertices of the first primitive, which are the first ones of
-    /// [`vertices`](Self::vertices).
-    #[must_use]
-    pub fn first_len(&self) -> usize {
-        match self {
-            Self::EdgeEdge { .. } => EdgeEdge::FIRST,
-            Self::VertexFace { .. } => VertexFace::FIRST,
-            Self::VertexEdge { .. } => VertexEdge::FIRST,
-            Self::VertexVertex { .. } => VertexVertex::FIRST,
-        }
-    }
-
     /// The indices of both primitives in the mesh.
     #[must_use]
     pub fn ids(&self) -> [u32; 2] {

@@ -119,6 +119,12 @@ impl Welding {
         Ok(TriangleMesh::with_edges(self.first.len(), faces, &edges).expect("every vertex has its new one"))
     }
 
+    /// The new vertex in place of a vertex, if the frames have it.
+    #[must_use]
+    pub fn vertex_of(&self, vertex: u32) -> Option<u32> {
+        self.vertex_of.get(vertex as usize).copied()
+    }
+
     /// The position of each new vertex: that of the first of its vertices.
     #[must_use]
     pub fn positions(&self, positions: &[Point]) -> Vec<Point> {

@@ -1,5 +1,7 @@
 //! The ranges of axes and the format of their numbers.
 
+use std::ops::Range;
+
 use plotters::coord::combinators::{BindKeyPoints, IntoLogRange, LogCoord, WithKeyPoints};
 
 /// Values beyond a power of ten by at most this, in powers of ten, get no further decade.
@@ -41,8 +43,19 @@ pub fn decades(values: impl Iterator<Item = f64>) -> (f64, f64) {
     (first.max(last / 10f64.powi(MOST_DECADES)), last)
 }
 
-/// A logarithmic axis between two positive numbers, with marks at the powers of ten and, over less
-/// than two decades, also at twice and five times these.
+/// The space between the curves and the frame at each end of an axis, as a fraction of the axis.
+const MARGIN: f64 = 0.03;
+
+/// A linear axis for numbers between two finite ones, with a margin at both ends: no curve is drawn on the
+/// frame.
+#[must_use]
+pub fn linear(first: f64, last: f64) -> Range<f64> {
+    let margin = MARGIN * last - MARGIN * first;
+    first - margin..last + margin
+}
+
+/// A logarithmic axis for numbers between two positive ones, with a margin at both ends. It has marks at the
+/// powers of ten and, over less than two decades, also at twice and five times these.
 #[must_use]
 pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
     let steps: &[f64] = if last / first < 100.0 {
@@ -58,18 +71,8 @@ pub fn logarithmic(first: f64, last: f64) -> WithKeyPoints<LogCoord<f64>> {
     // Computed powers of ten may be inexact.
     let around = first * (1.0 - 1e-9)..=last * (1.0 + 1e-9);
     let marks: Vec<f64> = marks.filter(|mark| around.contains(mark)).collect();
-    (first..last).log_scale().with_key_points(marks)
-}
-
-/// A number with at most three digits.
-#[must_use]
-pub fn number(number: &f64) -> String {
-    let rounded: f64 = format!("{number:.2e}").parse().unwrap_or(*number);
-    if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) {
-        rounded.to_string()
-    } else {
-        format!("{rounded:e}")
-    }
+    let margin = (last / first).powf(MARGIN);
+    (first / margin..last * margin).log_scale().with_key_points(marks)
 }
 
 /// A time, given in s, in ns, µs, ms or s.
@@ -88,7 +91,7 @@ pub fn seconds(time: &f64) -> String {
 mod tests {
     use plotters::coord::ranged1d::{BoldPoints, Ranged};
 
-    use super::{decades, logarithmic, number, seconds};
+    use super::{decades, linear, logarithmic, seconds};
 
     #[test]
     fn axes_have_marks_at_least_at_powers_of_ten() {
@@ -125,10 +128,27 @@ mod tests {
         assert_eq!(decades([1e-300, 1.0].into_iter()), (1e-40, 1.0));
     }
 
+    /// The ends of an axis are beyond all its values.
     #[test]
-    fn numbers_are_short() {
-        let numbers = [0.0, 0.30000000000000004, 1500.0, -2.5e7, 1e-4].map(|x| number(&x));
-        assert_eq!(numbers, ["0", "0.3", "1500", "-2.5e7", "1e-4"]);
+    fn curves_are_not_on_the_frame() {
+        for (first, last) in [(0.0, 1.0), (-1e300, 1e300), (3.0, 4.0), (0.0, 1e-300)] {
+            let axis = linear(first, last);
+            assert!(
+                axis.start < first && last < axis.end && axis.end.is_finite(),
+                "{axis:?}"
+            );
+        }
+        for (first, last) in [(1e-3, 1.0), (0.012, 0.12), (1e-40, 1.0), (1e290, 1e300)] {
+            let axis = logarithmic(first, last).range();
+            assert!(
+                axis.start < first && last < axis.end && axis.end.is_finite(),
+                "{axis:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn times_are_short() {
         let times = [1e-8, 1e-6, 10f64.powf(-3.0), 0.5, 100.0].map(|x| seconds(&x));
         assert_eq!(times, ["10 ns", "1 µs", "1 ms", "500 ms", "100 s"]);
     }

@@ -6,11 +6,13 @@
 mod axis;
 mod frame;
 mod palette;
+mod unit;
 
-pub use axis::{GREATEST, decades, logarithmic, number, seconds};
+pub use axis::{GREATEST, decades, linear, logarithmic, seconds};
 pub use frame::{Area, Axis, Chart, Drawn, Frame, svg, write};
 pub use palette::{COLOR_COUNT, color};
 pub use plotters;
+pub use unit::{Scale, power};
 
 /// The examples in the README of this crate, as tests.
 #[cfg(doctest)]

@@ -33,6 +33,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         pictures.push(render(frame, &view, &marks));
     }
-    write_apng(File::create(output)?, &pictures, 500)?;
+    write_apng(File::create(output)?, &pictures, 0.5)?;
     Ok(())
 }

@@ -11,42 +11,49 @@ pub struct Animation<W: io::Write> {
     size: [u16; 2],
     /// The number of pictures that have not been added.
     missing: u32,
+    /// The time at which the next picture begins, in s.
+    time: f64,
 }
 
 impl<W: io::Write> Animation<W> {
-    /// Begins a file of `count` pictures with this width and height in pixels, each shown for
-    /// `delay` milliseconds.
+    /// Begins a file of `count` pictures with this width and height in pixels.
     ///
     /// # Errors
     /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no
     /// pictures or no pixels.
-    pub fn new(writer: W, size: [u16; 2], count: u32, delay: u16) -> io::Result<Self> {
+    pub fn new(writer: W, size: [u16; 2], count: u32) -> io::Result<Self> {
         if count == 0 {
             return Err(invalid("there are no pictures"));
         }
         let mut encoder = encoder(writer, size)?;
         encoder.set_animated(count, 0)?;
-        encoder.set_frame_delay(delay, 1000)?;
         let writer = encoder.write_header()?;
-        let missing = count;
         Ok(Self {
             writer,
             size,
-            missing,
+            missing: count,
+            time: 0.0,
         })
     }
 
-    /// Adds the next picture.
+    /// Adds the next picture, which is shown for a time in s. The time has a resolution of a millisecond,
+    /// and its rounding errors do not add up.
     ///
     /// # Errors
     /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if the picture has
     /// another size, or exceeds the number of pictures.
-    pub fn add(&mut self, picture: &Picture) -> io::Result<()> {
+    pub fn add(&mut self, picture: &Picture, seconds: f64) -> io::Result<()> {
         if picture.size() != self.size {
             return Err(invalid("the pictures are not of the same size"));
         }
         let missing = self.missing.checked_sub(1);
         self.missing = missing.ok_or_else(|| invalid("there is one picture too many"))?;
+        let begin = self.time;
+        self.time += seconds;
+        // The conversion saturates.
+        let milliseconds = |time: f64| (1000.0 * time).round();
+        let delay = (milliseconds(self.time) - milliseconds(begin)).max(1.0) as u16;
+        self.writer.set_frame_delay(delay, 1000)?;
         Ok(self.writer.write_image_data(picture.pixels().as_flattened())?)
     }
 
@@ -64,17 +71,17 @@ impl<W: io::Write> Animation<W> {
 
 /// Writes pictures as an [`Animation`].
 ///
-/// `delay` is the duration of each picture in milliseconds.
+/// `seconds` is the duration of each picture.
 ///
 /// # Errors
 /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there are no pictures
 /// or no pixels, or if the sizes differ.
-pub fn write_apng(writer: impl io::Write, pictures: &[Picture], delay: u16) -> io::Result<()> {
+pub fn write_apng(writer: impl io::Write, pictures: &[Picture], seconds: f64) -> io::Result<()> {
     let size = pictures.first().map_or([1, 1], Picture::size);
     let count = u32::try_from(pictures.len()).map_err(|_| invalid("there are too many pictures"))?;
-    let mut animation = Animation::new(writer, size, count, delay)?;
+    let mut animation = Animation::new(writer, size, count)?;
     for picture in pictures {
-        animation.add(picture)?;
+        animation.add(picture, seconds)?;
     }
     animation.finish()
 }
@@ -91,6 +98,6 @@ pub(crate) fn encoder<'a, W: io::Write>(writer: W, size: [u16; 2]) -> io::Result
     Ok(encoder)
 }
 
-fn invalid(message: &str) -> io::Error {
+pub(crate) fn invalid(message: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidInput, message)
 }

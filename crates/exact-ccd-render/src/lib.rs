@@ -10,7 +10,7 @@
 //! let frames = [read_frame("0.ply")?, read_frame("1.ply")?];
 //! let view = View::of(&frames[0].bounds(), [1.0, -2.0, 1.0], [640, 480]);
 //! let pictures: Vec<_> = frames.iter().map(|frame| render(frame, &view, &Marks::default())).collect();
-//! write_apng(File::create("motion.png")?, &pictures, 40)?;
+//! write_apng(File::create("motion.png")?, &pictures, 0.04)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -18,16 +18,19 @@
 
 mod animation;
 mod canvas;
+mod gif;
 mod marks;
 mod picture;
 mod scene;
+mod text;
 mod view;
 
 pub use animation::{Animation, write_apng};
+pub use gif::Gif;
 pub use marks::Marks;
 pub use picture::Picture;
 pub use scene::{render, render_thick};
-pub use view::View;
+pub use view::{Camera, View};
 
 /// The examples in the README of this crate, as tests.
 #[cfg(doctest)]

@@ -45,6 +45,14 @@ impl Picture {
         &self.pixels
     }
 
+    /// Sets a pixel, unless it is outside of the picture.
+    pub(crate) fn set(&mut self, x: usize, y: usize, colour: [u8; 3]) {
+        let width = usize::from(self.size[0]);
+        if let Some(pixel) = self.pixels.get_mut(y * width + x).filter(|_| x < width) {
+            *pixel = colour;
+        }
+    }
+
     /// Writes a PNG file.
     ///
     /// # Errors

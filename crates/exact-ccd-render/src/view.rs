@@ -35,12 +35,7 @@ impl View {
     /// z axis.
     #[must_use]
     pub fn upright(bounds: &Aabb, up: Point, towards: Point, size: [u16; 2]) -> Self {
-        let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-        let towards = unit(towards).or_else(|| unit(up)).unwrap_or(z);
-        let right = [unit(up).unwrap_or(y), y, z].map(|up| cross(up, towards));
-        let right = right.into_iter().find_map(unit).unwrap_or([1.0, 0.0, 0.0]);
-        let axes = [right, cross(towards, right), towards];
-        let corners = (0..8).map(|corner| {
+        let corner = |corner: usize| {
             [0, 1, 2].map(|axis| {
                 let end = if corner >> axis & 1 == 0 {
                     bounds.lower
@@ -49,16 +44,9 @@ impl View {
                 };
                 end[axis]
             })
-        });
-        let seen: Aabb = corners.map(|corner| along(&axes, corner)).collect();
-        let fits = |axis: usize| Self::FILL * f64::from(size[axis]) / (seen.upper[axis] - seen.lower[axis]);
-        let scale = f64::min(fits(0), fits(1));
-        Self {
-            axes,
-            middle: [0, 1, 2].map(|axis| 0.5 * seen.lower[axis] + 0.5 * seen.upper[axis]),
-            scale: if scale.is_finite() { scale } else { 1.0 },
-            size,
-        }
+        };
+        let camera = Camera::new(up, towards);
+        camera.view(&camera.extent((0..8).map(|index| (corner(index), 0.0))), size)
     }
 
     /// The projection of a point: pixels from the left, pixels from the top, and nearness to the
@@ -68,6 +56,49 @@ impl View {
         let [x, y, z] = [0, 1, 2].map(|axis: usize| self.scale * (coordinates[axis] - self.middle[axis]));
         let [width, height] = self.size.map(f64::from);
         [0.5 * width + x, 0.5 * height - y, z]
+    }
+}
+
+/// The directions of a parallel projection.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    /// Unit vectors to the right, upwards and towards the viewer.
+    axes: [Point; 3],
+}
+
+impl Camera {
+    /// The camera whose pictures have a direction upwards, with the direction towards the viewer. Zero,
+    /// infinite and parallel vectors are replaced as in [`View::upright`].
+    #[must_use]
+    pub fn new(up: Point, towards: Point) -> Self {
+        let [y, z] = [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let towards = unit(towards).or_else(|| unit(up)).unwrap_or(z);
+        let right = [unit(up).unwrap_or(y), y, z].map(|up| cross(up, towards));
+        let right = right.into_iter().find_map(unit).unwrap_or([1.0, 0.0, 0.0]);
+        Self {
+            axes: [right, cross(towards, right), towards],
+        }
+    }
+
+    /// The smallest box around balls, given by their centres and radii, with sides along the directions of
+    /// the camera: its coordinates are those to the right, upwards and towards the viewer.
+    pub fn extent(&self, balls: impl IntoIterator<Item = (Point, f64)>) -> Aabb {
+        let ball = |(centre, radius)| Aabb::of(along(&self.axes, centre)).inflated(radius);
+        balls.into_iter().map(ball).fold(Aabb::EMPTY, |a, b| a.union(&b))
+    }
+
+    /// The view in which an [extent](Self::extent) fills a picture with this width and height in pixels.
+    #[must_use]
+    pub fn view(&self, extent: &Aabb, size: [u16; 2]) -> View {
+        let fits =
+            |axis: usize| View::FILL * f64::from(size[axis]) / (extent.upper[axis] - extent.lower[axis]);
+        let scale = f64::min(fits(0), fits(1));
+        View {
+            axes: self.axes,
+            middle: [0, 1, 2].map(|axis| 0.5 * extent.lower[axis] + 0.5 * extent.upper[axis]),
+            scale: if scale.is_finite() { scale } else { 1.0 },
+            size,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::io::{Cursor, ErrorKind};
 
 use exact_ccd_mesh::{Aabb, Frame, Pair, Point};
-use exact_ccd_render::{Animation, Marks, Picture, View, render, render_thick, write_apng};
+use exact_ccd_render::{Animation, Camera, Gif, Marks, Picture, View, render, render_thick, write_apng};
 use proptest::prelude::*;
 
 const ABOVE: Point = [0.0, 0.0, 1.0];
@@ -184,7 +184,7 @@ fn files_hold_every_pixel() {
     assert_eq!(decode(file), [bytes(&pictures[1])]);
 
     let mut file = Vec::new();
-    write_apng(&mut file, &pictures, 40).unwrap();
+    write_apng(&mut file, &pictures, 0.04).unwrap();
     assert_eq!(decode(file), pictures.each_ref().map(bytes));
 }
 
@@ -197,20 +197,164 @@ fn invalid_pictures_are_errors() {
             &Marks::default(),
         )
     };
-    let error = |pictures: &[Picture]| write_apng(Vec::new(), pictures, 1).unwrap_err().kind();
+    let error = |pictures: &[Picture]| write_apng(Vec::new(), pictures, 1.0).unwrap_err().kind();
     assert_eq!(error(&[]), ErrorKind::InvalidInput);
     assert_eq!(error(&[of([0, 5])]), ErrorKind::InvalidInput);
     assert_eq!(error(&[of([5, 5]), of([5, 6])]), ErrorKind::InvalidInput);
 
-    let mut animation = Animation::new(Vec::new(), [5, 5], 2, 1).unwrap();
-    animation.add(&of([5, 5])).unwrap();
+    let mut animation = Animation::new(Vec::new(), [5, 5], 2).unwrap();
+    animation.add(&of([5, 5]), 1.0).unwrap();
     assert_eq!(animation.finish().unwrap_err().kind(), ErrorKind::InvalidInput);
-    let mut animation = Animation::new(Vec::new(), [5, 5], 1, 1).unwrap();
-    animation.add(&of([5, 5])).unwrap();
+    let mut animation = Animation::new(Vec::new(), [5, 5], 1).unwrap();
+    animation.add(&of([5, 5]), 1.0).unwrap();
     assert_eq!(
-        animation.add(&of([5, 5])).unwrap_err().kind(),
+        animation.add(&of([5, 5]), 1.0).unwrap_err().kind(),
         ErrorKind::InvalidInput
     );
+
+    let kind = |result: std::io::Result<()>| result.unwrap_err().kind();
+    assert!(Gif::new(Vec::new(), [0, 5]).is_err());
+    let mut gif = Gif::new(Vec::new(), [5, 5]).unwrap();
+    assert_eq!(kind(gif.add(&of([5, 6]), 1.0)), ErrorKind::InvalidInput);
+    assert_eq!(kind(gif.finish()), ErrorKind::InvalidInput);
+}
+
+/// The times at which pictures begin are rounded, not their durations. Pictures that begin too soon after
+/// another one are left out of GIF files.
+#[test]
+fn durations_do_not_drift() {
+    let view = View::of(&ten_units(), ABOVE, [20, 20]);
+    let picture = |high| render(&squares(&[square(1.0, high, 0.0)]), &view, &Marks::default());
+    let pictures: Vec<Picture> = (0..30)
+        .map(|index| picture(2.0 + 0.2 * f64::from(index)))
+        .collect();
+    let seconds = 1.0 / 150.0;
+
+    let mut file = Vec::new();
+    write_apng(&mut file, &pictures, seconds).unwrap();
+    let controls = file.windows(4).enumerate().filter(|(_, name)| name == b"fcTL");
+    let delays: Vec<u16> = controls
+        .map(|(at, _)| u16::from_be_bytes([file[at + 24], file[at + 25]]))
+        .collect();
+    assert_eq!((delays.len(), delays.iter().sum()), (30, 200));
+    assert!(delays.iter().all(|delay| [6, 7].contains(delay)), "{delays:?}");
+
+    let mut file = Vec::new();
+    let mut animation = Gif::new(&mut file, [20, 20]).unwrap();
+    for picture in &pictures {
+        animation.add(picture, seconds).unwrap();
+    }
+    animation.finish().unwrap();
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(file.as_slice()).unwrap();
+    let mut delays = Vec::new();
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        // Few colours are kept exactly.
+        let drawn = &pictures[3 * delays.len()];
+        let colours = frame.buffer.chunks_exact(4).map(|pixel| &pixel[..3]);
+        assert!(colours.eq(drawn.pixels().iter().map(|pixel| &pixel[..])));
+        delays.push(frame.delay);
+    }
+    assert_eq!(delays, [2; 10]);
+}
+
+/// A picture of thousands of colours differs little from its 256 colours.
+#[test]
+fn colours_of_gif_files_are_near() {
+    let positions = vec![[2.0, 2.0, 0.0], [5.0, 5.0, 0.0], [8.0, 3.0, 0.0], [3.0, 7.0, 0.0]];
+    let frame = Frame::with_edges(positions, vec![[0, 1, 2]], &[[1, 3]]).unwrap();
+    let view = View::of(&ten_units(), [0.3, 0.2, 1.0], [300, 300]);
+    let picture = render_thick(&frame, &view, &Marks::default(), &[1.5; 4]);
+    let colours: HashSet<_> = picture.pixels().iter().collect();
+    assert!(colours.len() > 256, "{}", colours.len());
+
+    let mut file = Vec::new();
+    let mut animation = Gif::new(&mut file, [300, 300]).unwrap();
+    animation.add(&picture, 1.0).unwrap();
+    animation.finish().unwrap();
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(file.as_slice()).unwrap();
+    let decoded = decoder.read_next_frame().unwrap().unwrap();
+    let differences = decoded
+        .buffer
+        .chunks_exact(4)
+        .zip(picture.pixels())
+        .map(|(read, drawn)| (0..3).map(|k| read[k].abs_diff(drawn[k])).max().unwrap());
+    let differences: Vec<u8> = differences.collect();
+    let mean = differences.iter().map(|&x| f64::from(x)).sum::<f64>() / differences.len() as f64;
+    assert!(
+        mean < 1.0 && differences.iter().max() < Some(&24),
+        "{mean} {:?}",
+        differences.iter().max()
+    );
+}
+
+/// Text covers the corner, in letters of twice the size in large pictures, and nothing else.
+#[test]
+fn text_is_in_the_corner() {
+    let plain = |size| {
+        render(
+            &squares(&[]),
+            &View::of(&ten_units(), ABOVE, size),
+            &Marks::default(),
+        )
+    };
+    let written = |size, text: &str| {
+        let mut picture = plain(size);
+        picture.write(text);
+        picture
+    };
+    let dark = |picture: &Picture| {
+        let width = usize::from(picture.size()[0]);
+        let pixels = picture.pixels().iter().enumerate();
+        let dark = pixels.filter(|(_, pixel)| **pixel != WHITE);
+        dark.map(|(index, _)| [index % width, index / width])
+            .collect::<Vec<_>>()
+    };
+    let small = dark(&written([400, 300], "t = 1.5 s"));
+    assert!(small.len() > 100);
+    assert!(
+        small
+            .iter()
+            .all(|&[x, y]| (8..98).contains(&x) && (5..25).contains(&y))
+    );
+    assert_eq!(dark(&written([1600, 1000], "t = 1.5 s")).len(), 4 * small.len());
+    assert_ne!(written([400, 300], "t = 1.5 s"), written([400, 300], "t = 1.6 s"));
+    for size in [[1, 1], [20, 3], [0, 0]] {
+        let _ = written(size, "longer than the picture, and é∞");
+    }
+}
+
+/// A camera shows the silhouette of balls, so that they fill the picture.
+#[test]
+fn extents_of_balls_fill_pictures() {
+    let camera = Camera::new([0.0, 0.0, 1.0], [1.0, 1.0, 0.5]);
+    let positions = vec![[-3.0, 1.0, 2.0], [4.0, 0.0, -1.0], [0.0, 2.0, 5.0]];
+    let frame = Frame::new(positions.clone(), Vec::new()).unwrap();
+    let radii = [0.5, 1.0, 0.25];
+    let extent = camera.extent(positions.into_iter().zip(radii));
+    let picture = render_thick(
+        &frame,
+        &camera.view(&extent, [200, 100]),
+        &Marks::default(),
+        &radii,
+    );
+    let is_drawn = |x: usize, y: usize| pixel(&picture, x, y) != WHITE;
+    let rows = (0..100).filter(|&y| (0..200).any(|x| is_drawn(x, y)));
+    let rows: Vec<usize> = rows.collect();
+    assert!(
+        (4..=6).contains(&rows[0]) && (93..=95).contains(rows.last().unwrap()),
+        "{rows:?}"
+    );
+    assert_eq!(View::upright(&ten_units(), [0.0, 1.0, 0.0], ABOVE, [9, 9]), {
+        let camera = Camera::new([0.0, 1.0, 0.0], ABOVE);
+        camera.view(
+            &camera.extent([([0.5, 0.5, 0.0], 0.0), ([9.5, 9.5, 1.0], 0.0)]),
+            [9, 9],
+        )
+    });
 }
 
 proptest! {

@@ -194,7 +194,7 @@ pub struct Friction {
     /// The friction coefficient μ of all pairs of bodies without one of their own.
     pub coefficient: f64,
     /// The pairs of bodies with a coefficient of their own; the last pair of two bodies counts.
-    #[serde(rename = "pair")]
+    #[serde(rename = "pair", skip_serializing_if = "Vec::is_empty")]
     pub pairs: Vec<FrictionPair>,
     /// The slip velocity below which friction is static.
     pub static_velocity: Length,

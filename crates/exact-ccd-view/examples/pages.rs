@@ -69,7 +69,7 @@ fn step(title: &str, motion: &Motion, most: usize) -> Result<Page, Box<dyn Error
     let step = motion.step()?;
     let mut contacts = Candidates::new(step, &Bvh).contacts(step);
     contacts.truncate(most);
-    Ok(Page::of_step(title, step, &contacts)?)
+    Ok(Page::of_step(title, step, &[], &contacts)?)
 }
 
 /// Two sheets of n by n squares above each other, which approach.

@@ -14,7 +14,7 @@
 //! let contacts = Candidates::new(step, &Bvh).contacts(step);
 //!
 //! let mut file = Vec::new();
-//! Page::of_step("A point falls", step, &contacts)?.write(&mut file)?;
+//! Page::of_step("A point falls", step, &[], &contacts)?.write(&mut file)?;
 //! assert!(file.starts_with(b"<!doctype html>"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

@@ -70,20 +70,24 @@ impl Page {
         }
     }
 
-    /// The page of a step and its contacts, the earliest first.
+    /// The page of a step: the intersections at its start, and its contacts, the earliest first.
     ///
     /// # Errors
-    /// [`PageError::NoSuchPair`] if a contact is not of this mesh.
+    /// [`PageError::NoSuchIntersection`] or [`PageError::NoSuchPair`], if one of them is not of this mesh.
     pub fn of_step(
         title: impl Into<String>,
         step: Step<'_>,
+        start: &[Intersection],
         contacts: &[Contact],
     ) -> Result<Self, PageError> {
         let bounds = step.positions().into_iter().flatten().copied().collect();
         let mut page = Self::new(title, step.mesh().clone(), &bounds);
-        for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(step.positions()) {
-            page.add_frame(label, positions)?;
-        }
+        let [x0, x1] = step.positions();
+        page.add_frame("t = 0", x0)?;
+        start
+            .iter()
+            .try_for_each(|&intersection| page.add_intersection(intersection))?;
+        page.add_frame("t = 1", x1)?;
         contacts
             .iter()
             .try_for_each(|contact| page.add_contact(contact))?;

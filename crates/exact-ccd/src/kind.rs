@@ -36,11 +36,18 @@ pub struct Features {
     /// Two vertices each, that of the first primitive first, and (u, v) where F is their difference.
     /// They are the first of `CORNERS`.
     pub vertices: &'static [(Difference, [f64; 2])],
-    /// The number of sides, from the first, that are a vertex and an edge in the sense of the kind.
-    pub sides: usize,
+    /// A vertex and an edge each.
+    pub sides: &'static [Side],
     /// The corners at which (u, v) is (1, 0) and (0, 1), if inner points of the face or of both edges
     /// can be closest.
     pub inner: Option<[usize; 2]>,
+}
+
+impl Features {
+    /// True if the domain of (u, v) is a triangle, false if it is a square or a part of its boundary.
+    pub(crate) const fn are_of_triangle(&self) -> bool {
+        self.vertices.len() == 3
+    }
 }
 
 /// The tables of the kinds. The module is private, which seals [`Kind`].
@@ -185,7 +192,7 @@ impl Tables for VertexFace {
     const LAYOUT: [usize; 4] = [0, 1, 2, 3];
     const FEATURES: Features = Features {
         vertices: &[((0, 1), [0.0, 0.0]), ((0, 2), [1.0, 0.0]), ((0, 3), [0.0, 1.0])],
-        sides: 3,
+        sides: Self::SIDES,
         inner: Some([1, 2]),
     };
 }
@@ -219,7 +226,7 @@ impl Tables for EdgeEdge {
             ((1, 2), [1.0, 0.0]),
             ((1, 3), [1.0, 1.0]),
         ],
-        sides: 4,
+        sides: Self::SIDES,
         inner: Some([2, 1]),
     };
 }
@@ -234,7 +241,7 @@ impl Tables for VertexEdge {
     const LAYOUT: [usize; 4] = [0, 0, 1, 2];
     const FEATURES: Features = Features {
         vertices: &[((0, 2), [0.0, 0.0]), ((0, 3), [0.0, 1.0])],
-        sides: 1,
+        sides: EdgeEdge::SIDES.split_at(1).0,
         inner: None,
     };
 }
@@ -249,7 +256,7 @@ impl Tables for VertexVertex {
     const LAYOUT: [usize; 4] = [0, 0, 1, 1];
     const FEATURES: Features = Features {
         vertices: &[((0, 2), [0.0, 0.0])],
-        sides: 0,
+        sides: &[],
         inner: None,
     };
 }

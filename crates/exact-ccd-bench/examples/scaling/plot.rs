@@ -2,7 +2,7 @@
 
 use exact_ccd_plot::plotters::prelude::*;
 use exact_ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use exact_ccd_plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, seconds, write};
+use exact_ccd_plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, power, seconds, write};
 
 use crate::curve::{Cost, Curve};
 
@@ -36,7 +36,7 @@ fn draw_panel<'a>(curves: &[Curve], cost: Cost, area: &Area<'a>) -> Drawn<'a> {
         title: "",
         x: Axis {
             title: "candidates",
-            label: &power_of_ten,
+            label: &power,
         },
         y: Axis { title, label: &label },
         legend: 30,
@@ -77,16 +77,6 @@ fn draw_legend<'a>(curves: &[Curve], area: &Area<'a>) -> Drawn<'a> {
         area.draw(&PathElement::new(ends, BLACK.mix(0.5).stroke_width(1)))?;
     }
     write(area, "in proportion to the candidates", (x + 38, y - 8))
-}
-
-fn power_of_ten(value: &f64) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let power = value.log10().round();
-    let is_power = power >= 0.0 && (value.log10() - power).abs() < 1e-9;
-    digits
-        .get(power as usize)
-        .filter(|_| is_power)
-        .map_or_else(|| exact_ccd_plot::number(value), |digit| format!("10{digit}"))
 }
 
 fn amount(mebibytes: &f64) -> String {

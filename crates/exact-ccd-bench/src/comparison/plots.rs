@@ -2,7 +2,9 @@
 
 use exact_ccd_plot::plotters::prelude::*;
 use exact_ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use exact_ccd_plot::{Area, Axis, COLOR_COUNT, Drawn, Frame, color, decades, logarithmic, svg, write};
+use exact_ccd_plot::{
+    Area, Axis, COLOR_COUNT, Drawn, Frame, color, decades, linear, logarithmic, svg, write,
+};
 
 use super::table::{Row, Table};
 
@@ -103,7 +105,11 @@ fn exceedance(row: &Row, first: f64, least_share: f64) -> Vec<(f64, f64)> {
     let mut longer: f64 = 1.0;
     let mut line = vec![(first, 1.0)];
     for (index, &(time, weight)) in row.distribution.iter().enumerate() {
-        let (corner, above) = (time.max(first), longer.max(least_share));
+        // The line ends where it leaves the plot.
+        if longer <= least_share {
+            break;
+        }
+        let (corner, above) = (time.max(first), longer);
         longer -= weight;
         let below = longer.max(least_share);
         let (drawn_time, drawn_share) = line[line.len() - 1];
@@ -121,14 +127,14 @@ fn draw_accuracy<'a>(table: &Table, area: &Area<'a>) -> Drawn<'a> {
     let top = rates
         .as_flattened()
         .iter()
-        .fold(1.0_f64, |top, rate| top.max(1.1 * rate));
+        .fold(1.0_f64, |top, &rate| top.max(rate));
     let wrong = Axis {
         title: "wrong: ▲ of the free are said to collide, ● of the colliding are missed",
         label: &|rate: &f64| format!("{rate:.0} %"),
     };
     let title = title(table);
     let mut chart =
-        frame(&title, "mean time", wrong).draw(area, logarithmic(first, last), -0.03 * top..top)?;
+        frame(&title, "mean time", wrong).draw(area, logarithmic(first, last), linear(0.0, top))?;
     for (index, (row, [invented, missed])) in table.rows.iter().zip(rates).enumerate() {
         let Some(mean) = row.mean else { continue };
         chart.draw_series([EmptyElement::at((mean, invented)) + triangle(index)])?;

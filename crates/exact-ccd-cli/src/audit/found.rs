@@ -31,27 +31,19 @@ impl Found {
         &mut self,
         scene: &Scene,
         moved: &Moved<'_>,
-        violations: &[Violation],
+        records: Vec<ContactRecord>,
         folder: Option<&Path>,
     ) -> Result<(), Failure> {
-        let records: Vec<_> = violations
-            .iter()
-            .map(|violation| record(moved, violation))
-            .collect();
         if self.first.is_none()
-            && let (Some(violation), Some(first)) = (violations.first(), records.first())
+            && let Some(first) = records.first()
         {
-            self.first = Some(ReportedViolation::new(
-                scene,
-                moved.index,
-                violation,
-                first.clone(),
-            ));
+            let frame = first.frame().unwrap_or(moved.index);
+            self.first = Some(ReportedViolation::new(scene, moved.index, frame, first.clone()));
             if let Some(folder) = folder {
-                // Of this step, without the intersections of the frame after it.
+                // Of this step, without those at rest in the frame after it.
                 let is_of_step = |record: &&ContactRecord| record.frame() == first.frame();
                 let list = ContactList(records.iter().filter(is_of_step).cloned().collect());
-                let start = if first.is_intersection() {
+                let start = if frame == moved.index {
                     &moved.last.positions
                 } else {
                     moved.start
@@ -68,7 +60,8 @@ impl Found {
     }
 }
 
-fn record(moved: &Moved<'_>, violation: &Violation) -> ContactRecord {
+/// The record of a violation found in the examination of a frame.
+pub(super) fn record(moved: &Moved<'_>, violation: &Violation) -> ContactRecord {
     let mesh = &moved.last.mesh;
     match violation {
         Violation::Intersection { frame, intersection } => {

@@ -2,6 +2,7 @@
 
 mod every;
 mod found;
+mod half_spaces;
 mod report;
 
 use std::path::PathBuf;
@@ -21,7 +22,8 @@ use crate::progress::{self, during};
 use crate::scene::{Scene, SceneOptions, note_split_vertices};
 use crate::view::View;
 use every::EveryViolation;
-use found::{Found, Moved};
+use found::{Found, Moved, record};
+use half_spaces::{HalfSpaceArgument, HalfSpaces};
 use report::{Report, Seconds, Totals};
 
 /// Does a mesh touch itself in a sequence of frames?
@@ -55,6 +57,10 @@ pub(crate) struct Arguments {
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
     min_distance: Separation,
+    /// A half space that no vertex of a part that moves may touch, nor come within the minimum distance
+    /// of; may be repeated: a point of its boundary, then its outward normal, of any length.
+    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", allow_hyphen_values = true)]
+    half_space: Vec<HalfSpaceArgument>,
     /// Go on after the first violation: examine every frame at rest and every step, and list all
     /// intersections and contacts in a file that ends in .csv, .jsonl (JSON lines) or .parquet.
     /// docs/reports.md has its columns.
@@ -107,6 +113,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut recording = arguments.view.recording(&arguments.frames);
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
+    let half_spaces = HalfSpaces {
+        half_spaces: &arguments.half_space,
+        min_distance: arguments.min_distance,
+        vertices: scene.moving_vertices(),
+    };
     let (count, mut examined) = (scene.frame_count(), 0);
     during(progress::frames(count), |progress| {
         for index in 0..count {
@@ -119,23 +130,27 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 .examine(frame)
                 .map_err(|error| scene.mismatch(index, error))?;
             examined = index + 1;
-            let (Some(last), false) = (examination.last(), violations.is_empty()) else {
-                progress(1);
+            let Some(last) = examination.last() else {
                 continue;
             };
             for violation in &violations {
                 recording.violation(violation)?;
             }
-            if index == 0 {
+            if index == 0 && !violations.is_empty() {
                 note_at_rest(last, &violations, &arguments.scene, &mut notes);
             }
             let start = before.as_ref().unwrap_or(&last.positions);
-            found.add(
-                &scene,
-                &Moved { index, start, last },
-                &violations,
-                arguments.out.as_deref(),
-            )?;
+            let moved = Moved { index, start, last };
+            let mut records: Vec<_> = violations
+                .iter()
+                .map(|violation| record(&moved, violation))
+                .collect();
+            records.extend(half_spaces.touching(index, last));
+            if records.is_empty() {
+                progress(1);
+                continue;
+            }
+            found.add(&scene, &moved, records, arguments.out.as_deref())?;
             if arguments.all.is_none() {
                 break;
             }

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use exact_ccd_mesh::Violation;
 use serde::Serialize;
 
 use crate::contacts::{ContactList, ContactRecord};
@@ -74,9 +73,8 @@ impl Totals {
 }
 
 impl ReportedViolation {
-    /// The violation found in the examination of frame `index`.
-    pub(super) fn new(scene: &Scene, index: usize, violation: &Violation, contact: ContactRecord) -> Self {
-        let (Violation::Intersection { frame, .. } | Violation::Contact { frame, .. }) = *violation;
+    /// The violation found in the examination of frame `index`, in `frame` or in the step after it.
+    pub(super) fn new(scene: &Scene, index: usize, frame: usize, contact: ContactRecord) -> Self {
         Self {
             frame,
             file: scene.frame_name(frame),

@@ -12,7 +12,7 @@ pub(crate) struct Places {
     pub(crate) times: Vec<f64>,
     /// Zero, if a contact has no normal.
     pub(crate) normals: Vec<Point>,
-    /// 0 for vf, 1 for ee, 2 for ve, 3 for vv, 4 for ef.
+    /// 0 for vf, 1 for ee, 2 for ve, 3 for vv, 4 for ef, 5 for vh.
     pub(crate) kinds: Vec<i64>,
     pub(crate) ids: [Vec<i64>; 2],
 }

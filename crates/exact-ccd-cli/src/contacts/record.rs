@@ -30,7 +30,8 @@ pub(crate) struct ContactRecord {
     pub(super) distance: Reached,
 }
 
-/// The kinds of pairs, with that of an edge and a face, which intersect at rest.
+/// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex in a
+/// half space at rest.
 #[derive(Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum RecordKind {
@@ -39,6 +40,7 @@ pub(crate) enum RecordKind {
     Ve,
     Vv,
     Ef,
+    Vh,
 }
 
 /// The adjacent f64 between which a time lies, or the same one twice.
@@ -56,6 +58,7 @@ impl RecordKind {
             Self::Ve => "ve",
             Self::Vv => "vv",
             Self::Ef => "ef",
+            Self::Vh => "vh",
         }
     }
 }
@@ -108,6 +111,22 @@ impl ContactRecord {
             normal: None,
             parameters: None,
             distance: Reached::default(),
+        }
+    }
+
+    /// A vertex at rest that is at most `d` outside of a half space.
+    pub(crate) fn of_half_space(vertex: u32, position: Point, number: u32, normal: Point, d: f64) -> Self {
+        let (lower, upper) = (0.0, 0.0);
+        Self {
+            frame: None,
+            kind: RecordKind::Vh,
+            ids: [vertex, number],
+            vertices: [vec![vertex], Vec::new()],
+            time: TimeBounds { lower, upper },
+            point: Some(position),
+            normal: Some(normal),
+            parameters: None,
+            distance: Reached { lower, upper: d },
         }
     }
 
@@ -164,6 +183,7 @@ impl fmt::Display for ContactRecord {
             RecordKind::Ve => ["vertex", "edge"],
             RecordKind::Vv => ["vertex", "vertex"],
             RecordKind::Ef => ["edge", "face"],
+            RecordKind::Vh => ["vertex", "half space"],
         };
         for (side, name) in names.into_iter().enumerate() {
             let and = if side == 0 { "" } else { " and " };

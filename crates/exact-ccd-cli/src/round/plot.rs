@@ -43,13 +43,13 @@ fn draw<'a>(errors: &Histogram, area: &Area<'a>) -> Drawn<'a> {
     let top = errors.highest() + errors.highest() / 20 + 1;
 
     let frame = Frame {
-        title: "",
+        title: "rounding errors ε = |x + e − fl(x + e)|",
         x: Axis {
-            title: "log₁₀ ε of the rounding errors ε = |x + e − fl(x + e)|",
+            title: "log₁₀ ε",
             label: &label,
         },
         y: Axis {
-            title: "coordinates",
+            title: "number of coordinates",
             label: &|count: &usize| count.to_string(),
         },
         legend: 20,

@@ -6,7 +6,9 @@ mod part;
 mod rules;
 mod split;
 mod summary;
+mod vertex_set;
 
+use std::ops::Range;
 use std::path::PathBuf;
 
 use exact_ccd_files::{Contents, Polygons};
@@ -33,26 +35,32 @@ pub(crate) struct Scene {
 }
 
 impl Scene {
-    /// The scene of parts that move, by their names, and of the obstacles of the options.
-    pub(crate) fn open(moving: Vec<(String, Frames)>, options: &SceneOptions) -> Result<Self, Failure> {
+    /// The scene of parts that move, by their names, and of those of the options.
+    fn open(
+        moving: Vec<(String, Frames)>,
+        options: &SceneOptions,
+        notes: &mut Notes,
+    ) -> Result<Self, Failure> {
         let weld = options.weld;
         let frame_count = moving.iter().map(|(_, frames)| frames.count()).max().unwrap_or(0);
         let mut parts = Vec::new();
         for (name, frames) in moving {
             parts.push(Part::open(name, frames, false, weld)?);
         }
-        for path in &options.obstacles {
+        for path in &options.others {
             let (name, file) = named(path);
-            let frames = Frames::of_file(&file, options.polygons())?;
-            if frames.count() != 1 {
-                let (file, count) = (file, frames.count());
-                return Err(Failure::FrameCount {
+            let frames = Frames::of_paths(&[file.clone()], false, options.polygons(), notes)?;
+            let count = frames.count();
+            let rests = count == 1;
+            if !rests && count != frame_count {
+                return Err(Failure::SeriesLength {
                     file,
-                    expected: 1,
                     count,
+                    first: parts.first().map_or_else(String::new, |part| part.name.clone()),
+                    expected: frame_count,
                 });
             }
-            parts.push(Part::open(name, frames, true, weld)?);
+            parts.push(Part::open(name, frames, rests, weld)?);
         }
         part::make_names_unique(&mut parts);
         let frame = joined(&mut parts, None, 0)?;
@@ -70,7 +78,11 @@ impl Scene {
     }
 
     /// The frames of pairs of files, each the start and the end of a part; or of one file of two frames.
-    pub(crate) fn of_pairs(files: &[PathBuf], options: &SceneOptions) -> Result<Self, Failure> {
+    pub(crate) fn of_pairs(
+        files: &[PathBuf],
+        options: &SceneOptions,
+        notes: &mut Notes,
+    ) -> Result<Self, Failure> {
         let polygons = options.polygons();
         let mut moving = Vec::new();
         if let [file] = files {
@@ -95,7 +107,7 @@ impl Scene {
                 moving.push((name, Frames::of_pair(&start, end, polygons)?));
             }
         }
-        Self::open(moving, options)
+        Self::open(moving, options, notes)
     }
 
     /// The frames of one part that moves, in the files, folders and lists of files.
@@ -107,7 +119,7 @@ impl Scene {
     ) -> Result<Self, Failure> {
         let frames = Frames::of_paths(paths, as_given, options.polygons(), notes)?;
         let (name, _) = named(paths.first().unwrap_or(&PathBuf::new()));
-        Self::open(vec![(name, frames)], options)
+        Self::open(vec![(name, frames)], options, notes)
     }
 
     pub(crate) fn frame_count(&self) -> usize {
@@ -130,6 +142,12 @@ impl Scene {
     /// The pairs that can collide.
     pub(crate) fn can_collide(&self) -> CanCollide {
         self.can_collide.clone()
+    }
+
+    /// The vertices of the parts that are no obstacles.
+    pub(crate) fn moving_vertices(&self) -> Vec<Range<u32>> {
+        let moving = self.parts.iter().filter(|part| !part.is_obstacle);
+        moving.map(|part| part.vertices.clone()).collect()
     }
 
     /// The error for a frame that does not belong to the frames before it.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, MeshFile, NamedPart, ReadMotionError};
+use exact_ccd_files::{Contents, Group, MeshFile, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
 
 use super::Frames;
@@ -23,8 +23,8 @@ pub(super) struct Part {
     /// The mesh of all frames in their files.
     mesh: TriangleMesh,
     welded: Option<(Welding, TriangleMesh)>,
-    /// The names that the file has for its vertices.
-    named: Vec<NamedPart>,
+    /// The named groups of the first frame, by their vertices in the part.
+    pub(super) groups: Vec<Group>,
 }
 
 impl Part {
@@ -37,7 +37,7 @@ impl Part {
         let MeshFile {
             frame,
             contents,
-            parts: named,
+            groups,
             ..
         } = first?;
         let mesh = frame.mesh.clone();
@@ -52,25 +52,17 @@ impl Part {
             contents,
             mesh,
             welded: None,
-            named,
+            groups,
         };
         let is_stl = part.frames.are_stl();
         if weld || is_stl {
-            part.welded = Some(part.weld(is_stl)?);
+            let (welding, mesh) = part.weld(is_stl)?;
+            for vertex in part.groups.iter_mut().flat_map(|group| &mut group.vertices) {
+                *vertex = welding.vertex_of(*vertex).unwrap_or(*vertex);
+            }
+            part.welded = Some((welding, mesh));
         }
         Ok(part)
-    }
-
-    /// The names in the part, each with the end of its vertices in the scene, which begin where the ones
-    /// before end: those in its file, or that of the part if the file has none or its vertices are welded.
-    pub(super) fn names(&self) -> Vec<(&str, u32)> {
-        if self.named.is_empty() || self.welded.is_some() {
-            return vec![(&self.name, self.vertices.end)];
-        }
-        let named = self.named.iter();
-        named
-            .map(|part| (part.name.as_str(), self.vertices.start + part.vertices.end))
-            .collect()
     }
 
     fn weld(&self, is_stl: bool) -> Result<(Welding, TriangleMesh), Failure> {

@@ -1,15 +1,17 @@
 //! The pairs of parts that can collide.
 
 use std::fmt;
+use std::ops::Range;
 use std::str::FromStr;
 
 use exact_ccd_mesh::CanCollide;
 
 use super::options::SceneOptions;
 use super::part::Part;
+use super::vertex_set::{VertexSet, named_set};
 use crate::failure::Failure;
 
-/// Two parts by their names, `A:B` on the command line.
+/// Two parts or groups by their names, `A:B` on the command line.
 #[derive(Clone, Debug)]
 pub(crate) struct PartPair([String; 2]);
 
@@ -33,68 +35,29 @@ impl fmt::Display for PartPair {
     }
 }
 
-/// Vertices of the scene with a name.
-struct Named<'a> {
-    name: &'a str,
-    /// The name of the part to which they belong.
-    part: &'a str,
-    /// The vertex after the last one. The first one follows those before.
-    end: u32,
-    is_obstacle: bool,
-}
-
-/// The pairs of a scene that can collide: those of the rules, without those of two obstacles. A name stands
-/// for all vertices that have it, and for all parts that have it.
+/// The pairs of a scene that can collide: those of the rules, without those of two obstacles.
+///
+/// Parts have no vertices in common, but groups may have. `--ignore` leaves out primitives all of whose
+/// vertices are in a group; `--only` keeps those with any vertex in it. Both rules allow the faces of an edge
+/// that they allow, as [`CanCollide::new`] expects.
 pub(super) fn can_collide(parts: &[Part], options: &SceneOptions) -> Result<CanCollide, Failure> {
-    let named: Vec<Named<'_>> = parts
-        .iter()
-        .flat_map(|part| {
-            let is_obstacle = part.is_obstacle;
-            part.names().into_iter().map(move |(name, end)| Named {
-                name,
-                part: &part.name,
-                end,
-                is_obstacle,
-            })
-        })
-        .collect();
-    let count = named.len();
-    let places = |name: &String| -> Result<Vec<usize>, Failure> {
-        let places: Vec<usize> = (0..count)
-            .filter(|&place| [named[place].name, named[place].part].contains(&name.as_str()))
-            .collect();
-        if places.is_empty() {
-            return Err(Failure::UnknownPart {
-                name: name.clone(),
-                known: named.iter().map(|named| named.name.to_owned()).collect(),
-            });
-        }
-        Ok(places)
+    let sets = |pairs: &[PartPair]| -> Result<Vec<[VertexSet; 2]>, Failure> {
+        let pair = |PartPair([a, b]): &PartPair| Ok([named_set(parts, a)?, named_set(parts, b)?]);
+        pairs.iter().map(pair).collect()
     };
-    let mut allowed = vec![options.only.is_empty(); count * count];
-    for (pairs, value) in [(&options.only, true), (&options.ignore, false)] {
-        for PartPair([first, second]) in pairs {
-            let second = places(second)?;
-            for a in places(first)? {
-                for &b in &second {
-                    allowed[a * count + b] = value;
-                    allowed[b * count + a] = value;
-                }
-            }
-        }
-    }
-    for (a, first) in named.iter().enumerate() {
-        for (b, second) in named.iter().enumerate() {
-            allowed[a * count + b] &= !(first.is_obstacle && second.is_obstacle);
-        }
-    }
-    if allowed.iter().all(|&allowed| allowed) {
+    let (only, ignore) = (sets(&options.only)?, sets(&options.ignore)?);
+    let obstacles = parts.iter().filter(|part| part.is_obstacle);
+    let obstacles: Vec<Range<u32>> = obstacles.map(|part| part.vertices.clone()).collect();
+    if only.is_empty() && ignore.is_empty() && obstacles.is_empty() {
         return Ok(CanCollide::all());
     }
-    // Bodies have no vertices in common, so that a primitive is in the body of its first vertex.
-    let ends: Vec<u32> = named.iter().map(|named| named.end).collect();
-    let place_of = move |primitive: &[u32]| ends.partition_point(|&end| end <= primitive[0]);
+    let rests = move |primitive: &[u32]| obstacles.iter().any(|part| part.contains(&primitive[0]));
     Ok(CanCollide::new(move |a, b| {
-        allowed[place_of(a) * count + place_of(b)]
+        let is_pair = |[first, second]: &[VertexSet; 2], has: fn(&VertexSet, &[u32]) -> bool| {
+            has(first, a) && has(second, b) || has(first, b) && has(second, a)
+        };
+        (only.is_empty() || only.iter().any(|pair| is_pair(pair, VertexSet::has_any)))
+            && !ignore.iter().any(|pair| is_pair(pair, VertexSet::has_all))
+            && !(rests(a) && rests(b))
     }))
 }

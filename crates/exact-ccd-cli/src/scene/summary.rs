@@ -6,6 +6,7 @@ use exact_ccd_files::Contents;
 use serde::Serialize;
 
 use super::part::Part;
+use crate::failure::listed;
 
 /// The contents of a scene, as a part of a JSON object.
 #[derive(Serialize)]
@@ -14,8 +15,19 @@ pub(crate) struct Summary {
     /// The parts, if there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     parts: Vec<PartSummary>,
+    /// The named groups, if there are several.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    groups: Vec<GroupSummary>,
     #[serde(skip)]
     contents: Contents,
+}
+
+/// A named group: the part that has it, and the number of its vertices.
+#[derive(Serialize)]
+struct GroupSummary {
+    part: String,
+    name: String,
+    vertex_count: usize,
 }
 
 #[derive(Serialize)]
@@ -41,6 +53,16 @@ struct PartSummary {
 
 impl Summary {
     pub(super) fn new(contents: Contents, parts: &[Part]) -> Self {
+        let groups: Vec<GroupSummary> = parts
+            .iter()
+            .flat_map(|part| {
+                part.groups.iter().map(|group| GroupSummary {
+                    part: part.name.clone(),
+                    name: group.name.clone(),
+                    vertex_count: group.vertices.len(),
+                })
+            })
+            .collect();
         let several = if parts.len() > 1 { parts } else { &[] };
         let part = |part: &Part| PartSummary {
             name: part.name.clone(),
@@ -60,6 +82,7 @@ impl Summary {
                 solids: contents.solids,
             },
             parts: several.iter().map(part).collect(),
+            groups: if groups.len() > 1 { groups } else { Vec::new() },
             contents,
         }
     }
@@ -79,6 +102,10 @@ impl fmt::Display for Summary {
                     writeln!(f, "vertices {} to {last}", part.first_vertex)?;
                 }
             }
+        }
+        if !self.groups.is_empty() {
+            let names: Vec<_> = self.groups.iter().map(|group| group.name.clone()).collect();
+            writeln!(f, "groups: {}", listed(&names))?;
         }
         Ok(())
     }

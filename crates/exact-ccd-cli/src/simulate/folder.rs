@@ -23,14 +23,16 @@ const STATISTICS: &str = "statistics.csv";
 const COLLECTION: &str = "motion.pvd";
 const CONTACT_COLLECTION: &str = "contacts.pvd";
 pub(super) const ANIMATION: &str = "motion.png";
+pub(super) const GIF: &str = "motion.gif";
 pub(super) const ENERGIES: &str = "energies.svg";
 pub(super) const DISTANCE: &str = "minimal-distance.svg";
-const FILES: [&str; 7] = [
+const FILES: [&str; 8] = [
     CHECKPOINT,
     STATISTICS,
     COLLECTION,
     CONTACT_COLLECTION,
     ANIMATION,
+    GIF,
     ENERGIES,
     DISTANCE,
 ];

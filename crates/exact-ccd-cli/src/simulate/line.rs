@@ -4,6 +4,8 @@ use std::fmt::Write;
 
 use exact_ccd_sim::{Simulation, Statistics, System};
 
+use super::queries::Counts;
+
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
@@ -90,4 +92,16 @@ pub(super) fn of(statistics: &Statistics) -> String {
         seconds.total, seconds.assembly, seconds.solve, seconds.ccd, seconds.line_search
     );
     line
+}
+
+/// The line for the queries of all time steps.
+pub(super) fn of_queries(counts: &Counts<[usize; 3]>) -> String {
+    let text = |name: &str, [total, in_contact, kept]: [usize; 3]| {
+        format!("{kept} of {total} {name} queries, {in_contact} in contact")
+    };
+    format!(
+        "kept {}; {}",
+        text("vertex-face", counts.vertex_face),
+        text("edge-edge", counts.edge_edge)
+    )
 }

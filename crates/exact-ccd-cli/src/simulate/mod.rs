@@ -5,8 +5,10 @@ mod filters;
 mod folder;
 mod grid;
 mod interrupt;
+mod json;
 mod line;
 mod log;
+mod painter;
 mod path;
 mod pictures;
 mod plots;
@@ -30,11 +32,13 @@ use crate::output::print;
 use crate::progress::{self, during};
 use crate::view::View;
 use folder::OutputFolder;
+use pictures::Pictures;
 use queries::QueryFolder;
 
 /// Simulate a scene: elastic bodies with contact and friction, without intersections
 ///
-/// SCENE is a TOML file with bodies, materials, scripted motions and settings. The key
+/// SCENE is a TOML file with bodies, materials, scripted motions and settings, or a scene of
+/// another program as of `exact-ccd import`. The key
 /// `settings.ccd` selects the method of continuous collision detection (CCD). The
 /// command prints one line for the scene and one for each time step.
 ///
@@ -60,7 +64,7 @@ use queries::QueryFolder;
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The scene, a .toml file.
+    /// The scene, a .toml file or one of another program.
     scene: PathBuf,
     /// The output folder.
     #[arg(long, value_name = "DIR")]
@@ -79,8 +83,9 @@ pub(crate) struct Arguments {
     /// next may have contacts.
     #[arg(long, requires = "out")]
     path: bool,
-    /// At the end, draw all time steps as `pictures/N.png` and as the animation `motion.png`, and plot
-    /// `energies.svg` and `minimal-distance.svg`. With --resume, earlier time steps are included.
+    /// Draw each time step as `pictures/N.png`, and at the end all as the animations `motion.png` and
+    /// `motion.gif`; plot `energies.svg` and `minimal-distance.svg`. With --resume, earlier time steps are
+    /// included. The table `[render]` of the scene has the settings.
     #[arg(long, requires = "out")]
     render: bool,
     /// Write the CCD queries as a data set for `exact-ccd bench` and `exact-ccd queries`. For each time step
@@ -111,6 +116,9 @@ pub(crate) struct Arguments {
     /// End with an error after a time step in which Newton's method did not converge.
     #[arg(long)]
     strict: bool,
+    /// Print a JSON object in place of each line of text. docs/reports.md has its schema.
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     view: View,
 }
@@ -131,6 +139,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         filters::by_name(name, system).map_err(|error| error.to_string())
     };
     let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
+    scene.notes.iter().for_each(|text| note(text));
     let (simulation, mut folder) = match &arguments.out {
         None => (scene.simulation()?, None),
         Some(folder) => {
@@ -150,12 +159,21 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     let steps = arguments.steps.unwrap_or(scene.steps);
     let remaining = steps.saturating_sub(simulation.state().step);
     let scene_line = line::of_scene(&simulation, steps, arguments.out.is_some());
-    print(&scene_line)?;
+    if arguments.json {
+        print(&json::of_scene(&simulation, steps))?;
+    } else {
+        print(&scene_line)?;
+    }
     if simulation.state().step == 0 {
         simulation.warnings().iter().for_each(|warning| warn(warning));
     }
+    let text_of_page = line::of_scene(&simulation, steps, true);
     let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));
     recording.add_state(&simulation)?;
+    let mut pictures = match folder.as_ref().filter(|_| arguments.render) {
+        None => None,
+        Some(folder) => Some(Pictures::begin(folder, &simulation, scene.rendering)?),
+    };
     let mut unconverged = Vec::new();
     if command.is_some() {
         simulation = simulation.with_interrupt(interrupt::flag());
@@ -181,9 +199,17 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             if let Some(folder) = &mut folder {
                 let is_last = statistics.step == steps || arguments.strict && !statistics.converged;
                 folder.add(&simulation, &statistics, path, is_last)?;
+                if let Some(pictures) = &mut pictures {
+                    pictures.add(folder)?;
+                }
             }
+            let line = if arguments.json {
+                json::of(&statistics)
+            } else {
+                line::of(&statistics)
+            };
             // The progress bar is hidden while the line is printed.
-            lines.suspend(|| print(&line::of(&statistics)))?;
+            lines.suspend(|| print(&line))?;
             progress(1);
             if !statistics.converged {
                 let step = statistics.step;
@@ -208,20 +234,23 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         return Ok(ExitCode::from(interrupt::STATUS));
     }
     ended?;
-    recording.finish(&scene_line)?;
+    recording.finish(&text_of_page)?;
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         warn(&warning);
     }
     if let Some(queries) = &queries {
-        print(&queries.summary())?;
+        let counts = queries.total();
+        print(&if arguments.json {
+            json::of_queries(counts)
+        } else {
+            line::of_queries(counts)
+        })?;
     }
-    if let Some(folder) = folder.as_ref().filter(|_| arguments.render) {
-        let settings = simulation.settings();
-        plots::draw(
-            folder,
-            settings.contact_distance.meters(simulation.system().size()),
-        )?;
-        pictures::draw(folder, &simulation)?;
+    if let (Some(folder), Some(pictures)) = (&folder, pictures) {
+        let distance = simulation.settings().contact_distance;
+        let name = arguments.scene.file_stem().unwrap_or_default().to_string_lossy();
+        plots::draw(folder, &name, distance.meters(simulation.system().size()))?;
+        pictures.finish(folder)?;
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -229,6 +258,11 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
 /// Writes a warning to standard error. An error of this is ignored.
 fn warn(warning: &dyn Display) {
     let _ = writeln!(std::io::stderr(), "exact-ccd: warning: {warning}");
+}
+
+/// Writes a note to standard error. An error of this is ignored.
+pub(crate) fn note(note: &dyn Display) {
+    let _ = writeln!(std::io::stderr(), "exact-ccd: note: {note}");
 }
 
 /// A simulation from its start or from the checkpoint in a folder, with the opened folder.

@@ -1,94 +1,106 @@
-//! Pictures of all time steps.
+//! Pictures of the time steps, written as these are simulated, and of the whole motion as animations.
 
 use std::io;
 
 use exact_ccd_files::read_frame;
-use exact_ccd_mesh::{Aabb, Frame, MeshError, Point, TriangleMesh};
-use exact_ccd_render::{Animation, Marks, View, render_thick};
-use exact_ccd_sim::{HalfSpace, Simulation};
+use exact_ccd_mesh::Frame;
+use exact_ccd_render::{Animation, Gif, Picture};
+use exact_ccd_sim::Simulation;
+use exact_ccd_sim::scene::Rendering;
 
-use super::folder::{ANIMATION, OutputFolder, PICTURES, make_folder};
+use super::folder::{ANIMATION, GIF, OutputFolder, PICTURES, make_folder};
+use super::painter::Painter;
 use super::steps;
 use crate::failure::Failure;
-use crate::output::{replace_file, write_file};
+use crate::output::{replace_file, write_file, write_file_soon};
 use crate::progress::{self, during};
 
-/// Width and height in pixels.
-const SIZE: [u16; 2] = [640, 480];
+/// The pictures of a run.
+pub(super) struct Pictures {
+    painter: Painter,
+    rendering: Rendering,
+    /// The time of one time step in the animations, in s.
+    time_step: f64,
+    /// The time steps up to this one are in the painter's motion.
+    last: Option<u64>,
+}
 
-/// Draws all frames up to the current time step, each as a picture, and all as an animation in real time.
-/// Rods and particles have the radius of their contact surface.
-pub(super) fn draw(folder: &OutputFolder, simulation: &Simulation) -> Result<(), Failure> {
-    let steps = folder.frames();
-    let mut bounds = Aabb::EMPTY;
-    for &step in steps {
-        bounds = bounds.union(&read_frame(folder.frame(step))?.bounds());
+impl Pictures {
+    /// The pictures in a folder, to which that of its last frame is added.
+    pub(super) fn begin(
+        folder: &OutputFolder,
+        simulation: &Simulation,
+        rendering: Rendering,
+    ) -> Result<Self, Failure> {
+        make_folder(&folder.file(PICTURES))?;
+        let mut pictures = Self {
+            painter: Painter::new(simulation, rendering),
+            rendering,
+            time_step: simulation.settings().time_step / rendering.speed,
+            last: None,
+        };
+        pictures.add(folder)?;
+        Ok(pictures)
     }
-    let [up, towards] = directions(simulation.settings().gravity);
-    let view = View::upright(&bounds, up, towards, SIZE);
-    let mut radii = simulation.system().surface_offsets();
-    let half_spaces = simulation.system().half_spaces();
-    radii.resize(radii.len() + 4 * half_spaces.len(), 0.0);
-    // The time steps between two frames, if there are any.
-    let interval = steps.windows(2).next().map_or(1, |steps| steps[1] - steps[0]);
-    let delay = 1000.0 * simulation.settings().time_step * interval as f64;
-    let delay = delay.round().max(1.0) as u16;
 
-    let pictures = folder.file(PICTURES);
-    make_folder(&pictures)?;
-    let count = u32::try_from(steps.len()).unwrap_or(u32::MAX);
-    let motion = folder.file(ANIMATION);
-    let failed = |source| Failure::write(&motion, source);
-    replace_file(&motion, |writer| {
-        during(progress::frames(count as usize), |progress| {
-            let mut animation = Animation::new(writer, SIZE, count, delay).map_err(failed)?;
-            for &step in steps {
-                let mut frame = read_frame(folder.frame(step))?;
-                for half_space in half_spaces {
-                    frame = with_boundary(frame, half_space, &bounds)
-                        .map_err(|error| failed(io::Error::other(error)))?;
-                }
-                let picture = render_thick(&frame, &view, &Marks::default(), &radii);
-                let file = pictures.join(steps::name(step, "png"));
-                write_file(&file, |writer| picture.write_png(writer))?;
-                animation.add(&picture).map_err(failed)?;
-                progress(1);
+    /// Adds the frames that have been written to the folder, and draws the last one. All frames so far, or
+    /// this one, fill its picture.
+    pub(super) fn add(&mut self, folder: &OutputFolder) -> Result<(), Failure> {
+        let frames = folder.frames();
+        let new = frames
+            .iter()
+            .filter(|&&step| self.last.is_none_or(|last| step > last));
+        let new: Vec<u64> = new.copied().collect();
+        for &step in &new {
+            let frame = read_frame(folder.frame(step))?;
+            self.painter.include(&frame);
+            if frames.last() == Some(&step) {
+                let picture = self.paint(folder, frame, step)?;
+                let file = picture_file(folder, step);
+                write_file_soon(&file, |writer| picture.write_png(writer))?;
             }
-            animation.finish().map_err(failed)
-        })
-    })
-}
-
-/// A frame with a square of the boundary of a half space, beneath the bounds of the scene.
-fn with_boundary(mut frame: Frame, half_space: &HalfSpace, bounds: &Aabb) -> Result<Frame, MeshError> {
-    let first = frame.positions.len() as u32;
-    frame.positions.extend(half_space.square(bounds));
-    let mut faces = frame.mesh.faces().to_vec();
-    faces.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
-    let edges = frame.mesh.loose_edges().to_vec();
-    frame.mesh = TriangleMesh::with_edges(frame.positions.len(), faces, &edges)?;
-    Ok(frame)
-}
-
-/// The upward direction and the direction towards the viewer. Upward is opposite to gravity, or along y
-/// without gravity. The viewer is slightly above the scene.
-fn directions(gravity: Point) -> [Point; 2] {
-    let falls = gravity.iter().any(|&g| g != 0.0);
-    let up = if falls {
-        gravity.map(|g| -g)
-    } else {
-        [0.0, 1.0, 0.0]
-    };
-    let vertical = (0..3).fold(0, |most: usize, axis| {
-        if up[axis].abs() > up[most].abs() {
-            axis
-        } else {
-            most
         }
-    });
-    let mut towards = [0.0; 3];
-    towards[vertical] = 0.6_f64.copysign(up[vertical]);
-    towards[(vertical + 1) % 3] = 1.0;
-    towards[(vertical + 2) % 3] = 0.5;
-    [up, towards]
+        self.last = frames.last().copied();
+        Ok(())
+    }
+
+    fn paint(&self, folder: &OutputFolder, frame: Frame, step: u64) -> Result<Picture, Failure> {
+        let failed = |error| Failure::write(&picture_file(folder, step), io::Error::other(error));
+        self.painter.paint(frame, step).map_err(failed)
+    }
+
+    /// Draws all frames again, because the whole motion is known only now, and makes the animations.
+    pub(super) fn finish(self, folder: &OutputFolder) -> Result<(), Failure> {
+        let frames = folder.frames();
+        let count = u32::try_from(frames.len()).unwrap_or(u32::MAX);
+        let size = self.rendering.size;
+        let [png, gif] = [ANIMATION, GIF].map(|name| folder.file(name));
+        let of_png = |source| Failure::write(&png, source);
+        let of_gif = |source| Failure::write(&gif, source);
+        replace_file(&png, |png_writer| {
+            replace_file(&gif, |gif_writer| {
+                during(progress::frames(frames.len()), |progress| {
+                    let mut animation = Animation::new(png_writer, size, count).map_err(of_png)?;
+                    let mut smaller = Gif::new(gif_writer, size).map_err(of_gif)?;
+                    for (index, &step) in frames.iter().enumerate() {
+                        let picture = self.paint(folder, read_frame(folder.frame(step))?, step)?;
+                        write_file(&picture_file(folder, step), |writer| picture.write_png(writer))?;
+                        let steps = frames
+                            .get(index + 1)
+                            .map_or_else(|| step - frames[index.saturating_sub(1)], |next| next - step);
+                        let seconds = steps as f64 * self.time_step;
+                        animation.add(&picture, seconds).map_err(of_png)?;
+                        smaller.add(&picture, seconds).map_err(of_gif)?;
+                        progress(1);
+                    }
+                    animation.finish().map_err(of_png)?;
+                    smaller.finish().map_err(of_gif)
+                })
+            })
+        })
+    }
+}
+
+fn picture_file(folder: &OutputFolder, step: u64) -> std::path::PathBuf {
+    folder.file(PICTURES).join(steps::name(step, "png"))
 }

@@ -3,7 +3,9 @@
 use exact_ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
 use exact_ccd_plot::plotters::prelude::*;
 use exact_ccd_plot::plotters::series::LineSeries;
-use exact_ccd_plot::{Area, Axis, Drawn, Frame, GREATEST, color, decades, logarithmic, number, svg, write};
+use exact_ccd_plot::{
+    Area, Axis, Drawn, Frame, GREATEST, Scale, color, decades, linear, logarithmic, power, svg, write,
+};
 
 use super::folder::{DISTANCE, ENERGIES, OutputFolder};
 use super::statistics::Row;
@@ -35,20 +37,20 @@ impl Line {
     }
 }
 
-/// Plots the statistics in a folder. `contact_distance` is d̂, in m.
-pub(super) fn draw(folder: &OutputFolder, contact_distance: f64) -> Result<(), Failure> {
+/// Plots the statistics in a folder of a scene with this name. `contact_distance` is d̂, in m.
+pub(super) fn draw(folder: &OutputFolder, scene: &str, contact_distance: f64) -> Result<(), Failure> {
     let rows = folder.statistics()?;
     let write = |name: &str, drawing: String| {
         write_file(&folder.file(name), |writer| {
             std::io::Write::write_all(writer, drawing.as_bytes())
         })
     };
-    write(ENERGIES, energies(&rows))?;
-    write(DISTANCE, minimal_distance(&rows, contact_distance))
+    write(ENERGIES, energies(scene, &rows))?;
+    write(DISTANCE, minimal_distance(scene, &rows, contact_distance))
 }
 
 /// The plot of all energies that are not zero, in J. The energy of gravity is relative to its least value.
-fn energies(rows: &[Row]) -> String {
+fn energies(scene: &str, rows: &[Row]) -> String {
     let lowest = rows
         .iter()
         .fold(f64::INFINITY, |least, row| least.min(row.gravity));
@@ -64,27 +66,32 @@ fn energies(rows: &[Row]) -> String {
     ];
     let is_there = |line: &Line| line.points.iter().any(|(_, energy)| *energy != Some(0.0));
     let lines: Vec<Line> = lines.into_iter().filter(is_there).collect();
-    plot(&lines, "energy / J", false)
+    let (least, most) = range(&lines);
+    let scale = Scale::of(most.max(-least));
+    let axis = Axis {
+        title: &format!("energy / {}", scale.unit("J")),
+        label: &|energy: &f64| scale.number(*energy),
+    };
+    let title = format!("{scene}: energies");
+    svg(SIZE, |area| {
+        draw_lines(&lines, &title, axis, linear(least, most), area)
+    })
 }
 
 /// The plot of the minimal distance in m, where there are contacts, and of the contact distance.
-fn minimal_distance(rows: &[Row], contact_distance: f64) -> String {
+fn minimal_distance(scene: &str, rows: &[Row], contact_distance: f64) -> String {
     let lines = [
         Line::new("minimal distance", rows, |row| row.minimal_distance),
         Line::new("contact distance", rows, |_| Some(contact_distance)),
     ];
-    plot(&lines, "distance / m", true)
-}
-
-fn plot(lines: &[Line], unit: &str, is_logarithmic: bool) -> String {
+    let (first, last) = decades(values(&lines));
+    let axis = Axis {
+        title: "distance / m",
+        label: &power,
+    };
+    let title = format!("{scene}: minimal distance");
     svg(SIZE, |area| {
-        if is_logarithmic {
-            let (first, last) = decades(values(lines));
-            draw_lines(lines, unit, logarithmic(first, last), area)
-        } else {
-            let (first, last) = range(lines);
-            draw_lines(lines, unit, first..last, area)
-        }
+        draw_lines(&lines, &title, axis, logarithmic(first, last), area)
     })
 }
 
@@ -94,21 +101,18 @@ fn values(lines: &[Line]) -> impl Iterator<Item = f64> {
         .flat_map(|line| line.points.iter().filter_map(|(_, value)| *value))
 }
 
-/// The range of an axis that includes 0 and all values, with a margin.
+/// The range of 0 and all values.
 fn range(lines: &[Line]) -> (f64, f64) {
     let (least, most) = values(lines).fold((0.0_f64, 0.0_f64), |(least, most), value| {
         (least.min(value), most.max(value))
     });
-    if least < most {
-        (1.05 * least, 1.05 * most)
-    } else {
-        (0.0, 1.0)
-    }
+    if least < most { (least, most) } else { (0.0, 1.0) }
 }
 
 fn draw_lines<'a, Y>(
     lines: &[Line],
-    unit: &str,
+    title: &str,
+    y: Axis<'_, f64>,
     range: impl AsRangedCoord<CoordDescType = Y, Value = f64>,
     area: &Area<'a>,
 ) -> Drawn<'a>
@@ -121,17 +125,17 @@ where
     let end = Some(times.fold(0.0, f64::max))
         .filter(|&end| end > 0.0)
         .unwrap_or(1.0);
-    let axis = |title| Axis {
-        title,
-        label: &number,
-    };
+    let scale = Scale::of(end);
     let frame = Frame {
-        title: "",
-        x: axis("time / s"),
-        y: axis(unit),
+        title,
+        x: Axis {
+            title: &format!("time / {}", scale.unit("s")),
+            label: &|time: &f64| scale.number(*time),
+        },
+        y,
         legend: LEGEND,
     };
-    let mut chart = frame.draw(area, 0.0..end, range)?;
+    let mut chart = frame.draw(area, linear(0.0, end), range)?;
     for (index, line) in lines.iter().enumerate() {
         let style = color(index).stroke_width(2);
         for piece in line.points.split(|(_, value)| value.is_none()) {

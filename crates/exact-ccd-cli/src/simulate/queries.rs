@@ -25,9 +25,9 @@ pub(super) struct QueryFolder {
 
 /// For each kind: the numbers of queries, of queries in contact, and of queries written.
 #[derive(Default)]
-struct Counts<T> {
-    vertex_face: T,
-    edge_edge: T,
+pub(super) struct Counts<T> {
+    pub(super) vertex_face: T,
+    pub(super) edge_edge: T,
 }
 
 /// A row of `counts.csv`: the queries of a time step, and those of them that were written.
@@ -118,19 +118,8 @@ impl QueryFolder {
         Ok([free + colliding, colliding, kept.len()])
     }
 
-    /// The numbers of queries of all time steps, as a line of text.
-    pub(super) fn summary(&self) -> String {
-        let text = |name: &str, [total, in_contact, kept]: [usize; 3]| {
-            format!("{kept} of {total} {name} queries, {in_contact} in contact")
-        };
-        let Counts {
-            vertex_face,
-            edge_edge,
-        } = self.total;
-        format!(
-            "kept {}; {}",
-            text("vertex-face", vertex_face),
-            text("edge-edge", edge_edge)
-        )
+    /// The numbers of queries of all time steps.
+    pub(super) fn total(&self) -> &Counts<[usize; 3]> {
+        &self.total
     }
 }

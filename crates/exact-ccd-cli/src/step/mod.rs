@@ -100,7 +100,7 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let clock = Instant::now();
     let mut notes = Notes::default();
-    let (scene, motion) = during(progress::stage("reading"), |_| arguments.read())?;
+    let (scene, motion) = during(progress::stage("reading"), |_| arguments.read(&mut notes))?;
     let read = clock.elapsed();
     let problem = Problem {
         can_collide: scene.can_collide(),
@@ -121,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let answer = answers.swap_remove(answers.len() / 2);
 
     let Motion { mesh, x0, x1 } = &problem.motion;
-    if answer.touches_at_start() || !start.is_empty() {
+    if answer.may_touch_at_start() || !start.is_empty() {
         let touching = detector.contacts(x0, x1, 0.0)?;
         note_split_vertices(mesh, x0, &touching, &start, &arguments.scene, &mut notes);
     }
@@ -143,6 +143,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.view.step(
         &arguments.files,
         &problem.motion,
+        &start,
         &mut detector,
         &output.to_string(),
     )?;
@@ -166,8 +167,8 @@ impl Problem {
 }
 
 impl Arguments {
-    fn read(&self) -> Result<(Scene, Motion), Failure> {
-        let mut scene = Scene::of_pairs(&self.files, &self.scene)?;
+    fn read(&self, notes: &mut Notes) -> Result<(Scene, Motion), Failure> {
+        let mut scene = Scene::of_pairs(&self.files, &self.scene, notes)?;
         scene.check_contents(self.min_distance != Separation::default())?;
         let (start, end) = (scene.read(0)?, scene.read(1)?);
         let motion = Motion::new(start, end).map_err(|error| scene.mismatch(1, error))?;

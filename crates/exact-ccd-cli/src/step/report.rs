@@ -100,10 +100,10 @@ impl Answer {
         }
     }
 
-    /// Returns true if the earliest contact is known, and is at the start.
-    pub(super) fn touches_at_start(&self) -> bool {
+    /// Returns false if there is no contact at the start for certain.
+    pub(super) fn may_touch_at_start(&self) -> bool {
         match self {
-            Self::Free { .. } => false,
+            Self::Free { is_free, .. } => !is_free,
             Self::Report(report) => report.toi == Some(0.0),
         }
     }

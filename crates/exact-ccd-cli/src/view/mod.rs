@@ -6,7 +6,7 @@ mod recording;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{BroadPhase, Detector, Motion};
+use exact_ccd_mesh::{BroadPhase, Detector, Intersection, Motion};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
@@ -23,18 +23,19 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// Writes the page of a step, if there is to be one: all contacts that the detector finds, and the
-    /// answer that was printed.
+    /// Writes the page of a step, if there is to be one: the intersections at its start, all contacts that
+    /// the detector finds, and the answer that was printed.
     pub(crate) fn step<B: BroadPhase>(
         &self,
         files: &[PathBuf],
         motion: &Motion,
+        start: &[Intersection],
         detector: &mut Detector<B>,
         answer: &str,
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
         let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
-        let page = Page::of_step(title(files), motion.step()?, &contacts)?;
+        let page = Page::of_step(title(files), motion.step()?, start, &contacts)?;
         write(file, &page.with_summary(lines(answer)))
     }
 

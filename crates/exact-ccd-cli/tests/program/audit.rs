@@ -240,3 +240,94 @@ fn a_collection_is_taken_in_its_order() {
         "broken.pvd: line 1: expected an attribute `type`, found none"
     );
 }
+
+/// A vertex in a half space is a violation at rest, in the frame that ends the step of the contact. The
+/// decision is exact: the boundary touches, and the next f64 above it does not.
+#[test]
+fn half_spaces_are_not_entered() {
+    let folder = heights(&[1.0, 0.5, 0.25]);
+    let files = ["audit", "0.ply", "1.ply", "2.ply"];
+    let at = |height: f64, options: &[&str]| {
+        let half_space = format!("0,0,{height:?},0,0,3");
+        let moving = [
+            "--with",
+            "floor=0.ply",
+            "--ignore",
+            "0:floor",
+            "--half-space",
+            &half_space,
+        ];
+        folder.run(&[&files[..], &moving, options].concat())
+    };
+    // The square is at 0 in all frames, the other corners of the tip are above it.
+    let square = at(0.0, &[]);
+    assert_eq!(square.status, 1);
+    assert!(
+        square.stdout.contains(
+            "\ncontact in frame 0 (0.ply): vertex 0 and half space 0\n  at (0, 0, 0), normal (0, 0, 1);"
+        ),
+        "{square:?}"
+    );
+    assert_eq!(at(-5e-324, &[]).status, 0);
+    let within = |d: &str| at(-0.125, &["--min-distance", d]).status;
+    assert_eq!([within("0.125"), within("0.12499999999999999")], [1, 0]);
+
+    // In a frame of its own, the tip alone.
+    let tip = |height: f64| {
+        let positions = vec![[0.25, 0.25, height], [1.0, 0.0, 4.0], [0.0, 1.0, 4.0]];
+        ply(&Frame::new(positions, vec![[0, 1, 2]]).unwrap())
+    };
+    for (frame, height) in [1.0, 0.5, 0.25, 0.75].into_iter().enumerate() {
+        folder.write(&format!("tip{frame}.ply"), tip(height));
+    }
+    let run = |height: &str, options: &[&str]| {
+        let half_space = format!("9 9 {height} 0 0 1");
+        let files = [
+            "audit",
+            "tip0.ply",
+            "tip1.ply",
+            "tip2.ply",
+            "tip3.ply",
+            "--half-space",
+            &half_space,
+        ];
+        folder.run(&[&files[..], options].concat())
+    };
+    let first = |height: &str| {
+        let run = run(height, &["--json", "--out", "out"]);
+        let report: Value = serde_json::from_str(&run.stdout).unwrap();
+        report["violation"]["contact"].clone()
+    };
+    assert_eq!(first("0.24999999999999997"), Value::Null);
+    assert_eq!(
+        first("0.25"),
+        json!({
+            "frame": 2, "kind": "vh", "ids": [0, 0], "vertices": [[0], []], "time": {"lower": 0.0, "upper": 0.0},
+            "point": [0.25, 0.25, 0.25], "normal": [0.0, 0.0, 1.0], "parameters": null,
+            "distance": {"lower": 0.0, "upper": 0.0},
+        })
+    );
+    let impact = exact_ccd_files::read_frame(folder.path("out/impact.vtu")).unwrap();
+    assert_eq!(impact.positions[0], [0.25, 0.25, 0.25]);
+    let all = run("0.6", &["--all", "all.csv"]);
+    assert!(
+        all.stdout.contains("violations: 2, in 2 of the frames"),
+        "{all:?}"
+    );
+    let rows = folder.read("all.csv");
+    let frames: Vec<&str> = rows.lines().skip(1).filter_map(|row| row.get(..7)).collect();
+    assert_eq!(frames, ["1,vh,0,", "2,vh,0,"]);
+
+    for bad in [
+        "0,0,0",
+        "0,0,0,0,0,0",
+        "0,0,0,0,0,NaN",
+        "0,0,inf,0,0,1",
+        "a,0,0,0,0,1",
+        "",
+    ] {
+        let run = folder.run(&["audit", "0.ply", "--half-space", bad]);
+        assert_eq!(run.status, 2, "{bad}");
+        assert!(run.stderr.contains("expected"), "{run:?}");
+    }
+}

@@ -84,15 +84,25 @@ fn the_kind_is_recognised_where_it_is_certain() {
     folder.write("ve.csv", file(&[crossing_vertex()]));
     folder.write("vv.csv", [file(&[meeting_vertices()]), b"\n".to_vec()].concat());
     let run = |arguments: &[&str]| folder.run(&[&["queries"], arguments].concat());
-    for (path, kind) in [
-        ("vertex-face/0.csv", "vf"),
-        ("edge-edge/0.csv", "ee"),
-        ("ve.csv", "ve"),
-        ("vv.csv", "vv"),
+    for (path, kind, note) in [
+        ("vertex-face/0.csv", "vf", ""),
+        ("edge-edge/0.csv", "ee", ""),
+        (
+            "ve.csv",
+            "ve",
+            "exact-ccd: note: ve.csv: 6 rows are queries of the kind ve; --kind names another\n",
+        ),
+        (
+            "vv.csv",
+            "vv",
+            "exact-ccd: note: vv.csv: 4 rows are queries of the kind vv; --kind names another\n",
+        ),
     ] {
         let recognised = run(&[path]);
-        assert_eq!(recognised.status, 0, "{recognised:?}");
-        assert_eq!(recognised, run(&["--kind", kind, path]));
+        let given = run(&["--kind", kind, path]);
+        assert_eq!((recognised.status, given.status), (0, 0), "{recognised:?}");
+        assert_eq!(recognised.stdout, given.stdout);
+        assert_eq!(recognised.stderr, [note, &given.stderr].concat());
     }
     for kind in ["vf", "ee"] {
         let name = format!("{kind}.parquet");
@@ -118,9 +128,13 @@ fn the_kind_is_recognised_where_it_is_certain() {
             .error()
             .starts_with("-: the kind of the queries is not certain")
     );
-    assert_eq!(
-        run(&["ve.csv", "vv.csv"]).error(),
-        "vv.csv: queries of the kind vv, after others of the kind ve"
+    let differ = run(&["ve.csv", "vv.csv"]);
+    let last = "exact-ccd: error: vv.csv: queries of the kind vv, after others of the kind ve\n";
+    assert!(differ.status == 2 && differ.stderr.ends_with(last), "{differ:?}");
+    let missing = run(&["missing.csv"]);
+    assert!(
+        missing.error().starts_with("missing.csv: No such file"),
+        "{missing:?}"
     );
 }
 
@@ -133,6 +147,10 @@ fn an_empty_input_is_an_error() {
         assert_eq!(run.error(), "0 queries: the input is empty");
         assert_eq!(run.stdout, if json.is_empty() { HEADER } else { "" });
     }
+    assert_eq!(
+        folder.run(&["queries", "empty.csv"]).error(),
+        "0 queries: the input is empty"
+    );
     let run = folder.run_with_input(&["queries", "--kind", "ee", "-"], "");
     assert_eq!(run.error(), "0 queries: the input is empty");
 }

@@ -13,6 +13,7 @@ use crate::meshes::{fall, ply, tip_above_square};
 use crate::queries::{miss, pass, slide};
 use crate::query_rows::rows;
 use crate::schema::Schema;
+use crate::simulate;
 
 #[track_caller]
 fn json_of(run: &Run) -> Value {
@@ -64,6 +65,7 @@ fn every_report_has_its_schema() {
             &["--all", "all.csv"],
             &["--min-distance", "0.125"],
             &["--with", "end.ply"],
+            &["--half-space", "0,0,0.25,0,0,1", "--all", "all.jsonl"],
         ] {
             let run = folder.run(&[&["audit", "start.ply", "end.ply", "--json"], options].concat());
             schema.assert("audit", &json_of(&run));
@@ -87,8 +89,66 @@ fn every_report_has_its_schema() {
     }
     std::fs::create_dir_all(folder.path("data/vertex-face")).unwrap();
     folder.write("data/vertex-face/0.csv", rows(&pass(), ",1"));
-    let run = folder.run(&["bench", "data", "--methods", "exact", "--json"]);
-    schema.assert("bench", &json_of(&run));
+    // With a method that has no times of impact, and with queries of one class only.
+    for methods in ["exact", "exact,parity,IRF"] {
+        let run = folder.run(&["bench", "data", "--methods", methods, "--json"]);
+        let report = json_of(&run);
+        schema.assert("bench", &report);
+        let rows = report["tables"][0]["rows"].as_array().unwrap();
+        assert_eq!(rows.len(), methods.split(',').count());
+        assert_eq!(rows[0]["answered"], json!({"colliding": 1, "free": 0}));
+    }
+    for (options, output, counts) in [
+        (&[][..], "vf.parquet", [3, 0, 0]),
+        (&["--answers"], "again.csv", [3, 0, 0]),
+        (&["data/vertex-face/0.csv"], "all.csv", [4, 1, 0]),
+    ] {
+        let run = folder.run(
+            &[
+                &["convert", "--kind", "vf", "--json", "-o", output, "vf.csv"],
+                options,
+            ]
+            .concat(),
+        );
+        assert_eq!(run.status, 0, "{run:?}");
+        let report = json_of(&run);
+        schema.assert("convert", &report);
+        let [queries, colliding, free] = counts;
+        assert_eq!(
+            report,
+            json!({"output": output, "kind": "vf", "queries": queries, "colliding": colliding, "free": free})
+        );
+    }
+    let run = folder.run(&["convert", "--json", "-o", "-", "vf.csv"]);
+    assert_eq!(
+        run.error(),
+        "--json needs a file of --output: with -, standard output has the queries"
+    );
+}
+
+#[test]
+fn time_steps_as_json_lines() {
+    let schema = Schema::of_reports();
+    let folder = simulate::folder();
+    let run = folder.run(&["simulate", "scene.toml", "--json", "--dump-queries", "queries"]);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""));
+    let lines: Vec<Value> = run
+        .stdout
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let (first, rest) = lines.split_first().unwrap();
+    schema.assert("simulation", first);
+    assert_eq!([&first["vertices"], &first["steps"]], [&json!(12), &json!(10)]);
+    let (last, steps) = rest.split_last().unwrap();
+    schema.assert("dumped_queries", last);
+    assert_eq!(steps.len(), 10);
+    for (step, number) in steps.iter().zip(1..) {
+        schema.assert("time_step", step);
+        assert_eq!(step["step"], json!(number));
+    }
+    assert_eq!(steps[9]["time_s"], json!(0.2));
+    assert!(steps[9]["contacts"].as_u64() > Some(0));
 }
 
 #[test]

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::folder::{Folder, Run};
 use crate::meshes::{obj, ply, tip_above_square};
+use crate::schema::Schema;
 
 /// A triangle parallel to the floor, as an OBJ file.
 fn tile(x: f64, z: f64) -> String {
@@ -113,7 +114,10 @@ fn parts_are_left_out_by_name() {
     assert_eq!(toi(&["--only", "a:floor"]), json!(0.5));
     assert_eq!(toi(&["--only", "b:floor"]), Value::Null);
     let run = folder.run(&[&scene[..], &["--only", "a:ceiling"]].concat());
-    assert_eq!(run.error(), "there is no part ceiling; there are a, b, floor");
+    assert_eq!(
+        run.error(),
+        "there is no part or group ceiling; there are a, b, floor"
+    );
 }
 
 /// The names in PLY files select pairs, as those of files do.
@@ -138,13 +142,11 @@ fn names_in_files_are_names_of_parts() {
     // The name of the file stands for all of its vertices.
     assert_eq!(audit(&["--ignore", "0:0"]).status, 0);
     let unknown = audit(&["--ignore", "tip:square"]);
-    assert_eq!(unknown.error(), "there is no part tip; there are square, a tip");
-    // Welding changes vertices, so that names are those of files.
-    assert_eq!(audit(&["--weld"]).status, 1);
     assert_eq!(
-        audit(&["--weld", "--ignore", "a tip:square"]).error(),
-        "there is no part a tip; there are 0"
+        unknown.error(),
+        "there is no part tip; there are 0, square, a tip"
     );
+    assert_eq!(audit(&["--weld", "--ignore", "a tip:square"]).status, 0);
 }
 
 #[test]
@@ -271,6 +273,7 @@ fn split_vertices_are_noted_and_welded_on_request() {
     folder.write("end.obj", split(1.0));
     for command in [
         &["step", "start.obj", "end.obj"][..],
+        &["step", "start.obj", "end.obj", "--any"],
         &["audit", "start.obj", "end.obj", "--as-given"],
     ] {
         let run = folder.run(command);
@@ -334,7 +337,121 @@ fn a_file_of_two_frames_is_a_step() {
     let run = folder.run(&["step", "two.pvd", "--json"]);
     assert_eq!((run.status, &json_of(&run)["toi"]), (1, &json!(0.5)));
     assert_eq!(
+        folder.run(&["step", "a.vtu"]).error(),
+        "a.vtu: 1 frame, expected 2; add the file of the end"
+    );
+    assert_eq!(
         folder.run(&["step", "three.pvd"]).error(),
         "three.pvd: 3 frames, expected 2; `exact-ccd audit` examines longer motions"
     );
+}
+
+/// Several series are one scene: a part of `--with` that moves collides with all others and with itself.
+#[test]
+fn several_series_are_parts_of_one_audit() {
+    let folder = Folder::new();
+    for name in ["cloth", "body"] {
+        std::fs::create_dir(folder.path(name)).unwrap();
+    }
+    // The tiles meet at 0.75, a quarter of the way from frame 1 to frame 2.
+    for (frame, [cloth, body]) in [[2.0, 0.0], [1.0, 0.5], [0.0, 1.5]].into_iter().enumerate() {
+        folder.write(&format!("cloth/{frame}.obj"), tile(0.0, cloth));
+        folder.write(&format!("body/{frame}.obj"), tile(0.25, body));
+    }
+    let scene = ["audit", "cloth", "--with", "body"];
+    let report = json_of(&folder.run(&[&scene[..], &["--json"]].concat()));
+    assert_eq!(report["violation"]["frame"], json!(1));
+    assert_eq!(
+        report["violation"]["contact"]["time"],
+        json!({"lower": 0.25, "upper": 0.25})
+    );
+    assert_eq!(report["parts"][1]["name"], json!("body"));
+    assert_eq!(report["parts"][1]["is_obstacle"], json!(false));
+    let run = folder.run(&[&scene[..], &["--ignore", "cloth:body"]].concat());
+    assert_eq!(run.status, 0, "{run:?}");
+
+    std::fs::remove_file(folder.path("body/2.obj")).unwrap();
+    assert_eq!(
+        folder.run(&scene).error(),
+        "body: 2 frames, expected 3 as of cloth, or 1 of a mesh at rest"
+    );
+}
+
+/// Two tiles as the objects of one file, `ground` below and `roof` above it. They share no vertices.
+fn house(height: f64) -> String {
+    let corners = |z: f64| format!("v 0 0 {z}\nv 1 0 {z}\nv 0 1 {z}\n");
+    format!(
+        "o ground\n{}o roof\n{}g ground\nf 1 2 3\ng roof\nf 4 5 6\n",
+        corners(0.0),
+        corners(height)
+    )
+}
+
+#[test]
+fn groups_of_a_file_are_left_out_by_name() {
+    let folder = Folder::new();
+    folder.write("start.obj", house(1.0));
+    folder.write("end.obj", house(-1.0));
+    folder.write("roof.obj", house(3.0));
+    let scene = ["step", "start.obj", "end.obj", "--json"];
+    let run = |rules: &[&str]| folder.run(&[&scene[..], rules].concat());
+    let report = json_of(&run(&[]));
+    assert_eq!(report["toi"], json!(0.5));
+    assert_eq!(
+        report["groups"],
+        json!([
+            {"part": "start", "name": "ground", "vertex_count": 3},
+            {"part": "start", "name": "roof", "vertex_count": 3},
+        ])
+    );
+    Schema::of_reports().assert("step", &report);
+    let toi = |rules: &[&str]| json_of(&run(rules))["toi"].clone();
+    assert_eq!(toi(&["--ignore", "roof:ground"]), Value::Null);
+    assert_eq!(toi(&["--ignore", "start/roof:start/ground"]), Value::Null);
+    assert_eq!(toi(&["--ignore", "roof:roof"]), json!(0.5));
+    assert_eq!(toi(&["--only", "start:roof"]), json!(0.5));
+    assert_eq!(toi(&["--only", "roof:roof"]), Value::Null);
+    // Welding keeps the names.
+    assert_eq!(toi(&["--weld", "--ignore", "roof:ground"]), Value::Null);
+    assert_eq!(
+        run(&["--ignore", "roof:attic"]).error(),
+        "there is no part or group attic; there are start, ground, roof"
+    );
+    let text = folder.run(&["step", "start.obj", "end.obj"]);
+    assert!(text.stdout.contains("\ngroups: ground, roof\n"), "{text:?}");
+
+    // A part before a group of this name, and a group that two parts have.
+    let with = |rules: &[&str]| run(&[&["--with", "roof.obj"], rules].concat());
+    assert_eq!(
+        json_of(&with(&["--only", "roof:start/ground"]))["toi"],
+        Value::Null
+    );
+    assert_eq!(
+        with(&["--only", "roof:ground"]).error(),
+        "several parts have a group ground: its names are start/ground, roof/ground and so on"
+    );
+}
+
+/// Groups with common vertices: primitives of both are in both.
+#[test]
+fn groups_may_share_vertices() {
+    let folder = Folder::new();
+    // Two triangles of one strip as groups, and a triangle that falls through the second one.
+    let strip = |z: f64| {
+        format!(
+            "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 4 4 0\nv 3 3 {z}\nv 3.5 3 {}\nv 3 3.5 {}\n\
+             g left\nf 1 2 3\ng right\nf 3 2 4\ng tip\nf 5 6 7\n",
+            z + 1.0,
+            z + 1.0
+        )
+    };
+    folder.write("start.obj", strip(1.0));
+    folder.write("end.obj", strip(-1.0));
+    let toi = |rules: &[&str]| {
+        let run = folder.run(&[&["step", "start.obj", "end.obj", "--json"], rules].concat());
+        json_of(&run)["toi"].clone()
+    };
+    assert_eq!(toi(&["--ignore", "tip:left"]), json!(0.5));
+    assert_eq!(toi(&["--ignore", "tip:right"]), Value::Null);
+    assert_eq!(toi(&["--only", "tip:right"]), json!(0.5));
 }

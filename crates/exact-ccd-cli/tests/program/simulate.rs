@@ -189,6 +189,7 @@ fn there_is_a_picture_of_each_time_step() {
     run(&["--resume"]);
     assert_eq!(pictures(), 11);
     assert_eq!(frames_of(&read("motion.png")), Some(11));
+    assert!(read("motion.gif").starts_with(b"GIF89a"));
     assert_eq!(frames_of(&read("pictures/000010.png")), None);
     for (plot, names) in [
         ("energies.svg", ["energy / J", "kinetic", "gravity"]),
@@ -210,6 +211,69 @@ fn frames_of(png: &[u8]) -> Option<u32> {
     let control = png.windows(4).position(|name| name == b"acTL")?;
     let count = png.get(control + 4..control + 8)?;
     Some(u32::from_be_bytes(count.try_into().unwrap()))
+}
+
+/// Pictures are written as the run goes: also by a run that ends with an error, up to then.
+#[test]
+fn pictures_are_written_as_the_run_goes() {
+    let folder = Folder::new();
+    folder.write(
+        "scene.toml",
+        SCENE.replace("[settings]", "[settings]\nmax-iterations = 1"),
+    );
+    let run = folder.run(&["simulate", "scene.toml", "--out", "out", "--render", "--strict"]);
+    assert_eq!(run.status, 2, "{run:?}");
+    let pictures = fs::read_dir(folder.path("out/pictures")).unwrap().count();
+    assert!((2..11).contains(&pictures), "{pictures}");
+    assert!(!folder.path("out/motion.png").exists());
+    assert!(folder.path("out/pictures/000000.png").exists());
+}
+
+/// The table `[render]` has the settings of the pictures, and none of the simulation.
+#[test]
+fn pictures_have_settings() {
+    let folder = folder();
+    let mut results = std::collections::HashSet::new();
+    for (name, table) in [
+        ("default", ""),
+        ("up", "up = [1.0, 0.0, 0.0]"),
+        ("camera", "camera = [0.0, 1.0, 1.0]"),
+        ("all", "subject = \"all\""),
+        (
+            "box",
+            "subject = { box = { lower = [0.0, 0.0, 0.0], upper = [0.1, 0.1, 0.1] } }",
+        ),
+        ("follow", "follow = true"),
+    ] {
+        let scene = format!("{SCENE}\n[render]\nsize = [320, 200]\nspeed = 0.5\n{table}\n");
+        folder.write("settings.toml", scene);
+        let run = folder.run(&[
+            "simulate",
+            "settings.toml",
+            "--out",
+            name,
+            "--render",
+            "--steps",
+            "3",
+        ]);
+        assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{table}");
+        let picture = fs::read(folder.path(&format!("{name}/pictures/000003.png"))).unwrap();
+        // The width and the height.
+        assert_eq!(picture[16..24], [0, 0, 1, 64, 0, 0, 0, 200]);
+        assert!(results.insert(picture), "{name}");
+        let frame = |name: &str| fs::read(folder.path(&format!("{name}/frames/000003.ply"))).unwrap();
+        assert_eq!(frame(name), frame("default"));
+        // At half the speed, a time step of 0.02 s takes 0.04 s.
+        let animation = fs::read(folder.path(&format!("{name}/motion.png"))).unwrap();
+        let control = animation.windows(4).position(|name| name == b"fcTL").unwrap();
+        assert_eq!(animation[control + 24..control + 28], [0, 40, 3, 232]);
+    }
+    folder.write("settings.toml", format!("{SCENE}\n[render]\nsize = [0, 200]\n"));
+    let run = folder.run(&["simulate", "settings.toml"]);
+    assert_eq!(
+        run.error(),
+        "settings.toml, line 17, render.size: out of range, expected a width and a height from 16 to 4096 pixels"
+    );
 }
 
 #[test]
@@ -436,7 +500,7 @@ fn bodies_have_names_and_contacts_are_written() {
         assert_eq!(run.status, 0, "{run:?}");
     }
     let run = folder.run(&["audit", "result/frames", "--ignore", "cube:floor"]);
-    assert!(run.error().ends_with("there are cube, body-1"), "{run:?}");
+    assert!(run.error().ends_with("cube, body-1"), "{run:?}");
     let names: Vec<String> = ["000000", "000005", "000010"]
         .map(|step| format!("{step}.vtp"))
         .to_vec();

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use crate::folder::Folder;
 use crate::meshes::{fall, ply};
 use crate::step::answer;
+use crate::view::data;
 
 /// A box of twelve faces, and a rod of two faces that passes through two sides of it. Both move by `shift`.
 fn rod_through_box(shift: f64) -> Frame {
@@ -81,6 +82,20 @@ fn a_rod_through_a_box_is_reported_with_its_first_edge_and_face() {
         json!([reported["kind"], reported["ids"], reported["vertices"]]),
         json!(["ef", [edge, face], [[a, b], [c, d, e]]])
     );
+}
+
+#[test]
+fn the_page_of_the_step_has_the_intersections() {
+    let folder = moving_rod_through_box();
+    folder.run(&["step", "start.ply", "end.ply", "--view", "page.html"]);
+    let page = data(&folder, "page.html");
+    let Frame { mesh, positions } = rod_through_box(0.0);
+    let found = crossings(&mesh, &positions, &CanCollide::all()).unwrap();
+    assert_eq!(page["contactCount"], found.len());
+    let first = &page["contacts"][0];
+    assert_eq!((&first["frame"], &first["time"]), (&json!(0), &json!(0.0)));
+    let ids = [&first["primitives"][0]["id"], &first["primitives"][1]["id"]];
+    assert_eq!(json!(ids), json!([found[0].edge, found[0].face]));
 }
 
 #[test]

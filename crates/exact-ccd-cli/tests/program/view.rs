@@ -10,7 +10,7 @@ use crate::query_rows::rows;
 use crate::simulate;
 
 /// The data of a page.
-fn data(folder: &Folder, page: &str) -> Value {
+pub(crate) fn data(folder: &Folder, page: &str) -> Value {
     let html = folder.read(page);
     let start = html.split_once(" id=\"page\">").unwrap().1;
     serde_json::from_str(start.split_once("</script>").unwrap().0).unwrap()

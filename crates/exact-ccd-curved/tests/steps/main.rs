@@ -5,6 +5,7 @@
 mod bodies;
 mod errors;
 mod gears;
+mod polynomials;
 mod straight;
 
 use exact_ccd::separation::Separation;

@@ -4,10 +4,10 @@ use std::fmt;
 
 use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 
+use super::group::Group;
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
-use crate::named_part::NamedPart;
 
 /// The contents of a mesh file. Readers have checked all indices.
 #[derive(Default)]
@@ -18,8 +18,8 @@ pub(super) struct Cells {
     pub(super) lines: Vec<[u32; 2]>,
     pub(super) faces: Faces,
     pub(super) solids: Vec<Solid>,
-    /// Names of all vertices, or nothing.
-    pub(super) parts: Vec<NamedPart>,
+    /// Named groups, in formats without cells with volume.
+    pub(super) groups: Vec<Group>,
 }
 
 /// The frame of a file, and the facts about the file that a frame does not have.
@@ -30,7 +30,7 @@ pub(super) struct Assembled {
     pub(super) first_polygon: Option<ParseError>,
     /// The number of cells with volume, of which the frame has the surface.
     pub(super) solids: usize,
-    pub(super) parts: Vec<NamedPart>,
+    pub(super) groups: Vec<Group>,
 }
 
 /// The numbers of elements in the file, for the error of a file without any mesh.
@@ -67,7 +67,7 @@ impl Cells {
             polygons,
             first_polygon,
             solids: 0,
-            parts: self.parts,
+            groups: self.groups,
         })
     }
 
@@ -146,8 +146,7 @@ impl Cells {
             polygons: surface.polygons + self.faces.polygons,
             first_polygon: surface.first_polygon.or(self.faces.first_polygon),
             solids: self.solids.len(),
-            // Vertices may be left out.
-            parts: Vec::new(),
+            groups: Vec::new(),
         })
     }
 

@@ -20,6 +20,7 @@ const BEGINNINGS: &[(&[u8], Known)] = {
     const DOWNLOAD: &str = "download the file itself: the page is about it, or has an error message";
     const GZIP: &str = "add .gz to the name of the file, or decompress it";
     const FETCH: &str = "fetch the file itself with `git lfs pull`";
+    const GMSH: &str = "write the format of Gmsh, in meshio with `file_format=\"gmsh\"`";
     const MESH: &str = "choose a file with a mesh";
     &[
         (b"\x1f\x8b", Advice("compressed by gzip", GZIP)),
@@ -36,6 +37,8 @@ const BEGINNINGS: &[(&[u8], Known)] = {
         (b"#usda", Other("USD", "usd")),
         (b"BLENDER", Other("a file of Blender", "blend")),
         (b"\x89HDF", Other("HDF5", "h5")),
+        (b"(0 \"", Advice("a mesh of ANSYS Fluent", GMSH)),
+        (b"(1 \"", Advice("a mesh of ANSYS Fluent", GMSH)),
         (b"ISO-10303-21", Other("a STEP model", "step")),
         (b"ply\n", Mesh("PLY", Format::Ply)),
         (b"ply\r", Mesh("PLY", Format::Ply)),

@@ -6,11 +6,11 @@ use exact_ccd_mesh::Frame;
 
 use super::cells::{Assembled, Cells};
 use super::file::{format_of, parse_file};
+use super::group::Group;
 use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::Format;
-use crate::named_part::NamedPart;
 
 /// The treatment of faces with more than three corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -33,8 +33,10 @@ pub struct MeshFile {
     pub frame: Frame,
     /// The numbers of its elements.
     pub contents: Contents,
-    /// The names of all vertices, as parts in their order; empty if the file has none, or names some only.
-    pub parts: Vec<NamedPart>,
+    /// The objects and groups of an OBJ file, and the named parts of a PLY file, see
+    /// [`NamedPart`](crate::NamedPart). In OBJ, an element belongs to the last statement `o` or `g` before
+    /// it; several statements or parts of one name are one group.
+    pub groups: Vec<Group>,
 }
 
 impl MeshFile {
@@ -83,7 +85,7 @@ impl MeshFile {
         Ok(Self {
             frame: assembled.frame,
             contents,
-            parts: assembled.parts,
+            groups: assembled.groups,
         })
     }
 }

@@ -7,6 +7,7 @@ mod content;
 mod file;
 mod frame;
 mod gltf;
+mod group;
 mod mesh_file;
 mod motion;
 mod msh;
@@ -25,6 +26,7 @@ mod text;
 mod vtk;
 
 pub use frame::{parse_frame, read_frame};
+pub use group::Group;
 pub use mesh_file::{MeshFile, Polygons};
 pub use motion::{ReadMotionError, read_motion};
 pub use sequence::FrameSequence;

@@ -1,8 +1,11 @@
-//! Wavefront OBJ: the statements `v`, `f`, `l` and `p`. All others are skipped.
+//! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. All others are skipped.
+
+use std::collections::HashMap;
 
 use exact_ccd_mesh::Point;
 
 use super::cells::Cells;
+use super::group::Group;
 use super::text::{Line, Lines, Syntax, parse};
 use crate::error::{Fault, ParseError, Place};
 
@@ -37,6 +40,13 @@ struct Statements {
     ends: Vec<usize>,
     polylines: Vec<(Place, Vec<i64>)>,
     points: Vec<(Place, Vec<i64>)>,
+    groups: Vec<Begin>,
+}
+
+/// The beginning of a group: its name, and the numbers of faces, polylines and points before it.
+struct Begin {
+    name: String,
+    before: [usize; 3],
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
@@ -48,6 +58,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
             Some(b"f") => statements.add_face(&mut line)?,
             Some(b"l") => statements.add_polyline(&mut line)?,
             Some(b"p") => statements.add_points(&mut line)?,
+            Some(b"o" | b"g") => statements.begin_group(&mut line),
             _ => {}
         }
     }
@@ -87,6 +98,55 @@ impl Statements {
         Ok(())
     }
 
+    fn begin_group(&mut self, line: &mut Line) {
+        let words = std::iter::from_fn(|| line.word());
+        let words: Vec<_> = words.map(String::from_utf8_lossy).collect();
+        let before = self.counts();
+        let name = words.join(" ");
+        self.groups.push(Begin { name, before });
+    }
+
+    /// The numbers of faces, polylines and points.
+    fn counts(&self) -> [usize; 3] {
+        [self.faces.len(), self.polylines.len(), self.points.len()]
+    }
+
+    /// The groups that have names and elements, in the order of their first statements. All indices are in
+    /// range.
+    fn groups(&self) -> Vec<Group> {
+        let mut groups: Vec<Group> = Vec::new();
+        let mut numbers: HashMap<&str, usize> = HashMap::new();
+        for (number, begin) in self.groups.iter().enumerate() {
+            let end = self
+                .groups
+                .get(number + 1)
+                .map_or_else(|| self.counts(), |next| next.before);
+            let of = |kind: usize| begin.before[kind]..end[kind];
+            let corner = |face: usize| if face == 0 { 0 } else { self.ends[face - 1] };
+            let corners = &self.corners[corner(begin.before[0])..corner(end[0])];
+            let lines = self.polylines[of(1)].iter().chain(&self.points[of(2)]);
+            let indices = corners.iter().chain(lines.flat_map(|(_, indices)| indices));
+            let vertices: Vec<u32> = indices.map(|&index| (index - 1) as u32).collect();
+            if begin.name.is_empty() || vertices.is_empty() {
+                continue;
+            }
+            let number = *numbers.entry(&begin.name).or_insert(groups.len());
+            if number == groups.len() {
+                groups.push(Group {
+                    name: begin.name.clone(),
+                    vertices,
+                });
+            } else {
+                groups[number].vertices.extend(vertices);
+            }
+        }
+        for group in &mut groups {
+            group.vertices.sort_unstable();
+            group.vertices.dedup();
+        }
+        groups
+    }
+
     /// The indices on the rest of a line, from 1. An index below 0 counts back from the latest
     /// vertex, which is −1.
     fn indices(&self, kind: &'static str, number: usize, line: &mut Line) -> Result<Vec<i64>, ParseError> {
@@ -111,7 +171,7 @@ impl Statements {
         Ok(indices)
     }
 
-    fn into_cells(self) -> Result<Cells, ParseError> {
+    fn into_cells(mut self) -> Result<Cells, ParseError> {
         let vertex_count = self.positions.len();
         let in_range = |&index: &u32| (index as usize) < vertex_count;
         let vertex = |element: Element, index: i64| {
@@ -120,7 +180,7 @@ impl Statements {
         };
         let mut cells = Cells::default();
         let (mut start, mut face) = (0, Vec::new());
-        for ((number, place), end) in self.faces.into_iter().enumerate().zip(self.ends) {
+        for ((number, &place), &end) in self.faces.iter().enumerate().zip(&self.ends) {
             let element = Element {
                 kind: "face",
                 number,
@@ -133,26 +193,27 @@ impl Statements {
             cells.faces.add(&face, || place)?;
             start = end;
         }
-        for (number, (place, indices)) in self.polylines.into_iter().enumerate() {
+        for (number, (place, indices)) in self.polylines.iter().enumerate() {
             let element = Element {
                 kind: "polyline",
                 number,
-                place,
+                place: *place,
             };
-            let vertices = indices.into_iter().map(|index| vertex(element, index));
+            let vertices = indices.iter().map(|&index| vertex(element, index));
             cells.add_polyline(&vertices.collect::<Result<Vec<_>, _>>()?);
         }
-        for (number, (place, indices)) in self.points.into_iter().enumerate() {
+        for (number, (place, indices)) in self.points.iter().enumerate() {
             let element = Element {
                 kind: "point",
                 number,
-                place,
+                place: *place,
             };
-            for index in indices {
+            for &index in indices {
                 cells.points.push(vertex(element, index)?);
             }
         }
-        cells.positions = self.positions;
+        cells.groups = self.groups();
+        cells.positions = std::mem::take(&mut self.positions);
         Ok(cells)
     }
 }

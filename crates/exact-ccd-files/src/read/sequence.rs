@@ -140,12 +140,10 @@ impl FrameSequence {
                 };
                 let checked = frame.check();
                 checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::File)))?;
-                let contents = recording.contents;
-                let parts = Vec::new();
                 Ok(MeshFile {
                     frame,
-                    contents,
-                    parts,
+                    contents: recording.contents,
+                    groups: Vec::new(),
                 })
             }
         }

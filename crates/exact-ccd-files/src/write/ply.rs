@@ -21,7 +21,7 @@ pub fn write_ply(writer: impl io::Write, frame: &Frame) -> io::Result<()> {
 }
 
 /// Writes a frame as [`write_ply`], with the names of its parts as comments, which
-/// [`MeshFile::parts`](crate::MeshFile) has.
+/// [`MeshFile::groups`](crate::MeshFile) has.
 ///
 /// # Errors
 /// Those of [`write_ply`]; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a name with a control

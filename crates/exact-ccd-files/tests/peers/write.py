@@ -84,6 +84,14 @@ def with_pyvista(file, time, options):
     poly_data(time).save(file, **options)
 
 
+def described_with_pyvista(file, time, options):
+    """With texts beside the mesh, as pyvista keeps the metadata of other libraries."""
+    mesh = poly_data(time)
+    mesh.user_dict["source"] = "a house" * 20
+    mesh.field_data["names"] = ["house", "", "the floor"]
+    mesh.save(file, **options)
+
+
 def triangles_with_pyvista(file, time):
     faces = np.hstack([[3, *face] for face in TRIANGLES])
     pyvista.PolyData(positions(HOUSE, FLOOR, time), faces).save(file)
@@ -185,6 +193,9 @@ for extension, options in (("vtu", {}), ("vtk", {}), ("msh", {"file_format": "gm
 for extension in ("vtp", "vtk", "ply"):
     for binary in (True, False):
         write("polygons", f"pyvista_{binary}", extension, with_pyvista, {"binary": binary})
+for extension in ("vtp", "vtk"):
+    for binary in (True, False):
+        write("polygons", f"pyvista_texts_{binary}", extension, described_with_pyvista, {"binary": binary})
 write("soup", "pyvista", "stl", triangles_with_pyvista)
 write("polygons", "pyvista", "obj", with_pyvista, {})
 for extension in ("vtu", "vtk"):

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct HalfSpace {
     /// Its name, which several half spaces may share. Empty for no name.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
     /// A point of the boundary, in m.
     #[serde(default)]
@@ -54,7 +54,10 @@ impl HalfSpace {
     }
 
     /// Checks that the point is finite and that the normal has a direction.
-    pub(crate) fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] has the number `half_space`.
+    pub fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
         let Self { point, normal, .. } = *self;
         let error = |what, value, expected| HalfSpaceError {
             half_space,

@@ -5,8 +5,10 @@ use std::path::Path;
 use super::body::{load, select};
 use super::description::Axis;
 use super::document::{Document, Key, SceneError};
+use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
+use super::rendering::Rendering;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;
@@ -32,10 +34,15 @@ pub struct Scene {
     pub filter: StepFilter,
     /// The duration, as a number of time steps.
     pub steps: u64,
+    /// The settings of the pictures.
+    pub rendering: Rendering,
+    /// The entries of a scene of another program that are ignored.
+    pub notes: Vec<Note>,
 }
 
 impl Scene {
-    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from that of the scene file.
+    /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
+    /// `meshes`, or from that of the scene file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
@@ -45,6 +52,12 @@ impl Scene {
         filter_by_name: &FilterByName<'_>,
     ) -> Result<Self, SceneError> {
         let file = file.as_ref();
+        if let Some(Imported { toml, meshes, notes }) = import(file, meshes)? {
+            let mut label = file.as_os_str().to_owned();
+            label.push(" as TOML");
+            let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
+            return Ok(Self { notes, ..scene });
+        }
         let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
@@ -68,6 +81,8 @@ impl Scene {
             let message = "the key `duration` is missing, expected a number of seconds";
             return Err(document.error_of(&[], message));
         };
+        let checked = description.render.check();
+        checked.map_err(|(field, message)| document.error_of(&[Name("render"), Name(field)], &message))?;
         let settings = description.settings.clone();
         let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
 
@@ -93,7 +108,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let selected = select(script.vertices, &body.points, first)
+                let selected = select(&script.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
                 let scripted = Scripted {
                     vertices: selected,
@@ -120,7 +135,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let vertices = select(load.vertices, &body.points, first)
+                let vertices = select(&load.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
                 let load = Load {
                     vertices,
@@ -151,6 +166,8 @@ impl Scene {
             settings,
             filter,
             steps: 0,
+            rendering: description.render,
+            notes: Vec::new(),
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
         scene

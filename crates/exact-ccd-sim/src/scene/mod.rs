@@ -31,11 +31,15 @@
 mod body;
 mod description;
 mod document;
+mod import;
 mod load;
 mod locate;
 mod mesh;
 mod parse;
 mod placement;
+mod rendering;
 
 pub use document::SceneError;
+pub use import::{ImportError, Imported, Note, Place, Problem, import};
 pub use load::{FilterByName, Scene};
+pub use rendering::{Rendering, Subject};

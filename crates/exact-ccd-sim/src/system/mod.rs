@@ -345,6 +345,12 @@ impl System {
         self.names.iter().enumerate().map(name).collect()
     }
 
+    /// The vertices of the system that are in [`System::surface_frame`], in its order.
+    #[must_use]
+    pub fn surface_vertices(&self) -> &[u32] {
+        &self.surface_vertices
+    }
+
     /// The offsets of the contact surface at the vertices of [`System::surface_frame`], in m.
     #[must_use]
     pub fn surface_offsets(&self) -> Vec<f64> {

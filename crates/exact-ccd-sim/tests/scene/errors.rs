@@ -317,3 +317,30 @@ fn unknown_fields_and_methods_are_errors() {
     let error = parse("duration = 1.0\nbody = 3 4").err().unwrap();
     assert!(error.starts_with("scene.toml, line 2, "), "{error}");
 }
+
+#[test]
+fn settings_of_pictures_are_checked() {
+    let scene = |table: &str| format!("{SCENE}\n[render]\n{table}\n");
+    let rendering = parse(&scene("up = [0.0, 0.0, 2.0]")).unwrap().rendering;
+    assert_eq!(
+        (rendering.up, rendering.size),
+        (Some([0.0, 0.0, 2.0]), [800, 600])
+    );
+    for (table, field) in [
+        ("size = [8, 600]", "size"),
+        ("size = [600, 5000]", "size"),
+        ("up = [0.0, 0.0, 0.0]", "up"),
+        ("camera = [inf, 0.0, 0.0]", "camera"),
+        (
+            "subject = { box = { lower = [1.0, 0.0, 0.0], upper = [0.0, 1.0, 1.0] } }",
+            "subject",
+        ),
+        ("speed = 0.0", "speed"),
+        ("speed = nan", "speed"),
+        ("camera = 3.0", "camera"),
+        ("sise = [1, 2]", "sise"),
+    ] {
+        let error = parse(&scene(table)).err().unwrap();
+        assert!(error.contains(&format!("render.{field}: ")), "{error}");
+    }
+}

@@ -28,7 +28,7 @@ fn a_large_page_is_little_more_than_its_data() {
     let [x0, x1]: [Vec<_>; 2] = [place(0.0), place(0.3)].map(Iterator::collect);
     let mesh = TriangleMesh::new(x0.len(), faces).unwrap();
     assert_eq!(mesh.faces().len(), 180_000);
-    let html = Html::of(&Page::of_step("large", Step::new(&mesh, &x0, &x1).unwrap(), &[]).unwrap());
+    let html = Html::of(&Page::of_step("large", Step::new(&mesh, &x0, &x1).unwrap(), &[], &[]).unwrap());
     let binary = 4 * 3 * (mesh.faces().len() + x0.len() + x1.len());
     assert!(
         html.0.len() < binary * 3 / 2,

@@ -34,7 +34,9 @@ fn contacts(end: &[[f64; 3]; 6]) -> Vec<Contact> {
 }
 
 fn page(title: &str, end: &[[f64; 3]; 6]) -> Page {
-    Page::of_step(title, Step::new(&mesh(), &START, end).unwrap(), &contacts(end)).unwrap()
+    let mesh = mesh();
+    let step = Step::new(&mesh, &START, end).unwrap();
+    Page::of_step(title, step, &[], &contacts(end)).unwrap()
 }
 
 #[test]

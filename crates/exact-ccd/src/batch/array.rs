@@ -21,8 +21,7 @@ pub struct NonFiniteQuery {
     pub source: NonFinite,
 }
 
-/// Calls `found` with the index and the collision of each query that
-/// [collides](crate::Query::collides), in order.
+/// Queries that are given by their points, and have no vertices in common.
 ///
 /// The arguments of [`Query::new`](crate::Query::new) make one query: its points at both ends of the
 /// step. If the queries are those of a mesh, with vertices in common,
@@ -34,88 +33,86 @@ pub struct NonFiniteQuery {
 /// let at = |z: f64| [[0.25, 0.25, z], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// let queries = [[at(1.0), at(0.5)], [at(1.0), at(-1.0)]];
 /// let mut times = Vec::new();
-/// batch::collisions::<VertexFace>(&queries, |index, collision| {
+/// batch::Queries::<VertexFace>::new(&queries).collisions(|index, collision| {
 ///     times.push((index, collision.time_of_impact()));
 /// })?;
 /// assert_eq!(times, [(1, 0.5)]);
 /// # Ok::<(), batch::NonFiniteQuery>(())
 /// ```
-///
-/// # Errors
-/// [`NonFiniteQuery`] names the first coordinate that is infinite or not a number. All collisions
-/// before that query have been found then, and none after it.
-pub fn collisions<K: Kind>(
-    queries: &[[K::Points; 2]],
-    found: impl FnMut(usize, Collision<'_, K>),
-) -> Result<(), NonFiniteQuery> {
-    collisions_with(Instructions::best(), queries, found)
-}
-
-/// [`collisions`] by other vector instructions than the widest.
-///
-/// # Errors
-/// The same.
-pub fn collisions_with<K: Kind>(
+#[derive(Debug)]
+pub struct Queries<'a, K: Kind> {
+    points: &'a [[K::Points; 2]],
     instructions: Instructions,
-    queries: &[[K::Points; 2]],
-    found: impl FnMut(usize, Collision<'_, K>),
-) -> Result<(), NonFiniteQuery> {
-    collisions_within_with(instructions, queries, Separation::default(), found)
 }
 
-/// Calls `found` with the index and the collision of each query whose primitives [come within
-/// d](crate::Query::comes_within), in order. For d = 0 these are the [`collisions`].
-///
-/// # Errors
-/// As [`collisions`].
-pub fn collisions_within<K: Kind>(
-    queries: &[[K::Points; 2]],
-    d: Separation,
-    found: impl FnMut(usize, Collision<'_, K>),
-) -> Result<(), NonFiniteQuery> {
-    collisions_within_with(Instructions::best(), queries, d, found)
-}
-
-/// [`collisions_within`] by other vector instructions than the widest.
-///
-/// # Errors
-/// The same.
-pub fn collisions_within_with<K: Kind>(
-    instructions: Instructions,
-    queries: &[[K::Points; 2]],
-    d: Separation,
-    mut found: impl FnMut(usize, Collision<'_, K>),
-) -> Result<(), NonFiniteQuery> {
-    let indices = consecutive::<K>();
-    let mut rows = Vec::with_capacity(4 * CHUNK);
-    for (chunk, queries) in queries.chunks(CHUNK).enumerate() {
-        rows.clear();
-        for [start, end] in queries {
-            let ends = start.as_ref().iter().zip(end.as_ref());
-            rows.extend(ends.map(|(&start, &end)| Row::new(start, end)));
-        }
-        // Without a branch for each coordinate.
-        let finite = rows.iter().fold(true, |all, row| all & row.is_finite());
-        let first = CHUNK * chunk;
-        let error = if finite {
-            None
-        } else {
-            first_error::<K>(first, queries)
-        };
-        let sound = &indices[..error.map_or(queries.len(), |error| error.query - first)];
-        let found: Found<'_, K> = &mut |index, collision| found(first + index, collision);
-        K::run(Batch {
-            instructions,
-            rows: &rows,
-            queries: sound,
-            separations: d.into(),
-            found,
-        });
-        if let Some(error) = error {
-            return Err(error);
+impl<'a, K: Kind> Queries<'a, K> {
+    /// The queries with these points at the start and at the end.
+    #[must_use]
+    pub fn new(points: &'a [[K::Points; 2]]) -> Self {
+        Self {
+            points,
+            instructions: Instructions::best(),
         }
     }
-    Ok(())
+
+    /// The same queries, for other vector instructions than the widest.
+    #[must_use]
+    pub fn with_instructions(self, instructions: Instructions) -> Self {
+        Self { instructions, ..self }
+    }
+
+    /// Calls `found` with the index and the collision of each query that
+    /// [collides](crate::Query::collides), in order.
+    ///
+    /// # Errors
+    /// [`NonFiniteQuery`] names the first coordinate that is infinite or not a number. All collisions
+    /// before that query have been found then, and none after it.
+    pub fn collisions(&self, found: impl FnMut(usize, Collision<'_, K>)) -> Result<(), NonFiniteQuery> {
+        self.collisions_within(Separation::default(), found)
+    }
+
+    /// Calls `found` with the index and the collision of each query whose primitives [come within
+    /// d](crate::Query::comes_within), in order. For d = 0 these are the
+    /// [`collisions`](Self::collisions).
+    ///
+    /// # Errors
+    /// As [`collisions`](Self::collisions).
+    pub fn collisions_within(
+        &self,
+        d: Separation,
+        mut found: impl FnMut(usize, Collision<'_, K>),
+    ) -> Result<(), NonFiniteQuery> {
+        let indices = consecutive::<K>();
+        let mut rows = Vec::with_capacity(4 * CHUNK);
+        for (chunk, points) in self.points.chunks(CHUNK).enumerate() {
+            rows.clear();
+            for [start, end] in points {
+                let ends = start.as_ref().iter().zip(end.as_ref());
+                rows.extend(ends.map(|(&start, &end)| Row::new(start, end)));
+            }
+            // Without a branch for each coordinate.
+            let finite = rows.iter().fold(true, |all, row| all & row.is_finite());
+            let first = CHUNK * chunk;
+            let error = if finite {
+                None
+            } else {
+                first_error::<K>(first, points)
+            };
+            let sound = &indices[..error.map_or(points.len(), |error| error.query - first)];
+            let found: Found<'_, K> = &mut |index, collision| found(first + index, collision);
+            K::run(Batch {
+                instructions: self.instructions,
+                rows: &rows,
+                queries: sound,
+                separations: d.into(),
+                found,
+            });
+            if let Some(error) = error {
+                return Err(error);
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The vertices of queries without common ones.
@@ -133,8 +130,8 @@ fn consecutive<K: Kind>() -> [K::Vertices; CHUNK] {
 }
 
 #[cold]
-fn first_error<K: Kind>(first: usize, queries: &[[K::Points; 2]]) -> Option<NonFiniteQuery> {
-    queries.iter().enumerate().find_map(|(index, [start, end])| {
+fn first_error<K: Kind>(first: usize, points: &[[K::Points; 2]]) -> Option<NonFiniteQuery> {
+    points.iter().enumerate().find_map(|(index, [start, end])| {
         let source = NonFinite::check_moving([start.as_ref(), end.as_ref()]).err()?;
         Some(NonFiniteQuery {
             query: first + index,

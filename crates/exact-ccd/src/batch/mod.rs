@@ -6,9 +6,9 @@
 //! any processor: the same operations in the same order, each rounded as IEEE 754 defines.
 //!
 //! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
-//! ([`collisions`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times
-//! and impact continue from the decision. A batch may also be about a minimum separation
-//! ([`Trajectories::collisions_within`], [`collisions_within`]).
+//! ([`Queries`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times and
+//! impact continue from the decision. A batch may also be about a minimum separation
+//! ([`Trajectories::collisions_within`], [`Queries::collisions_within`]).
 //!
 //! [`collides`]: crate::Query::collides
 //!
@@ -42,6 +42,6 @@ mod within;
 
 pub(crate) use within::Batch;
 
-pub use array::{NonFiniteQuery, collisions, collisions_with, collisions_within, collisions_within_with};
+pub use array::{NonFiniteQuery, Queries};
 pub use instructions::Instructions;
 pub use trajectories::{Trajectories, TrajectoriesError, VertexOutOfRange};

@@ -90,10 +90,10 @@ fn answers_as_single_queries<K: Primitives>() {
             assert_eq!(found, expected, "vertices, {instructions:?}");
 
             let mut found = Vec::new();
-            batch::collisions_with::<K>(instructions, &queries[..size], |index, collision| {
-                found.push(Answers::of_collision(index, &collision));
-            })
-            .unwrap();
+            let of_points = batch::Queries::<K>::new(&queries[..size]).with_instructions(instructions);
+            of_points
+                .collisions(|index, collision| found.push(Answers::of_collision(index, &collision)))
+                .unwrap();
             assert_eq!(found, expected, "points, {instructions:?}");
         }
     }
@@ -163,7 +163,8 @@ fn errors_of_arrays_name_query_and_coordinate() {
         queries[bad][1][2][1] = f64::NEG_INFINITY;
         queries[700][1][3] = [f64::NAN; 3];
         let mut found = Vec::new();
-        let error = batch::collisions::<EdgeEdge>(&queries, |index, _| found.push(index)).unwrap_err();
+        let error = batch::Queries::<EdgeEdge>::new(&queries).collisions(|index, _| found.push(index));
+        let error = error.unwrap_err();
         let expected = NonFiniteQuery {
             query: bad,
             source: NonFinite {

@@ -125,10 +125,12 @@ fn answers_as_single_queries<K: FromFour>() {
             let d = Separation::new(d).unwrap();
             let expected = within(d.into());
             let mut found = Vec::new();
-            batch::collisions_within_with::<K>(instructions, &points, d, |index, collision| {
-                found.push(Answers::of_collision(index, &collision, d));
-            })
-            .unwrap();
+            let queries = batch::Queries::<K>::new(&points).with_instructions(instructions);
+            queries
+                .collisions_within(d, |index, collision| {
+                    found.push(Answers::of_collision(index, &collision, d));
+                })
+                .unwrap();
             assert!(found == expected, "{instructions:?}, {d:?}");
         }
     }

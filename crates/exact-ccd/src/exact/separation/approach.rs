@@ -66,7 +66,7 @@ impl Approach {
                 Vec::new(),
             )
         });
-        let sides = K::SIDES[..K::FEATURES.sides].iter().map(|side| {
+        let sides = K::FEATURES.sides.iter().map(|side| {
             let [a, b] = side.edge;
             let (x, e) = (self.difference((side.vertex, a)), self.difference((b, a)));
             let (across, along, squared_length) = (cross(&e, &x), dot(&e, &x), dot(&e, &e));

@@ -3,7 +3,7 @@
 
 use super::corners::Scaled;
 use super::nearest::nearest;
-use super::turning::{Moment, limit};
+use super::turning::{Heading, limit};
 use crate::filter::{Lanes, add, scaled};
 use crate::kind::Kind;
 
@@ -53,7 +53,7 @@ impl<T: Lanes> Advancement<T> {
             let then = self.at::<K>(end);
             let is_free = now.are_beyond_until::<K>(&then, self.limit) & end.gt(time);
             time = T::select(is_free, end, time);
-            now = Moment::select(is_free, &then, &now);
+            now = Heading::select(is_free, &then, &now);
             length = length * T::select(is_free, length.splat(2.0), length.splat(0.5));
         }
         time
@@ -61,11 +61,11 @@ impl<T: Lanes> Advancement<T> {
 
     /// A corner results from that of the query, 1 − t, a product and a sum: four roundings.
     #[inline(always)]
-    fn at<K: Kind>(&self, t: T) -> Moment<T> {
+    fn at<K: Kind>(&self, t: T) -> Heading<T> {
         let mut corners = self.start;
         for (corner, end) in corners.iter_mut().zip(&self.end) {
             *corner = add(scaled(*corner, -t + 1.0), scaled(*end, t));
         }
-        Moment::new(corners, nearest::<K, T>(&corners))
+        Heading::new(corners, nearest::<K, T>(&corners))
     }
 }

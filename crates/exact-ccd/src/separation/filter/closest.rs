@@ -26,7 +26,7 @@ impl Closest {
             }
         }
         let mut best = (dot(corners[0], corners[0]), Self::Corner(0));
-        for side in &K::SIDES[..features.sides] {
+        for side in features.sides {
             let [i, j] = side.corners;
             let (x, e) = (corners[i], minus(corners[j], corners[i]));
             let s = -dot(x, e) / dot(e, e);
@@ -94,10 +94,9 @@ fn from_plane(corners: &[Point; 4], [i, j]: [usize; 2], place: Point) -> [f64; 2
 
 /// True for parameters of inner points of the domain.
 fn is_inside<K: Kind>([u, v]: [f64; 2]) -> bool {
-    let is_triangle = K::FEATURES.vertices.len() == 3;
     u > 0.0
         && v > 0.0
-        && if is_triangle {
+        && if K::FEATURES.are_of_triangle() {
             u + v < 1.0
         } else {
             u < 1.0 && v < 1.0

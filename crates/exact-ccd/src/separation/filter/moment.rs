@@ -120,11 +120,7 @@ impl Moment<DoubleDouble> {
     /// True if the distance is certainly above d at this time, at another one, and at all times
     /// between.
     ///
-    /// Let g change linearly from one direction to the other, and a corner x from its place at one
-    /// time to that at the other. Then g · x is quadratic, with the Bernstein coefficients gₐ · xₐ,
-    /// (gₐ · x_b + g_b · xₐ) / 2 and g_b · x_b, and |g| is at most its linear interpolant, with the
-    /// coefficients |gₐ|, (|gₐ| + |g_b|) / 2 and |g_b|. So g · x > d |g| at all these times if each
-    /// coefficient is above d times the other: and if that is so for all corners, then it is for F.
+    /// The proof is that of [`Heading::are_beyond_until`](super::turning::Heading::are_beyond_until).
     pub(super) fn is_beyond_until(&self, later: &Self) -> bool {
         are_beyond(self, self) && are_beyond(self, later) && are_beyond(later, later)
     }

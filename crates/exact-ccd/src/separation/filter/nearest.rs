@@ -12,8 +12,8 @@ pub(super) fn nearest<K: Kind, T: Lanes>(corners: &[[T; 3]; 4]) -> [T; 3] {
     let (zero, one) = (origin[0].splat(0.0), origin[0].splat(1.0));
     let mut nearest = origin;
     let mut least = dot(origin, origin);
-    for side in 0..features.sides {
-        let [i, j] = K::SIDES[side].corners;
+    for side in features.sides {
+        let [i, j] = side.corners;
         let (x, e) = (corners[i], minus(corners[j], corners[i]));
         let s = -dot(x, e) / dot(e, e);
         // In this order, a NaN becomes 0.
@@ -34,7 +34,7 @@ pub(super) fn nearest<K: Kind, T: Lanes>(corners: &[[T; 3]; 4]) -> [T; 3] {
     // The parameters of the nearest point of the plane, times the determinant.
     let determinant = aa * bb - ab * ab;
     let (u, v) = (ab * cb - bb * ca, ab * ca - aa * cb);
-    let is_below = if features.vertices.len() == 3 {
+    let is_below = if features.are_of_triangle() {
         determinant.gt(u + v)
     } else {
         determinant.gt(u) & determinant.gt(v)

@@ -6,12 +6,12 @@ use crate::kind::Kind;
 /// The corners of F at one time, each component off by at most 5 u times the reach on its axis, and a
 /// direction: a vector of length at most 1 + 8 u.
 #[derive(Clone, Copy)]
-pub(super) struct Moment<T> {
+pub(super) struct Heading<T> {
     corners: [[T; 3]; 4],
     direction: [T; 3],
 }
 
-/// d and all errors of [`Moment::are_beyond_until`].
+/// d and all errors of [`Heading::are_beyond_until`].
 ///
 /// Let r be the sum of the reaches on the three axes. The sum gₐ · x_b + g_b · xₐ results from nine
 /// roundings, five of them those of a corner, of terms of at most 2 r (1 + 8 u): it is off by less than
@@ -21,7 +21,7 @@ pub(super) fn limit<T: Lanes>(d: T, reach: [T; 3]) -> T {
     d * (1.0 + 16.0 * UNIT) + (reach[0] + reach[1] + reach[2]) * (32.0 * UNIT) + UNDERFLOW
 }
 
-impl<T: Lanes> Moment<T> {
+impl<T: Lanes> Heading<T> {
     /// The direction of any vector. It is zero, which proves nothing, for one that is so short that its
     /// square may underflow.
     ///
@@ -37,7 +37,7 @@ impl<T: Lanes> Moment<T> {
         }
     }
 
-    /// One moment in the lanes of a mask, another one elsewhere.
+    /// One heading in the lanes of a mask, another one elsewhere.
     #[inline(always)]
     pub(super) fn select(mask: T::Mask, yes: &Self, no: &Self) -> Self {
         let mut chosen = *no;

@@ -177,7 +177,8 @@ fn answers(unit: f64) -> Option<Answers> {
     };
     let queries = [0, 1].map(|index| [points(index, 1.0), points(index, -1.0)]);
     let mut of_array = [false; 2];
-    batch::collisions::<VertexFace>(&queries, |index, _| of_array[index] = true).ok()?;
+    let queries = batch::Queries::<VertexFace>::new(&queries);
+    queries.collisions(|index, _| of_array[index] = true).ok()?;
 
     let [a, b] = scaled([[1.0, 2.0, 1.0], [1.0, 2.0, -1.0]], unit);
     let [v1, v2, v3] = scaled(FACE, unit);

@@ -140,11 +140,28 @@ impl<'a> Values<'a> {
                 }
                 Ok(())
             }
+            (b"string", true) => {
+                self.bytes.line();
+                (0..count).try_for_each(|_| self.skip_string())
+            }
             (_, true) => {
                 let scalar = self.scalar(kind)?;
                 self.data(count, scalar).map(drop)
             }
         }
+    }
+
+    /// Skips a text of a binary file. Its length comes first, in 1, 2, 4 or 8 bytes; the first two bits say
+    /// in which of these: 3, 2, 1 or 0.
+    fn skip_string(&mut self) -> Result<(), ParseError> {
+        let expected = || "a text and its length".to_owned();
+        let first = self.bytes.take(1, expected)?[0];
+        let more = [7, 3, 1, 0][usize::from(first >> 6)];
+        let rest = self.bytes.take(more, expected)?;
+        let length = rest.iter().fold(u64::from(first & 0x3f), |length, &byte| {
+            length << 8 | u64::from(byte)
+        });
+        self.bytes.take(length, expected).map(drop)
     }
 
     fn expect_more(&mut self) -> Result<(), ParseError> {

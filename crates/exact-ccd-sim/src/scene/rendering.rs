@@ -1,0 +1,91 @@
+//! The pictures of a scene.
+
+use exact_ccd_mesh::Point;
+use serde::Deserialize;
+
+/// The settings of the pictures, `[render]`. The simulation does not depend on them.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
+pub struct Rendering {
+    /// Width and height in pixels.
+    pub size: [u16; 2],
+    /// The direction upwards. If not given, it is opposite to gravity, or along y without gravity.
+    pub up: Option<Point>,
+    /// The direction from the scene to the viewer. If not given, it is slightly above the horizon.
+    pub camera: Option<Point>,
+    /// The part of the scene that fills the pictures.
+    pub subject: Subject,
+    /// True if the subject fills each picture at its time; false if its whole motion does.
+    pub follow: bool,
+    /// The simulated time that the animation shows in one second, in s.
+    pub speed: f64,
+}
+
+/// The part of a scene that fills its pictures.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub enum Subject {
+    /// The bodies with mass, and vertices that move. If there are none, everything.
+    #[default]
+    Moving,
+    /// All bodies, obstacles included.
+    All,
+    /// A box.
+    Box {
+        /// The least coordinates, in m.
+        lower: Point,
+        /// The greatest coordinates, in m.
+        upper: Point,
+    },
+}
+
+impl Default for Rendering {
+    fn default() -> Self {
+        Self {
+            size: [800, 600],
+            up: None,
+            camera: None,
+            subject: Subject::Moving,
+            follow: false,
+            speed: 1.0,
+        }
+    }
+}
+
+impl Rendering {
+    /// Checks all settings. The error is the name of the first one that is out of range, and a message.
+    pub(super) fn check(&self) -> Result<(), (&'static str, String)> {
+        let is_direction = |vector: Option<Point>| {
+            vector.is_none_or(|x| x.iter().all(|x| x.is_finite()) && x.iter().any(|&x| x != 0.0))
+        };
+        let is_box = match self.subject {
+            Subject::Box { lower, upper } => (0..3)
+                .all(|axis| lower[axis].is_finite() && upper[axis].is_finite() && lower[axis] <= upper[axis]),
+            Subject::Moving | Subject::All => true,
+        };
+        let direction = "a direction that is finite and not zero";
+        let checks = [
+            (
+                "size",
+                self.size.iter().all(|side| (16..=4096).contains(side)),
+                "a width and a height from 16 to 4096 pixels",
+            ),
+            ("up", is_direction(self.up), direction),
+            ("camera", is_direction(self.camera), direction),
+            (
+                "subject",
+                is_box,
+                "finite corners, `lower` not above `upper` along any axis",
+            ),
+            (
+                "speed",
+                self.speed > 0.0 && self.speed.is_finite(),
+                "a positive number",
+            ),
+        ];
+        match checks.iter().find(|(_, is_in_range, _)| !is_in_range) {
+            None => Ok(()),
+            Some((field, _, expected)) => Err((field, format!("out of range, expected {expected}"))),
+        }
+    }
+}
