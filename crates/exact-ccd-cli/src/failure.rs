@@ -101,6 +101,8 @@ pub(crate) enum Failure {
         first: String,
         expected: usize,
     },
+    #[error("--only {0}: both are obstacles, which are not compared with each other: name a part that moves")]
+    OnlyObstacles(String),
     #[error("all parts together have more than 2^32 vertices")]
     TooManyVertices,
     #[error("the parts together: {0}")]

@@ -113,6 +113,15 @@ fn parts_are_left_out_by_name() {
     assert_eq!(toi(&["--ignore", "b:a", "--ignore", "floor:a"]), Value::Null);
     assert_eq!(toi(&["--only", "a:floor"]), json!(0.5));
     assert_eq!(toi(&["--only", "b:floor"]), Value::Null);
+    let report = json_of(&folder.run(&[&scene[..], &["--only", "a:floor", "--only", "a:b"]].concat()));
+    assert_eq!(report["only"], json!(["a:floor", "a:b"]));
+    let run = folder.run(&[&scene[..7], &["--ignore", "a:b"]].concat());
+    assert!(run.stdout.contains("\nignored: a:b\n"), "{run:?}");
+    let run = folder.run(&[&scene[..], &["--only", "floor:floor"]].concat());
+    assert_eq!(
+        run.error(),
+        "--only floor:floor: both are obstacles, which are not compared with each other: name a part that moves"
+    );
     let run = folder.run(&[&scene[..], &["--only", "a:ceiling"]].concat());
     assert_eq!(
         run.error(),

@@ -30,7 +30,7 @@ pub(super) struct Description {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) half_space: Vec<HalfSpace>,
     /// The settings of the pictures.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Rendering::is_default")]
     pub(super) render: Rendering,
 }
 

@@ -19,6 +19,7 @@ use super::meshes::Meshes;
 use crate::half_space::HalfSpace;
 use crate::integrator::Integrator;
 use crate::scene::description::Description;
+use crate::scene::rendering::Rendering;
 use crate::settings::{Formulation, Friction, Length, Settings};
 use file::File;
 
@@ -36,6 +37,7 @@ pub(super) fn import(text: &str, meshes: &mut Meshes) -> Result<Draft, Fault> {
         settings: settings(&file),
         body,
         half_space: file.planes.iter().map(half_space).collect(),
+        render: Rendering::default(),
     };
     Ok(Draft { description, notes })
 }

@@ -6,10 +6,10 @@
 //! `NonlinearElasticVarForm.cpp` for the contact distance.
 
 mod boundary;
-mod common;
 mod entry;
 mod expression;
 mod geometry;
+mod inherited;
 mod material;
 mod motion;
 mod region;
@@ -25,6 +25,7 @@ use super::Draft;
 use super::fault::{Fault, Place, Problem};
 use super::meshes::Meshes;
 use crate::scene::description::Description;
+use crate::scene::rendering::Rendering;
 use entry::{Default, Entry, Rule};
 
 const VIEWING: Rule = Rule::Ignored("it concerns the output of PolyFEM");
@@ -52,7 +53,7 @@ const RULES: [(&str, Rule); 14] = [
 pub(super) fn import(text: &str, folder: &Path, meshes: &mut Meshes) -> Result<Draft, Fault> {
     let json: Value = serde_json::from_str(text)
         .map_err(|error| Problem::File(error.to_string()).at(&Place::Pointer(String::new())))?;
-    let json = common::resolved(json, folder)?;
+    let json = inherited::resolved(json, folder)?;
     let root = Entry::new(&json);
     let mut notes = Vec::new();
     root.check(&RULES, &mut notes)?;
@@ -67,6 +68,7 @@ pub(super) fn import(text: &str, folder: &Path, meshes: &mut Meshes) -> Result<D
         settings,
         body: scene.bodies,
         half_space: scene.half_spaces,
+        render: <Rendering as std::default::Default>::default(),
     };
     Ok(Draft { description, notes })
 }
