@@ -19,8 +19,8 @@ pub struct Scripted {
     /// True for each axis along which the script acts. Along the others, vertices with mass move freely, and
     /// vertices of obstacles rest.
     pub axes: [bool; 3],
-    /// The time from which the script does not act, in s: vertices with mass move freely then, and vertices of
-    /// obstacles rest. `None`: the script always acts.
+    /// The time from which the script does not act, in s: vertices with mass move freely then, and vertices
+    /// of obstacles rest. `None`: the script always acts.
     pub release: Option<f64>,
 }
 

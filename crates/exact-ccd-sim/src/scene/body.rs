@@ -50,6 +50,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
     let points = points.into_iter().map(|point| described.place(point)).collect();
     let velocity = described.velocity;
     Ok(Body {
+        name: described.name.clone(),
         points,
         kind,
         velocity,

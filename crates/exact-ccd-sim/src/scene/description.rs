@@ -38,6 +38,9 @@ pub(super) struct Description {
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct BodyDescription {
+    /// The name, which several bodies may share.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) name: String,
     /// A mesh file. Solids need tetrahedra (.msh). All other bodies accept any file that
     /// [`exact_ccd_files::read_frame`] accepts, and the surface of tetrahedra.
     pub(super) mesh: Option<PathBuf>,

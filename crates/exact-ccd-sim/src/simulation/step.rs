@@ -20,7 +20,7 @@ impl Simulation {
     /// Takes one time step. An error leaves the state unchanged.
     ///
     /// # Errors
-    /// [`SimulationError::Singular`] and [`SimulationError::Blocked`].
+    /// [`SimulationError::Singular`], [`SimulationError::Blocked`] and [`SimulationError::Interrupted`].
     pub fn step(&mut self) -> Result<Statistics, SimulationError> {
         self.step_along(&mut |_| ())
     }
@@ -167,6 +167,7 @@ impl Simulation {
                 system,
                 scheme: &scheme,
                 held: &held,
+                interrupt: &self.interrupt,
                 friction: &friction,
                 smoothing,
                 barrier: self.barrier,
@@ -178,7 +179,7 @@ impl Simulation {
             };
             statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
-            if settings.friction.coefficient == 0.0 {
+            if !settings.friction.acts() {
                 break;
             }
         }
@@ -266,17 +267,21 @@ impl Simulation {
     }
 
     fn friction(&self, now: &Iterate, stiffness: f64) -> Vec<FrictionContact> {
-        let coefficient = self.settings.friction.coefficient;
-        if coefficient == 0.0 {
+        if !self.settings.friction.acts() {
             return Vec::new();
         }
         let contact = |collision: &Collision| {
+            let coefficient = self.coefficients.of(self.system.bodies_of(collision));
+            if coefficient == 0.0 {
+                return None;
+            }
             let corners = gather_some(&now.positions, collision.vertices());
             let force = stiffness * collision.normal_force(&corners, &self.barrier);
             let separation = collision.separation(&corners);
-            FrictionContact::new(collision.vertices().clone(), &separation, coefficient * force)
+            let vertices = collision.vertices().clone();
+            Some(FrictionContact::new(vertices, &separation, coefficient * force))
         };
-        now.collisions.as_slice().iter().map(contact).collect()
+        now.collisions.as_slice().iter().filter_map(contact).collect()
     }
 }
 

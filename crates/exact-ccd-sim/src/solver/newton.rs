@@ -1,5 +1,6 @@
 //! Projected Newton with a line search that is filtered by CCD.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use exact_ccd_mesh::Point;
@@ -25,6 +26,7 @@ pub(crate) struct Newton<'a> {
     pub(crate) scheme: &'a Scheme,
     /// The coordinates of each vertex that are not free.
     pub(crate) held: &'a [Axes],
+    pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) smoothing: Smoothing,
     pub(crate) barrier: Barrier,
@@ -60,6 +62,10 @@ impl Newton<'_> {
         let mass = self.system.free_mass();
         let mut plan: Option<(Unknowns, Vec<u64>)> = None;
         for _ in 0..self.max_iterations {
+            if self.interrupt.load(Ordering::Relaxed) {
+                let step = statistics.step;
+                return Err(SimulationError::Interrupted { step });
+            }
             let clock = Instant::now();
             let springs = now.dirichlet.springs();
             let potential = Potential {

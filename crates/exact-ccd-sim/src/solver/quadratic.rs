@@ -118,8 +118,8 @@ impl Potential<'_> {
 }
 
 impl Quadratic {
-    /// Eliminates the known coordinates of unknown vertices: their rows and columns become those of a diagonal
-    /// matrix, and the change of the gradient by their displacements is that of the columns before.
+    /// Eliminates the known coordinates of unknown vertices: their rows and columns become those of a
+    /// diagonal matrix, and the change of the gradient by their displacements is that of the columns before.
     fn eliminate(&mut self, known: &[Axes], unknowns: &Unknowns, displacements: &[Vector3<f64>]) {
         let vertex = |scalar: usize| unknowns.vertices()[scalar / 3] as usize;
         let is_known = |scalar: usize| known[scalar / 3][scalar % 3];

@@ -4,6 +4,7 @@ mod error;
 mod fingerprint;
 mod parts;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 use exact_ccd::separation::{InvalidThickness, Thickness};
@@ -14,7 +15,7 @@ use exact_ccd_mesh::{
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::{Barrier, Part, Surface, Weights};
+use crate::contact::{Barrier, Collision, Part, Surface, Weights};
 use crate::elasticity::{Elastic, VertexBend};
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
@@ -59,6 +60,8 @@ pub struct System {
     /// True for the vertices of obstacles that no script moves.
     fixed: Vec<bool>,
     weights: Weights,
+    /// The name of each body.
+    names: Vec<String>,
     /// The vertices of each body.
     bodies: Vec<Range<u32>>,
     size: f64,
@@ -67,8 +70,8 @@ pub struct System {
 
 impl System {
     /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
-    /// the motion of vertices; along each axis, the last script of a vertex applies. Obstacles without a script
-    /// are fixed.
+    /// the motion of vertices; along each axis, the last script of a vertex applies. Obstacles without a
+    /// script are fixed.
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script.
@@ -143,6 +146,7 @@ impl System {
             grounded,
             fixed,
             weights,
+            names: bodies.iter().map(|body| body.name.clone()).collect(),
             bodies: ranges,
             size: if size > 0.0 { size } else { extent },
             extent,
@@ -322,6 +326,25 @@ impl System {
         Ok(frame)
     }
 
+    /// The vertices of [`System::surface_frame`] of each body, with its name, or with `body-N` for the Nth
+    /// body if it has none. They cover all vertices.
+    #[must_use]
+    pub fn surface_bodies(&self) -> Vec<(String, Range<u32>)> {
+        let place = |vertex: u32| self.surface_vertices.partition_point(|&kept| kept < vertex) as u32;
+        let ranges = self.bodies.iter().map(|body| place(body.start)..place(body.end));
+        self.body_names().into_iter().zip(ranges).collect()
+    }
+
+    /// The name of each body, or `body-N` for the Nth body if it has none.
+    #[must_use]
+    pub fn body_names(&self) -> Vec<String> {
+        let name = |(number, name): (usize, &String)| match name.as_str() {
+            "" => format!("body-{number}"),
+            name => name.to_owned(),
+        };
+        self.names.iter().enumerate().map(name).collect()
+    }
+
     /// The vertices of the system that are in [`System::surface_frame`], in its order.
     #[must_use]
     pub fn surface_vertices(&self) -> &[u32] {
@@ -368,8 +391,38 @@ impl System {
     }
 
     /// The body of a vertex, by its place in the list of bodies.
-    pub(crate) fn body_of(&self, vertex: u32) -> usize {
+    #[must_use]
+    pub fn body_of(&self, vertex: u32) -> usize {
         self.bodies.partition_point(|range| range.end <= vertex)
+    }
+
+    /// The bodies of a collision, by their places in the list of all bodies, followed by the half spaces.
+    pub(crate) fn bodies_of(&self, collision: &Collision) -> [usize; 2] {
+        // The vertices of the first primitive precede those of the second. A half space has none.
+        let vertices = collision.vertices();
+        let second = match collision.half_space() {
+            Some(half_space) => self.bodies.len() + half_space as usize,
+            None => self.body_of(vertices[vertices.len() - 1]),
+        };
+        [self.body_of(vertices[0]), second]
+    }
+
+    /// The names of all bodies, followed by those of the half spaces. Empty for no name.
+    #[must_use]
+    pub fn names(&self) -> Vec<&str> {
+        let half_spaces = self.half_spaces.iter().map(|half_space| &half_space.name);
+        self.names.iter().chain(half_spaces).map(String::as_str).collect()
+    }
+
+    /// All names, quoted, for messages.
+    pub(crate) fn known_names(&self) -> String {
+        let names = self.names();
+        let given: BTreeSet<String> = names
+            .iter()
+            .filter(|name| !name.is_empty())
+            .map(|name| format!("`{name}`"))
+            .collect();
+        given.into_iter().collect::<Vec<_>>().join(", ")
     }
 
     /// The diagonals of the bounding boxes of the bodies at the start, in m.

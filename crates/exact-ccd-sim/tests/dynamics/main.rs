@@ -3,9 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod conservation;
+mod contacts;
 mod decisions;
 mod filters;
 mod friction;
+mod friction_pairs;
 mod half_space;
 mod lengths;
 mod loads;

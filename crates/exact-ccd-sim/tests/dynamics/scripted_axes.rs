@@ -176,7 +176,8 @@ fn springs_act_along_the_scripted_axes_only() {
     assert!((0.05..0.06).contains(&statistics.script_lag), "{statistics:?}");
     for (now, before) in simulation.state().positions.iter().zip(before).take(25) {
         assert!((0.04..0.05).contains(&now[1]), "{now:?}");
-        assert!((now[0] - before[0] - 0.01).abs() < 1e-9, "{now:?}");
+        // But for the forces of the contact.
+        assert!((now[0] - before[0] - 0.01).abs() < 1e-3, "{now:?}");
     }
 }
 

@@ -216,6 +216,7 @@ fn friction_acts_between_particles_and_rods() {
                 coefficient,
                 static_velocity: Length::Absolute(1e-3),
                 lags: 3,
+                ..Friction::default()
             },
             ..settings()
         };

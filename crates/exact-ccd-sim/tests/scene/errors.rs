@@ -190,6 +190,16 @@ fn numbers_out_of_range_are_reported_at_their_field() {
             "line 16, settings.friction.lags: `friction.lags` is 0, expected at least 1",
         ),
         (
+            "lags = 2",
+            "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = -1.0",
+            "line 17, settings.friction.pair: `friction.pair` is -1, expected coefficients not below 0",
+        ),
+        (
+            "lags = 2",
+            "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = 1.0",
+            "line 17, settings.friction.pair: `friction.pair` names the body `a`, expected one of the names",
+        ),
+        (
             "scale = 0.5",
             "scale = [1.0, 0.0, 1.0]",
             "line 21, body[0].scale: the scale factors are [1.0, 0.0, 1.0], expected finite numbers",

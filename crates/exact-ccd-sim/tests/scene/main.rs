@@ -116,7 +116,11 @@ fn the_scene_of_the_documentation_is_valid() {
     let (text, _) = rest.split_once("```").unwrap();
     let scene = parse(text).unwrap();
     assert_eq!(scene.steps, 50);
-    // Its settings are the default values.
-    assert_eq!(scene.settings, exact_ccd_sim::Settings::default());
+    // Its settings are the default values, but for a pair of bodies with friction.
+    let mut settings = scene.settings.clone();
+    assert_eq!(settings.friction.pairs.len(), 1);
+    settings.friction.pairs.clear();
+    assert_eq!(settings, exact_ccd_sim::Settings::default());
+    assert_eq!(scene.system.names(), ["block", "", "", "", "", "ground"]);
     scene.simulation().unwrap().step().unwrap();
 }

@@ -114,7 +114,8 @@ impl Fixture {
         Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
-    /// The known coordinates of each vertex: all of an obstacle and of one vertex of five, two of another one.
+    /// The known coordinates of each vertex: all of an obstacle and of one vertex of five, two of another
+    /// one.
     pub(super) fn known(&self) -> Vec<Axes> {
         let known = |vertex: usize| match vertex % 5 {
             _ if !self.system.is_free(vertex) => [true; 3],

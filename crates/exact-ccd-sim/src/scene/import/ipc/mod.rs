@@ -43,10 +43,7 @@ pub(super) fn import(text: &str, meshes: &mut Meshes) -> Result<Draft, Fault> {
 }
 
 fn half_space(plane: &file::Plane) -> HalfSpace {
-    HalfSpace {
-        point: plane.point,
-        normal: plane.normal,
-    }
+    HalfSpace::new(plane.point, plane.normal)
 }
 
 fn settings(file: &File) -> Settings {
@@ -67,6 +64,7 @@ fn settings(file: &File) -> Settings {
             coefficient: file.friction,
             static_velocity: length(file.static_velocity),
             lags: file.lags,
+            ..Friction::default()
         },
         tolerance: length(file.tolerance),
         max_iterations: MAX_ITERATIONS,

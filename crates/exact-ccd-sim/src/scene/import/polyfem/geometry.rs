@@ -85,12 +85,12 @@ impl Geometry {
                 "mesh" | "mesh_array" => geometry.add(&entry, kind, conditions, &materials, meshes, notes)?,
                 "plane" => {
                     let (point, normal) = (entry.need("point")?.point()?, entry.need("normal")?.point()?);
-                    geometry.half_spaces.push(HalfSpace { point, normal });
+                    geometry.half_spaces.push(HalfSpace::new(point, normal));
                 }
-                "ground" => geometry.half_spaces.push(HalfSpace {
-                    point: [0.0, entry.need("height")?.number()?, 0.0],
-                    normal: [0.0, 1.0, 0.0],
-                }),
+                "ground" => {
+                    let point = [0.0, entry.need("height")?.number()?, 0.0];
+                    geometry.half_spaces.push(HalfSpace::new(point, [0.0, 1.0, 0.0]));
+                }
                 _ => return Err(entry.invalid("the type mesh, mesh_array, plane, ground or mesh_sequence")),
             }
         }

@@ -151,6 +151,7 @@ pub(super) fn settings(
             coefficient: contact.number_or("friction_coefficient", 0.0)?,
             static_velocity: Length::Absolute(contact.number_or("epsv", 1e-3)?),
             lags,
+            ..Friction::default()
         },
         max_iterations,
         ..Settings::default()
