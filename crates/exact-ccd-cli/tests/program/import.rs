@@ -6,7 +6,8 @@ const MESH: &str = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 
                     $Elements\n1\n1 4 2 0 1 1 2 3 4\n$EndElements\n";
 
 /// A tetrahedron falls on the ground.
-const SCENE: &str = "shapes input 1\nmeshes/tet.msh 0 0.05 0  0 0 0  1 1 1\nground 0 0\ntime 0.2 0.02\nzoom 2\n";
+const SCENE: &str =
+    "shapes input 1\nmeshes/tet.msh 0 0.05 0  0 0 0  1 1 1\nground 0 0\ntime 0.2 0.02\nzoom 2\n";
 
 fn folder() -> Folder {
     let folder = Folder::new();
@@ -53,5 +54,8 @@ fn errors_of_imports_have_status_2() {
          (`NH`): write `energy NH`"
     );
     let run = folder.run(&["import", "meshes/tet.msh"]);
-    assert!(run.error().starts_with("meshes/tet.msh: expected a scene of IPC"), "{run:?}");
+    assert!(
+        run.error().starts_with("meshes/tet.msh: expected a scene of IPC"),
+        "{run:?}"
+    );
 }

@@ -200,7 +200,10 @@ impl<'a> Conditions<'a> {
             return Ok(());
         };
         let conditions = self.obstacles.iter().chain(&self.dirichlet);
-        let Some(condition) = conditions.into_iter().find(|condition| condition.ids.contain(Some(id))) else {
+        let Some(condition) = conditions
+            .into_iter()
+            .find(|condition| condition.ids.contain(Some(id)))
+        else {
             return Ok(());
         };
         condition.is_used.set(true);

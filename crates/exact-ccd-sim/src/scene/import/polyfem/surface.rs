@@ -69,6 +69,7 @@ pub(super) struct Ids(pub(super) Option<Vec<i64>>);
 impl Ids {
     pub(super) fn contain(&self, id: Option<i64>) -> bool {
         let Self(ids) = self;
-        ids.as_ref().is_none_or(|ids| id.is_some_and(|id| ids.contains(&id)))
+        ids.as_ref()
+            .is_none_or(|ids| id.is_some_and(|id| ids.contains(&id)))
     }
 }

@@ -8,7 +8,11 @@ use super::entry::{Entry, Rule};
 use crate::scene::placement::Rotation;
 
 /// `transformation`, for a mesh with a box of this size.
-pub(super) fn pose(entry: &Entry<'_>, size: &Vector3<f64>, notes: &mut Vec<(Place, String)>) -> Result<Pose, Fault> {
+pub(super) fn pose(
+    entry: &Entry<'_>,
+    size: &Vector3<f64>,
+    notes: &mut Vec<(Place, String)>,
+) -> Result<Pose, Fault> {
     let rules = [
         ("translation", Rule::Said),
         ("rotation", Rule::Said),
