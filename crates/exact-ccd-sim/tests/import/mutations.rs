@@ -3,7 +3,7 @@
 
 use exact_ccd_sim::scene::Scene;
 use fastrand::Rng;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::{Folder, exact};
 
@@ -27,10 +27,10 @@ fn mutated(text: &str, separators: &[char], words: &[&str], random: &mut Rng) ->
             0 => parts[place] = words[random.usize(..words.len())],
             1 => drop(parts.remove(place)),
             2 => parts.insert(place, words[random.usize(..words.len())]),
-            _ => parts.swap(
-                place,
-                random.usize(..text.split_inclusive(separators).count()) % parts.len(),
-            ),
+            _ => {
+                let other = random.usize(..parts.len());
+                parts.swap(place, other);
+            }
         }
     }
     parts.concat()
@@ -88,7 +88,7 @@ fn mutated_text_scenes_do_not_panic() {
         "tuning 4\n",
         "section x\n",
     ];
-    let scenes = (0..1500).map(|_| mutated(TEXT, &[' ', '\n'], &words, &mut random));
+    let scenes = (0..500).map(|_| mutated(TEXT, &[' ', '\n'], &words, &mut random));
     let [imported, refused] = outcomes(&folder, "scene.txt", scenes);
     assert!(
         imported > 100 && refused > 100,
@@ -117,32 +117,74 @@ fn mutated_json_scenes_do_not_panic() {
             "pressure_boundary": [{ "id": 6, "value": 3 }],
         },
     });
-    let text = scene.to_string();
-    let mut random = Rng::with_seed(2);
-    let words = [
-        "0,",
-        "-1,",
-        "1e300,",
-        "null,",
-        "[],",
-        "{},",
-        "\"x\",",
-        "\"t/0\",",
-        "true,",
-        "\"id\":",
-        "\"((((\",",
-        "[0,1,2],",
-        "99999999999,",
-        "1e-320]",
-        "\"common\":\"scene.json\",",
-        "}",
-        "]",
-        "\"é\",",
+    let values = [
+        json!(0),
+        json!(-1),
+        json!(3),
+        json!(1e300),
+        json!(1e-300),
+        json!(99_999_999_999_i64),
+        json!(null),
+        json!(true),
+        json!(false),
+        json!([]),
+        json!({}),
+        json!([0, 1, 2]),
+        json!([0, 1]),
+        json!("x"),
+        json!("t"),
+        json!("t/0"),
+        json!("((((t"),
+        json!("scene.json"),
+        json!({ "id": 5 }),
+        json!({ "common": "scene.json" }),
     ];
-    let scenes = (0..3000).map(|_| mutated(&text, &[',', ':', '[', '{'], &words, &mut random));
+    let mut random = Rng::with_seed(2);
+    let scenes = (0..800).map(|_| {
+        let mut scene = scene.clone();
+        for _ in 0..random.usize(1..3) {
+            replace(&mut scene, &values, &mut random);
+        }
+        scene.to_string()
+    });
     let [imported, refused] = outcomes(&folder, "scene.json", scenes);
     assert!(
-        imported > 50 && refused > 100,
+        imported > 20 && refused > 100,
         "{imported} imported, {refused} refused"
     );
+}
+
+/// Replaces a value, or one inside of it.
+fn replace(value: &mut Value, values: &[Value], random: &mut Rng) {
+    let count = match value {
+        Value::Object(entries) => entries.len(),
+        Value::Array(elements) => elements.len(),
+        _ => 0,
+    };
+    if count == 0 || random.u8(..6) == 0 {
+        *value = values[random.usize(..values.len())].clone();
+        return;
+    }
+    let index = random.usize(..count);
+    let inner = match value {
+        Value::Object(entries) => entries.values_mut().nth(index),
+        Value::Array(elements) => elements.get_mut(index),
+        _ => None,
+    };
+    if let Some(inner) = inner {
+        replace(inner, values, random);
+    }
+}
+
+#[test]
+fn mutated_json_texts_do_not_panic() {
+    let folder = Folder::new("mutated-json-text");
+    let text = crate::polyfem::scene(&json!({}));
+    let mut random = Rng::with_seed(3);
+    let words = [
+        "0,", "null,", "[],", "{},", "\"x\",", "true,", "\"id\":", "}", "]", "\"é\",", "\u{0}",
+    ];
+    let scenes = (0..500).map(|_| mutated(&text, &[',', ':', '[', '{'], &words, &mut random));
+    let [_, refused] = outcomes(&folder, "scene.json", scenes);
+    assert!(refused > 100, "{refused} refused");
 }

@@ -118,6 +118,14 @@ fn each_key_changes_its_setting() {
             "lags = 3",
         ),
         (
+            json!({ "contact": { "adhesion": { "adhesion_enabled": false } } }),
+            "formulation = \"sum\"",
+        ),
+        (
+            json!({ "boundary_conditions": { "periodic_boundary": { "enabled": false } } }),
+            "formulation = \"sum\"",
+        ),
+        (
             json!({ "boundary_conditions": { "rhs": [1, 0, "2"] } }),
             "gravity = [-1.0, 0.0, -2.0]",
         ),

@@ -27,7 +27,7 @@ fn run(scene: &Scene, steps: usize) -> Vec<Point> {
     at
 }
 
-/// A box falls on a turning box, which rests on the ground and is held at one side, until it is released.
+/// A box falls on another one, which is held at one side above the ground, until it is released.
 #[test]
 fn a_text_scene_of_ipc() {
     let folder = Folder::new("run");
@@ -35,7 +35,7 @@ fn a_text_scene_of_ipc() {
                 box.msh 0 1.2 0  0 0 0  1 1 1  initVel 0 -2 0  0 0 0\n\
                 box.msh 0 0.1 0  0 0 0  1 1 1 \\\n\
                 DBC 0 0 0  0 1 1  0 0 0  0 0 0  0 0.1\n\
-                floor.obj -1 2.3 0  0 0 0  0.5 1 0.5  linearVelocity 0 -1 0  # pushes from above\n\
+                floor.obj -0.5 2.5 0.5  0 0 0  0.6 1 0.6  linearVelocity 0 -1 0  # comes down\n\
                 selfFric 0.1\nground 0.1 0\ntime 0.3 0.02\nview perspective\n";
     let scene = folder.scene("scene.txt", text).unwrap();
     assert_eq!(scene.steps, 15);

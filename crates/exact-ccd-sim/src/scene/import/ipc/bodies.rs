@@ -91,14 +91,20 @@ fn twist(parts: &mut [Part<'_>], ratio: f64) {
     let Aabb { lower, upper } = whole(parts);
     let center = core::array::from_fn(|axis| 0.5 * (lower[axis] + upper[axis]));
     let margin = (upper[0] - lower[0]) * ratio;
-    let is_left = |point: &Point| point[0] < lower[0] + margin;
-    let is_right = |point: &Point| !is_left(point) && point[0] > upper[0] - margin;
+    let rate_at = |point: &Point| {
+        if point[0] < lower[0] + margin {
+            Some(-TWIST)
+        } else if point[0] > upper[0] - margin {
+            Some(TWIST)
+        } else {
+            None
+        }
+    };
     for part in parts {
-        let ends: [(&dyn Fn(&Point) -> bool, f64); 2] = [(&is_left, -TWIST), (&is_right, TWIST)];
-        for (is_selected, rate) in ends {
+        for rate in [-TWIST, TWIST] {
             let points = (0..).zip(&part.points);
             let selected: Vec<u32> = points
-                .filter(|(_, point)| is_selected(point))
+                .filter(|(_, point)| rate_at(point) == Some(rate))
                 .map(|(vertex, _)| vertex)
                 .collect();
             if selected.is_empty() {

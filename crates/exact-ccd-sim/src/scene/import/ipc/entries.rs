@@ -37,7 +37,8 @@ impl File {
             "density" => self.density = line.number("a density in kg/m³")?,
             "stiffness" => self.stiffness = line.numbers("Young's modulus and Poisson's ratio")?,
             "time" => {
-                [self.duration, self.time_step] = line.numbers("the duration and the time step in s")?
+                let expected = "the duration and the time step in s";
+                [self.duration, self.time_step] = line.numbers(expected)?;
             }
             "turnOffGravity" => self.gravity = [0.0; 3],
             "energy" => check(

@@ -1,7 +1,7 @@
 //! Values of a JSON file with their places.
 
 use exact_ccd_mesh::Point;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::super::fault::{Fault, Place, Problem};
 
@@ -19,8 +19,8 @@ pub(super) enum Rule {
     Said,
     /// It is ignored, for this reason.
     Ignored(&'static str),
-    /// It has no counterpart. Only its default is allowed, which is this value or nothing (an empty list, an
-    /// empty object, `null` or `false`).
+    /// It has no counterpart. Only its default is allowed, which is this value or nothing: `null`, `false`,
+    /// an empty list, or an object that is empty or not enabled.
     Only(Default),
 }
 
@@ -46,10 +46,16 @@ impl Default {
                 Value::Null => true,
                 Value::Bool(value) => !value && !matches!(self, Self::True),
                 Value::Array(values) => values.is_empty(),
-                Value::Object(values) => values.is_empty(),
+                Value::Object(values) => values.is_empty() || is_disabled(values),
                 Value::Number(_) | Value::String(_) => false,
             }
     }
+}
+
+/// True for an object that says that it does not apply.
+fn is_disabled(values: &Map<String, Value>) -> bool {
+    let is_off = |key| values.get(key) == Some(&Value::Bool(false));
+    is_off("enabled") || is_off("adhesion_enabled")
 }
 
 impl<'a> Entry<'a> {

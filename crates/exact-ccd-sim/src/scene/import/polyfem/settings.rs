@@ -44,13 +44,10 @@ pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, St
             ("advanced", SOLVER),
         ];
         space.check(&rules, notes)?;
-        if let Some(remesh) = space
-            .get("remesh")
-            .filter(|remesh| remesh.value.get("enabled").is_some())
+        if let Some(remesh) = space.get("remesh")
+            && remesh.flag("enabled")?
         {
-            if remesh.flag("enabled")? {
-                return Err(remesh.unsupported("meshes that change", "write `\"enabled\": false`"));
-            }
+            return Err(remesh.unsupported("meshes that change", "write `\"enabled\": false`"));
         }
     }
     Ok(())
