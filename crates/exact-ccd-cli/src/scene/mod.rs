@@ -50,7 +50,7 @@ impl Scene {
         }
         for path in &options.others {
             let (name, file) = named(path);
-            let frames = Frames::of_paths(&[file.clone()], false, options.polygons(), notes)?;
+            let frames = Frames::of_paths(std::slice::from_ref(&file), false, options.polygons(), notes)?;
             let count = frames.count();
             let rests = count == 1;
             if !rests && count != frame_count {

@@ -101,7 +101,7 @@ fn every_report_has_its_schema() {
     for (options, output, counts) in [
         (&[][..], "vf.parquet", [3, 0, 0]),
         (&["--answers"], "again.csv", [3, 0, 0]),
-        (&["data/vertex-face/0.csv"], "all.csv", [4, 1, 0]),
+        (&["data/vertex-face/0.csv"], "all.parquet", [4, 1, 0]),
     ] {
         let run = folder.run(
             &[

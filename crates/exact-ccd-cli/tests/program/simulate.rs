@@ -192,10 +192,10 @@ fn there_is_a_picture_of_each_time_step() {
     assert!(read("motion.gif").starts_with(b"GIF89a"));
     assert_eq!(frames_of(&read("pictures/000010.png")), None);
     for (plot, names) in [
-        ("energies.svg", ["energy / J", "kinetic", "gravity"]),
+        ("energies.svg", ["energy / J", "kinetic", "scene: energies"]),
         (
             "minimal-distance.svg",
-            ["distance / m", "minimal distance", "time / s"],
+            ["distance / m", "scene: minimal distance", "time / ms"],
         ),
     ] {
         let plot = folder.read(&format!("result/{plot}"));

@@ -151,8 +151,8 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// Skips a text of a binary file. Its length comes first, in 1, 2, 4 or 8 bytes; the first two bits say
-    /// in which of these: 3, 2, 1 or 0.
+    /// Skips a text of a binary file. Its length comes first, in 1, 2, 4 or 8 bytes, of which the first two
+    /// bits are 3, 2, 1 or 0.
     fn skip_string(&mut self) -> Result<(), ParseError> {
         let expected = || "a text and its length".to_owned();
         let first = self.bytes.take(1, expected)?[0];
