@@ -3,74 +3,107 @@
 use alloc::sync::Arc;
 use core::cmp::Ordering;
 
+use super::evaluation::Approximation;
 use super::guess;
 use super::polynomial::Polynomial;
 use super::split::Split;
 
-/// The only root of a polynomial between two times, a simple one. It has different signs at these, neither
-/// of them zero. The times are 0, 1, or ratios a 2ᵏ : 1.
+/// The only root of a polynomial between two times, a simple one.
 #[derive(Clone, Debug)]
 pub(crate) struct Bracket {
     pub(super) of: Arc<Polynomial>,
-    pub(super) low: Split,
-    pub(super) high: Split,
+    low: End,
+    high: End,
     /// The precision of the next guess.
     bits: usize,
 }
 
+/// An end of a bracket: 0, 1, or a ratio a 2ᵏ : 1.
+#[derive(Clone, Debug)]
+struct End {
+    time: Split,
+    /// The polynomial there, with different signs at both ends, neither of them zero.
+    value: Approximation,
+}
+
 impl Bracket {
+    /// The bracket of a polynomial that changes its sign once between two times.
     pub(super) fn new(of: Arc<Polynomial>, low: Split, high: Split) -> Self {
+        let bits = 4;
+        let [low, high] = [low, high].map(|time| End {
+            value: of.value_at(&time, bits),
+            time,
+        });
         Self {
             of,
             low,
             high,
-            bits: 4,
+            bits,
         }
+    }
+
+    pub(super) fn low(&self) -> &Split {
+        &self.low.time
+    }
+
+    pub(super) fn high(&self) -> &Split {
+        &self.high.time
+    }
+
+    /// The [closeness](Split::closeness) of the ends.
+    pub(super) fn closeness(&self) -> usize {
+        Split::closeness(self.low(), self.high())
     }
 
     /// A narrower bracket: a cell of a grid if the guess is right, otherwise at most about one half of
     /// this one. The root itself, if it is at an end of them.
     pub(super) fn narrowed(mut self) -> Result<Self, Split> {
         if self.closeness() == 0 {
-            self.cut(&Split::between(&self.low, &self.high))?;
+            self.cut(Split::between(self.low(), self.high()))?;
             return Ok(self);
         }
-        let [start, end] = [&self.low, &self.high].map(|t| self.of.value_at(t, self.bits));
-        let guess = guess::secant([&start, &end], &self.low, &self.high, self.bits);
+        let values = [&self.low.value, &self.high.value];
+        let guess = guess::secant(values, self.low(), self.high(), self.bits);
         for t in &guess {
-            self.cut(t)?;
+            self.cut(t.clone())?;
         }
-        let is_right = self.low == guess[0] && self.high == guess[1];
-        if is_right {
+        if *self.low() == guess[0] && *self.high() == guess[1] {
             self.bits *= 2;
         } else {
-            self.cut(&Split::between(&self.low, &self.high))?;
+            self.cut(Split::between(self.low(), self.high()))?;
             self.bits = (self.bits / 2).max(2);
         }
         Ok(self)
     }
 
-    /// Moves one end to a number, unless it is outside the bracket, or returns it if it is the root.
-    fn cut(&mut self, t: &Split) -> Result<(), Split> {
-        match self.compare(t) {
-            Ordering::Less => self.high = t.min(&self.high).clone(),
-            Ordering::Greater => self.low = t.max(&self.low).clone(),
-            Ordering::Equal => return Err(t.clone()),
+    /// Moves one end to a time, unless that is outside the bracket, or returns it if it is the root.
+    fn cut(&mut self, time: Split) -> Result<(), Split> {
+        if time <= *self.low() || time >= *self.high() {
+            return Ok(());
         }
+        let value = self.of.value_at(&time, 2 * self.bits);
+        let end = if value.sign() == Some(Ordering::Equal) {
+            return Err(time);
+        } else if value.sign() == self.low.value.sign() {
+            &mut self.low
+        } else {
+            &mut self.high
+        };
+        *end = End { time, value };
         Ok(())
     }
 
     /// The comparison of the root with t.
     pub(super) fn compare(&self, t: &Split) -> Ordering {
-        if *t <= self.low {
+        if t <= self.low() {
             return Ordering::Greater;
         }
-        if *t >= self.high {
+        if t >= self.high() {
             return Ordering::Less;
         }
         match self.of.sign_at(t) {
             Ordering::Equal => Ordering::Equal,
-            sign if sign == self.of.sign_at(&self.low) => Ordering::Greater,
+            sign if Some(sign) == self.low.value.sign() => Ordering::Greater,
             _ => Ordering::Less,
         }
     }
@@ -81,11 +114,6 @@ impl Bracket {
     /// root, which is simple, so that it changes its sign there.
     pub(super) fn is_root_of(&self, polynomial: &Polynomial) -> bool {
         let common = (*self.of).clone().gcd(polynomial.clone());
-        common.sign_at(&self.low) != common.sign_at(&self.high)
-    }
-
-    /// The [closeness](Split::closeness) of the ends.
-    pub(super) fn closeness(&self) -> usize {
-        Split::closeness(&self.low, &self.high)
+        common.sign_at(self.low()) != common.sign_at(self.high())
     }
 }

@@ -36,6 +36,12 @@ impl Approximation {
         self.unit.saturating_add_unsigned(self.middle.bit_len())
     }
 
+    /// A k such that the magnitude of the number is less than 2ᵏ.
+    fn bound(&self) -> isize {
+        let bits = self.middle.bit_len().max(self.error.unwrap_or_default());
+        self.unit.saturating_add_unsigned(bits + 1)
+    }
+
     /// The middle in units of 2ᵏ, rounded down.
     pub(super) fn in_units(&self, unit: isize) -> IBig {
         shifted(&self.middle, self.unit - unit)
@@ -64,30 +70,36 @@ impl Polynomial {
     }
 
     /// The sign of all values in [low, high], low < high, if it is one that is easily proved: by the signs
-    /// of the coefficients, by one approximation of all values, or by the same sign at both ends of an
-    /// interval in which the polynomial in τ is monotone.
+    /// of the coefficients, or by approximations of all values, the last of which takes the slope in the
+    /// interval into account.
     ///
     /// Around a number at which the polynomial does not vanish, all values in a narrow bracket have a
-    /// sign: the error of the approximation is then proportional to the width.
+    /// sign: the error of each approximation is then proportional to the width.
     pub(crate) fn sign_between(&self, low: &Split, high: &Split) -> Option<Ordering> {
-        if let Some(sign) = self.sign_everywhere() {
-            return Some(sign);
-        }
         let closeness = Split::closeness(low, high);
-        // Beyond this precision, the error is nearly that by the width.
+        if closeness == 0 {
+            return self.sign_everywhere();
+        }
         let mut precision = LEAST_PRECISION;
-        while closeness > 0 && precision < 2 * (LEAST_PRECISION + closeness) {
+        while precision < closeness {
             if let Some(sign) = self.values(low, high, precision).sign() {
                 return Some(sign);
             }
             precision *= 2;
         }
-        if closeness == 0 || self.coefficients().len() < 3 {
-            return None;
+        self.near(low, high, closeness).sign()
+    }
+
+    /// All values in [low, high] of the polynomial in τ: that at `low`, and the product of the largest
+    /// magnitude of the slope and of the width as its error.
+    fn near(&self, low: &Split, high: &Split, closeness: usize) -> Approximation {
+        let value = self.values(low, low, LEAST_PRECISION + 2 * closeness);
+        let slope = self.slope().values(low, high, LEAST_PRECISION + closeness);
+        let change = slope.bound() + high.top() - closeness as isize - value.unit;
+        Approximation {
+            error: value.error.map(|error| error.max(change.max(0).unsigned_abs()) + 1),
+            ..value
         }
-        let sign = self.sign_at(low);
-        let is_one = sign.is_ne() && sign == self.sign_at(high);
-        (is_one && self.slope().sign_between(low, high).is_some()).then_some(sign)
     }
 
     /// The sign of all values in [0, 1], if all coefficients have it or are zero, the first and the last

@@ -36,7 +36,7 @@ impl Instant {
                 return Ordering::Equal;
             }
             is_known_not_to_vanish = true;
-            *self = self.clone().narrowed();
+            *self = core::mem::replace(self, Self::At(Split::START)).narrowed();
         }
     }
 
@@ -44,7 +44,7 @@ impl Instant {
     fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
         match self {
             Self::At(t) => Some(polynomial.sign_at(t)),
-            Self::Root(root) => polynomial.sign_between(&root.low, &root.high),
+            Self::Root(root) => polynomial.sign_between(root.low(), root.high()),
         }
     }
 
@@ -94,7 +94,7 @@ impl Instant {
     pub(crate) fn bounds(&self) -> (&Split, &Split) {
         match self {
             Self::At(t) => (t, t),
-            Self::Root(root) => (&root.low, &root.high),
+            Self::Root(root) => (root.low(), root.high()),
         }
     }
 }

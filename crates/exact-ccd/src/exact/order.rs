@@ -31,11 +31,11 @@ impl Instant {
             (Self::At(t), _) => other.compare(t).is_eq(),
             // A common root of both polynomials in both brackets, which have no other roots there.
             (Self::Root(one), Self::Root(two)) => {
-                one.low < two.high
-                    && two.low < one.high
+                one.low() < two.high()
+                    && two.low() < one.high()
                     && one.is_root_of(&two.of)
-                    && one.compare(&two.low).is_gt()
-                    && one.compare(&two.high).is_lt()
+                    && one.compare(two.low()).is_gt()
+                    && one.compare(two.high()).is_lt()
             }
         }
     }
