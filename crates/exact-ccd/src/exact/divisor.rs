@@ -9,10 +9,11 @@ use super::modular::are_coprime;
 use super::polynomial::Polynomial;
 
 impl Polynomial {
-    /// A greatest common divisor; that of a polynomial and zero is the polynomial.
+    /// A greatest common divisor; that of a polynomial and zero is the polynomial. Factors without a root in
+    /// [0, 1] may be missing.
     ///
-    /// Common roots at t = 1, where τ is infinite, are common zeros at the end of the coefficients. The
-    /// rest is Euclid's algorithm for polynomials in τ.
+    /// Common roots at t = 0 and t = 1 are common zeros at the ends of the coefficients. The rest is
+    /// Euclid's algorithm for polynomials in τ.
     pub(crate) fn gcd(self, other: Self) -> Self {
         if other.is_zero() {
             return self;
@@ -20,28 +21,33 @@ impl Polynomial {
         if self.is_zero() {
             return other;
         }
-        let (mut a, mut b) = (self.coefficients().to_vec(), other.coefficients().to_vec());
-        let at_end = [&mut a, &mut b].map(|x| without_zeros_at_end(x)).into_iter().min();
+        let vanish_at = |index: fn(&[IBig]) -> Option<&IBig>| {
+            [&self, &other].iter().all(|p| index(p.coefficients()).is_some_and(IBig::is_zero))
+        };
+        let [at_start, at_end] = [vanish_at(|c| c.first()), vanish_at(|c| c.last())];
+        let [a, b] = [&self, &other].map(|p| p.reduced().coefficients().to_vec());
         let mut common = if are_coprime(&a, &b) {
             [IBig::ONE].into()
         } else {
-            (a, b) = (primitive(a), primitive(b));
-            while !b.is_empty() {
-                let rest = primitive(remainder(a, &b));
-                (a, b) = (b, rest);
-            }
-            a
+            euclid(primitive(a), primitive(b))
         };
-        common.resize(common.len() + at_end.unwrap_or_default(), IBig::ZERO);
+        if at_start {
+            common.insert(0, IBig::ZERO);
+        }
+        if at_end {
+            common.push(IBig::ZERO);
+        }
         Self::new(common)
     }
 }
 
-/// Removes the zeros at the end, and returns their number.
-fn without_zeros_at_end(coefficients: &mut Vec<IBig>) -> usize {
-    let length = coefficients.len();
-    while coefficients.pop_if(|leading| leading.is_zero()).is_some() {}
-    length - coefficients.len()
+/// The greatest common divisor of polynomials in τ that are not zero, by Euclid's algorithm.
+fn euclid(mut a: Vec<IBig>, mut b: Vec<IBig>) -> Vec<IBig> {
+    while !b.is_empty() {
+        let rest = primitive(remainder(a, &b));
+        (a, b) = (b, rest);
+    }
+    a
 }
 
 /// The coefficients divided by their greatest common divisor.
@@ -81,6 +87,6 @@ fn remainder(mut a: Vec<IBig>, divisor: &[IBig]) -> Vec<IBig> {
             *target -= &top * coefficient;
         }
     }
-    without_zeros_at_end(&mut a);
+    while a.pop_if(|leading| leading.is_zero()).is_some() {}
     a
 }

@@ -52,12 +52,17 @@ impl Polynomial {
         Self(self.0.iter().map(|coefficient| coefficient << exponent).collect())
     }
 
-    /// The polynomial without its roots at t = 0 and t = 1, whatever their multiplicity.
-    pub(super) fn without_ends(&self) -> Self {
+    /// The polynomial without its roots at t = 0 and t = 1, whatever their multiplicity, and in the least
+    /// degree: without factors t + u, which are 1.
+    pub(super) fn reduced(&self) -> Self {
         let is_inner = |c: &IBig| !c.is_zero();
         let start = self.0.iter().position(is_inner).unwrap_or_default();
         let end = self.0.iter().rposition(is_inner).map_or(start, |last| last + 1);
-        Self(self.0[start..end].to_vec())
+        let mut reduced = self.0[start..end].to_vec();
+        while let Some(quotient) = without_one(&reduced) {
+            reduced = quotient;
+        }
+        Self(reduced)
     }
 
     /// The derivative by t.
@@ -76,6 +81,18 @@ impl Polynomial {
         let powers = self.0.iter().enumerate().skip(1);
         Self(powers.map(|(power, c)| c * IBig::from(power)).collect())
     }
+}
+
+/// The quotient by t + u, if it leaves no remainder: cᵢ = qᵢ + qᵢ₋₁.
+fn without_one(coefficients: &[IBig]) -> Option<Vec<IBig>> {
+    let (last, others) = coefficients.split_last()?;
+    let mut quotient = Vec::with_capacity(others.len());
+    let mut previous = IBig::ZERO;
+    for coefficient in others {
+        previous = coefficient - previous;
+        quotient.push(previous.clone());
+    }
+    (!others.is_empty() && previous == *last).then_some(quotient)
 }
 
 impl Neg for Polynomial {

@@ -30,7 +30,7 @@ pub(crate) fn roots(polynomials: Vec<Polynomial>) -> Vec<Instant> {
 pub(crate) fn roots_between(polynomial: &Polynomial, ends: [&Split; 2]) -> Vec<Instant> {
     let is_root = |end: &Split| end.is_end() && polynomial.sign_at(end).is_eq();
     let [first, last] = ends.map(|end| is_root(end).then(|| Instant::At(end.clone())));
-    let inner = inner_roots(&polynomial.without_ends(), ends);
+    let inner = inner_roots(&polynomial.reduced(), ends);
     first.into_iter().chain(inner).chain(last).collect()
 }
 
