@@ -3,7 +3,7 @@
 use alloc::sync::Arc;
 use core::cmp::Ordering;
 
-use super::evaluation::Approximation;
+use super::approximation::Approximation;
 use super::guess;
 use super::polynomial::Polynomial;
 use super::split::Split;
@@ -11,7 +11,7 @@ use super::split::Split;
 /// The only root of a polynomial between two times, a simple one.
 #[derive(Clone, Debug)]
 pub(crate) struct Bracket {
-    pub(super) of: Arc<Polynomial>,
+    of: Arc<Polynomial>,
     low: End,
     high: End,
     /// The precision of the next guess.
@@ -34,12 +34,12 @@ impl Bracket {
             value: of.value_at(&time, bits),
             time,
         });
-        Self {
-            of,
-            low,
-            high,
-            bits,
-        }
+        Self { of, low, high, bits }
+    }
+
+    /// A polynomial of which it is the only root in the bracket, a simple one.
+    pub(super) fn polynomial(&self) -> &Polynomial {
+        &self.of
     }
 
     pub(super) fn low(&self) -> &Split {
@@ -55,12 +55,11 @@ impl Bracket {
         Split::closeness(self.low(), self.high())
     }
 
-    /// A narrower bracket: a cell of a grid if the guess is right, otherwise at most about one half of
-    /// this one. The root itself, if it is at an end of them.
-    pub(super) fn narrowed(mut self) -> Result<Self, Split> {
+    /// Makes the bracket narrower: a cell of a grid if the guess is right, otherwise at most about one half
+    /// of it. The root itself is returned if it is at an end of them.
+    pub(super) fn narrow(&mut self) -> Result<(), Split> {
         if self.closeness() == 0 {
-            self.cut(Split::between(self.low(), self.high()))?;
-            return Ok(self);
+            return self.cut(Split::between(self.low(), self.high()));
         }
         let values = [&self.low.value, &self.high.value];
         let guess = guess::secant(values, self.low(), self.high(), self.bits);
@@ -73,7 +72,7 @@ impl Bracket {
             self.cut(Split::between(self.low(), self.high()))?;
             self.bits = (self.bits / 2).max(2);
         }
-        Ok(self)
+        Ok(())
     }
 
     /// Moves one end to a time, unless that is outside the bracket, or returns it if it is the root.
@@ -111,9 +110,14 @@ impl Bracket {
     /// Returns true if another polynomial vanishes at this root.
     ///
     /// The common roots are those of the greatest common divisor. In the bracket, it has at most this
-    /// root, which is simple, so that it changes its sign there.
-    pub(super) fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+    /// root, which is simple, so that it changes its sign there. It then takes the place of the
+    /// polynomial, because its coefficients are shorter.
+    pub(super) fn is_root_of(&mut self, polynomial: &Polynomial) -> bool {
         let common = (*self.of).clone().gcd(polynomial.clone());
-        common.sign_at(self.low()) != common.sign_at(self.high())
+        let is_root = common.sign_at(self.low()) != common.sign_at(self.high());
+        if is_root {
+            *self = Self::new(Arc::new(common), self.low().clone(), self.high().clone());
+        }
+        is_root
     }
 }

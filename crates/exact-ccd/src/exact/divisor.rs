@@ -22,7 +22,9 @@ impl Polynomial {
             return other;
         }
         let vanish_at = |index: fn(&[IBig]) -> Option<&IBig>| {
-            [&self, &other].iter().all(|p| index(p.coefficients()).is_some_and(IBig::is_zero))
+            [&self, &other]
+                .iter()
+                .all(|p| index(p.coefficients()).is_some_and(IBig::is_zero))
         };
         let [at_start, at_end] = [vanish_at(|c| c.first()), vanish_at(|c| c.last())];
         let [a, b] = [&self, &other].map(|p| p.reduced().coefficients().to_vec());
@@ -39,6 +41,38 @@ impl Polynomial {
         }
         Self::new(common)
     }
+}
+
+impl Polynomial {
+    /// A polynomial with the same roots, all simple, for a polynomial that is [reduced](Self::reduced).
+    pub(super) fn square_free(&self) -> Self {
+        let slope = self.slope();
+        if are_coprime(self.coefficients(), slope.coefficients()) {
+            return self.clone();
+        }
+        let whole = self.coefficients().to_vec();
+        let repeated = euclid(primitive(whole.clone()), primitive(slope.coefficients().to_vec()));
+        Self::new(quotient(whole, &repeated))
+    }
+}
+
+/// The quotient of a division without remainder by a polynomial whose coefficients have no common divisor.
+/// The coefficients of the quotient are integers, by Gauss's lemma.
+fn quotient(mut a: Vec<IBig>, divisor: &[IBig]) -> Vec<IBig> {
+    let Some((leading, rest)) = divisor.split_last() else {
+        return a;
+    };
+    let mut quotient = Vec::new();
+    while a.len() > rest.len() {
+        let factor = a.pop().unwrap_or_default() / leading;
+        let shift = a.len() - rest.len();
+        for (target, coefficient) in a[shift..].iter_mut().zip(rest) {
+            *target -= &factor * coefficient;
+        }
+        quotient.push(factor);
+    }
+    quotient.reverse();
+    quotient
 }
 
 /// The greatest common divisor of polynomials in τ that are not zero, by Euclid's algorithm.

@@ -5,48 +5,12 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 
+use super::approximation::{Approximation, shifted};
 use super::polynomial::Polynomial;
 use super::split::Split;
 
 /// The least precision, in bits: numbers of two machine words hold products.
 const LEAST_PRECISION: usize = 60;
-
-/// A number: m 2ᵏ for the middle m and the unit k, or one that differs from it by less than 2ᵉ units for
-/// the error e.
-#[derive(Clone, Debug)]
-pub(super) struct Approximation {
-    middle: IBig,
-    unit: isize,
-    error: Option<usize>,
-}
-
-impl Approximation {
-    /// The sign, if the error does not hide it.
-    pub(super) fn sign(&self) -> Option<Ordering> {
-        self.is_known_to(0).then(|| self.middle.cmp(&IBig::ZERO))
-    }
-
-    /// Returns true if the error is less than 2⁻ᵏ of the middle.
-    fn is_known_to(&self, bits: usize) -> bool {
-        self.error.is_none_or(|error| self.middle.bit_len() > error + bits)
-    }
-
-    /// The exponent of the least power of two above the magnitude of the middle.
-    pub(super) fn top(&self) -> isize {
-        self.unit.saturating_add_unsigned(self.middle.bit_len())
-    }
-
-    /// A k such that the magnitude of the number is less than 2ᵏ.
-    fn bound(&self) -> isize {
-        let bits = self.middle.bit_len().max(self.error.unwrap_or_default());
-        self.unit.saturating_add_unsigned(bits + 1)
-    }
-
-    /// The middle in units of 2ᵏ, rounded down.
-    pub(super) fn in_units(&self, unit: isize) -> IBig {
-        shifted(&self.middle, self.unit - unit)
-    }
-}
 
 impl Polynomial {
     /// The sign of the value at t.
@@ -97,7 +61,9 @@ impl Polynomial {
         let slope = self.slope().values(low, high, LEAST_PRECISION + closeness);
         let change = slope.bound() + high.top() - closeness as isize - value.unit;
         Approximation {
-            error: value.error.map(|error| error.max(change.max(0).unsigned_abs()) + 1),
+            error: value
+                .error
+                .map(|error| error.max(change.max(0).unsigned_abs()) + 1),
             ..value
         }
     }
@@ -111,7 +77,8 @@ impl Polynomial {
         };
         let at_start = sign(first);
         let agrees = |c: &IBig| sign(c) != at_start.reverse();
-        (at_start.is_ne() && sign(last) == at_start && self.coefficients().iter().all(agrees)).then_some(at_start)
+        (at_start.is_ne() && sign(last) == at_start && self.coefficients().iter().all(agrees))
+            .then_some(at_start)
     }
 
     /// All values in [low, high] of the polynomial in τ at a precision of b bits, by Horner's scheme.
@@ -124,7 +91,9 @@ impl Polynomial {
     fn values(&self, low: &Split, high: &Split, precision: usize) -> Approximation {
         let scale = high.top();
         let tops = self.coefficients().iter().enumerate();
-        let tops = tops.filter(|(_, c)| !c.is_zero()).map(|(i, c)| c.bit_len() as isize + i as isize * scale);
+        let tops = tops
+            .filter(|(_, c)| !c.is_zero())
+            .map(|(i, c)| c.bit_len() as isize + i as isize * scale);
         let unit = tops.max().unwrap_or_default() - precision as isize;
         let length = (scale - low.exponent).max(0).unsigned_abs();
         let digits = length.min(precision);
@@ -171,11 +140,5 @@ impl Polynomial {
     }
 }
 
-/// x 2ᵏ, rounded down.
-fn shifted(x: &IBig, by: isize) -> IBig {
-    if by < 0 {
-        x >> by.unsigned_abs()
-    } else {
-        x << by.unsigned_abs()
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -8,7 +8,7 @@
 use dashu_int::IBig;
 use dashu_int::ops::DivEuclid;
 
-use super::evaluation::Approximation;
+use super::approximation::Approximation;
 use super::split::Split;
 
 /// The two cells next to the zero of the linear interpolant of two values with different signs at the

@@ -36,7 +36,7 @@ impl Instant {
                 return Ordering::Equal;
             }
             is_known_not_to_vanish = true;
-            *self = core::mem::replace(self, Self::At(Split::START)).narrowed();
+            self.narrow();
         }
     }
 
@@ -49,18 +49,19 @@ impl Instant {
     }
 
     /// Returns true if a polynomial vanishes at this time.
-    fn is_root_of(&self, polynomial: &Polynomial) -> bool {
+    fn is_root_of(&mut self, polynomial: &Polynomial) -> bool {
         match self {
             Self::At(t) => polynomial.sign_at(t).is_eq(),
             Self::Root(root) => root.is_root_of(polynomial),
         }
     }
 
-    /// The same time in a narrower bracket.
-    pub(super) fn narrowed(self) -> Self {
-        match self {
-            Self::At(_) => self,
-            Self::Root(root) => root.narrowed().map_or_else(Self::At, Self::Root),
+    /// Makes the bracket narrower.
+    pub(super) fn narrow(&mut self) {
+        if let Self::Root(root) = self
+            && let Err(t) = root.narrow()
+        {
+            *self = Self::At(t);
         }
     }
 
@@ -72,14 +73,12 @@ impl Instant {
         }
     }
 
-    /// The same time in a bracket that is narrower by a factor of about 2ᵏ.
-    pub(crate) fn narrowed_by(self, bits: usize) -> Self {
+    /// Makes the bracket narrower by a factor of about 2ᵏ.
+    pub(crate) fn narrow_by(&mut self, bits: usize) {
         let enough = self.closeness().saturating_add(bits);
-        let mut instant = self;
-        while instant.closeness() < enough && matches!(instant, Self::Root(_)) {
-            instant = instant.narrowed();
+        while self.closeness() < enough && matches!(self, Self::Root(_)) {
+            self.narrow();
         }
-        instant
     }
 
     /// The comparison of this time with t.

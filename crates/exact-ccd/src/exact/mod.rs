@@ -7,6 +7,7 @@
 //! filter, for audits. They read coordinates as bit patterns, and do not depend on the
 //! floating-point environment.
 
+mod approximation;
 mod bracket;
 mod divisor;
 mod dyadic;

@@ -116,7 +116,11 @@ impl Sub for &Polynomial {
     type Output = Polynomial;
 
     fn sub(self, other: &Polynomial) -> Polynomial {
-        debug_assert_eq!(self.0.len(), other.0.len(), "polynomials of one degree are subtracted");
+        debug_assert_eq!(
+            self.0.len(),
+            other.0.len(),
+            "polynomials of one degree are subtracted"
+        );
         Polynomial(self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect())
     }
 }

@@ -37,7 +37,10 @@ impl Narrowing {
     /// once the bracket is narrow enough.
     pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
-        let reaches = |n: u64| self.sign(&(&scaled - &(&Polynomial::constant(n.into()) * b))).is_ge();
+        let reaches = |n: u64| {
+            self.sign(&(&scaled - &(&Polynomial::constant(n.into()) * b)))
+                .is_ge()
+        };
         loop {
             if let Some(guess) = self.guess(&scaled, b) {
                 let (low, high) = (guess.saturating_sub(1), guess.saturating_add(2));

@@ -1,10 +1,9 @@
 //! The roots of polynomials in an interval.
 //!
-//! Between two neighbouring roots of its derivative, a polynomial is monotone: it has a root there if its
-//! signs at the two are different, and otherwise none. A multiple root is a root of the derivative too. So
-//! roots are found from the roots of the derivative, these from those of the second one, and so on. All of
-//! them are simple roots of some derivative, to which secants lead in few steps, however near to each other
-//! they are.
+//! Between two neighbouring roots of its derivative, a polynomial is monotone: it has one root there if it
+//! has different signs at the two, and otherwise none. So roots are found from the roots of the derivative,
+//! these from those of the second one, and so on. All of them are simple roots of some derivative, to which
+//! secants lead in few steps, however near to each other they are.
 
 use alloc::sync::Arc;
 use alloc::vec::Vec;
@@ -42,7 +41,7 @@ fn inner_roots(polynomial: &Polynomial, ends: [&Split; 2]) -> Vec<Instant> {
     match at_most(polynomial, ends) {
         0 if !has_root_at_end => Vec::new(),
         1 if !has_root_at_end => [simple(polynomial, ends)].into(),
-        _ => between_extrema(polynomial, ends),
+        _ => between_extrema(&polynomial.square_free(), ends),
     }
 }
 
@@ -66,7 +65,7 @@ fn at_most(polynomial: &Polynomial, ends: [&Split; 2]) -> usize {
     variations[0].saturating_sub(variations[1])
 }
 
-/// The roots of a polynomial, given those of its derivative.
+/// The roots of a polynomial, all of them simple, given those of its derivative.
 fn between_extrema(polynomial: &Polynomial, ends: [&Split; 2]) -> Vec<Instant> {
     let mut times: Vec<Instant> = roots_between(&polynomial.slope(), ends);
     times.retain(|time| time.compare(ends[0]).is_gt() && time.compare(ends[1]).is_lt());
@@ -94,6 +93,8 @@ fn between_extrema(polynomial: &Polynomial, ends: [&Split; 2]) -> Vec<Instant> {
 /// The only root of a polynomial in an interval, a simple one.
 fn simple(polynomial: &Polynomial, [low, high]: [&Split; 2]) -> Instant {
     let bracket = Bracket::new(Arc::new(polynomial.clone()), low.clone(), high.clone());
+    let mut root = Instant::Root(bracket);
     // In a narrow bracket, most signs are easily proved.
-    Instant::Root(bracket).narrowed_by(16)
+    root.narrow_by(16);
+    root
 }

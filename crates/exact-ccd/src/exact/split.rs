@@ -106,8 +106,7 @@ impl Ord for Split {
             return tops[0].cmp(&tops[1]);
         }
         let least = self.exponent.min(other.exponent);
-        let product =
-            |x: &Self, y: &Self| (&x.elapsed * &y.left) << (x.exponent - least).unsigned_abs();
+        let product = |x: &Self, y: &Self| (&x.elapsed * &y.left) << (x.exponent - least).unsigned_abs();
         product(self, other).cmp(&product(other, self))
     }
 }
