@@ -113,11 +113,12 @@ impl Bracket {
     /// root, which is simple, so that it changes its sign there. It then takes the place of the
     /// polynomial, because its coefficients are shorter.
     pub(super) fn is_root_of(&mut self, polynomial: &Polynomial) -> bool {
-        let common = (*self.of).clone().gcd(polynomial.clone());
-        let is_root = common.sign_at(self.low()) != common.sign_at(self.high());
-        if is_root {
-            *self = Self::new(Arc::new(common), self.low().clone(), self.high().clone());
-        }
-        is_root
+        let common = self.of.gcd_between(polynomial, self.low(), self.high());
+        let changes = |p: &Polynomial| p.sign_at(self.low()) != p.sign_at(self.high());
+        let Some(common) = common.filter(changes) else {
+            return false;
+        };
+        *self = Self::new(Arc::new(common), self.low().clone(), self.high().clone());
+        true
     }
 }

@@ -7,6 +7,7 @@ use dashu_int::{IBig, UBig};
 
 use super::modular::are_coprime;
 use super::polynomial::Polynomial;
+use super::split::Split;
 
 impl Polynomial {
     /// A greatest common divisor; that of a polynomial and zero is the polynomial. Factors without a root in
@@ -31,7 +32,7 @@ impl Polynomial {
         let mut common = if are_coprime(&a, &b) {
             [IBig::ONE].into()
         } else {
-            euclid(primitive(a), primitive(b))
+            euclid(a, b, |_| false).unwrap_or_default()
         };
         if at_start {
             common.insert(0, IBig::ZERO);
@@ -41,9 +42,7 @@ impl Polynomial {
         }
         Self::new(common)
     }
-}
 
-impl Polynomial {
     /// A polynomial with the same roots, all simple, for a polynomial that is [reduced](Self::reduced).
     pub(super) fn square_free(&self) -> Self {
         let slope = self.slope();
@@ -51,8 +50,24 @@ impl Polynomial {
             return self.clone();
         }
         let whole = self.coefficients().to_vec();
-        let repeated = euclid(primitive(whole.clone()), primitive(slope.coefficients().to_vec()));
-        Self::new(quotient(whole, &repeated))
+        let repeated = euclid(whole.clone(), slope.coefficients().to_vec(), |_| false);
+        Self::new(quotient(whole, &repeated.unwrap_or_default()))
+    }
+
+    /// A greatest common divisor for the roots in (low, high); `None` if there certainly are no common ones.
+    ///
+    /// Every remainder of Euclid's algorithm vanishes at common roots: none are in an interval in which one
+    /// of them has one sign.
+    pub(super) fn gcd_between(&self, other: &Self, low: &Split, high: &Split) -> Option<Self> {
+        if other.is_zero() {
+            return Some(self.clone());
+        }
+        let [a, b] = [self, other].map(|p| p.reduced().coefficients().to_vec());
+        if are_coprime(&a, &b) {
+            return None;
+        }
+        let has_one_sign = |rest: &[IBig]| Self::new(rest.to_vec()).sign_between(low, high).is_some();
+        euclid(a, b, has_one_sign).map(Self::new)
     }
 }
 
@@ -75,13 +90,18 @@ fn quotient(mut a: Vec<IBig>, divisor: &[IBig]) -> Vec<IBig> {
     quotient
 }
 
-/// The greatest common divisor of polynomials in τ that are not zero, by Euclid's algorithm.
-fn euclid(mut a: Vec<IBig>, mut b: Vec<IBig>) -> Vec<IBig> {
+/// The greatest common divisor of polynomials in τ that are not zero, without a common divisor of its
+/// coefficients, by Euclid's algorithm; `None` if it ends because of a remainder.
+fn euclid(a: Vec<IBig>, b: Vec<IBig>, ends: impl Fn(&[IBig]) -> bool) -> Option<Vec<IBig>> {
+    let (mut a, mut b) = (primitive(a), primitive(b));
     while !b.is_empty() {
-        let rest = primitive(remainder(a, &b));
-        (a, b) = (b, rest);
+        let rest = remainder(a, &b);
+        if !rest.is_empty() && ends(&rest) {
+            return None;
+        }
+        (a, b) = (b, primitive(rest));
     }
-    a
+    Some(a)
 }
 
 /// The coefficients divided by their greatest common divisor.
