@@ -27,7 +27,7 @@ impl Polynomial {
                 .iter()
                 .all(|p| index(p.coefficients()).is_some_and(IBig::is_zero))
         };
-        let [at_start, at_end] = [vanish_at(|c| c.first()), vanish_at(|c| c.last())];
+        let [at_start, at_end] = [vanish_at(<[IBig]>::first), vanish_at(<[IBig]>::last)];
         let [a, b] = [&self, &other].map(|p| p.reduced().coefficients().to_vec());
         let mut common = if are_coprime(&a, &b) {
             [IBig::ONE].into()
