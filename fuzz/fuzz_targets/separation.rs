@@ -49,16 +49,28 @@ fn check_kind<K: Kind>(start: K::Points, end: K::Points, rule: &Rule) {
     };
     let t = f64::from(rule.eighths) / 8.0;
     let bounds = query.distance_at(t).expect("the time is in the step");
-    let next = if rule.steps < 0 { f64::next_down } else { f64::next_up };
+    let next = if rule.steps < 0 {
+        f64::next_down
+    } else {
+        f64::next_up
+    };
     let reached = (0..rule.steps.unsigned_abs()).fold(bounds.lower, |d, _| next(d));
     let distance = if rule.is_reached { reached } else { rule.distance };
     let Ok(d) = Separation::new(distance) else {
         return;
     };
     let intervals = laws::checked_intervals(&query, d);
-    assert_eq!(laws::contain(&intervals, t), bounds.upper <= d.get(), "{d:?}: {query:?}");
+    assert_eq!(
+        laws::contain(&intervals, t),
+        bounds.upper <= d.get(),
+        "{d:?}: {query:?}"
+    );
     let impact = query.impact_within(d);
-    assert_eq!(impact.map(|impact| impact.time), query.first_within(d), "{d:?}: {query:?}");
+    assert_eq!(
+        impact.map(|impact| impact.time),
+        query.first_within(d),
+        "{d:?}: {query:?}"
+    );
 }
 
 /// Few values, so that many coordinates are the same.

@@ -22,10 +22,8 @@ typedef enum exact_ccd_status {
   EXACT_CCD_STATUS_INVALID_POSITIONS = 2,
   // A mesh or a query names a vertex that does not exist, or a mesh is too large.
   EXACT_CCD_STATUS_INVALID_MESH = 3,
-  // A callback has cancelled the call.
-  EXACT_CCD_STATUS_CANCELLED = 4,
   // A defect of the library. The handle of the call may only be freed.
-  EXACT_CCD_STATUS_INTERNAL = 5,
+  EXACT_CCD_STATUS_INTERNAL = 4,
 } exact_ccd_status;
 
 // The result of a frame of an audit.
@@ -72,7 +70,8 @@ typedef struct exact_ccd_impact_t {
   // True if there is a normal.
   bool has_normal;
   // u and v, from 0 to 1: the points (1 - u - v) v1 + u v2 + v v3 of a face, or (1 - u) a0 + u a1
-  // and (1 - v) b0 + v b1 of two edges.
+  // and (1 - v) b0 + v b1 of two edges. A vertex is an edge of length zero there: against an edge, the
+  // point is (1 - v) b0 + v b1.
   double parameters[2];
   // The unit normal, from the second primitive towards the first; zero if there is none.
   double normal[3];
@@ -99,6 +98,11 @@ typedef struct exact_ccd_contact_t {
 // Toolkit. Must return: no exception may leave it.
 typedef bool (*exact_ccd_can_collide_t)(uint32_t, uint32_t, void*);
 
+// Decides if two primitives, given by their vertices, can collide; called from several threads at the
+// same time. The numbers of vertices are 1 and 3, 2 and 2, 1 and 2, or 1 and 1, as in the kinds of
+// query; at rest 2 and 3, an edge and a face. Must return: no exception may leave it.
+typedef bool (*exact_ccd_pair_can_collide_t)(const uint32_t*, size_t, const uint32_t*, size_t, void*);
+
 // A closed interval of times, whose ends are rounded down to `double`. The end is rounded down as
 // well: an interval that ends at 1 has `end` = 1.
 typedef struct exact_ccd_interval_t {
@@ -119,6 +123,7 @@ enum exact_ccd_status exact_ccd_audit_new(const struct exact_ccd_mesh *mesh,
                                           struct exact_ccd_audit **audit);
 
 // Examines the next frame, and the step that leads to it. The first frame is examined at rest.
+// `contact` is written unless the result is `EXACT_CCD_AUDIT_RESULT_FREE`.
 //
 // For an intersection, `contact->first` is the edge and `contact->second` the face, and nothing else
 // of it is meaningful. A contact is in the step from the frame before: its time is 0 there and 1 at
@@ -204,6 +209,11 @@ enum exact_ccd_status exact_ccd_detector_set_can_collide(struct exact_ccd_detect
                                                          exact_ccd_can_collide_t can_collide,
                                                          void *data);
 
+// `exact_ccd_detector_set_can_collide` for a callback that decides about whole primitives.
+enum exact_ccd_status exact_ccd_detector_set_pair_can_collide(struct exact_ccd_detector *detector,
+                                                              exact_ccd_pair_can_collide_t can_collide,
+                                                              void *data);
+
 // Decides if a step is free of contact. `x0` and `x1` are the positions of the `vertex_count`
 // vertices at t = 0 and t = 1. Ends soon after the first contact found.
 enum exact_ccd_status exact_ccd_detector_is_free(struct exact_ccd_detector *detector,
@@ -221,8 +231,8 @@ enum exact_ccd_status exact_ccd_detector_earliest_contact(struct exact_ccd_detec
                                                           bool *is_found,
                                                           struct exact_ccd_contact_t *contact);
 
-// The contacts of a step whose first time is not after `until`, the earliest first; all for 1. The
-// list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
+// The contacts of a step whose first time is not after `until`, from 0 to 1, the earliest first; all
+// for 1. The list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
 enum exact_ccd_status exact_ccd_detector_contacts(struct exact_ccd_detector *detector,
                                                   const double *x0,
                                                   const double *x1,
@@ -234,8 +244,9 @@ enum exact_ccd_status exact_ccd_detector_contacts(struct exact_ccd_detector *det
 // end, which are written to `positions`.
 //
 // The size is at most `keep` times the time of impact of the full step, for 0 < `keep` <= 1, and 1
-// if the full step is free. If it is 0, the mesh is in contact at the start, and no motion is
-// certified. `positions` has room for `vertex_count` points, and may be `x0` or `x1`.
+// if the full step is free. It is 0 if no positive size is certified: the mesh is in contact at the
+// start, or within the smallest `double` of it. `positions` has room for `vertex_count` points, and
+// may be `x0` or `x1`.
 enum exact_ccd_status exact_ccd_detector_free_step(struct exact_ccd_detector *detector,
                                                    const double *x0,
                                                    const double *x1,
@@ -249,14 +260,15 @@ enum exact_ccd_status exact_ccd_detector_free_step(struct exact_ccd_detector *de
 // thread.
 const char *exact_ccd_last_error(void);
 
-// Decides if a mesh at rest passes through itself: if an edge and a face without a common vertex
-// have a common point. `edge` and `face` are the first such pair; both may be null.
-enum exact_ccd_status exact_ccd_has_intersections(const struct exact_ccd_mesh *mesh,
-                                                  const double *x,
-                                                  size_t vertex_count,
-                                                  bool *has_intersections,
-                                                  uint32_t *edge,
-                                                  uint32_t *face);
+// Decides if a mesh at rest passes through itself: if an edge and a face that can collide and have no
+// common vertex have a common point. `edge` and `face` are the first such pair, written only if there
+// is one; both may be null. The distance of the detector has no influence.
+enum exact_ccd_status exact_ccd_detector_has_intersections(const struct exact_ccd_detector *detector,
+                                                           const double *x,
+                                                           size_t vertex_count,
+                                                           bool *has_intersections,
+                                                           uint32_t *edge,
+                                                           uint32_t *face);
 
 // A mesh of `face_count` faces, each three vertices from 0, and `edge_count` edges that may be
 // edges of no face (rods), each two vertices. Vertices of no face and no edge are points.

@@ -1,9 +1,10 @@
 // The C++17 interface of exact-ccd: the functions of exact_ccd.h with exceptions, RAII and
 // std::optional. Header only.
 //
-// Points are passed as views of contiguous doubles, three for each point: std::vector and std::array
-// of double[3], std::array<double, 3> or any struct of three doubles, and row-major Eigen matrices of
-// three columns. Nothing is copied.
+// Points are passed as views of contiguous doubles, three for each point: std::vector and std::array of
+// double[3], of std::array<double, 3> or of a struct that is declared to be three doubles
+// (exact_ccd::is_element); row-major Eigen matrices of three columns, and maps of such; and a pointer with a
+// number of points. Nothing is copied.
 
 #ifndef EXACT_CCD_HPP
 #define EXACT_CCD_HPP
@@ -61,6 +62,38 @@ using Impact = exact_ccd_impact_t;
 using Interval = exact_ccd_interval_t;
 using Contact = exact_ccd_contact_t;
 
+/// True for the types that are `N` numbers `T` in memory. For other structs than these arrays, specialise it:
+///
+///   template <>
+///   struct exact_ccd::is_element<Vector, double, 3> : std::true_type {};
+template <typename Element, typename T, std::size_t N>
+struct is_element : std::bool_constant<std::is_same_v<Element, T[N]> || std::is_same_v<Element, std::array<T, N>>
+                                       || (N == 1 && std::is_same_v<Element, T>)> {};
+
+namespace detail {
+
+template <typename Container>
+using Element = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const Container&>().data())>>;
+
+// Matrices of Eigen have these members. Rows are elements, and vectors are arrays of numbers.
+template <typename Matrix, typename T, std::size_t N, typename = void>
+struct is_matrix : std::false_type {};
+
+template <typename Matrix, typename T, std::size_t N>
+struct is_matrix<Matrix, T, N, std::void_t<decltype(Matrix::ColsAtCompileTime), Element<Matrix>>>
+    : std::bool_constant<std::is_same_v<Element<Matrix>, T>
+                         && (N == 1 ? static_cast<bool>(Matrix::IsVectorAtCompileTime)
+                                    : Matrix::ColsAtCompileTime == static_cast<int>(N)
+                                          && static_cast<bool>(Matrix::IsRowMajor))> {};
+
+template <typename Container, typename = void>
+struct has_columns : std::false_type {};
+
+template <typename Container>
+struct has_columns<Container, std::void_t<decltype(Container::ColsAtCompileTime)>> : std::true_type {};
+
+}  // namespace detail
+
 /// A view of `size` elements of `N` numbers each.
 template <typename T, std::size_t N>
 class View {
@@ -68,14 +101,27 @@ public:
     View() = default;
     View(const T* data, std::size_t size) : data_(data), size_(size) {}
 
-    /// Any contiguous container of elements that consist of `N` numbers `T`.
+    /// A contiguous container of elements of `N` numbers `T`.
     template <typename Container,
-              typename Element = std::remove_reference_t<decltype(*std::declval<const Container&>().data())>,
-              typename = std::enable_if_t<sizeof(Element) == N * sizeof(T)
-                                          && std::is_trivially_copyable_v<Element>>>
+              typename Element = detail::Element<Container>,
+              std::enable_if_t<is_element<Element, T, N>::value && !detail::has_columns<Container>::value, int> = 0>
     View(const Container& container)
         : data_(reinterpret_cast<const T*>(container.data())), size_(container.size())
     {
+        static_assert(sizeof(Element) == N * sizeof(T) && std::is_trivially_copyable_v<Element>,
+                      "an element consists of N numbers");
+    }
+
+    /// A row-major matrix of `N` columns, or a vector of numbers, without gaps.
+    template <typename Matrix, std::enable_if_t<detail::is_matrix<Matrix, T, N>::value, long> = 0>
+    View(const Matrix& matrix)
+        : data_(matrix.data()), size_(static_cast<std::size_t>(matrix.size()) / N)
+    {
+        const bool is_contiguous = matrix.innerStride() == 1
+                                   && (N == 1 || matrix.rows() < 2 || matrix.outerStride() == matrix.cols());
+        if (!is_contiguous) {
+            throw std::invalid_argument("exact_ccd: a matrix has gaps between its numbers: copy it");
+        }
     }
 
     const T* data() const noexcept { return data_; }
@@ -108,6 +154,15 @@ inline void check_counts(Points x0, Points x1)
                                     + " positions at t = 1, expected as many as at t = 0: "
                                     + std::to_string(x0.size()));
     }
+}
+
+inline std::size_t query_count(Kind kind, View<std::uint32_t, 1> indices)
+{
+    if (indices.size() % point_count(kind) != 0) {
+        throw std::invalid_argument("exact_ccd: the number of indices is no multiple of "
+                                    + std::to_string(point_count(kind)));
+    }
+    return indices.size() / point_count(kind);
 }
 
 }  // namespace detail
@@ -178,11 +233,7 @@ inline std::vector<double> times_of_impact(Kind kind,
                                            double min_distance = 0)
 {
     detail::check_counts(x0, x1);
-    std::vector<double> times(indices.size() / point_count(kind));
-    if (times.size() * point_count(kind) != indices.size()) {
-        throw std::invalid_argument("exact_ccd: the number of indices is no multiple of "
-                                    + std::to_string(point_count(kind)));
-    }
+    std::vector<double> times(detail::query_count(kind, indices));
     check(exact_ccd_batch_times(static_cast<std::uint32_t>(kind),
                                 x0.data(),
                                 x1.data(),
@@ -192,6 +243,42 @@ inline std::vector<double> times_of_impact(Kind kind,
                                 min_distance,
                                 times.data()));
     return times;
+}
+
+/// `times_of_impact` for vertices of different thickness: the distance of a query is the sum of the largest
+/// thickness of the vertices of each primitive, rounded up.
+inline std::vector<double> times_of_impact_thick(
+    Kind kind, Points x0, Points x1, View<std::uint32_t, 1> indices, View<double, 1> thickness)
+{
+    detail::check_counts(x0, x1);
+    if (thickness.size() != x0.size()) {
+        throw std::invalid_argument("exact_ccd: " + std::to_string(thickness.size())
+                                    + " thicknesses, expected one for each of "
+                                    + std::to_string(x0.size()) + " vertices");
+    }
+    std::vector<double> times(detail::query_count(kind, indices));
+    check(exact_ccd_batch_times_thick(static_cast<std::uint32_t>(kind),
+                                      x0.data(),
+                                      x1.data(),
+                                      x0.size(),
+                                      indices.data(),
+                                      times.size(),
+                                      thickness.data(),
+                                      times.data()));
+    return times;
+}
+
+/// Sets the number of threads of the library, 0 for the number of cores; before the first batch or detector.
+inline void set_threads(std::uint32_t count) { check(exact_ccd_set_threads(count)); }
+
+/// Throws if the loaded library has another binary interface than this header.
+inline void check_version()
+{
+    if (exact_ccd_abi_version() != EXACT_CCD_ABI_VERSION) {
+        throw std::runtime_error("exact_ccd: the library " + std::string(exact_ccd_version())
+                                 + " has the binary interface " + std::to_string(exact_ccd_abi_version())
+                                 + ", the header " + std::to_string(EXACT_CCD_ABI_VERSION));
+    }
 }
 
 /// The connectivity of a mesh.
@@ -216,14 +303,6 @@ public:
         return edges;
     }
 
-    /// True if an edge and a face without a common vertex meet at rest.
-    bool has_intersections(Points x) const
-    {
-        bool answer = false;
-        check(exact_ccd_has_intersections(handle(), x.data(), x.size(), &answer, nullptr, nullptr));
-        return answer;
-    }
-
     const exact_ccd_mesh* handle() const noexcept { return handle_.get(); }
 
 private:
@@ -240,6 +319,11 @@ public:
     struct FreeStep {
         double size;
         std::vector<Point> positions;
+    };
+
+    /// An edge and a face, by their indices, that meet at rest.
+    struct Intersection {
+        std::uint32_t edge, face;
     };
 
     explicit Detector(const Mesh& mesh)
@@ -275,6 +359,25 @@ public:
     {
         check(exact_ccd_detector_set_can_collide(handle(), can_collide, data));
     }
+
+    /// As `set_can_collide`, for a callback that decides about whole primitives.
+    void set_pair_can_collide(exact_ccd_pair_can_collide_t can_collide, void* data)
+    {
+        check(exact_ccd_detector_set_pair_can_collide(handle(), can_collide, data));
+    }
+
+    /// The first edge and face that can collide, have no common vertex and meet at rest.
+    std::optional<Intersection> intersection(Points x) const
+    {
+        bool is_found = false;
+        Intersection found{};
+        check(exact_ccd_detector_has_intersections(
+            handle_.get(), x.data(), x.size(), &is_found, &found.edge, &found.face));
+        return is_found ? std::optional(found) : std::nullopt;
+    }
+
+    /// True if an edge and a face that can collide and have no common vertex meet at rest.
+    bool has_intersections(Points x) const { return intersection(x).has_value(); }
 
     bool is_free(Points x0, Points x1)
     {
@@ -315,7 +418,7 @@ public:
     }
 
     /// The size of a step without contact, at most `keep` times the time of impact, and the certified
-    /// positions at its end.
+    /// positions at its end. The size is 0 if no positive one is certified.
     FreeStep free_step(Points x0, Points x1, double keep = 0.9)
     {
         detail::check_counts(x0, x1);

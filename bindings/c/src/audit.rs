@@ -1,17 +1,19 @@
 //! The certificate of a sequence of frames.
 
+use std::sync::Arc;
+
 use exact_ccd::separation::Separation;
-use exact_ccd_mesh::{Frame, MinDistance, Violation};
+use exact_ccd_mesh::{Frame, MinDistance, TriangleMesh, Violation};
 
 use crate::border::call;
 use crate::contact::Contact;
 use crate::error::Status;
 use crate::mesh::Mesh;
-use crate::pointers::{positions, reference, reference_mut};
+use crate::pointers::{Out, positions, reference, reference_mut};
 
 /// Examines the frames of a mesh one after the other, between which vertices move in straight lines.
 pub struct Audit {
-    mesh: exact_ccd_mesh::TriangleMesh,
+    mesh: Arc<TriangleMesh>,
     audit: exact_ccd_mesh::Audit,
 }
 
@@ -38,16 +40,17 @@ pub unsafe extern "C" fn exact_ccd_audit_new(
     call(|| {
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
-        let (Mesh(mesh), audit) = unsafe { (reference("mesh", mesh)?, reference_mut("audit", audit)?) };
-        *audit = Box::into_raw(Box::new(Audit {
-            mesh: mesh.as_ref().clone(),
+        let (Mesh(mesh), audit) = unsafe { (reference("mesh", mesh)?, Out::new("audit", audit)?) };
+        audit.write(Box::into_raw(Box::new(Audit {
+            mesh: mesh.clone(),
             audit: exact_ccd_mesh::Audit::with_min_distance(min_distance),
-        }));
+        })));
         Ok(())
     })
 }
 
 /// Examines the next frame, and the step that leads to it. The first frame is examined at rest.
+/// `contact` is written unless the result is `EXACT_CCD_AUDIT_RESULT_FREE`.
 ///
 /// For an intersection, `contact->first` is the edge and `contact->second` the face, and nothing else
 /// of it is meaningful. A contact is in the step from the frame before: its time is 0 there and 1 at
@@ -64,27 +67,27 @@ pub unsafe extern "C" fn exact_ccd_audit_examine(
         // SAFETY: the documentation of the function states the promise.
         let (audit, x, result, contact) = unsafe {
             let audit = reference_mut("audit", audit)?;
-            let (result, contact) = (
-                reference_mut("result", result)?,
-                reference_mut("contact", contact)?,
-            );
+            let (result, contact) = (Out::new("result", result)?, Out::new("contact", contact)?);
             (audit, positions("x", x, vertex_count)?, result, contact)
         };
-        let frame = Frame {
-            mesh: audit.mesh.clone(),
-            positions: x.to_vec(),
+        let positions = x.to_vec();
+        let violation = if audit.audit.last().is_none() {
+            let mesh = audit.mesh.as_ref().clone();
+            audit.audit.examine(Frame { mesh, positions })?
+        } else {
+            audit.audit.examine_positions(positions)?
         };
-        *result = match audit.audit.examine(frame)? {
+        result.write(match violation {
             None => AuditResult::Free,
             Some(Violation::Contact { contact: found, .. }) => {
-                *contact = Contact::of(&audit.mesh, &found);
+                contact.write(Contact::of(&audit.mesh, &found));
                 AuditResult::Contact
             }
             Some(Violation::Intersection { intersection, .. }) => {
-                *contact = Contact::of_intersection(intersection.edge, intersection.face);
+                contact.write(Contact::of_intersection(intersection.edge, intersection.face));
                 AuditResult::Intersection
             }
-        };
+        });
         Ok(())
     })
 }

@@ -1,5 +1,7 @@
 //! Many queries about the same vertices.
 
+use core::mem::MaybeUninit;
+
 use exact_ccd::Kind;
 use exact_ccd::batch::Trajectories;
 use exact_ccd::separation::{Separation, Separations, Thickness};
@@ -8,7 +10,7 @@ use rayon::prelude::*;
 use crate::border::call;
 use crate::error::{Error, Status};
 use crate::kind::with_kind;
-use crate::pointers::{array, array_mut, positions};
+use crate::pointers::{array, places, positions};
 
 /// The number of queries that a thread answers at a time.
 const GRAIN: usize = 4096;
@@ -35,7 +37,7 @@ pub unsafe extern "C" fn exact_ccd_batch_times(
         // SAFETY: the documentation of the function states the promise.
         unsafe {
             let trajectories = trajectories(x0, x1, vertex_count)?;
-            let times = array_mut("times", times, query_count)?;
+            let times = places("times", times, query_count)?;
             with_kind!(kind, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
                 first_times::<K>(&trajectories, vertices, separations, times)
@@ -63,7 +65,7 @@ pub unsafe extern "C" fn exact_ccd_batch_times_thick(
         unsafe {
             let thickness = Thickness::new(array("thickness", thickness, vertex_count)?)?;
             let trajectories = trajectories(x0, x1, vertex_count)?;
-            let times = array_mut("times", times, query_count)?;
+            let times = places("times", times, query_count)?;
             with_kind!(kind, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
                 first_times::<K>(&trajectories, vertices, Separations::Thickness(&thickness), times)
@@ -80,19 +82,29 @@ unsafe fn trajectories(x0: *const f64, x1: *const f64, count: usize) -> Result<T
     Ok(Trajectories::new(x0, x1)?)
 }
 
+/// Writes the times after all queries have been answered, and none if one of them is wrong.
 fn first_times<K: Kind + Send + Sync>(
     trajectories: &Trajectories,
     queries: &[K::Vertices],
     separations: Separations<'_>,
-    times: &mut [f64],
+    times: &mut [MaybeUninit<f64>],
 ) -> Result<(), Error> {
-    let answer = |(index, (queries, times)): (usize, (&[K::Vertices], &mut [f64]))| {
-        times.fill(f64::NAN);
-        let found = trajectories.collisions_within::<K>(queries, separations, |index, collision| {
-            times[index] = collision.time_of_impact();
+    let answer = |(chunk, queries): (usize, &[K::Vertices])| {
+        let first = chunk * GRAIN;
+        let mut found = Vec::new();
+        let answered = trajectories.collisions_within::<K>(queries, separations, |index, collision| {
+            found.push((first + index, collision.time_of_impact()));
         });
-        found.map_err(|error| Error::of_batch(error, index * GRAIN))
+        answered.map_err(|error| Error::of_batch(error, first))?;
+        Ok(found)
     };
-    let chunks = queries.par_chunks(GRAIN).zip(times.par_chunks_mut(GRAIN));
-    chunks.enumerate().try_for_each(answer)
+    let chunks = queries.par_chunks(GRAIN).enumerate();
+    let found: Vec<Result<Vec<_>, Error>> = chunks.map(answer).collect();
+    // The first error is that of the first wrong query.
+    let found = found.into_iter().collect::<Result<Vec<_>, Error>>()?;
+    times.fill(MaybeUninit::new(f64::NAN));
+    for (index, time) in found.into_iter().flatten() {
+        times[index].write(time);
+    }
+    Ok(())
 }

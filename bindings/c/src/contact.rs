@@ -16,7 +16,8 @@ pub struct Impact {
     /// True if there is a normal.
     pub has_normal: bool,
     /// u and v, from 0 to 1: the points (1 - u - v) v1 + u v2 + v v3 of a face, or (1 - u) a0 + u a1
-    /// and (1 - v) b0 + v b1 of two edges.
+    /// and (1 - v) b0 + v b1 of two edges. A vertex is an edge of length zero there: against an edge, the
+    /// point is (1 - v) b0 + v b1.
     pub parameters: [f64; 2],
     /// The unit normal, from the second primitive towards the first; zero if there is none.
     pub normal: [f64; 3],

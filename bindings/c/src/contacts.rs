@@ -3,7 +3,7 @@
 use crate::border::call;
 use crate::contact::Contact;
 use crate::error::Status;
-use crate::pointers::{reference, reference_mut};
+use crate::pointers::{Out, reference};
 
 /// The contacts of a step, the earliest first.
 pub struct Contacts(pub(crate) Vec<Contact>);
@@ -19,10 +19,11 @@ pub unsafe extern "C" fn exact_ccd_contacts_data(
         // SAFETY: the documentation of the function states the promise.
         let (Contacts(contacts), data, count) = unsafe {
             let contacts = reference("contacts", contacts)?;
-            let data = reference_mut("data", data)?;
-            (contacts, data, reference_mut("count", count)?)
+            let data = Out::new("data", data)?;
+            (contacts, data, Out::new("count", count)?)
         };
-        (*data, *count) = (contacts.as_ptr(), contacts.len());
+        data.write(contacts.as_ptr());
+        count.write(contacts.len());
         Ok(())
     })
 }

@@ -3,7 +3,7 @@
 use crate::border::call;
 use crate::error::Status;
 use crate::mesh::Mesh;
-use crate::pointers::{reference, reference_mut};
+use crate::pointers::{Out, reference};
 
 /// Finds contact in successive steps of one mesh. It keeps memory from step to step, and no answer
 /// depends on earlier steps.
@@ -14,10 +14,9 @@ pub struct Detector(pub(crate) exact_ccd_mesh::Detector);
 pub unsafe extern "C" fn exact_ccd_detector_new(mesh: *const Mesh, detector: *mut *mut Detector) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Mesh(mesh), detector) =
-            unsafe { (reference("mesh", mesh)?, reference_mut("detector", detector)?) };
+        let (Mesh(mesh), detector) = unsafe { (reference("mesh", mesh)?, Out::new("detector", detector)?) };
         let new = exact_ccd_mesh::Detector::new(mesh.clone());
-        *detector = Box::into_raw(Box::new(Detector(new)));
+        detector.write(Box::into_raw(Box::new(Detector(new))));
         Ok(())
     })
 }

@@ -10,22 +10,16 @@ use crate::detector::Detector;
 use crate::error::{Error, Status};
 use crate::pointers::{array, reference_mut};
 
-impl Detector {
-    /// In case of an error, the detector keeps its distance.
-    fn set(&mut self, min_distance: MinDistance) -> Result<(), Error> {
-        self.0 = self.0.clone().with_min_distance(min_distance)?;
-        Ok(())
-    }
-
-    fn restrict(&mut self, can_collide: exact_ccd_mesh::CanCollide) {
-        self.0 = self.0.clone().with_can_collide(can_collide);
-    }
-}
-
 /// Decides if two vertices can collide; called from several threads at the same time. Two primitives
 /// can collide if any vertex of one can collide with any vertex of the other, the rule of the IPC
 /// Toolkit. Must return: no exception may leave it.
 pub type CanCollide = Option<unsafe extern "C" fn(u32, u32, *mut c_void) -> bool>;
+
+/// Decides if two primitives, given by their vertices, can collide; called from several threads at the
+/// same time. The numbers of vertices are 1 and 3, 2 and 2, 1 and 2, or 1 and 1, as in the kinds of
+/// query; at rest 2 and 3, an edge and a face. Must return: no exception may leave it.
+pub type PairCanCollide =
+    Option<unsafe extern "C" fn(*const u32, usize, *const u32, usize, *mut c_void) -> bool>;
 
 /// Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 /// default.
@@ -37,7 +31,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_min_distance(
     call(|| {
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
-        unsafe { reference_mut("detector", detector)? }.set(min_distance)
+        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
+        Ok(detector.set_min_distance(min_distance)?)
     })
 }
 
@@ -51,11 +46,12 @@ pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, thickness) = unsafe {
+        let (Detector(detector), thickness) = unsafe {
             let detector = reference_mut("detector", detector)?;
             (detector, array("thickness", thickness, vertex_count)?)
         };
-        detector.set(MinDistance::thickness(Thickness::new(thickness)?))
+        let min_distance = MinDistance::thickness(Thickness::new(thickness)?);
+        Ok(detector.set_min_distance(min_distance)?)
     })
 }
 
@@ -72,7 +68,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_inner_distance(
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         let min_distance = min_distance.with_inner(Separation::new(inner_distance)?);
         // SAFETY: the documentation of the function states the promise.
-        unsafe { reference_mut("detector", detector)? }.set(min_distance)
+        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
+        Ok(detector.set_min_distance(min_distance)?)
     })
 }
 
@@ -86,12 +83,18 @@ pub unsafe extern "C" fn exact_ccd_detector_set_groups(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (detector, groups) = unsafe {
+        let (Detector(detector), groups) = unsafe {
             let detector = reference_mut("detector", detector)?;
             (detector, array("groups", groups, vertex_count)?)
         };
-        let can_collide = exact_ccd_mesh::CanCollide::different_groups(groups.to_vec());
-        detector.restrict(can_collide);
+        if groups.len() != detector.mesh().vertex_count() {
+            return Err(Error::argument(format_args!(
+                "{} groups, expected one for each of the {} vertices",
+                groups.len(),
+                detector.mesh().vertex_count()
+            )));
+        }
+        detector.set_can_collide(exact_ccd_mesh::CanCollide::different_groups(groups.to_vec()));
         Ok(())
     })
 }
@@ -104,26 +107,53 @@ pub unsafe extern "C" fn exact_ccd_detector_set_can_collide(
     can_collide: CanCollide,
     data: *mut c_void,
 ) -> Status {
-    /// The data of the caller, who has promised that the callback can be called on any thread.
-    struct Data(*mut c_void);
-    // SAFETY: the pointer is only passed on, to a callback that can be called on any thread.
-    unsafe impl Send for Data {}
-    // SAFETY: as above.
-    unsafe impl Sync for Data {}
-
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let detector = unsafe { reference_mut("detector", detector)? };
+        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
         let data = Data(data);
-        let can_collide = match can_collide {
+        detector.set_can_collide(match can_collide {
             None => exact_ccd_mesh::CanCollide::all(),
             Some(callback) => exact_ccd_mesh::CanCollide::any_vertices(move |a, b| {
-                let data = &data;
                 // SAFETY: the caller's promise.
-                unsafe { callback(a, b, data.0) }
+                unsafe { callback(a, b, data.get()) }
             }),
-        };
-        detector.restrict(can_collide);
+        });
         Ok(())
     })
 }
+
+/// `exact_ccd_detector_set_can_collide` for a callback that decides about whole primitives.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_set_pair_can_collide(
+    detector: *mut Detector,
+    can_collide: PairCanCollide,
+    data: *mut c_void,
+) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
+        let data = Data(data);
+        detector.set_can_collide(match can_collide {
+            None => exact_ccd_mesh::CanCollide::all(),
+            Some(callback) => exact_ccd_mesh::CanCollide::new(move |a, b| {
+                // SAFETY: the caller's promise.
+                unsafe { callback(a.as_ptr(), a.len(), b.as_ptr(), b.len(), data.get()) }
+            }),
+        });
+        Ok(())
+    })
+}
+
+/// The data of the caller, who has promised that the callback can be called on any thread.
+struct Data(*mut c_void);
+
+impl Data {
+    fn get(&self) -> *mut c_void {
+        self.0
+    }
+}
+
+// SAFETY: the pointer is only passed on, to a callback that can be called on any thread.
+unsafe impl Send for Data {}
+// SAFETY: as above.
+unsafe impl Sync for Data {}

@@ -8,7 +8,7 @@ use crate::contact::Contact;
 use crate::contacts::Contacts;
 use crate::detector::Detector;
 use crate::error::Status;
-use crate::pointers::{array_mut, positions, reference_mut};
+use crate::pointers::{Out, fill, places, positions, reference_mut};
 
 /// Decides if a step is free of contact. `x0` and `x1` are the positions of the `vertex_count`
 /// vertices at t = 0 and t = 1. Ends soon after the first contact found.
@@ -24,7 +24,7 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
         // SAFETY: the documentation of the function states the promise.
         let (Detector(detector), x0, x1, is_free) = unsafe {
             let detector = reference_mut("detector", detector)?;
-            let is_free = reference_mut("is_free", is_free)?;
+            let is_free = Out::new("is_free", is_free)?;
             (
                 detector,
                 positions("x0", x0, vertex_count)?,
@@ -32,7 +32,7 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
                 is_free,
             )
         };
-        *is_free = detector.is_free(x0, x1)?;
+        is_free.write(detector.is_free(x0, x1)?);
         Ok(())
     })
 }
@@ -56,20 +56,20 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
                 positions("x0", x0, vertex_count)?,
                 positions("x1", x1, vertex_count)?,
             );
-            let is_found = reference_mut("is_found", is_found)?;
-            (detector, x0, x1, is_found, reference_mut("contact", contact)?)
+            let is_found = Out::new("is_found", is_found)?;
+            (detector, x0, x1, is_found, Out::new("contact", contact)?)
         };
         let earliest = detector.earliest_contact(x0, x1)?;
-        *is_found = earliest.is_some();
+        is_found.write(earliest.is_some());
         if let Some(earliest) = &earliest {
-            *contact = Contact::of(detector.mesh(), earliest);
+            contact.write(Contact::of(detector.mesh(), earliest));
         }
         Ok(())
     })
 }
 
-/// The contacts of a step whose first time is not after `until`, the earliest first; all for 1. The
-/// list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
+/// The contacts of a step whose first time is not after `until`, from 0 to 1, the earliest first; all
+/// for 1. The list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_contacts(
     detector: *mut Detector,
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
         // SAFETY: the documentation of the function states the promise.
         let (Detector(detector), x0, x1, contacts) = unsafe {
             let detector = reference_mut("detector", detector)?;
-            let contacts = reference_mut("contacts", contacts)?;
+            let contacts = Out::new("contacts", contacts)?;
             (
                 detector,
                 positions("x0", x0, vertex_count)?,
@@ -94,7 +94,7 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
         let found = detector.contacts(x0, x1, until)?;
         let mesh = detector.mesh();
         let list = found.iter().map(|contact| Contact::of(mesh, contact)).collect();
-        *contacts = Box::into_raw(Box::new(Contacts(list)));
+        contacts.write(Box::into_raw(Box::new(Contacts(list))));
         Ok(())
     })
 }
@@ -103,8 +103,9 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
 /// end, which are written to `positions`.
 ///
 /// The size is at most `keep` times the time of impact of the full step, for 0 < `keep` <= 1, and 1
-/// if the full step is free. If it is 0, the mesh is in contact at the start, and no motion is
-/// certified. `positions` has room for `vertex_count` points, and may be `x0` or `x1`.
+/// if the full step is free. It is 0 if no positive size is certified: the mesh is in contact at the
+/// start, or within the smallest `double` of it. `positions` has room for `vertex_count` points, and
+/// may be `x0` or `x1`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_free_step(
     detector: *mut Detector,
@@ -120,14 +121,15 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
         // the last use of the positions, which may be the same memory.
         unsafe {
             let Detector(detector) = reference_mut("detector", detector)?;
-            let size = reference_mut("size", size)?;
+            let size = Out::new("size", size)?;
             let step = {
                 let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
                 let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
                 detector.free_step(x0, x1, &FreeStepOptions::default().with_keep(keep))?
             };
-            array_mut("positions", positions.cast::<Point>(), vertex_count)?.copy_from_slice(&step.positions);
-            *size = step.size;
+            let places = places("positions", positions.cast::<Point>(), vertex_count)?;
+            fill(places, step.positions);
+            size.write(step.size);
         }
         Ok(())
     })

@@ -7,7 +7,7 @@ use std::ffi::CString;
 use exact_ccd::batch::{TrajectoriesError, VertexOutOfRange};
 use exact_ccd::separation::{InvalidSeparation, InvalidThickness, TimeOutOfStep};
 use exact_ccd_mesh::{
-    IntersectionsError, LineSearchError, MeshError, MotionError, StepError, ThicknessCount,
+    IntersectionsError, LineSearchError, MeshError, MotionError, StepError, ThicknessCount, TooManyPrimitives,
 };
 
 /// The outcome of a call.
@@ -22,10 +22,8 @@ pub enum Status {
     InvalidPositions = 2,
     /// A mesh or a query names a vertex that does not exist, or a mesh is too large.
     InvalidMesh = 3,
-    /// A callback has cancelled the call.
-    Cancelled = 4,
     /// A defect of the library. The handle of the call may only be freed.
-    Internal = 5,
+    Internal = 4,
 }
 
 /// The reason why a call has no result.
@@ -84,19 +82,45 @@ status_of! {
     TrajectoriesError => InvalidPositions,
     VertexOutOfRange => InvalidMesh,
     MeshError => InvalidMesh,
-    StepError => InvalidPositions,
-    MotionError => InvalidPositions,
-    IntersectionsError => InvalidPositions,
+    TooManyPrimitives => InvalidMesh,
+}
+
+impl From<StepError> for Error {
+    fn from(error: StepError) -> Self {
+        match error {
+            StepError::TooManyPrimitives(error) => error.into(),
+            StepError::Time(error) => error.into(),
+            _ => Self::new(Status::InvalidPositions, error),
+        }
+    }
+}
+
+impl From<MotionError> for Error {
+    fn from(error: MotionError) -> Self {
+        match error {
+            MotionError::Positions(error) => error.into(),
+            MotionError::ThicknessCount(error) => error.into(),
+            _ => Self::new(Status::InvalidMesh, error),
+        }
+    }
+}
+
+impl From<IntersectionsError> for Error {
+    fn from(error: IntersectionsError) -> Self {
+        match error {
+            IntersectionsError::TooManyPrimitives(error) => error.into(),
+            _ => Self::new(Status::InvalidPositions, error),
+        }
+    }
 }
 
 impl From<LineSearchError> for Error {
     fn from(error: LineSearchError) -> Self {
-        let status = match error {
-            LineSearchError::Step(_) | LineSearchError::Direction(_) => Status::InvalidPositions,
-            LineSearchError::Cancelled => Status::Cancelled,
-            _ => Status::InvalidArgument,
-        };
-        Self::new(status, error)
+        match error {
+            LineSearchError::Step(error) => error.into(),
+            LineSearchError::Direction(_) => Self::new(Status::InvalidPositions, error),
+            _ => Self::new(Status::InvalidArgument, error),
+        }
     }
 }
 

@@ -1,17 +1,16 @@
 //! Meshes at rest.
 
-use exact_ccd_mesh::intersections;
-
 use crate::border::call;
+use crate::detector::Detector;
 use crate::error::Status;
-use crate::mesh::Mesh;
-use crate::pointers::{positions, reference, reference_mut};
+use crate::pointers::{Out, positions, reference};
 
-/// Decides if a mesh at rest passes through itself: if an edge and a face without a common vertex
-/// have a common point. `edge` and `face` are the first such pair; both may be null.
+/// Decides if a mesh at rest passes through itself: if an edge and a face that can collide and have no
+/// common vertex have a common point. `edge` and `face` are the first such pair, written only if there
+/// is one; both may be null. The distance of the detector has no influence.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_has_intersections(
-    mesh: *const Mesh,
+pub unsafe extern "C" fn exact_ccd_detector_has_intersections(
+    detector: *const Detector,
     x: *const f64,
     vertex_count: usize,
     has_intersections: *mut bool,
@@ -20,19 +19,23 @@ pub unsafe extern "C" fn exact_ccd_has_intersections(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        unsafe {
-            let Mesh(mesh) = reference("mesh", mesh)?;
-            let x = positions("x", x, vertex_count)?;
-            let has_intersections = reference_mut("has_intersections", has_intersections)?;
-            let found = intersections(mesh, x)?;
-            *has_intersections = !found.is_empty();
-            if let Some(first) = found.first() {
-                if let Ok(edge) = reference_mut("edge", edge) {
-                    *edge = first.edge;
-                }
-                if let Ok(face) = reference_mut("face", face) {
-                    *face = first.face;
-                }
+        let (Detector(detector), x, has_intersections, edge, face) = unsafe {
+            (
+                reference("detector", detector)?,
+                positions("x", x, vertex_count)?,
+                Out::new("has_intersections", has_intersections)?,
+                Out::optional("edge", edge)?,
+                Out::optional("face", face)?,
+            )
+        };
+        let found = detector.intersections(x)?;
+        has_intersections.write(!found.is_empty());
+        if let Some(first) = found.first() {
+            if let Some(edge) = edge {
+                edge.write(first.edge);
+            }
+            if let Some(face) = face {
+                face.write(first.face);
             }
         }
         Ok(())

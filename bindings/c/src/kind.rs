@@ -1,5 +1,7 @@
 //! The kinds of query.
 
+use crate::error::Error;
+
 /// The kind of a query: the two primitives, and the order of its points.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,27 +19,24 @@ pub enum Kind {
 /// Evaluates an expression with a type `$K`, the kind that the number stands for.
 macro_rules! with_kind {
     ($number:expr, $K:ident => $body:expr) => {
+        $crate::kind::with_kind!($number, $K => $body; VertexFace, EdgeEdge, VertexEdge, VertexVertex)
+    };
+    ($number:expr, $K:ident => $body:expr; $($kind:ident),+) => {
         match $number {
-            0 => {
-                type $K = exact_ccd::VertexFace;
+            $(number if number == $crate::kind::Kind::$kind as u32 => {
+                type $K = exact_ccd::$kind;
                 $body
-            }
-            1 => {
-                type $K = exact_ccd::EdgeEdge;
-                $body
-            }
-            2 => {
-                type $K = exact_ccd::VertexEdge;
-                $body
-            }
-            3 => {
-                type $K = exact_ccd::VertexVertex;
-                $body
-            }
-            other => Err($crate::error::Error::argument(format_args!(
-                "kind is {other}, expected a value of exact_ccd_kind, 0 to 3"
-            ))),
+            })+
+            other => Err($crate::kind::unknown(other)),
         }
     };
 }
 pub(crate) use with_kind;
+
+#[cold]
+pub(crate) fn unknown(number: u32) -> Error {
+    Error::argument(format_args!(
+        "kind is {number}, expected a value of exact_ccd_kind, 0 to {}",
+        Kind::VertexVertex as u32
+    ))
+}

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use exact_ccd_mesh::TriangleMesh;
 
 use crate::border::call;
-use crate::error::Status;
-use crate::pointers::{array, reference_mut};
+use crate::error::{Error, Status};
+use crate::pointers::{Out, array, fill, places, reference};
 
 /// The connectivity of a mesh: faces, edges and vertices. It never changes.
 pub struct Mesh(pub(crate) Arc<TriangleMesh>);
@@ -29,13 +29,13 @@ pub unsafe extern "C" fn exact_ccd_mesh_new(
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         let (mesh, faces, edges) = unsafe {
-            let mesh = reference_mut("mesh", mesh)?;
+            let mesh = Out::new("mesh", mesh)?;
             let faces = array("faces", faces.cast::<[u32; 3]>(), face_count)?;
             let edges = array("edges", edges.cast::<[u32; 2]>(), edge_count)?;
             (mesh, faces, edges)
         };
         let new = TriangleMesh::with_edges(vertex_count, faces.to_vec(), edges)?;
-        *mesh = Box::into_raw(Box::new(Mesh(Arc::new(new))));
+        mesh.write(Box::into_raw(Box::new(Mesh(Arc::new(new)))));
         Ok(())
     })
 }
@@ -51,15 +51,15 @@ pub unsafe extern "C" fn exact_ccd_mesh_counts(
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         unsafe {
-            let Mesh(mesh) = crate::pointers::reference("mesh", mesh)?;
+            let Mesh(mesh) = reference("mesh", mesh)?;
             let places = [
-                reference_mut("face_count", face_count)?,
-                reference_mut("edge_count", edge_count)?,
-                reference_mut("loose_edge_count", loose_edge_count)?,
+                Out::new("face_count", face_count)?,
+                Out::new("edge_count", edge_count)?,
+                Out::new("loose_edge_count", loose_edge_count)?,
             ];
             let counts = [mesh.faces().len(), mesh.edges().len(), mesh.loose_edges().len()];
             for (place, count) in places.into_iter().zip(counts) {
-                *place = count;
+                place.write(count);
             }
         }
         Ok(())
@@ -77,18 +77,18 @@ pub unsafe extern "C" fn exact_ccd_mesh_edges(
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         let (mesh, edges) = unsafe {
-            let Mesh(mesh) = crate::pointers::reference("mesh", mesh)?;
-            let edges = crate::pointers::array_mut("edges", edges.cast::<[u32; 2]>(), edge_count)?;
+            let Mesh(mesh) = reference("mesh", mesh)?;
+            let edges = places("edges", edges.cast::<[u32; 2]>(), edge_count)?;
             (mesh, edges)
         };
         if edges.len() != mesh.edges().len() {
-            return Err(crate::error::Error::argument(format_args!(
+            return Err(Error::argument(format_args!(
                 "edge_count is {}, but the mesh has {} edges",
                 edges.len(),
                 mesh.edges().len()
             )));
         }
-        edges.copy_from_slice(mesh.edges());
+        fill(edges, mesh.edges().iter().copied());
         Ok(())
     })
 }

@@ -1,10 +1,43 @@
-//! Pointers of the caller as references, or an error that names the argument.
+//! Pointers of the caller as references and places for results, or an error that names the argument.
 
+use core::mem::MaybeUninit;
 use core::slice;
 
 use exact_ccd::Point;
 
 use crate::error::Error;
+
+/// The place of a result: written, never read. It need not hold a value before, and may be the place of
+/// another result: then the last one stays.
+pub(crate) struct Out<T>(*mut T);
+
+impl<T> Out<T> {
+    /// # Safety
+    /// `pointer` is null, or points to memory for a `T` that nobody else uses during the call.
+    #[inline]
+    pub(crate) unsafe fn new(name: &str, pointer: *mut T) -> Result<Self, Error> {
+        check(name, pointer)?;
+        Ok(Self(pointer))
+    }
+
+    /// No place for null.
+    ///
+    /// # Safety
+    /// As for [`new`](Self::new).
+    pub(crate) unsafe fn optional(name: &str, pointer: *mut T) -> Result<Option<Self>, Error> {
+        if pointer.is_null() {
+            return Ok(None);
+        }
+        // SAFETY: the caller's promise.
+        unsafe { Self::new(name, pointer) }.map(Some)
+    }
+
+    #[inline]
+    pub(crate) fn write(&self, value: T) {
+        // SAFETY: not null and aligned; the rest is the promise of `new`.
+        unsafe { self.0.write(value) }
+    }
+}
 
 /// The array of `count` elements at `pointer`. With `count` = 0, the pointer may be null.
 ///
@@ -14,36 +47,35 @@ pub(crate) unsafe fn array<'a, T>(name: &str, pointer: *const T, count: usize) -
     if count == 0 {
         return Ok(&[]);
     }
-    if count > isize::MAX as usize / size_of::<T>() {
-        return Err(Error::argument(format_args!(
-            "{count} elements of {name} exceed the memory"
-        )));
-    }
-    check(name, pointer)?;
+    check_array(name, pointer, count)?;
     // SAFETY: not null, aligned, not longer than the address space; the rest is the caller's promise.
     Ok(unsafe { slice::from_raw_parts(pointer, count) })
 }
 
-/// The array of `count` elements at `pointer`, to be written.
+/// The places of `count` results at `pointer`. With `count` = 0, the pointer may be null.
 ///
 /// # Safety
-/// `pointer` is null, or points to `count` elements that nobody else uses during the call.
-pub(crate) unsafe fn array_mut<'a, T>(
+/// `pointer` is null, or points to memory for `count` elements that nobody else uses as long as the result
+/// exists.
+pub(crate) unsafe fn places<'a, T>(
     name: &str,
     pointer: *mut T,
     count: usize,
-) -> Result<&'a mut [T], Error> {
+) -> Result<&'a mut [MaybeUninit<T>], Error> {
     if count == 0 {
         return Ok(&mut []);
     }
-    if count > isize::MAX as usize / size_of::<T>() {
-        return Err(Error::argument(format_args!(
-            "{count} elements of {name} exceed the memory"
-        )));
+    check_array(name, pointer, count)?;
+    // SAFETY: not null, aligned, not longer than the address space, without values; the rest is the
+    // caller's promise.
+    Ok(unsafe { slice::from_raw_parts_mut(pointer.cast(), count) })
+}
+
+/// Writes values to the places of results, as many as there are of both.
+pub(crate) fn fill<T>(places: &mut [MaybeUninit<T>], values: impl IntoIterator<Item = T>) {
+    for (place, value) in places.iter_mut().zip(values) {
+        place.write(value);
     }
-    check(name, pointer)?;
-    // SAFETY: not null, aligned, not longer than the address space; the rest is the caller's promise.
-    Ok(unsafe { slice::from_raw_parts_mut(pointer, count) })
 }
 
 /// The positions of vertices.
@@ -62,21 +94,30 @@ pub(crate) unsafe fn positions<'a>(
 /// The value at `pointer`.
 ///
 /// # Safety
-/// `pointer` is null, or points to a value of this library that nobody changes during the call.
+/// `pointer` is null, or points to a value that nobody changes during the call.
 pub(crate) unsafe fn reference<'a, T>(name: &str, pointer: *const T) -> Result<&'a T, Error> {
     check(name, pointer)?;
     // SAFETY: not null and aligned; the rest is the caller's promise.
     Ok(unsafe { &*pointer })
 }
 
-/// The value at `pointer`, to be changed.
+/// The value of a handle, to be changed.
 ///
 /// # Safety
-/// `pointer` is null, or points to a value that nobody else uses during the call.
-pub(crate) unsafe fn reference_mut<'a, T>(name: &str, pointer: *mut T) -> Result<&'a mut T, Error> {
-    check(name, pointer)?;
+/// `handle` is null, or points to a value of this library that nobody else uses during the call.
+pub(crate) unsafe fn reference_mut<'a, T>(name: &str, handle: *mut T) -> Result<&'a mut T, Error> {
+    check(name, handle)?;
     // SAFETY: not null and aligned; the rest is the caller's promise.
-    Ok(unsafe { &mut *pointer })
+    Ok(unsafe { &mut *handle })
+}
+
+fn check_array<T>(name: &str, pointer: *const T, count: usize) -> Result<(), Error> {
+    if count > isize::MAX as usize / size_of::<T>() {
+        return Err(Error::argument(format_args!(
+            "{count} elements of {name} exceed the memory"
+        )));
+    }
+    check(name, pointer)
 }
 
 #[inline]

@@ -7,7 +7,7 @@ use crate::border::call;
 use crate::contact::{Impact, Interval};
 use crate::error::{Error, Status};
 use crate::kind::with_kind;
-use crate::pointers::{array_mut, reference, reference_mut};
+use crate::pointers::{Out, fill, places, reference};
 
 /// The points of one end of a step: an array of `double[3]`, as many as the kind has.
 ///
@@ -50,13 +50,13 @@ pub unsafe extern "C" fn exact_ccd_collides(
         let d = Separation::new(min_distance)?;
         // SAFETY: the documentation of the function states the promise.
         let (collides, answer) = unsafe {
-            let collides = reference_mut("collides", collides)?;
+            let collides = Out::new("collides", collides)?;
             let answer = with_kind!(kind, K => {
                 Ok(query::<K>(points_t0, points_t1)?.comes_within(d))
             })?;
             (collides, answer)
         };
-        *collides = answer;
+        collides.write(answer);
         Ok(())
     })
 }
@@ -78,13 +78,13 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact(
         let d = Separation::new(min_distance)?;
         // SAFETY: the documentation of the function states the promise.
         let (time, answer) = unsafe {
-            let time = reference_mut("time", time)?;
+            let time = Out::new("time", time)?;
             let answer = with_kind!(kind, K => {
                 Ok(query::<K>(points_t0, points_t1)?.time_within(d))
             })?;
             (time, answer)
         };
-        *time = answer.unwrap_or(f64::NAN);
+        time.write(answer.unwrap_or(f64::NAN));
         Ok(())
     })
 }
@@ -106,16 +106,16 @@ pub unsafe extern "C" fn exact_ccd_impact(
         let d = Separation::new(min_distance)?;
         // SAFETY: the documentation of the function states the promise.
         let (collides, impact, answer) = unsafe {
-            let collides = reference_mut("collides", collides)?;
-            let impact = reference_mut("impact", impact)?;
+            let collides = Out::new("collides", collides)?;
+            let impact = Out::new("impact", impact)?;
             let answer = with_kind!(kind, K => {
                 Ok(query::<K>(points_t0, points_t1)?.impact_within(d))
             })?;
             (collides, impact, answer)
         };
-        *collides = answer.is_some();
+        collides.write(answer.is_some());
         if let Some(answer) = &answer {
-            *impact = answer.into();
+            impact.write(answer.into());
         }
         Ok(())
     })
@@ -141,17 +141,15 @@ pub unsafe extern "C" fn exact_ccd_intervals(
         let d = Separation::new(min_distance)?;
         // SAFETY: the documentation of the function states the promise.
         let (intervals, count, answer) = unsafe {
-            let intervals = array_mut("intervals", intervals, capacity)?;
-            let count = reference_mut("count", count)?;
+            let intervals = places("intervals", intervals, capacity)?;
+            let count = Out::new("count", count)?;
             let answer = with_kind!(kind, K => {
                 Ok(query::<K>(points_t0, points_t1)?.intervals_within(d))
             })?;
             (intervals, count, answer)
         };
-        *count = answer.len();
-        for (place, interval) in intervals.iter_mut().zip(&answer) {
-            *place = interval.into();
-        }
+        count.write(answer.len());
+        fill(intervals, answer.iter().map(Interval::from));
         Ok(())
     })
 }
@@ -173,14 +171,15 @@ pub unsafe extern "C" fn exact_ccd_distance_at(
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         let (lower, upper, answer) = unsafe {
-            let lower = reference_mut("lower", lower)?;
-            let upper = reference_mut("upper", upper)?;
+            let lower = Out::new("lower", lower)?;
+            let upper = Out::new("upper", upper)?;
             let answer = with_kind!(kind, K => {
                 Ok(query::<K>(points_t0, points_t1)?.distance_at(time)?)
             })?;
             (lower, upper, answer)
         };
-        (*lower, *upper) = (answer.lower, answer.upper);
+        lower.write(answer.lower);
+        upper.write(answer.upper);
         Ok(())
     })
 }

@@ -1,7 +1,7 @@
-//! The threads of the library.
+//! The threads of the library. They are created in a call, and inherit its floating-point environment, the
+//! standard one.
 
 use crate::border::call;
-use crate::environment::Environment;
 use crate::error::{Error, Status};
 
 /// Sets the number of threads of the library, 0 for the number of cores. To be called before any
@@ -14,8 +14,6 @@ pub extern "C" fn exact_ccd_set_threads(count: u32) -> Status {
         rayon::ThreadPoolBuilder::new()
             .num_threads(count as usize)
             .thread_name(|index| format!("exact-ccd-{index}"))
-            // A thread inherits the environment of its creator, which may be the host's.
-            .start_handler(|_| std::mem::forget(Environment::standard()))
             .build_global()
             .map_err(|error| Error::argument(format_args!("the threads cannot be set: {error}")))
     })

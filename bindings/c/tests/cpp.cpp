@@ -13,6 +13,30 @@ struct Vector {
     double x, y, z;
 };
 
+}  // namespace
+
+template <>
+struct exact_ccd::is_element<Vector, double, 3> : std::true_type {};
+
+namespace {
+
+// Numbers of another type or another count are no elements, even of the right size.
+template <typename View, typename Container>
+constexpr bool views = std::is_constructible_v<View, Container>;
+using Indices = exact_ccd::View<std::uint32_t, 1>;
+using Numbers = exact_ccd::View<double, 1>;
+
+static_assert(views<exact_ccd::Points, std::vector<Vector>> && views<exact_ccd::Points, std::array<double[3], 4>>);
+static_assert(views<Numbers, std::vector<double>> && views<Numbers, std::array<double, 2>>);
+static_assert(views<exact_ccd::Edges, std::vector<std::array<std::uint32_t, 2>>>);
+static_assert(!views<Numbers, std::vector<std::int64_t>> && !views<Numbers, std::vector<Vector>>);
+static_assert(!views<Indices, std::vector<float>> && !views<Indices, std::vector<std::int32_t>>);
+static_assert(!views<exact_ccd::Edges, std::vector<double>> && !views<exact_ccd::Points, std::vector<double>>);
+struct Other {
+    double x, y, z;
+};
+static_assert(!views<exact_ccd::Points, std::vector<Other>>);
+
 void queries()
 {
     const std::array<Point, 4> start{{{0.25, 0.25, 1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
@@ -35,6 +59,9 @@ void queries()
     const std::vector<std::uint32_t> indices{0, 1, 2, 3, 0, 1, 2, 3};
     const auto times = exact_ccd::times_of_impact(Kind::vertex_face, start, end, indices);
     CHECK(times.size() == 2 && times[0] == 0.5 && times[1] == 0.5);
+    const std::vector<double> thickness{0.25, 0, 0.25, 0};
+    const auto thick = exact_ccd::times_of_impact_thick(Kind::vertex_face, start, end, indices, thickness);
+    CHECK(thick.size() == 2 && thick[0] == 0.25 && thick[1] == 0.25);
 }
 
 template <typename Exception, typename Call>
@@ -56,6 +83,10 @@ void errors()
     throws<exact_ccd::Error>([&] { exact_ccd::collides(Kind::vertex_face, start, start, -1); });
     const std::vector<std::uint32_t> three{0, 1, 2};
     throws<std::invalid_argument>([&] { exact_ccd::times_of_impact(Kind::vertex_face, start, start, three); });
+    const std::vector<std::uint32_t> four{0, 1, 2, 3};
+    const std::vector<double> few{0, 0, 0};
+    throws<std::invalid_argument>(
+        [&] { exact_ccd::times_of_impact_thick(Kind::vertex_face, start, start, four, few); });
     const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 4}};
     throws<exact_ccd::Error>([&] { exact_ccd::Mesh(4, faces); });
 }
@@ -70,9 +101,12 @@ void meshes()
     }
     const exact_ccd::Mesh mesh(x0.size(), faces);
     CHECK(mesh.edges().size() == 6);
-    CHECK(!mesh.has_intersections(x0) && mesh.has_intersections(x1));
 
     exact_ccd::Detector detector(mesh);
+    CHECK(!detector.has_intersections(x0) && detector.has_intersections(x1));
+    CHECK(!detector.intersection(x0));
+    const auto intersection = detector.intersection(x1);
+    CHECK(intersection && intersection->face == 0 && intersection->edge < 6);
     CHECK(!detector.is_free(x0, x1));
     CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.5);
     CHECK(detector.contacts(x0, x1).size() == 1);
@@ -91,6 +125,8 @@ void meshes()
 
 int main()
 {
+    exact_ccd::check_version();
+    exact_ccd::set_threads(2);
     queries();
     errors();
     meshes();

@@ -65,6 +65,9 @@ static void queries(void)
     const double edge_start[9] = {0, 3, -8, -9, 0, 0, 9, 0, 0}, edge_end[9] = {0, 3, 8, -9, 0, 0, 9, 0, 0};
     OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, &time));
     CHECK(time == 0.25);
+    // The point of the edge is the middle.
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, &collides, &impact));
+    CHECK(collides && fabs(impact.parameters[1] - 0.5) < 1e-9);
 }
 
 static void errors(void)
@@ -95,6 +98,17 @@ static void errors(void)
     const uint32_t face[3] = {0, 1, 9};
     fails(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh), EXACT_CCD_STATUS_INVALID_MESH, "vertex 9");
     CHECK(mesh == NULL);
+    if (sizeof(size_t) > 4) {
+        // More vertices than the indices of pairs can name.
+        exact_ccd_detector* detector = NULL;
+        OK(exact_ccd_mesh_new((size_t)UINT32_MAX + 1, NULL, 0, NULL, 0, &mesh));
+        OK(exact_ccd_detector_new(mesh, &detector));
+        fails(exact_ccd_detector_is_free(detector, FACE_START, FACE_END, 4, &collides),
+              EXACT_CCD_STATUS_INVALID_MESH,
+              "4294967296 vertices");
+        exact_ccd_detector_free(detector);
+        exact_ccd_mesh_free(mesh);
+    }
     exact_ccd_mesh_free(NULL);
     exact_ccd_detector_free(NULL);
     exact_ccd_contacts_free(NULL);
@@ -120,12 +134,108 @@ static void batches(void)
     OK(exact_ccd_batch_times(EXACT_CCD_KIND_VERTEX_FACE, NULL, NULL, 0, NULL, 0, 0, NULL));
 }
 
+// A batch that fails writes no time, and names the first wrong query, on any number of threads.
+static void wrong_batches(void)
+{
+    enum { COUNT = 20000 };
+    static uint32_t queries[4 * COUNT];
+    static double times[COUNT];
+    for (int i = 0; i < COUNT; ++i) {
+        for (uint32_t j = 0; j < 4; ++j) {
+            queries[4 * i + j] = j;
+        }
+        times[i] = -7;
+    }
+    queries[4 * 9001 + 2] = 4;
+    queries[4 * 15001 + 1] = 5;
+    const double thickness[4] = {0, 0, 0, 0};
+    fails(exact_ccd_batch_times(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, times),
+          EXACT_CCD_STATUS_INVALID_MESH,
+          "query 9001");
+    fails(exact_ccd_batch_times_thick(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, thickness, times),
+          EXACT_CCD_STATUS_INVALID_MESH,
+          "query 9001");
+    for (int i = 0; i < COUNT; ++i) {
+        CHECK(times[i] == -7);
+    }
+}
+
 static bool never(uint32_t a, uint32_t b, void* calls)
 {
     (void)a;
     (void)b;
     *(bool*)calls = true;
     return false;
+}
+
+static bool are_edge_and_face(const uint32_t* a, size_t a_count, const uint32_t* b, size_t b_count, void* face)
+{
+    (void)a;
+    return a_count == 2 && b_count == 3 && b[0] == *(const uint32_t*)face;
+}
+
+static void intersections(const exact_ccd_mesh* mesh, const double* apart, const double* crossing)
+{
+    exact_ccd_detector* detector = NULL;
+    OK(exact_ccd_detector_new(mesh, &detector));
+    bool intersects = true;
+    OK(exact_ccd_detector_has_intersections(detector, apart, 6, &intersects, NULL, NULL));
+    CHECK(!intersects);
+    uint32_t edge = 99, face = 99;
+    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &intersects, &edge, &face));
+    CHECK(intersects && face == 0 && edge < 6);
+    fails(exact_ccd_detector_has_intersections(
+              detector, crossing, 6, &intersects, (uint32_t*)((char*)&edge + 1), &face),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "edge is not aligned");
+
+    // Among the pairs that can collide.
+    uint32_t first_corner = 3;
+    OK(exact_ccd_detector_set_pair_can_collide(detector, are_edge_and_face, &first_corner));
+    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &intersects, NULL, NULL));
+    CHECK(!intersects);
+    first_corner = 0;
+    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &intersects, NULL, NULL));
+    CHECK(intersects);
+    bool is_free = false;
+    OK(exact_ccd_detector_is_free(detector, apart, crossing, 6, &is_free));
+    CHECK(is_free);
+    OK(exact_ccd_detector_set_pair_can_collide(detector, NULL, NULL));
+    OK(exact_ccd_detector_is_free(detector, apart, crossing, 6, &is_free));
+    CHECK(!is_free);
+    exact_ccd_detector_free(detector);
+}
+
+// The vertex is within the smallest time of the face, and not in contact at the start.
+static void smallest_times(void)
+{
+    const uint32_t face[3] = {1, 2, 3};
+    double x0[12], x1[12], positions[12], size = -1;
+    memcpy(x0, FACE_START, sizeof x0);
+    memcpy(x1, FACE_START, sizeof x1);
+    x0[2] = 1.5e-323;
+    x1[2] = -1e300;
+    exact_ccd_mesh* mesh = NULL;
+    exact_ccd_detector* detector = NULL;
+    exact_ccd_contacts* contacts = NULL;
+    OK(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh));
+    OK(exact_ccd_detector_new(mesh, &detector));
+    OK(exact_ccd_detector_free_step(detector, x0, x1, 4, 0.9, &size, positions));
+    CHECK(size == 0);
+    bool is_free = false;
+    OK(exact_ccd_detector_is_free(detector, x0, x0, 4, &is_free));
+    CHECK(is_free);
+    // Times until which contacts are listed.
+    const double wrong[] = {NAN, -1, -5e-324, 1.5, INFINITY};
+    for (int i = 0; i < 5; ++i) {
+        fails(exact_ccd_detector_contacts(detector, x0, x1, 4, wrong[i], &contacts),
+              EXACT_CCD_STATUS_INVALID_ARGUMENT,
+              "from 0 to 1");
+        CHECK(contacts == NULL);
+    }
+    exact_ccd_detector_free(detector);
+    exact_ccd_mesh_free(mesh);
 }
 
 static void meshes(void)
@@ -148,14 +258,11 @@ static void meshes(void)
     CHECK(edges[0] == 0 && edges[1] == 1);
     fails(exact_ccd_mesh_edges(mesh, edges, 5), EXACT_CCD_STATUS_INVALID_ARGUMENT, "6 edges");
 
-    bool intersects = true;
-    OK(exact_ccd_has_intersections(mesh, x0, 6, &intersects, NULL, NULL));
-    CHECK(!intersects);
-    uint32_t edge = 99, face = 99;
-    double crossing[18];
-    memcpy(crossing, x1, sizeof crossing);
-    OK(exact_ccd_has_intersections(mesh, crossing, 6, &intersects, &edge, &face));
-    CHECK(intersects && face == 0 && edge < 6);
+    intersections(mesh, x0, x1);
+    // Results may have the same place.
+    size_t same = 99;
+    OK(exact_ccd_mesh_counts(mesh, &same, &same, &same));
+    CHECK(same == 0);
 
     exact_ccd_detector* detector = NULL;
     OK(exact_ccd_detector_new(mesh, &detector));
@@ -195,6 +302,10 @@ static void meshes(void)
     OK(exact_ccd_detector_set_min_distance(detector, 0));
 
     const uint32_t one_group[6] = {7, 7, 7, 7, 7, 7};
+    fails(exact_ccd_detector_set_groups(detector, one_group, 5), EXACT_CCD_STATUS_INVALID_ARGUMENT, "5 groups");
+    fails(exact_ccd_detector_set_thickness(detector, thickness, 5), EXACT_CCD_STATUS_INVALID_ARGUMENT, "5");
+    OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
+    CHECK(!is_free);
     OK(exact_ccd_detector_set_groups(detector, one_group, 6));
     OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
     CHECK(is_free);
@@ -229,6 +340,8 @@ int main(void)
     queries();
     errors();
     batches();
+    wrong_batches();
+    smallest_times();
     meshes();
     return 0;
 }

@@ -1,4 +1,4 @@
-// The narrow phase of the IPC Toolkit, compiled against its header.
+// The narrow phase of the IPC Toolkit, compiled against its header or the members that it uses.
 
 #include <memory>
 
@@ -21,7 +21,7 @@ int main()
     CHECK(toi == 0.125);
     toi = 7;
     CHECK(!ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 0.0, 0.25));
-    CHECK(toi == 7);
+    CHECK(std::isinf(toi));
     // Within the distance at the start: time 0.
     CHECK(ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 1.0));
     CHECK(toi == 0);

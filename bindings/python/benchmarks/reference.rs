@@ -8,7 +8,7 @@ use std::time::Instant;
 use std::{env, fs};
 
 use exact_ccd::EdgeEdge;
-use exact_ccd::batch::{Trajectories, collisions};
+use exact_ccd::batch::{Queries, Trajectories};
 use exact_ccd_mesh::{Detector, TriangleMesh};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     let by_points = fastest(runs, || {
         let mut answers = vec![false; indices.len()];
-        let found = collisions::<EdgeEdge>(&points, |index, _| answers[index] = true);
+        let found = Queries::<EdgeEdge>::new(&points).collisions(|index, _| answers[index] = true);
         found.expect("the points are finite");
         answers
     });

@@ -6,11 +6,12 @@ use std::time::{Duration, Instant};
 use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::separation::Separation;
 use numpy::{PyReadonlyArray2, PyReadonlyArray3};
-use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
+use crate::error::refused;
 use crate::kind::ArrayKind;
 use crate::pool;
 
@@ -20,8 +21,8 @@ const GRAIN: usize = 4096;
 /// The number of queries that a thread decides first, before it checks for the end of the computation.
 const FEW: usize = 8;
 
-/// The time until the next check. A query takes from some 10⁻⁸ to some 10⁻¹ seconds.
-const PATIENCE: Duration = Duration::from_millis(20);
+/// The time from one check to the next. A query takes from some 10⁻⁸ to some 10⁻¹ seconds.
+const CHECK_INTERVAL: Duration = Duration::from_millis(20);
 
 /// Queries by their points, or by the indices of vertices and the positions of these at t = 0 and at t = 1.
 #[derive(FromPyObject)]
@@ -93,13 +94,12 @@ where
     K::Vertices: Sync,
 {
     pool::check(threads)?;
-    let d = Separation::new(min_distance).map_err(|error| PyValueError::new_err(error.to_string()))?;
+    let d = Separation::new(min_distance).map_err(refused)?;
     let queries = match arrays {
         Arrays::Points(points) => Queries::Points(K::points(points.as_slice()?)),
         Arrays::Vertices(vertices, x0, x1) => {
             let (x0, x1) = (x0.as_slice()?.as_chunks().0, x1.as_slice()?.as_chunks().0);
-            let trajectories = py.detach(|| Trajectories::new(x0, x1));
-            let trajectories = trajectories.map_err(|error| PyValueError::new_err(error.to_string()))?;
+            let trajectories = py.detach(|| Trajectories::new(x0, x1)).map_err(refused)?;
             Queries::Vertices(K::vertices(vertices.as_slice()?), trajectories)
         }
     };
@@ -115,7 +115,7 @@ where
             let (next, rest) = answers.split_at_mut(count.min(answers.len()));
             queries.answer(d, first, next, &of)?;
             (first, answers) = (first + next.len(), rest);
-            count = if clock.elapsed() < PATIENCE {
+            count = if clock.elapsed() < CHECK_INTERVAL {
                 2 * count
             } else {
                 1 + count / 8
@@ -132,7 +132,7 @@ where
     };
     match failure {
         None => Ok(answers),
-        Some(Failure::Row(row, message)) => Err(PyValueError::new_err(format!("row {row}: {message}"))),
+        Some(Failure::Row(row, message)) => Err(refused(format_args!("row {row}: {message}"))),
         Some(Failure::Cancelled) => Err(PyKeyboardInterrupt::new_err(())),
     }
 }

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use crate::pool::pool;
 
 /// The interval between two checks for signals and two calls for progress.
-const PATIENCE: Duration = Duration::from_millis(100);
+const REPORT_INTERVAL: Duration = Duration::from_millis(100);
 
 /// The state that a computation shares with the thread that waits for it.
 #[derive(Debug, Default)]
@@ -74,7 +74,7 @@ pub(crate) fn compute<T: Send>(
                 drop(sender);
             });
             loop {
-                match receiver.recv_timeout(PATIENCE) {
+                match receiver.recv_timeout(REPORT_INTERVAL) {
                     Ok(result) => return Ok(Some(result)),
                     // A panic, which the end of the scope passes on.
                     Err(RecvTimeoutError::Disconnected) => return Ok(None),

@@ -19,47 +19,56 @@ pub(crate) type Columns<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// The columns of contacts of a step.
-pub(crate) fn table<'py>(py: Python<'py>, step: &Step<'_>, contacts: &[Contact]) -> PyResult<Columns<'py>> {
-    let kinds = contacts.iter().map(|contact| kind(contact.pair).0);
-    let ids: Vec<[u32; 2]> = contacts.iter().map(|contact| kind(contact.pair).1).collect();
-    let vertices: Vec<[i64; 4]> = contacts
-        .iter()
-        .map(|contact| vertices(step, contact.pair))
-        .collect();
-    let impacts: Vec<[f64; COLUMNS]> = contacts.iter().map(|contact| impact(step, contact)).collect();
-    let distances = contacts.iter().map(|contact| contact.distance);
-    let distances: Vec<[f64; 2]> = distances.map(|bounds| [bounds.lower, bounds.upper]).collect();
-    let kinds = PyArray1::from_iter(py, kinds);
-    let (ids, vertices) = (rows(py, &ids)?, rows(py, &vertices)?);
-    Ok((kinds, ids, vertices, rows(py, &impacts)?, rows(py, &distances)?))
+/// The columns before they belong to the interpreter.
+#[derive(Default)]
+pub(crate) struct Table {
+    kinds: Vec<u8>,
+    ids: Vec<[u32; 2]>,
+    vertices: Vec<[i64; 4]>,
+    impacts: Vec<[f64; COLUMNS]>,
+    distances: Vec<[f64; 2]>,
 }
 
-/// The place of the kind in "vf", "ee", "ve", "vv", and the indices of the primitives.
-fn kind(pair: Pair) -> (u8, [u32; 2]) {
-    match pair {
-        Pair::VertexFace { vertex, face } => (0, [vertex, face]),
-        Pair::EdgeEdge { a, b } => (1, [a, b]),
-        Pair::VertexEdge { vertex, edge } => (2, [vertex, edge]),
-        Pair::VertexVertex { a, b } => (3, [a, b]),
+impl Table {
+    /// The columns of contacts of a step.
+    pub(crate) fn new(step: &Step<'_>, contacts: &[Contact]) -> Self {
+        let mut table = Self::default();
+        for contact in contacts {
+            match contact.pair {
+                Pair::VertexFace { .. } => table.add::<VertexFace>(step, contact),
+                Pair::EdgeEdge { .. } => table.add::<EdgeEdge>(step, contact),
+                Pair::VertexEdge { .. } => table.add::<VertexEdge>(step, contact),
+                Pair::VertexVertex { .. } => table.add::<VertexVertex>(step, contact),
+            }
+        }
+        table
     }
-}
 
-fn vertices(step: &Step<'_>, pair: Pair) -> [i64; 4] {
-    let mut vertices = pair.vertices(step.mesh()).unwrap_or_default().into_iter();
-    [(); 4].map(|()| vertices.next().map_or(-1, i64::from))
-}
-
-fn impact(step: &Step<'_>, contact: &Contact) -> [f64; COLUMNS] {
-    fn of<K: ArrayKind + PairKind>(step: &Step<'_>, contact: &Contact, ids: [u32; 2]) -> [f64; COLUMNS] {
-        let query = step.query::<K>(ids);
+    fn add<K: ArrayKind + PairKind>(&mut self, step: &Step<'_>, contact: &Contact) {
+        let ids = contact.pair.ids();
+        let vertices = <K as PairKind>::vertices(step.mesh(), ids).unwrap_or_default();
+        let vertex = |index| vertices.as_ref().get(index).copied().map_or(-1, i64::from);
         // A contact of the step is a pair of its mesh.
-        query.map_or([f64::NAN; COLUMNS], |query| columns(&query, &contact.impact))
+        let query = step.query::<K>(ids);
+        let impact = query.map_or([f64::NAN; COLUMNS], |query| columns(&query, &contact.impact));
+        self.kinds.push(K::NUMBER);
+        self.ids.push(ids);
+        self.vertices.push([0, 1, 2, 3].map(vertex));
+        self.impacts.push(impact);
+        self.distances
+            .push([contact.distance.lower, contact.distance.upper]);
     }
-    match kind(contact.pair) {
-        (0, ids) => of::<VertexFace>(step, contact, ids),
-        (1, ids) => of::<EdgeEdge>(step, contact, ids),
-        (2, ids) => of::<VertexEdge>(step, contact, ids),
-        (_, ids) => of::<VertexVertex>(step, contact, ids),
+
+    /// The columns as arrays.
+    pub(crate) fn into_arrays(self, py: Python<'_>) -> PyResult<Columns<'_>> {
+        let kinds = PyArray1::from_vec(py, self.kinds);
+        let (ids, vertices) = (rows(py, &self.ids)?, rows(py, &self.vertices)?);
+        Ok((
+            kinds,
+            ids,
+            vertices,
+            rows(py, &self.impacts)?,
+            rows(py, &self.distances)?,
+        ))
     }
 }

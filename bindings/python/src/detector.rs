@@ -6,15 +6,15 @@ use exact_ccd::Point;
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, FreeStepOptions, MinDistance, Pair, PairCounts, Step, StepReport,
-    TriangleMesh, intersections,
+    TriangleMesh, intersections_by,
 };
 use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
-use crate::contacts::{Columns, table};
+use crate::contacts::{Columns, Table};
+use crate::error::refused;
 use crate::mesh::{Mesh, rows};
 use crate::pool;
 
@@ -52,6 +52,12 @@ impl Detector {
         let result = compute(py, threads, progress, &watch, || work(self));
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
         failure.map_or(result, Err)
+    }
+
+    /// The columns of contacts of a step.
+    fn table(&self, x0: &[Point], x1: &[Point], contacts: &[Contact]) -> PyResult<Table> {
+        let step = Step::new(&self.mesh, x0, x1).map_err(refused)?;
+        Ok(Table::new(&step, contacts))
     }
 
     /// The result of a search, first without the rule.
@@ -103,10 +109,6 @@ impl Distance<'_> {
     }
 }
 
-fn refused(error: impl ToString) -> PyErr {
-    PyValueError::new_err(error.to_string())
-}
-
 #[pymethods]
 impl Detector {
     /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs
@@ -150,15 +152,12 @@ impl Detector {
         x1: Positions<'py>,
     ) -> PyResult<Columns<'py>> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        let contact = self.compute(py, None, |detector| {
+        let table = self.compute(py, None, |detector| {
             let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused);
-            detector.search(run, |contact| *contact)
+            let contact = detector.search(run, |contact| *contact)?;
+            detector.table(x0, x1, contact.as_slice())
         })??;
-        table(
-            py,
-            &Step::new(&self.mesh, x0, x1).map_err(refused)?,
-            contact.as_slice(),
-        )
+        table.into_arrays(py)
     }
 
     /// Free of contact.
@@ -180,14 +179,14 @@ impl Detector {
         until: f64,
     ) -> PyResult<Columns<'py>> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        let contacts = self.compute(py, None, |detector| {
+        let table = self.compute(py, None, |detector| {
             let mut contacts = detector.open.contacts(x0, x1, until).map_err(refused)?;
             if detector.ruled.is_some() {
                 contacts.retain(|contact| allows(&detector.rule, &detector.mesh, contact.pair));
             }
-            Ok::<_, PyErr>(contacts)
+            detector.table(x0, x1, &contacts)
         })??;
-        table(py, &Step::new(&self.mesh, x0, x1).map_err(refused)?, &contacts)
+        table.into_arrays(py)
     }
 
     /// The size and the positions of a certified step, the earliest contact of the full one, and the
@@ -202,19 +201,25 @@ impl Detector {
     ) -> PyResult<(f64, Bound<'py, PyArray2<f64>>, Columns<'py>, [usize; 4])> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         let options = FreeStepOptions::default().with_keep(keep);
-        let free = self.compute(py, None, |detector| {
+        let (free, table) = self.compute(py, None, |detector| {
             let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused);
-            let free = detector.search(run, |free| free.contact)?;
-            match &mut detector.ruled {
-                // The pairs that touch at the start have been counted without the rule.
-                Some(ruled) if free.touching.total() > 0 => run(ruled),
-                _ => Ok(free),
+            let mut free = detector.search(run, |free| free.contact)?;
+            // The pairs that touch at the start have been counted without the rule.
+            if free.touching.total() > 0
+                && let Some(ruled) = &mut detector.ruled
+            {
+                free = run(ruled)?;
             }
+            let table = detector.table(x0, x1, free.contact.as_slice())?;
+            Ok::<_, PyErr>((free, table))
         })??;
-        let step = Step::new(&self.mesh, x0, x1).map_err(refused)?;
-        let contact = table(py, &step, free.contact.as_slice())?;
         let positions = rows(py, &free.positions)?;
-        Ok((free.size, positions, contact, by_kind(free.touching)))
+        Ok((
+            free.size,
+            positions,
+            table.into_arrays(py)?,
+            by_kind(free.touching),
+        ))
     }
 
     /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
@@ -226,20 +231,21 @@ impl Detector {
         progress: Option<Py<PyAny>>,
     ) -> PyResult<([[usize; 4]; 3], Columns<'py>)> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        let mesh = self.mesh.clone();
-        let step = Step::new(&mesh, x0, x1).map_err(refused)?;
-        let report = self.compute(py, progress.as_ref(), |detector| {
+        let (report, table) = self.compute(py, progress.as_ref(), |detector| {
             let broad_phase = Interruptible {
                 watch: detector.watch.clone(),
             };
             let options = CandidateOptions::default().with_can_collide(detector.rule.clone());
             let options = options.with_min_distance(detector.min_distance.clone());
             let progress = |count| detector.watch.add(count);
-            StepReport::with_options(step, &broad_phase, &options, &progress).map_err(refused)
+            let step = Step::new(&detector.mesh, x0, x1).map_err(refused)?;
+            let report =
+                StepReport::with_options(step, &broad_phase, &options, &progress).map_err(refused)?;
+            let table = Table::new(&step, report.earliest.as_slice());
+            Ok::<_, PyErr>((report, table))
         })??;
         let counts = [report.candidates, report.colliding, report.touching];
-        let contact = table(py, &step, report.earliest.as_slice())?;
-        Ok((counts.map(by_kind), contact))
+        Ok((counts.map(by_kind), table.into_arrays(py)?))
     }
 
     /// The edges and faces that meet at rest.
@@ -251,10 +257,13 @@ impl Detector {
         let x = points(&x)?;
         let found = self.compute(py, None, |detector| {
             let mesh = &detector.mesh;
-            let mut found = intersections(mesh, x).map_err(refused)?;
+            let broad_phase = Interruptible {
+                watch: detector.watch.clone(),
+            };
+            let mut found = intersections_by(&broad_phase, mesh, x, &CanCollide::all()).map_err(refused)?;
             found.retain(|pair| {
                 let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
-                detector.rule.allows(&edge, &face)
+                !detector.watch.is_cancelled() && detector.rule.allows(&edge, &face)
             });
             Ok::<_, PyErr>(found)
         })??;

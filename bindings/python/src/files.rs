@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use exact_ccd_files::{Format, FrameOrder, ParseError, Polygons, ReadError, parse_frame};
 use exact_ccd_mesh::Frame;
 use numpy::{PyArray2, PyReadonlyArray2};
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
 use crate::detector::points;
+use crate::error::refused;
 use crate::mesh::{Mesh, rows};
 
 /// Vertices, faces and loose edges.
@@ -27,10 +28,10 @@ fn arrays<'py>(py: Python<'py>, frame: &Frame) -> PyResult<Arrays<'py>> {
     ))
 }
 
-fn refused(error: &ReadError) -> PyErr {
+fn unread(error: &ReadError) -> PyErr {
     match error {
         ReadError::Io { .. } => PyOSError::new_err(error.to_string()),
-        _ => PyValueError::new_err(error.to_string()),
+        _ => refused(error),
     }
 }
 
@@ -38,14 +39,14 @@ fn refused(error: &ReadError) -> PyErr {
 #[pyfunction]
 pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<Arrays<'_>> {
     let frame = py.detach(|| exact_ccd_files::read_frame(path));
-    arrays(py, &frame.map_err(|error| refused(&error))?)
+    arrays(py, &frame.map_err(|error| unread(&error))?)
 }
 
 /// The mesh in the contents of a file, whose name has the format.
 #[pyfunction]
 pub(crate) fn parse_mesh<'py>(py: Python<'py>, contents: &[u8], name: PathBuf) -> PyResult<Arrays<'py>> {
-    let at = |error: ParseError| PyValueError::new_err(format!("{}: {error}", name.display()));
-    let unknown = || PyValueError::new_err(format!("{}: no known format of meshes", name.display()));
+    let at = |error: ParseError| refused(format_args!("{}: {error}", name.display()));
+    let unknown = || refused(format_args!("{}: no known format of meshes", name.display()));
     let format = Format::of_path(&name).ok_or_else(unknown)?;
     let frame = py.detach(|| parse_frame(contents, format));
     arrays(py, &frame.map_err(at)?)
@@ -72,7 +73,7 @@ impl FrameSequence {
     #[new]
     fn new(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let sequence = py.detach(|| exact_ccd_files::FrameSequence::open(path, Polygons::Triangulate));
-        Ok(Self(sequence.map_err(|error| refused(&error))?))
+        Ok(Self(sequence.map_err(|error| unread(&error))?))
     }
 
     fn __len__(&self) -> usize {
@@ -87,7 +88,7 @@ impl FrameSequence {
     /// The mesh of a frame.
     fn read<'py>(&self, py: Python<'py>, frame: usize) -> PyResult<Arrays<'py>> {
         let file = py.detach(|| self.0.read(frame));
-        arrays(py, &file.map_err(|error| refused(&error))?.frame)
+        arrays(py, &file.map_err(|error| unread(&error))?.frame)
     }
 }
 
@@ -104,8 +105,9 @@ impl Welding {
     }
 
     /// Separates the vertices that do not coincide in a frame.
-    fn restrict(&mut self, positions: PyReadonlyArray2<'_, f64>) -> PyResult<()> {
-        self.0.restrict(points(&positions)?);
+    fn restrict(&mut self, py: Python<'_>, positions: PyReadonlyArray2<'_, f64>) -> PyResult<()> {
+        let positions = points(&positions)?;
+        py.detach(|| self.0.restrict(positions));
         Ok(())
     }
 
@@ -116,8 +118,7 @@ impl Welding {
         py: Python<'py>,
         mesh: &Mesh,
     ) -> PyResult<(Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>)> {
-        let welded = self.0.mesh(mesh.mesh());
-        let welded = welded.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let welded = py.detach(|| self.0.mesh(mesh.mesh())).map_err(refused)?;
         Ok((rows(py, welded.faces())?, rows(py, welded.loose_edges())?))
     }
 
@@ -127,6 +128,7 @@ impl Welding {
         py: Python<'py>,
         positions: PyReadonlyArray2<'_, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        rows(py, &self.0.positions(points(&positions)?))
+        let positions = points(&positions)?;
+        rows(py, &py.detach(|| self.0.positions(positions)))
     }
 }

@@ -23,8 +23,13 @@ pub(crate) fn columns<K: ArrayKind>(query: &Query<K>, impact: &Impact) -> [f64; 
     [time, u, v, nx, ny, nz, px, py, pz, qx, qy, qz]
 }
 
-/// The sum of points with weights that add up to 1.
+/// The sum of points with weights that add up to 1: between the points, though rounding may lead beyond them,
+/// and beyond the largest f64.
 fn sum<const N: usize>(points: [(f64, Point); N]) -> Point {
-    let sum = |axis: usize| points.iter().map(|(weight, point)| weight * point[axis]).sum();
-    [sum(0), sum(1), sum(2)]
+    [0, 1, 2].map(|axis| {
+        let values = points.map(|(_, point)| point[axis]);
+        let sum: f64 = points.iter().map(|(weight, point)| weight * point[axis]).sum();
+        sum.max(values.into_iter().fold(f64::INFINITY, f64::min))
+            .min(values.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    })
 }

@@ -8,6 +8,7 @@ mod broad_phase;
 mod compute;
 mod contacts;
 mod detector;
+mod error;
 mod files;
 mod impact;
 mod kind;
@@ -26,6 +27,8 @@ mod _native {
     #[pymodule_export]
     #[expect(non_upper_case_globals, reason = "the name in Python")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
+    const KINDS: [(&str, usize); 4] = crate::kind::KINDS;
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]

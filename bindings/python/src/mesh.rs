@@ -4,10 +4,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use exact_ccd_mesh::{CanCollide, TriangleMesh};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::compute::Watch;
+use crate::error::refused;
 
 /// A triangle mesh, with the rules for pairs that can collide.
 #[pyclass(frozen, module = "exact_ccd._native")]
@@ -63,15 +63,17 @@ impl Mesh {
 impl Mesh {
     #[new]
     fn new(
+        py: Python<'_>,
         vertex_count: usize,
         faces: PyReadonlyArray2<'_, u32>,
         edges: PyReadonlyArray2<'_, u32>,
         groups: Option<PyReadonlyArray1<'_, u32>>,
         rule: Option<Py<PyAny>>,
     ) -> PyResult<Self> {
-        let faces = faces.as_slice()?.as_chunks().0.to_vec();
-        let mesh = TriangleMesh::with_edges(vertex_count, faces, edges.as_slice()?.as_chunks().0)
-            .map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let (faces, edges) = (faces.as_slice()?.as_chunks().0, edges.as_slice()?.as_chunks().0);
+        let mesh = py
+            .detach(|| TriangleMesh::with_edges(vertex_count, faces.to_vec(), edges))
+            .map_err(refused)?;
         let groups = groups
             .map(|groups| groups.as_slice().map(Arc::from))
             .transpose()?;

@@ -4,18 +4,20 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use exact_ccd::Point;
-use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, PairCollector, check_positions};
+use exact_ccd::separation::Separation;
+use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, PairCollector, TooManyPrimitives, check_positions};
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
+use crate::detector::points;
+use crate::error::refused;
 use crate::mesh::rows;
 
-/// Pairs of primitives, one of each array, without a common vertex, whose boxes over the step come within a
-/// distance of each other. Each row of an array has the vertices of a primitive.
+/// Pairs of primitives, one of each array, without a common vertex, whose boxes over the step meet, each
+/// enlarged by `inflation` on every side. Each row of an array has the vertices of a primitive.
 #[pyfunction]
 pub(crate) fn overlaps<'py>(
     py: Python<'py>,
@@ -23,31 +25,32 @@ pub(crate) fn overlaps<'py>(
     second: PyReadonlyArray2<'py, u32>,
     x0: PyReadonlyArray2<'py, f64>,
     x1: PyReadonlyArray2<'py, f64>,
-    distance: f64,
+    inflation: f64,
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray2<u32>>> {
-    let refused = |error: &dyn ToString| PyValueError::new_err(error.to_string());
-    let x0: &[Point] = x0.as_slice()?.as_chunks().0;
-    let x1: &[Point] = x1.as_slice()?.as_chunks().0;
-    check_positions(x0.len(), x0).map_err(|error| refused(&error))?;
-    check_positions(x0.len(), x1).map_err(|error| refused(&error))?;
-    let a = Primitives::new(&first, x0.len())?;
-    let b = Primitives::new(&second, x0.len())?;
+    let (x0, x1) = (points(&x0)?, points(&x1)?);
+    let (a, b) = (Primitives::new(&first)?, Primitives::new(&second)?);
     let watch = Arc::<Watch>::default();
     let broad_phase = Interruptible { watch: watch.clone() };
     let pairs = compute(py, threads, None, &watch, || {
-        let [first, second] = [&a, &b].map(|primitives| primitives.boxes(x0, x1, distance));
+        let inflation = Separation::new(inflation).map_err(refused)?.get();
+        check_positions(x0.len(), x0).map_err(refused)?;
+        check_positions(x0.len(), x1).map_err(refused)?;
+        let boxes = |primitives: &Primitives<'_>| {
+            primitives.check(x0.len())?;
+            primitives.boxes(x0, x1, inflation).map_err(refused)
+        };
         let collector = PairCollector::default();
         let apart = |pair: &[u32; 2]| {
             let corners = b.vertices(pair[1]);
             a.vertices(pair[0]).iter().all(|vertex| !corners.contains(vertex))
         };
-        let _: ControlFlow<()> = broad_phase.between(&first?, &second?, &|pairs| {
+        let _: ControlFlow<()> = broad_phase.between(&boxes(&a)?, &boxes(&b)?, &|pairs| {
             collector.add(pairs.iter().copied().filter(apart))
         });
-        Ok::<_, exact_ccd_mesh::TooManyPrimitives>(collector.into_sorted())
-    })?;
-    rows(py, &pairs.map_err(|error| refused(&error))?)
+        Ok::<_, PyErr>(collector.into_sorted())
+    })??;
+    rows(py, &pairs)
 }
 
 /// Primitives with equal numbers of vertices.
@@ -57,17 +60,20 @@ struct Primitives<'a> {
 }
 
 impl<'a> Primitives<'a> {
-    fn new(array: &'a PyReadonlyArray2<'_, u32>, vertex_count: usize) -> PyResult<Self> {
+    fn new(array: &'a PyReadonlyArray2<'_, u32>) -> PyResult<Self> {
         let (vertices, size) = (array.as_slice()?, array.shape()[1].max(1));
-        let missing = vertices
-            .iter()
-            .position(|&vertex| vertex as usize >= vertex_count);
-        match missing {
-            None => Ok(Self { vertices, size }),
-            Some(index) => Err(PyValueError::new_err(format!(
+        Ok(Self { vertices, size })
+    }
+
+    /// Checks that all vertices exist.
+    fn check(&self, vertex_count: usize) -> PyResult<()> {
+        let missing = |&vertex: &u32| vertex as usize >= vertex_count;
+        match self.vertices.iter().position(missing) {
+            None => Ok(()),
+            Some(index) => Err(refused(format_args!(
                 "row {}: vertex {}, but there are only {vertex_count} vertices",
-                index / size,
-                vertices[index]
+                index / self.size,
+                self.vertices[index]
             ))),
         }
     }
@@ -76,16 +82,11 @@ impl<'a> Primitives<'a> {
         &self.vertices[self.size * index as usize..][..self.size]
     }
 
-    /// The boxes around the paths, larger by the distance on every side: half of it would do.
-    fn boxes(
-        &self,
-        x0: &[Point],
-        x1: &[Point],
-        distance: f64,
-    ) -> Result<Boxes<1>, exact_ccd_mesh::TooManyPrimitives> {
+    /// The boxes around the paths, enlarged on every side.
+    fn boxes(&self, x0: &[Point], x1: &[Point], inflation: f64) -> Result<Boxes<1>, TooManyPrimitives> {
         let around = |vertices: &[u32]| {
             let ends = vertices.iter().flat_map(|&v| [x0[v as usize], x1[v as usize]]);
-            [ends.collect::<Aabb>().inflated(distance)]
+            [ends.collect::<Aabb>().inflated(inflation)]
         };
         let boxes: Vec<_> = self.vertices.par_chunks(self.size).map(around).collect();
         Boxes::new(&boxes)

@@ -2,16 +2,28 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 from numpy.typing import NDArray
 
-POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
+from exact_ccd.queries import POINTS
 
 
 def queries(kind: str, count: int, seed: int = 0) -> NDArray[np.float64]:
     """Points of queries of a kind, in the shape of the argument `points`."""
     random = np.random.default_rng(seed)
     return random.integers(-3, 4, (count, 2 * POINTS[kind], 3)).astype(np.float64)
+
+
+def write_queries(file: Path) -> None:
+    """Write queries of all kinds as a Parquet file."""
+    import pyarrow as pa
+    import pyarrow.parquet
+
+    rows = [(kind, row) for kind in POINTS for row in queries(kind, 20).reshape(20, -1).tolist()]
+    kinds, points = zip(*rows)
+    pyarrow.parquet.write_table(pa.table({"kind": kinds, "points": points}), file)
 
 
 def as_indices(points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:

@@ -13,8 +13,7 @@ import pytest
 from numpy.typing import NDArray
 
 import exact_ccd
-
-POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
+from exact_ccd.queries import POINTS
 
 
 def data() -> Path:

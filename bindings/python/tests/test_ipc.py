@@ -155,6 +155,23 @@ def test_loose_points_and_edges() -> None:
     assert ipc.is_step_collision_free(mesh, x0, x1)
 
 
+def test_the_rescaling_of_a_subclass() -> None:
+    class Halves(ipc.ExactCCD):
+        def __init__(self) -> None:
+            super().__init__(0.5)
+
+    x0 = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]])
+    x1 = x0 - [0, 0, 2] * (np.arange(4) == 3)[:, None]
+    mesh = ipctk.CollisionMesh(x0, np.array([[0, 1], [1, 2], [2, 0]]), np.array([[0, 1, 2]]))
+    candidates = ipc.Candidates()
+    candidates.build(mesh, x0, x1)
+    for size in (ipc.compute_collision_free_stepsize, candidates.compute_collision_free_stepsize):
+        assert size(mesh, x0, x1, narrow_phase_ccd=Halves()) == 0.25
+        assert size(mesh, x0, x1, narrow_phase_ccd=ipc.ExactCCD(0.25)) == 0.125
+        assert size(mesh, x0, x1, narrow_phase_ccd=ipctk.TightInclusionCCD(conservative_rescaling=0.5)) == 0.45
+        assert size(mesh, x0, x1, narrow_phase_ccd=Halves(), conservative_rescaling=1.0) == pytest.approx(0.5)
+
+
 def test_refused() -> None:
     mesh, x0, x1 = mesh_of(1, 3, loose=False)
     with pytest.raises(ValueError, match="vertices_t1 has"):

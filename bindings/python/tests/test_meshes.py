@@ -69,6 +69,9 @@ def test_the_contacts_are_those_of_all_pairs(seed: int) -> None:
     # The time of a contact may lie just above the float64 that it is rounded down to.
     middle = float(np.nextafter(np.median(contacts["time"]), 1.0))
     assert len(detector.contacts(x0, x1, until=middle)) == (contacts["time"] <= middle).sum()
+    for wrong in (np.nan, -1.0, np.inf):
+        with pytest.raises(ValueError, match="from 0 to 1"):
+            detector.contacts(x0, x1, until=wrong)
 
 
 def test_contact_fields() -> None:
@@ -97,6 +100,16 @@ def test_free_steps_are_free() -> None:
         detector.free_step(x0, x0, keep=0.0)
 
 
+def test_a_step_may_have_no_positive_size() -> None:
+    x0 = np.array([*FLOOR, [1.0, 1.0, 1.5e-323]])
+    x1 = np.array([*FLOOR, [1.0, 1.0, -1e300]])
+    step = Detector(Mesh(4, FACES[:1])).free_step(x0, x1)
+    # Free at the start, and in contact after a part of the step below the smallest number.
+    assert step.size == 0.0 and sum(step.touching) == 0
+    assert step.contact.time == 0.0
+    assert_array_equal(step.positions, x0)
+
+
 def test_groups_and_rules() -> None:
     x0, x1 = two_triangles(1.0), two_triangles(-1.0)
     same = Detector(Mesh(6, FACES, groups=[0] * 6))
@@ -114,6 +127,36 @@ def test_groups_and_rules() -> None:
     one = Detector(Mesh(6, FACES, can_collide=lambda i, j: {i, j} == {3, 2}))
     assert one.earliest_contact(x0, x1).first == 3
     assert len(one.intersections(two_triangles(-1.0))) == 2
+
+
+def test_the_calls_of_a_rule() -> None:
+    x0, x1 = two_triangles(1.0), two_triangles(-1.0)
+    calls: set[tuple[int, int]] = set()
+
+    def called(method: str, *positions: np.ndarray, answer: bool) -> set[tuple[int, int]]:
+        calls.clear()
+        rule = Mesh(6, FACES, can_collide=lambda i, j: calls.add((i, j)) or answer)
+        getattr(Detector(rule), method)(*positions)
+        return set(calls)
+
+    in_contact = set()
+    for contact in Detector(Mesh(6, FACES)).contacts(x0, x1):
+        split = 2 if contact["kind"] == "ee" else 1
+        first, second = contact["vertices"][:split].tolist(), contact["vertices"][split:].tolist()
+        in_contact |= {(v, w) for v in first for w in second}
+    for answer in (False, True):
+        for method in ("is_free", "contacts"):
+            assert called(method, x0, x1, answer=answer) <= in_contact
+    assert called("intersections", x0, answer=False) == set()
+    # The sides of the falling face that meet the floor.
+    assert called("intersections", x1, answer=False) == {(v, w) for v in (3, 4, 5) for w in (0, 1, 2)}
+    assert called("step", x0, x1, answer=False) > in_contact
+    for method in ("earliest_contact", "free_step"):
+        assert called(method, x0, x1, answer=True) == {(3, 0)}
+        assert called(method, x0, x1, answer=False) > in_contact
+    resting = two_triangles(0.0)
+    assert called("earliest_contact", resting, resting, answer=True) == {(3, 0)}
+    assert called("free_step", resting, resting, answer=True) > {(3, 0)}
 
 
 def test_a_rule_gives_the_same_answers_as_groups() -> None:

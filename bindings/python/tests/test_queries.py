@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import os
+from typing import get_args
 
 import numpy as np
 import pytest
 from numpy.testing import assert_array_equal
 
 import exact_ccd
+from exact_ccd.queries import POINTS
 from generated import as_indices, queries
 
-KINDS = ["vf", "ee", "ve", "vv"]
 FUNCTIONS = [
     exact_ccd.collides,
     exact_ccd.time_of_impact,
@@ -32,7 +33,7 @@ def assert_same(a, b) -> None:
 
 
 @pytest.mark.parametrize("distance", [0.0, 1.0])
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", POINTS)
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_forms_and_threads_do_not_change_the_bits(function, kind, distance) -> None:
     # Several tasks. All times within a distance come from integers, which is slow.
@@ -43,7 +44,7 @@ def test_forms_and_threads_do_not_change_the_bits(function, kind, distance) -> N
     assert_same(first, function(kind, **as_indices(points), min_distance=distance))
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", POINTS)
 def test_answers_agree_with_each_other(kind) -> None:
     points = queries(kind, 3000, seed=1)
     for distance in (0.0, 0.5):
@@ -71,8 +72,21 @@ def test_contact_stays_contact_with_a_distance() -> None:
     assert (near[collides] <= contact[collides]).all()
 
 
+@pytest.mark.parametrize("kind", POINTS)
+def test_points_of_contact_are_among_the_points(kind) -> None:
+    """Also at the largest numbers, where a sum of rounded parts may exceed them."""
+    largest = np.finfo(np.float64).max
+    points = queries(kind, 2000, seed=3)
+    points[..., 0] = largest
+    impacts = exact_ccd.impacts(kind, points)
+    found = impacts["points"][~np.isnan(impacts["time"])]
+    assert len(found) > 10
+    assert (found[..., 0] == largest).all()
+
+
 def test_no_queries() -> None:
-    for kind in KINDS:
+    assert list(POINTS) == list(get_args(exact_ccd.Kind))
+    for kind in POINTS:
         points = queries(kind, 0)
         assert exact_ccd.collides(kind, points).shape == (0,)
         assert exact_ccd.contact_times(kind, points).intervals.shape == (0, 2)

@@ -16,7 +16,10 @@ import pytest
 
 import exact_ccd
 from exact_ccd import AuditReport
-from generated import POINTS, queries
+from exact_ccd.queries import POINTS
+from documents import PROGRAMS, needs_ray, run
+from generated import queries, write_queries
+from hostile import CASES, integers, positions, survive, table
 
 # No reports to the makers of Ray.
 os.environ["RAY_USAGE_STATS_ENABLED"] = "0"
@@ -58,7 +61,7 @@ def same(a: AuditReport, b: AuditReport) -> bool:
     """Return True if all bits are the same."""
     from exact_ccd.ray.chunks import to_json
 
-    return json.dumps(to_json(a)) == json.dumps(to_json(b))
+    return to_json(a) == to_json(b)
 
 
 @pytest.fixture(scope="module")
@@ -192,11 +195,12 @@ def test_the_program(cluster, tmp_path) -> None:
     def run(*arguments: object) -> tuple[int, str, str]:
         command = [sys.executable, "-m", "exact_ccd.ray_program", "--address", cluster.address, *map(str, arguments)]
         environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-        done = subprocess.run(command, capture_output=True, text=True, env=environment, timeout=300)
+        # Relative paths are those of this process, not of the processes of the cluster.
+        done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, env=environment, timeout=300)
         return done.returncode, done.stdout, done.stderr
 
     np.savez(tmp_path / "frames.npz", positions=recording(12, 10), faces=FACES)
-    status, output, errors = run("audit", tmp_path / "frames.npz", "--steps", 4)
+    status, output, errors = run("audit", "frames.npz", "--steps", 4)
     assert status == 1, errors
     assert json.loads(output)["violation"]["frame"] == 10
     points = queries("vf", 300)
@@ -204,12 +208,56 @@ def test_the_program(cluster, tmp_path) -> None:
     truth = exact_ccd.collides("vf", points)
     table = pa.table({"kind": ["vf"] * 300, "points": lists, "truth": truth ^ (np.arange(300) < 2)})
     pyarrow.parquet.write_table(table, tmp_path / "queries.parquet")
-    status, output, errors = run("queries", tmp_path / "queries.parquet", "--output", tmp_path / "answers")
+    status, output, errors = run("queries", "queries.parquet", "--output", "answers")
     assert status == 0, errors
     assert json.loads(output) == {"queries": 300, "colliding": int(truth.sum()), "wrong": 2}
     answers = pyarrow.parquet.read_table(tmp_path / "answers")
     assert sorted(answers["collides"].to_pylist()) == sorted(truth.tolist())
     assert run("audit", tmp_path / "missing.ply")[0] == 2
+    # An error in the task of a data set is no violation.
+    pyarrow.parquet.write_table(table.set_column(1, "points", pa.array([[0.0] * 23] * 300)), tmp_path / "bad.parquet")
+    status, _, errors = run("queries", "bad.parquet")
+    assert status == 2 and "23 coordinates" in errors
+
+
+@pytest.mark.parametrize("name", [name for name, code in PROGRAMS.items() if needs_ray(code)])
+def test_programs_of_the_documentation(cluster, name: str, tmp_path) -> None:
+    for folder in ("frames", "queries"):
+        (tmp_path / folder).mkdir()
+    write_frames(tmp_path / "frames", recording(5))
+    write_queries(tmp_path / "queries" / "queries.parquet")
+    path = os.pathsep.join(filter(None, sys.path))
+    run(PROGRAMS[name], tmp_path, RAY_ADDRESS=cluster.address, PYTHONPATH=path)
+
+
+def test_hostile_arguments(cluster, tmp_path) -> None:
+    random = np.random.default_rng(1)
+    answers = 0
+    for _ in range(CASES):
+        frames = [positions(random, 6, 3) for _ in range(3)]
+        faces = integers(random, 6, 3, 3)
+        edges = [None, integers(random, 6, 2, 2)][random.integers(2)]
+        options = {
+            "min_distance": [0.0, 0.0, 1.0, -1.0, np.nan, "a"][random.integers(6)],
+            "steps": [1, 1, 2, 2**70, 0, -1, 1.5, None][random.integers(8)],
+            "window": [None, None, 1, 2**70, 0][random.integers(5)],
+            "results": [None, tmp_path][random.integers(2)],
+        }
+        answers += survive(lambda: exact_ccd.ray.audit(frames, faces, edges=edges, **options))
+    assert 0 < answers < CASES
+
+    def decide(rows) -> None:
+        d = float(random.choice([0.0, 1.0, np.nan, -1.0], p=[0.6, 0.2, 0.1, 0.1]))
+        answered = exact_ccd.ray.check_dataset(ray.data.from_arrow(rows), min_distance=d)
+        try:
+            answered.materialize()
+        except (pa.ArrowException, ray.exceptions.RayError) as error:
+            # An exception of the task, not the end of its process.
+            assert not isinstance(error, ray.exceptions.WorkerCrashedError)
+            raise ValueError(str(error)) from error
+
+    answers = sum(survive(lambda: decide(table(random))) for _ in range(CASES))
+    assert 0 < answers < CASES
 
 
 def processes_of_tasks(raylet: int) -> list[int]:

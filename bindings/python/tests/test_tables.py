@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 import exact_ccd
+from exact_ccd.queries import POINTS
 from exact_ccd.tables import _points
-from generated import POINTS, queries
+from generated import queries
 from published import program
 
 pa = pytest.importorskip("pyarrow", reason="pyarrow is not installed: pip install pyarrow")

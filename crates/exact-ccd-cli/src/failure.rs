@@ -101,10 +101,14 @@ pub(crate) enum Failure {
         first: String,
         expected: usize,
     },
+    #[error("--only {0}: both are obstacles, which are not compared with each other: name a part that moves")]
+    OnlyObstacles(String),
     #[error("all parts together have more than 2^32 vertices")]
     TooManyVertices,
     #[error("the parts together: {0}")]
     Join(exact_ccd_mesh::MeshError),
+    #[error("{}: expected a scene of IPC, whose name ends in .txt or .ipc, or of PolyFEM, in .json", .0.display())]
+    NotForeign(PathBuf),
     #[error(transparent)]
     Scene(#[from] SceneError),
     #[error(transparent)]

@@ -28,7 +28,7 @@ pub(crate) fn write(folder: &Path, step: Step<'_>, list: &ContactList) -> Result
             };
             write_file(&impact, |writer| write_vtu(writer, grid))?;
         }
-        // That of an earlier run would be another answer.
+        // The file of an earlier run would contradict this report.
         None => match fs::remove_file(&impact) {
             Err(source) if source.kind() != io::ErrorKind::NotFound => {
                 return Err(Failure::write(&impact, source));

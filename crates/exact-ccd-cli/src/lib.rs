@@ -10,6 +10,7 @@ mod convert;
 mod distances;
 mod failure;
 mod impact_files;
+mod import;
 mod kind;
 mod method;
 mod min_distance;
@@ -56,22 +57,36 @@ enum Command {
     Convert(convert::Arguments),
     Bench(bench::Arguments),
     Simulate(simulate::Arguments),
+    Import(import::Arguments),
 }
 
 /// Runs the program with these arguments, of which the first is its name.
 ///
 /// Exit status: 0 for success, 1 for contact, 2 for an error, with one line on standard error. The help
 /// text and errors in the arguments end the process.
+///
+/// It handles no signals: those belong to the process that calls it.
 pub fn main(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let program = Program::parse_from(arguments);
-    run(&program).unwrap_or_else(|failure| {
+    run_program(arguments.into_iter().collect(), false)
+}
+
+/// Runs the program as [`main`], in a process of its own: Ctrl-C ends a simulation after the last complete
+/// time step, with the status 130.
+pub fn main_of_process(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    run_program(arguments.into_iter().collect(), true)
+}
+
+fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
+    let program = Program::parse_from(&arguments);
+    let command = is_process.then_some(arguments.as_slice());
+    run(&program, command).unwrap_or_else(|failure| {
         // An error of standard error itself cannot be reported.
         let _ = writeln!(std::io::stderr(), "exact-ccd: error: {}", failure.on_one_line());
         ExitCode::from(2)
     })
 }
 
-fn run(program: &Program) -> Result<ExitCode, Failure> {
+fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
     // 0 stands for the number of cores.
     let threads = program.threads.unwrap_or(0);
     rayon::ThreadPoolBuilder::new()
@@ -84,6 +99,7 @@ fn run(program: &Program) -> Result<ExitCode, Failure> {
         Command::Round(arguments) => round::run(arguments),
         Command::Convert(arguments) => convert::run(arguments),
         Command::Bench(arguments) => bench::run(arguments),
-        Command::Simulate(arguments) => simulate::run(arguments),
+        Command::Simulate(arguments) => simulate::run(arguments, command),
+        Command::Import(arguments) => import::run(arguments),
     }
 }

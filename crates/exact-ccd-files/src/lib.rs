@@ -44,6 +44,7 @@ mod contents;
 mod error;
 mod format;
 mod frame_order;
+mod named_part;
 mod read;
 mod unsupported;
 mod write;
@@ -52,12 +53,16 @@ pub use contents::Contents;
 pub use error::{Fault, ParseError, Place, ReadError};
 pub use format::Format;
 pub use frame_order::{FrameOrder, Missing};
+pub use named_part::NamedPart;
 pub use read::{
     FrameSequence, Group, MeshFile, Polygons, ReadMotionError, parse_frame, parse_tet_mesh, read_frame,
     read_motion, read_pvd, read_series, read_tet_mesh,
 };
 pub use unsupported::Unsupported;
-pub use write::{PointArray, UnstructuredGrid, write_obj, write_ply, write_pvd, write_vtp, write_vtu};
+pub use write::{
+    Bodies, PointArray, UnstructuredGrid, write_obj, write_ply, write_ply_with_parts, write_pvd, write_vtp,
+    write_vtu,
+};
 
 /// The examples in the README of the repository, as tests.
 #[cfg(doctest)]

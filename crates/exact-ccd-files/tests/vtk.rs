@@ -6,7 +6,9 @@ use std::io::ErrorKind;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use exact_ccd_files::{Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu};
+use exact_ccd_files::{
+    Bodies, Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu,
+};
 use exact_ccd_mesh::{Frame, Point, TetMesh};
 use proptest::prelude::*;
 use roxmltree::{Document, Node};
@@ -145,6 +147,7 @@ const GRID: UnstructuredGrid<'_> = UnstructuredGrid {
     lines: &[],
     points: &[],
     velocities: Some(&[[0.1, -0.0, 5e-324]; 8]),
+    bodies: None,
 };
 
 #[test]
@@ -172,6 +175,37 @@ fn solids_and_shells_share_a_grid() {
     assert_eq!(written, bits(GRID.velocities.unwrap()));
 }
 
+/// Vertices and cells have the number of their body, and the file has the names.
+#[test]
+fn bodies_are_data_of_points_and_cells() {
+    let names = ["a block", "<ü>"].map(str::to_owned);
+    let of_vertices = [0, 0, 0, 0, 0, 1, 1, 1];
+    let grid = UnstructuredGrid {
+        bodies: Some(Bodies {
+            of_vertices: &of_vertices,
+            names: &names,
+        }),
+        ..GRID
+    };
+    let mut file = Vec::new();
+    write_vtu(&mut file, grid).unwrap();
+    let document = Document::parse(std::str::from_utf8(&file).unwrap()).unwrap();
+    let all = child(root(&document, "UnstructuredGrid"), "UnstructuredGrid");
+    let piece = child(all, "Piece");
+    let ids = |element: &str| -> Vec<i32> {
+        let array = array::<4>(child(piece, element), "body", "Int32");
+        array.into_iter().map(i32::from_le_bytes).collect()
+    };
+    assert_eq!(ids("PointData"), of_vertices.map(|body| body as i32));
+    assert_eq!(ids("CellData"), [0, 0, 1]);
+    let text = array::<1>(child(all, "FieldData"), "body_names", "String");
+    assert_eq!(text.as_flattened(), "a block\0<ü>\0".as_bytes());
+    // The mesh is read as without bodies.
+    let mut plain = Vec::new();
+    write_vtu(&mut plain, GRID).unwrap();
+    assert_eq!(parse_frame(&file, Format::Vtu), parse_frame(&plain, Format::Vtu));
+}
+
 #[test]
 fn invalid_grids_are_not_written() {
     for (grid, error) in [
@@ -181,6 +215,16 @@ fn invalid_grids_are_not_written() {
                 ..GRID
             },
             "a cell names vertex 8, but there are only 8 vertices",
+        ),
+        (
+            UnstructuredGrid {
+                bodies: Some(Bodies {
+                    of_vertices: &[0],
+                    names: &[],
+                }),
+                ..GRID
+            },
+            "1 bodies of vertices, expected one for each of 8 vertices",
         ),
         (
             UnstructuredGrid {

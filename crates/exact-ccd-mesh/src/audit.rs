@@ -1,10 +1,13 @@
 //! The certificate of a sequence of frames: the mesh never touches itself.
 
+use exact_ccd::Point;
+
 use crate::can_collide::CanCollide;
 use crate::contact::Contact;
 use crate::detector::Detector;
 use crate::frame::Frame;
-use crate::intersections::{Intersection, intersections_among};
+use crate::intersections::Intersection;
+use crate::mesh::TriangleMesh;
 use crate::min_distance::MinDistance;
 use crate::motion::MotionError;
 use crate::step::StepError;
@@ -96,23 +99,35 @@ impl Audit {
     /// and the mesh of the frames before; or the positions that are not finite; or the number of
     /// thicknesses that is not that of vertices. The frame counts as not examined.
     pub fn examine(&mut self, frame: Frame) -> Result<Option<Violation>, MotionError> {
-        let violation = if let Some((last, detector)) = &mut self.last {
+        if let Some((last, _)) = &self.last {
             last.mesh.check_same(&frame.mesh)?;
-            let contact = detector.earliest_contact(&last.positions, &frame.positions)?;
-            *last = frame;
-            contact.map(|contact| Violation::Contact {
-                frame: self.frames - 1,
-                contact,
-            })
-        } else {
-            let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
-            let mut detector = detector.with_min_distance(self.min_distance.clone())?;
-            let violation = at_rest(&frame, &self.can_collide, &mut detector)?;
-            self.last = Some((frame, detector));
-            violation
-        };
+            return self.examine_positions(frame.positions);
+        }
+        let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
+        let mut detector = detector.with_min_distance(self.min_distance.clone())?;
+        let violation = at_rest(&frame, &mut detector)?;
+        self.last = Some((frame, detector));
         self.frames += 1;
         Ok(violation)
+    }
+
+    /// [`examine`](Self::examine) for positions of the mesh of the frames before, which is not copied. Before
+    /// the first frame, it is the mesh without vertices.
+    ///
+    /// # Errors
+    /// As [`examine`](Self::examine).
+    pub fn examine_positions(&mut self, positions: Vec<Point>) -> Result<Option<Violation>, MotionError> {
+        let Some((last, detector)) = &mut self.last else {
+            let mesh = TriangleMesh::default();
+            return self.examine(Frame { mesh, positions });
+        };
+        let contact = detector.earliest_contact(&last.positions, &positions)?;
+        last.positions = positions;
+        self.frames += 1;
+        Ok(contact.map(|contact| Violation::Contact {
+            frame: self.frames - 2,
+            contact,
+        }))
     }
 
     /// The number of frames that have been examined.
@@ -130,14 +145,9 @@ impl Audit {
 
 /// The violation in the first frame at rest: an intersection, or a contact of a step without
 /// motion.
-fn at_rest(
-    frame: &Frame,
-    can_collide: &CanCollide,
-    detector: &mut Detector,
-) -> Result<Option<Violation>, StepError> {
+fn at_rest(frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
     let positions = &frame.positions;
-    let found = intersections_among(&frame.mesh, positions, can_collide)?;
-    if let Some(&intersection) = found.first() {
+    if let Some(&intersection) = detector.intersections(positions)?.first() {
         return Ok(Some(Violation::Intersection {
             frame: 0,
             intersection,

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use exact_ccd::separation::TimeOutOfStep;
 use exact_ccd::{Ccd, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
@@ -167,15 +168,18 @@ impl Candidates {
     /// All contacts of the pairs in the step, exactly, the earliest first.
     #[must_use]
     pub fn contacts(&self, step: Step<'_>) -> Vec<Contact> {
-        self.contacts_until(step, 1.0)
+        self.collect(step, ContactsUntil::all())
     }
 
     /// The contacts whose first time is not after `time`, exactly, the earliest first.
-    #[must_use]
-    pub fn contacts_until(&self, step: Step<'_>, time: f64) -> Vec<Contact> {
-        let Some(contacts) = ContactsUntil::new(time) else {
-            return Vec::new();
-        };
+    ///
+    /// # Errors
+    /// [`TimeOutOfStep`], if `time` is not in [0, 1].
+    pub fn contacts_until(&self, step: Step<'_>, time: f64) -> Result<Vec<Contact>, TimeOutOfStep> {
+        Ok(self.collect(step, ContactsUntil::new(time)?))
+    }
+
+    fn collect(&self, step: Step<'_>, contacts: ContactsUntil) -> Vec<Contact> {
         self.examine(step, &contacts);
         contacts.sorted()
     }

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 use exact_ccd::ContactTime;
+use exact_ccd::separation::TimeOutOfStep;
 
 use crate::by_kind::PairCounts;
 use crate::contact::{Contact, earlier};
@@ -161,13 +162,17 @@ pub(crate) struct ContactsUntil {
 }
 
 impl ContactsUntil {
-    /// The contacts until a time of the step; `None` if there is no contact until then, as for
-    /// negative times and NaN.
-    pub(crate) fn new(time: f64) -> Option<Self> {
-        (time >= 0.0).then(|| Self {
-            time: time.min(1.0),
+    /// The contacts until a time of the step.
+    pub(crate) fn new(time: f64) -> Result<Self, TimeOutOfStep> {
+        TimeOutOfStep::check(time)?;
+        Ok(Self { time, ..Self::all() })
+    }
+
+    pub(crate) fn all() -> Self {
+        Self {
+            time: 1.0,
             contacts: Mutex::default(),
-        })
+        }
     }
 
     /// The contacts in their order.

@@ -16,10 +16,16 @@ use crate::pair_kind::Searched;
 use crate::step::Step;
 use crate::step_boxes::StepBoxes;
 
-/// The memory of a search in successive steps of one mesh.
+/// A search in successive steps of one mesh.
 #[derive(Clone, Debug)]
 pub(crate) struct CulledSearch<B> {
     broad_phase: B,
+    memory: Memory,
+}
+
+/// The memory of earlier steps, for one predicate and one distance.
+#[derive(Clone, Debug)]
+struct Memory {
     narrow_phase: NarrowPhase,
     resting: StepBoxes<1>,
     moving: StepBoxes<2>,
@@ -36,28 +42,44 @@ const SHORT_DISPLACEMENT: f64 = 0.25;
 /// Boxes are placed anew if the time until which contacts matter has shrunk to this fraction.
 const SHRUNK_TIME: f64 = 0.5;
 
-impl<B: BroadPhase> CulledSearch<B> {
-    /// A search among the pairs that can collide, for those that come within a distance.
-    pub(crate) fn new(broad_phase: B, can_collide: CanCollide, min_distance: MinDistance) -> Self {
+impl Memory {
+    /// No step yet.
+    fn new(can_collide: CanCollide, min_distance: MinDistance) -> Self {
         let margin = Margin::new(min_distance.clone(), 0.0);
         Self {
-            broad_phase,
             narrow_phase: NarrowPhase::new(can_collide, min_distance),
             resting: StepBoxes::new(margin.clone()),
             moving: StepBoxes::new(margin),
         }
     }
+}
 
-    /// The same broad phase, without memory, for other pairs that can collide.
-    pub(crate) fn with_can_collide(self, can_collide: CanCollide) -> Self {
-        let min_distance = self.narrow_phase.min_distance().clone();
-        Self::new(self.broad_phase, can_collide, min_distance)
+impl<B: BroadPhase> CulledSearch<B> {
+    /// A search among the pairs that can collide, for those that come within a distance.
+    pub(crate) fn new(broad_phase: B, can_collide: CanCollide, min_distance: MinDistance) -> Self {
+        Self {
+            broad_phase,
+            memory: Memory::new(can_collide, min_distance),
+        }
     }
 
-    /// The same broad phase, without memory, for another distance.
-    pub(crate) fn with_min_distance(self, min_distance: MinDistance) -> Self {
-        let can_collide = self.narrow_phase.can_collide().clone();
-        Self::new(self.broad_phase, can_collide, min_distance)
+    pub(crate) fn broad_phase(&self) -> &B {
+        &self.broad_phase
+    }
+
+    pub(crate) fn can_collide(&self) -> &CanCollide {
+        self.memory.narrow_phase.can_collide()
+    }
+
+    /// Replaces the pairs that can collide, without memory of earlier steps.
+    pub(crate) fn set_can_collide(&mut self, can_collide: CanCollide) {
+        let min_distance = self.memory.narrow_phase.min_distance().clone();
+        self.memory = Memory::new(can_collide, min_distance);
+    }
+
+    /// Replaces the distance, without memory of earlier steps.
+    pub(crate) fn set_min_distance(&mut self, min_distance: MinDistance) {
+        self.memory = Memory::new(self.can_collide().clone(), min_distance);
     }
 
     /// The earliest contact of a step of the mesh.
@@ -69,7 +91,7 @@ impl<B: BroadPhase> CulledSearch<B> {
 
     /// The contact of a pair in the last step.
     pub(crate) fn contact(&self, step: &Step<'_>, pair: Pair) -> Option<Contact> {
-        self.narrow_phase.contact(step.mesh(), pair)
+        self.memory.narrow_phase.contact(step.mesh(), pair)
     }
 
     /// Returns true if a step of the mesh is free of contact of the pairs that count.
@@ -82,12 +104,12 @@ impl<B: BroadPhase> CulledSearch<B> {
     /// Passes all candidates until the collector's time to the collector, possibly with others. The
     /// search ends early if the collector breaks.
     pub(crate) fn run(&mut self, step: &Step<'_>, collector: &impl Collect) {
-        let Self {
-            broad_phase,
+        let Self { broad_phase, memory } = self;
+        let Memory {
             narrow_phase,
             resting,
             moving,
-        } = self;
+        } = memory;
         // All on threads of the pool: entering it from outside costs a context switch each time.
         let _ = rayon::scope(|_| {
             narrow_phase.begin(step);

@@ -9,6 +9,7 @@ use crate::can_collide::CanCollide;
 use crate::collect::ContactsUntil;
 use crate::contact::Contact;
 use crate::culled_search::CulledSearch;
+use crate::intersections::{Intersection, IntersectionsError, intersections_by};
 use crate::mesh::TriangleMesh;
 use crate::min_distance::{MinDistance, ThicknessCount};
 use crate::pair::Pair;
@@ -70,23 +71,33 @@ impl<B: BroadPhase> Detector<B> {
 
     /// The same detector, restricted to the pairs that can collide.
     #[must_use]
-    pub fn with_can_collide(self, can_collide: CanCollide) -> Self {
-        Self {
-            search: self.search.with_can_collide(can_collide),
-            ..self
-        }
+    pub fn with_can_collide(mut self, can_collide: CanCollide) -> Self {
+        self.set_can_collide(can_collide);
+        self
     }
 
     /// The same detector for another minimum distance: pairs within it touch.
     ///
     /// # Errors
     /// [`ThicknessCount`], if there is not one thickness for each vertex.
-    pub fn with_min_distance(self, min_distance: MinDistance) -> Result<Self, ThicknessCount> {
+    pub fn with_min_distance(mut self, min_distance: MinDistance) -> Result<Self, ThicknessCount> {
+        self.set_min_distance(min_distance)?;
+        Ok(self)
+    }
+
+    /// Replaces the pairs that can collide.
+    pub fn set_can_collide(&mut self, can_collide: CanCollide) {
+        self.search.set_can_collide(can_collide);
+    }
+
+    /// Replaces the minimum distance. In case of an error, the detector keeps the one it has.
+    ///
+    /// # Errors
+    /// [`ThicknessCount`], if there is not one thickness for each vertex.
+    pub fn set_min_distance(&mut self, min_distance: MinDistance) -> Result<(), ThicknessCount> {
         min_distance.check(&self.mesh)?;
-        Ok(Self {
-            search: self.search.with_min_distance(min_distance),
-            ..self
-        })
+        self.search.set_min_distance(min_distance);
+        Ok(())
     }
 
     /// The mesh.
@@ -140,14 +151,22 @@ impl<B: BroadPhase> Detector<B> {
     /// `until`, the earliest first. All contacts for `until` = 1.
     ///
     /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite.
+    /// [`StepError`] names the positions that are too many, too few or not finite, or a time `until` that
+    /// is not in [0, 1].
     pub fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> Result<Vec<Contact>, StepError> {
         let step = Step::new(&self.mesh, x0, x1)?;
-        let Some(contacts) = ContactsUntil::new(until) else {
-            return Ok(Vec::new());
-        };
+        let contacts = ContactsUntil::new(until)?;
         self.search.run(&step, &contacts);
         Ok(contacts.sorted())
+    }
+
+    /// The edges and faces that can collide and have a common point at rest, sorted.
+    ///
+    /// # Errors
+    /// As [`intersections`](crate::intersections).
+    pub fn intersections(&self, positions: &[Point]) -> Result<Vec<Intersection>, IntersectionsError> {
+        let (broad_phase, can_collide) = (self.search.broad_phase(), self.search.can_collide());
+        intersections_by(broad_phase, &self.mesh, positions, can_collide)
     }
 
     /// The mesh and the search, for longer computations with both.

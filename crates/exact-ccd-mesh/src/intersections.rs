@@ -100,7 +100,20 @@ pub fn intersections_among(
     positions: &[Point],
     can_collide: &CanCollide,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
-    search(mesh, positions, can_collide, |edge, face| {
+    intersections_by(&Bvh, mesh, positions, can_collide)
+}
+
+/// The same, among the pairs that a broad phase finds. If it ends its search early, the result is of no use.
+///
+/// # Errors
+/// As [`intersections`].
+pub fn intersections_by(
+    broad_phase: &impl BroadPhase,
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    can_collide: &CanCollide,
+) -> Result<Vec<Intersection>, IntersectionsError> {
+    search(broad_phase, mesh, positions, can_collide, |edge, face| {
         // All positions are finite.
         EdgeFace::new(edge, face).is_ok_and(|pair| pair.intersects())
     })
@@ -134,7 +147,7 @@ pub fn crossings(
     positions: &[Point],
     can_collide: &CanCollide,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
-    search(mesh, positions, can_collide, |edge, [v1, v2, v3]| {
+    search(&Bvh, mesh, positions, can_collide, |edge, [v1, v2, v3]| {
         let side = |end| orient3d([v1, v2, v3, end]);
         let [a, b] = edge;
         // All positions are finite.
@@ -149,6 +162,7 @@ pub fn crossings(
 
 /// The pairs that can collide and meet, sorted.
 fn search(
+    broad_phase: &impl BroadPhase,
     mesh: &TriangleMesh,
     positions: &[Point],
     can_collide: &CanCollide,
@@ -167,7 +181,7 @@ fn search(
     let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
     let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
     let collector = PairCollector::default();
-    let _ = Bvh.between(&Boxes::new(&edge_boxes)?, &Boxes::new(&face_boxes)?, &|pairs| {
+    let _ = broad_phase.between(&Boxes::new(&edge_boxes)?, &Boxes::new(&face_boxes)?, &|pairs| {
         collector.add(pairs.iter().copied().filter(meet))
     });
     let pairs = collector.into_sorted().into_iter();

@@ -1,5 +1,6 @@
 //! One time step of a mesh.
 
+use exact_ccd::separation::TimeOutOfStep;
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 
 use crate::mesh::TriangleMesh;
@@ -14,7 +15,7 @@ pub struct Step<'a> {
     positions: [&'a [Point]; 2],
 }
 
-/// The reason why positions are not a step of a mesh.
+/// The reason why positions are not a step of a mesh, or a time is not one of the step.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum StepError {
@@ -27,6 +28,9 @@ pub enum StepError {
     /// The mesh is too large.
     #[error(transparent)]
     TooManyPrimitives(#[from] TooManyPrimitives),
+    /// The time until which contacts are searched is not in [0, 1].
+    #[error(transparent)]
+    Time(#[from] TimeOutOfStep),
 }
 
 impl<'a> Step<'a> {

@@ -7,8 +7,9 @@ mod oracle;
 
 use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
-    StepError, TriangleMesh, Violation, crossings, intersections, intersections_among, step,
+    AllPairs, Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
+    StepError, Sweep, TriangleMesh, Violation, crossings, intersections, intersections_among,
+    intersections_by, step,
 };
 use proptest::prelude::*;
 
@@ -73,7 +74,11 @@ fn positions(vertices: usize, coordinate: impl Strategy<Value = f64>) -> impl St
 proptest! {
     #[test]
     fn intersections_are_those_of_the_definition(mesh in mesh(9, 0..8), x in positions(9, coordinate())) {
-        prop_assert_eq!(intersections(&mesh, &x).unwrap(), expected(&mesh, &x));
+        let found = expected(&mesh, &x);
+        let all = CanCollide::all();
+        prop_assert_eq!(&intersections_by(&Sweep, &mesh, &x, &all).unwrap(), &found);
+        prop_assert_eq!(&intersections_by(&AllPairs, &mesh, &x, &all).unwrap(), &found);
+        prop_assert_eq!(intersections(&mesh, &x).unwrap(), found);
     }
 
     /// Crossings are intersections, and any other intersection touches at the start of a step.
@@ -252,13 +257,15 @@ proptest! {
     }
 }
 
+/// A triangle above another, by z.
+fn triangles(z: f64) -> Frame {
+    let fixed = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+    let other = [[1.0, 1.0, z], [1.0, 2.0, z + 1.0], [2.0, 1.0, z + 1.0]];
+    Frame::new([fixed, other].concat(), vec![[0, 1, 2], [3, 4, 5]]).unwrap()
+}
+
 #[test]
 fn an_audit_reports_an_intersection_before_a_contact() {
-    let triangles = |z: f64| {
-        let fixed = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
-        let other = [[1.0, 1.0, z], [1.0, 2.0, z + 1.0], [2.0, 1.0, z + 1.0]];
-        Frame::new([fixed, other].concat(), vec![[0, 1, 2], [3, 4, 5]]).unwrap()
-    };
     let at_rest = |z: f64| Audit::default().examine(triangles(z)).unwrap();
     assert_eq!(at_rest(1.0), None);
     // The least pair: a side of the first face passes through the second one only if that is deep
@@ -318,6 +325,28 @@ fn errors_do_not_count_as_frames() {
         intersections(&broken.mesh, &broken.positions),
         Err(IntersectionsError::Positions(count))
     );
+    assert_eq!(
+        audit.examine_positions(broken.positions),
+        Err(MotionError::Positions(StepError::End(count)))
+    );
     assert_eq!(audit.frames(), 1);
     assert_eq!(audit.examine(frame(2)), Ok(None));
+}
+
+#[test]
+fn frames_after_the_first_are_positions_of_its_mesh() {
+    let frames = [3.0, 1.0, -3.0, -4.0].map(triangles);
+    let (mut whole, mut positions) = (Audit::default(), Audit::default());
+    assert_eq!(positions.examine_positions(vec![]), Ok(None));
+    positions = Audit::default();
+    positions.examine(frames[0].clone()).unwrap();
+    whole.examine(frames[0].clone()).unwrap();
+    for frame in &frames[1..] {
+        let expected = whole.examine(frame.clone());
+        assert_eq!(positions.examine_positions(frame.positions.clone()), expected);
+        assert_eq!(
+            (positions.frames(), positions.last()),
+            (whole.frames(), Some(frame))
+        );
+    }
 }

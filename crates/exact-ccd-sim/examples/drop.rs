@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         velocity: [0.0, 0.2, 0.0],
         until: Some(0.1),
     };
-    let system = System::new(&bodies, &[(floor.clone().collect(), lift)])?;
+    let system = System::new(&bodies, &[lift.on(floor.clone())])?;
     let settings = Settings {
         contact_distance: Length::Absolute(1e-3),
         friction: Friction {

@@ -10,6 +10,8 @@ use crate::elasticity::{ElasticModuli, SolidMaterial};
 /// A mesh with its material. The points are also the rest shape.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Body {
+    /// Its name, which several bodies may share. Empty for no name.
+    pub name: String,
     /// The positions of its vertices at the start, in m.
     pub points: Vec<Point>,
     /// The kind of body, with its elements and its material.
@@ -115,12 +117,20 @@ impl Body {
     #[must_use]
     pub fn new(points: Vec<Point>, kind: BodyKind) -> Self {
         Self {
+            name: String::new(),
             points,
             kind,
             velocity: [0.0; 3],
             angular_velocity: [0.0; 3],
             offset: 0.0,
         }
+    }
+
+    /// The same body with another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        let name = name.into();
+        Self { name, ..self }
     }
 
     /// The same body with another offset of its contact surface, in m.

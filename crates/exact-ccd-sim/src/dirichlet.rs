@@ -1,11 +1,9 @@
 //! The Dirichlet targets of scripted vertices in one time step.
 
-use std::sync::Arc;
-
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use crate::script::Script;
+use crate::scripted::Axes;
 use crate::solver::Spring;
 use crate::system::System;
 
@@ -16,10 +14,33 @@ use crate::system::System;
 /// of *Incremental Potential Contact*, until the step is accepted.
 #[derive(Clone, Debug)]
 pub(crate) struct Dirichlet {
-    targets: Vec<(u32, Point)>,
+    targets: Vec<Target>,
     mode: Mode,
     /// The stiffness of the springs, in kg.
     stiffness: f64,
+}
+
+/// The target of a vertex of which a held coordinate moves.
+#[derive(Clone, Copy, Debug)]
+struct Target {
+    vertex: u32,
+    /// The target of the held coordinates.
+    at: Point,
+    held: Axes,
+}
+
+impl Target {
+    /// The vector to the target from the positions, along the held axes.
+    fn offset(&self, points: &[Point]) -> Vector3<f64> {
+        let point = points[self.vertex as usize];
+        Vector3::from_fn(|axis, _| {
+            if self.held[axis] {
+                self.at[axis] - point[axis]
+            } else {
+                0.0
+            }
+        })
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,12 +61,20 @@ const STIFFENING: f64 = 10.0;
 
 impl Dirichlet {
     /// The targets of a system's scripts at a time (in s), for vertices that are at `points` before the step.
-    pub(crate) fn new(system: &System, points: &[Point], time: f64) -> Self {
-        let target = |(vertex, script): (usize, &Option<Arc<Script>>)| {
-            let target = script.as_ref()?.position(system.start[vertex], time);
-            (target != points[vertex]).then_some((vertex as u32, target))
+    /// `held` are the coordinates that are not free in this time step.
+    pub(crate) fn new(system: &System, held: &[Axes], points: &[Point], time: f64) -> Self {
+        let target = |(vertex, &held): (usize, &Axes)| {
+            if held == [false; 3] {
+                return None;
+            }
+            let target = Target {
+                vertex: vertex as u32,
+                at: system.scripts[vertex].position(system.start[vertex], time),
+                held,
+            };
+            (target.offset(points) != Vector3::zeros()).then_some(target)
         };
-        let targets: Vec<(u32, Point)> = system.scripts.iter().enumerate().filter_map(target).collect();
+        let targets: Vec<Target> = held.iter().enumerate().filter_map(target).collect();
         let mode = if targets.is_empty() {
             Mode::Fixed
         } else {
@@ -68,17 +97,45 @@ impl Dirichlet {
         self.mode == Mode::Springs
     }
 
-    /// The moving vertices with their targets.
-    pub(crate) fn targets(&self) -> &[(u32, Point)] {
-        &self.targets
+    /// The coordinates of each vertex that are not unknown now: the held ones, except those with springs.
+    pub(crate) fn known(&self, held: &[Axes]) -> Vec<Axes> {
+        let mut known = held.to_vec();
+        if self.has_springs() {
+            for target in &self.targets {
+                known[target.vertex as usize] = [false; 3];
+            }
+        }
+        known
+    }
+
+    /// Sets the held coordinates of the moving vertices to their targets.
+    pub(crate) fn set(&self, points: &mut [Point]) {
+        for target in &self.targets {
+            for axis in (0..3).filter(|&axis| target.held[axis]) {
+                points[target.vertex as usize][axis] = target.at[axis];
+            }
+        }
+    }
+
+    /// The displacements from these positions to the targets: zero for all coordinates without a target, and
+    /// if the next step does not set the vertices to their targets.
+    pub(crate) fn displacements(&self, points: &[Point]) -> Vec<Vector3<f64>> {
+        let mut displacements = vec![Vector3::zeros(); points.len()];
+        if self.is_prescribed() {
+            for target in &self.targets {
+                displacements[target.vertex as usize] = target.offset(points);
+            }
+        }
+        displacements
     }
 
     /// The springs that act now.
     pub(crate) fn springs(&self) -> Vec<Spring> {
-        let spring = |&(vertex, target): &(u32, Point)| Spring {
-            vertex,
-            target,
-            stiffness: self.stiffness,
+        let along = |is_held| if is_held { self.stiffness } else { 0.0 };
+        let spring = |target: &Target| Spring {
+            vertex: target.vertex,
+            target: target.at,
+            stiffness: target.held.map(along).into(),
         };
         if self.has_springs() {
             self.targets.iter().map(spring).collect()
@@ -113,8 +170,7 @@ impl Dirichlet {
 
     /// The greatest distance of a vertex from its target, in m.
     pub(crate) fn lag(&self, points: &[Point]) -> f64 {
-        self.targets.iter().fold(0.0, |lag, &(vertex, target)| {
-            lag.max((Vector3::from(points[vertex as usize]) - Vector3::from(target)).norm())
-        })
+        let lags = self.targets.iter().map(|target| target.offset(points).norm());
+        lags.fold(0.0, f64::max)
     }
 }

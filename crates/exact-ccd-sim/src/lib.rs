@@ -8,8 +8,8 @@
 //! and lagged [`friction`], by projected Newton. A [`StepFilter`] bounds each Newton step: by the exact
 //! method or, for comparison, by any other [`Ccd`](exact_ccd::Ccd).
 //!
-//! - A [`Body`] is a mesh with its material. Bodies and [`Script`]s form a [`System`]. The vertices of a
-//!   system are those of its bodies, one body after the other ([`System::ranges`]).
+//! - A [`Body`] is a mesh with its material. Bodies and [`Scripted`] vertices form a [`System`]. The vertices
+//!   of a system are those of its bodies, one body after the other ([`System::ranges`]).
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
 //! - [`scene`] reads a system and its settings from a file.
@@ -53,6 +53,7 @@ mod load;
 pub mod psd;
 pub mod scene;
 mod script;
+mod scripted;
 mod settings;
 pub mod shapes;
 mod simulation;
@@ -69,8 +70,9 @@ pub use half_space::{HalfSpace, HalfSpaceError, Plane};
 pub use integrator::Integrator;
 pub use load::{Force, Load, LoadError};
 pub use script::{KeyFrame, Script, ScriptError};
-pub use settings::{Formulation, Friction, Length, SettingError, Settings};
-pub use simulation::{Primitive, Simulation, SimulationError, Warning};
+pub use scripted::Scripted;
+pub use settings::{Formulation, Friction, FrictionPair, Length, SettingError, Settings};
+pub use simulation::{Contact, Primitive, Simulation, SimulationError, Warning};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};
 pub use system::{Fingerprint, System, SystemError};

@@ -64,7 +64,7 @@ impl Settings {
     #[must_use]
     pub fn newton_tolerance(&self, size: f64) -> f64 {
         let tolerance = self.tolerance.meters(size);
-        if self.friction.coefficient > 0.0 {
+        if self.friction.acts() {
             tolerance.min(STATIC * self.friction.static_velocity.meters(size))
         } else {
             tolerance
@@ -80,7 +80,8 @@ impl Settings {
         let is_positive = |x: f64| x > 0.0 && x.is_finite();
         let (distance, tolerance) = (self.contact_distance.meters(size), self.tolerance.meters(size));
         let slow = self.friction.static_velocity.meters(size);
-        let friction = self.friction.coefficient;
+        let is_friction = |coefficient: f64| coefficient >= 0.0 && coefficient.is_finite();
+        let pairs = self.friction.pairs.iter().map(|pair| pair.coefficient);
         let positive = "a positive number";
         let checks = [
             ("time-step", self.time_step, is_positive(self.time_step), positive),
@@ -102,8 +103,8 @@ impl Settings {
             ("friction.static-velocity", slow, is_positive(slow), positive),
             (
                 "friction.coefficient",
-                friction,
-                friction >= 0.0 && friction.is_finite(),
+                self.friction.coefficient,
+                is_friction(self.friction.coefficient),
                 "a number not below 0",
             ),
             (
@@ -134,9 +135,11 @@ impl Settings {
         let gravity = self
             .gravity
             .map(|g| ("gravity", g, g.is_finite(), "finite numbers"));
+        let pairs = pairs.map(|mu| ("friction.pair", mu, is_friction(mu), "coefficients not below 0"));
         match checks
             .into_iter()
             .chain(gravity)
+            .chain(pairs)
             .find(|(_, _, is_good, _)| !is_good)
         {
             None => Ok(()),
@@ -185,15 +188,37 @@ impl Length {
 }
 
 /// Friction between all surfaces.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Friction {
-    /// The friction coefficient μ.
+    /// The friction coefficient μ of all pairs of bodies without one of their own.
     pub coefficient: f64,
+    /// The pairs of bodies with a coefficient of their own; the last pair of two bodies counts.
+    #[serde(rename = "pair", skip_serializing_if = "Vec::is_empty")]
+    pub pairs: Vec<FrictionPair>,
     /// The slip velocity below which friction is static.
     pub static_velocity: Length,
     /// The number of friction lags: updates of normal forces and tangent planes in a time step. At least 1.
     pub lags: usize,
+}
+
+/// The friction between bodies with two names.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub struct FrictionPair {
+    /// The names of bodies or half spaces: twice the same for friction among those with one name, and within
+    /// each of them.
+    pub between: [String; 2],
+    /// The friction coefficient μ.
+    pub coefficient: f64,
+}
+
+impl Friction {
+    /// True if the coefficient of a pair is positive.
+    #[must_use]
+    pub fn acts(&self) -> bool {
+        self.coefficient > 0.0 || self.pairs.iter().any(|pair| pair.coefficient > 0.0)
+    }
 }
 
 impl Default for Settings {
@@ -221,6 +246,7 @@ impl Default for Friction {
     fn default() -> Self {
         Self {
             coefficient: 0.0,
+            pairs: Vec::new(),
             static_velocity: Length::Relative(1e-3),
             lags: 1,
         }

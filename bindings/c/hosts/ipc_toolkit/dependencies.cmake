@@ -1,6 +1,7 @@
 # The targets that the recipes of the IPC Toolkit would fetch, from Debian's packages libeigen3-dev,
 # libspdlog-dev, libtbb-dev, libabsl-dev, nlohmann-json3-dev, and from source trees in the folder
-# DEPENDENCIES, by the names of their repositories.
+# DEPENDENCIES, by the names of their repositories, at the versions that the recipes name. That matters for
+# libigl, 2.6.0: later ones have other headers.
 
 find_package(Eigen3 REQUIRED)
 find_package(spdlog REQUIRED)

@@ -2,12 +2,14 @@
 //
 //   step_size DATA/scenes [ROUNDS]
 //
-// Prints the median time of each contestant and its quotient by that of the batch adapter. All use all
-// cores. Making the mesh and the detector is not counted, for none of them.
+// Prints the median time of each contestant, the median time of the processor in all its threads, which
+// other programs disturb less, and the quotients of both by those of the batch adapter. All use all cores.
+// Making the mesh and the detector is not counted, for none of them.
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 
 #include <exact_ccd/ipc_collision_mesh.hpp>
 #include <ipc/ccd/additive_ccd.hpp>
@@ -21,23 +23,25 @@ struct Contestant {
     const char* name;
     std::function<double()> step_size;
     double size = 0;
-    std::vector<double> milliseconds = {};
+    std::vector<double> milliseconds = {}, of_processor = {};
 
     void run()
     {
+        const std::clock_t before = std::clock();
         const auto start = std::chrono::steady_clock::now();
         size = step_size();
         const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
         milliseconds.push_back(time.count());
-    }
-
-    double median()
-    {
-        const auto middle = milliseconds.begin() + milliseconds.size() / 2;
-        std::nth_element(milliseconds.begin(), middle, milliseconds.end());
-        return *middle;
+        of_processor.push_back(1e3 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC);
     }
 };
+
+double median(std::vector<double> times)
+{
+    const auto middle = times.begin() + times.size() / 2;
+    std::nth_element(times.begin(), middle, times.end());
+    return *middle;
+}
 
 void compare(const std::filesystem::path& folder, int rounds)
 {
@@ -63,10 +67,11 @@ void compare(const std::filesystem::path& folder, int rounds)
         }
     }
     std::printf("%s\n", folder.filename().c_str());
-    const double ours = contestants[0].median();
-    for (auto& contestant : contestants) {
-        const double time = contestant.median();
-        std::printf("  %-36s %9.1f ms %7.2f  size %.17g\n", contestant.name, time, time / ours, contestant.size);
+    const double ours = median(contestants[0].milliseconds), ours_of_processor = median(contestants[0].of_processor);
+    for (const auto& contestant : contestants) {
+        const double time = median(contestant.milliseconds), of_processor = median(contestant.of_processor);
+        std::printf("  %-36s %9.1f ms %7.2f  processor %9.1f ms %7.2f  size %.17g\n",
+                    contestant.name, time, time / ours, of_processor, of_processor / ours_of_processor, contestant.size);
     }
 }
 

@@ -1,5 +1,5 @@
-// Both phases of continuous collision detection for an ipc::CollisionMesh, by exact-ccd. Needs the
-// IPC Toolkit (1.4 or later) and Eigen.
+// Both phases of continuous collision detection for an ipc::CollisionMesh, by exact-ccd. Needs the IPC
+// Toolkit, version 1.6, and Eigen.
 //
 //   exact_ccd::CollisionDetector detector(mesh);
 //   const double step = detector.compute_collision_free_stepsize(x0, x1, min_distance);
@@ -9,6 +9,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <ipc/collision_mesh.hpp>
@@ -17,24 +20,23 @@
 
 namespace exact_ccd {
 
-/// Both phases for the steps of an ipc::CollisionMesh, in three or two dimensions, with its edges,
-/// faces, codimensional vertices and edges and its `can_collide`; its planes are not examined.
+/// Both phases for the steps of an ipc::CollisionMesh, with its codimensional vertices and edges and its
+/// `can_collide`. A mesh with planes, and positions that do not fit the mesh, throw std::invalid_argument.
 ///
-/// It keeps memory from step to step: make it once, not in each step. `can_collide` is called from
-/// several threads, and ends the program if it throws. Not for several threads at the same time.
+/// In two dimensions, the pairs are those of the toolkit: each edge and each vertex that is no end of it, and
+/// two vertices without edges. In three, they are those of exact_ccd::Detector, which contain the toolkit's.
+///
+/// It keeps memory from step to step: make it once, not in each step. The mesh stays where it is as long as
+/// the detector exists; its `can_collide` may be replaced between two calls. It is called from several threads,
+/// and ends the program if it throws. Not for several threads at the same time.
 class CollisionDetector {
 public:
-    explicit CollisionDetector(const ipc::CollisionMesh& mesh)
-        : mesh_(mesh.num_vertices(), faces(mesh), edges(mesh)), detector_(mesh_), can_collide_(mesh.can_collide)
+    explicit CollisionDetector(const ipc::CollisionMesh& mesh) : mesh_(mesh), steps_(connectivity(mesh))
     {
-        // The filter of a mesh without one allows all pairs; it need not be called.
-        const Filter all = decltype(mesh.can_collide)();
-        if (can_collide_.target_type() != all.target_type()) {
-            detector_.set_can_collide(
-                [](std::uint32_t a, std::uint32_t b, void* filter) noexcept {
-                    return (*static_cast<const Filter*>(filter))(a, b);
-                },
-                &can_collide_);
+        if (is_flat()) {
+            steps_.set_pair_can_collide(is_vertex_against, this);
+            edges_.emplace(connectivity(mesh));
+            edges_->set_pair_can_collide(is_edge_against_edge, this);
         }
     }
 
@@ -47,11 +49,13 @@ public:
                                 double min_distance = 0.0)
     {
         begin(vertices_t0, vertices_t1, min_distance);
-        return detector_.is_free(x0_, x1_);
+        return steps_.is_free(x0_, x1_);
     }
 
-    /// As ipc::compute_collision_free_stepsize: the exact time of impact multiplied by
-    /// `conservative_rescaling`; 1 if the step is free.
+    /// As ipc::compute_collision_free_stepsize: 1 if the step is free, else a size of at most the exact time
+    /// of impact multiplied by `conservative_rescaling`, which is above 0 and at most 1. The motion to the
+    /// positions x0 + size * (x1 - x0), each operation rounded, is certified to be free of contact. The size is
+    /// 0 if no positive one is certified.
     double compute_collision_free_stepsize(
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t0,
         Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
@@ -59,47 +63,112 @@ public:
         double conservative_rescaling = ExactCCD::DEFAULT_CONSERVATIVE_RESCALING)
     {
         begin(vertices_t0, vertices_t1, min_distance);
-        const auto contact = detector_.earliest_contact(x0_, x1_);
-        return contact ? conservative_rescaling * contact->impact.time : 1.0;
+        return steps_.free_step(x0_, x1_, conservative_rescaling).size;
     }
 
-    /// As ipc::has_intersections in three dimensions: an edge and a face with a common point.
+    /// As ipc::has_intersections, exactly: a common point of an edge and a face, in two dimensions of two
+    /// edges, that can collide and have no common vertex.
     bool has_intersections(Eigen::ConstRef<Eigen::MatrixXd> vertices)
     {
+        obey_mesh();
         copy(vertices, x0_);
-        return mesh_.has_intersections(x0_);
+        return is_flat() ? !edges_->is_free(x0_, x0_) : steps_.has_intersections(x0_);
     }
 
 private:
     using Filter = std::function<bool(std::size_t, std::size_t)>;
+    using Index = std::uint32_t;
 
-    static std::vector<std::array<std::uint32_t, 3>> faces(const ipc::CollisionMesh& mesh)
+    bool is_flat() const { return mesh_.dim() == 2; }
+
+    // In two dimensions, vertex v has a copy, n + v, without an edge: a Detector compares vertices without
+    // edges with edges of no face.
+    static Mesh connectivity(const ipc::CollisionMesh& mesh)
     {
-        std::vector<std::array<std::uint32_t, 3>> faces(mesh.num_faces());
-        for (std::size_t i = 0; i < faces.size(); ++i) {
-            for (std::size_t j = 0; j < 3; ++j) {
-                faces[i][j] = static_cast<std::uint32_t>(mesh.faces()(i, j));
-            }
-        }
-        return faces;
+        const bool is_flat = mesh.dim() == 2;
+        const auto faces = is_flat ? std::vector<std::array<Index, 3>>() : rows<3>(mesh.faces());
+        return Mesh((is_flat ? 2 : 1) * mesh.num_vertices(), faces, rows<2>(mesh.edges()));
     }
 
-    static std::vector<std::array<std::uint32_t, 2>> edges(const ipc::CollisionMesh& mesh)
+    template <std::size_t N>
+    static std::vector<std::array<Index, N>> rows(const Eigen::MatrixXi& matrix)
     {
-        std::vector<std::array<std::uint32_t, 2>> edges(mesh.num_edges());
-        for (std::size_t i = 0; i < edges.size(); ++i) {
-            for (std::size_t j = 0; j < 2; ++j) {
-                edges[i][j] = static_cast<std::uint32_t>(mesh.edges()(i, j));
+        std::vector<std::array<Index, N>> rows(matrix.rows());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            for (std::size_t j = 0; j < N; ++j) {
+                rows[i][j] = static_cast<Index>(matrix(i, j));
             }
         }
-        return edges;
+        return rows;
     }
 
-    static void copy(Eigen::ConstRef<Eigen::MatrixXd> vertices, std::vector<Point>& points)
+    bool allows(const Index* a, std::size_t a_count, const Index* b, std::size_t b_count) const
     {
-        points.resize(vertices.rows());
+        for (std::size_t i = 0; i < a_count * b_count; ++i) {
+            if (mesh_.can_collide(a[i / b_count], b[i % b_count])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    static bool are_allowed(Index a, Index b, void* detector) noexcept
+    {
+        return static_cast<const CollisionDetector*>(detector)->mesh_.can_collide(a, b);
+    }
+
+    // The copy of a vertex against an edge without the vertex; two vertices that have no edge themselves.
+    static bool is_vertex_against(
+        const Index* a, std::size_t a_count, const Index* b, std::size_t b_count, void* detector) noexcept
+    {
+        const auto& self = *static_cast<const CollisionDetector*>(detector);
+        const std::size_t n = self.mesh_.num_vertices();
+        if (a_count != 1) {
+            return false;
+        }
+        if (b_count == 1) {
+            return a[0] < n && b[0] < n && self.allows(a, 1, b, 1);
+        }
+        const Index vertex = static_cast<Index>(a[0] - n);
+        return a[0] >= n && vertex != b[0] && vertex != b[1] && self.allows(&vertex, 1, b, 2);
+    }
+
+    static bool is_edge_against_edge(
+        const Index* a, std::size_t a_count, const Index* b, std::size_t b_count, void* detector) noexcept
+    {
+        return a_count == 2 && b_count == 2
+               && static_cast<const CollisionDetector*>(detector)->allows(a, 2, b, 2);
+    }
+
+    // The filter of a mesh without one allows all pairs; it need not be called.
+    static bool is_default(const ipc::CollisionFilter& filter)
+    {
+        return filter.operator Filter().target_type() == ipc::CollisionFilter().operator Filter().target_type();
+    }
+
+    void obey_mesh()
+    {
+        if (!mesh_.planes.empty()) {
+            throw std::invalid_argument("exact_ccd: planes are not supported: add triangles in their place");
+        }
+        if (!is_flat() && has_filter_ == is_default(mesh_.can_collide)) {
+            has_filter_ = !has_filter_;
+            steps_.set_can_collide(has_filter_ ? are_allowed : nullptr, this);
+        }
+    }
+
+    void copy(Eigen::ConstRef<Eigen::MatrixXd> vertices, std::vector<Point>& points)
+    {
+        const std::size_t n = mesh_.num_vertices(), dim = mesh_.dim();
+        if (static_cast<std::size_t>(vertices.rows()) != n || static_cast<std::size_t>(vertices.cols()) != dim) {
+            throw std::invalid_argument("exact_ccd: positions of " + std::to_string(vertices.rows()) + " by "
+                                        + std::to_string(vertices.cols()) + " coordinates, expected "
+                                        + std::to_string(n) + " by " + std::to_string(dim));
+        }
+        points.resize(is_flat() ? 2 * n : n);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            points[i] = {vertices(i, 0), vertices(i, 1), vertices.cols() > 2 ? vertices(i, 2) : 0.0};
+            const std::size_t vertex = i < n ? i : i - n;
+            points[i] = {vertices(vertex, 0), vertices(vertex, 1), is_flat() ? 0.0 : vertices(vertex, 2)};
         }
     }
 
@@ -107,17 +176,20 @@ private:
                Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
                double min_distance)
     {
+        obey_mesh();
         copy(vertices_t0, x0_);
         copy(vertices_t1, x1_);
         if (min_distance != min_distance_) {
-            detector_.set_min_distance(min_distance);
+            steps_.set_min_distance(min_distance);
             min_distance_ = min_distance;
         }
     }
 
-    Mesh mesh_;
-    Detector detector_;
-    Filter can_collide_;
+    const ipc::CollisionMesh& mesh_;
+    Detector steps_;
+    // For edges at rest, in two dimensions.
+    std::optional<Detector> edges_;
+    bool has_filter_ = false;
     double min_distance_ = 0.0;
     std::vector<Point> x0_, x1_;
 };

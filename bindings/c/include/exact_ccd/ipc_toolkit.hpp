@@ -1,5 +1,5 @@
-// exact-ccd in place of the continuous collision detection of the IPC Toolkit (ipc-toolkit 1.4 and
-// later, which have ipc::NarrowPhaseCCD). Needs the headers of the IPC Toolkit and Eigen.
+// exact-ccd in place of the continuous collision detection of the IPC Toolkit, version 1.6, whose
+// ipc::NarrowPhaseCCD has `conservative_rescaling`. Needs the headers of the IPC Toolkit and Eigen.
 //
 //   exact_ccd::ExactCCD narrow_phase;           // wherever an ipc::NarrowPhaseCCD is expected
 //   ipc::compute_collision_free_stepsize(mesh, x0, x1, min_distance, broad_phase, narrow_phase);
@@ -9,9 +9,19 @@
 // The time of impact is exact: the first time at which the distance is at most `min_distance`,
 // rounded down. A step of exactly that size may end in contact. Hence `toi` is that time multiplied by
 // `conservative_rescaling`, 0.9 unless it is set.
+//
+// `tmax` is compared with the time before it is multiplied: a contact after `tmax` is none. The step size
+// of the toolkit passes the least `toi` so far, which is multiplied, as `tmax` of the next pair. So it
+// depends on the order of the pairs, which the threads of the toolkit change from run to run. Let t be the
+// first contact of all pairs. If its pair comes first, the step is 0.9 t. If another pair comes first, with
+// contact at t' > t, the step is 0.9 t' unless t <= 0.9 t'. It is at least 0.9 t and less than t in any
+// order. With a rescaling of 1 it is t, and by CollisionDetector (ipc_collision_mesh.hpp) 0.9 t, or less by
+// some units in its last place, with which the rounded positions are certified.
 
 #ifndef EXACT_CCD_IPC_TOOLKIT_HPP
 #define EXACT_CCD_IPC_TOOLKIT_HPP
+
+#include <limits>
 
 #include <ipc/ccd/narrow_phase_ccd.hpp>
 
@@ -21,9 +31,9 @@ namespace exact_ccd {
 
 /// The narrow phase, pair by pair. In two dimensions, z is 0.
 ///
-/// `toi` is at most `tmax`, and 0 if the primitives are within `min_distance` at the start. Where
-/// there is no contact, it keeps its value, as in the methods of the IPC Toolkit. Coordinates that are
-/// not finite, and a negative `min_distance`, throw exact_ccd::Error.
+/// `toi` is at most `tmax`, 0 if the primitives are within `min_distance` at the start, and infinite if there is
+/// no contact until `tmax`. Coordinates that are not finite, and a negative `min_distance`, throw
+/// exact_ccd::Error; then `toi` keeps its value.
 class ExactCCD : public ipc::NarrowPhaseCCD {
 public:
     static constexpr double DEFAULT_CONSERVATIVE_RESCALING = 0.9;
@@ -124,11 +134,9 @@ private:
     {
         const auto time = time_of_impact(kind, t0, t1, min_distance);
         // A time just above tmax that is rounded down to it counts: the earlier answer is the safe one.
-        if (!time || *time > tmax) {
-            return false;
-        }
-        toi = conservative_rescaling * *time;
-        return true;
+        const bool is_hit = time && *time <= tmax;
+        toi = is_hit ? conservative_rescaling * *time : std::numeric_limits<double>::infinity();
+        return is_hit;
     }
 };
 

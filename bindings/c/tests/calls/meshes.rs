@@ -8,9 +8,10 @@ use exact_ccd_c::{
     AuditResult, Contact, Contacts, Detector, Mesh, exact_ccd_audit_examine, exact_ccd_audit_free,
     exact_ccd_audit_new, exact_ccd_contacts_data, exact_ccd_contacts_free, exact_ccd_detector_contacts,
     exact_ccd_detector_earliest_contact, exact_ccd_detector_free, exact_ccd_detector_free_step,
-    exact_ccd_detector_is_free, exact_ccd_detector_new, exact_ccd_detector_set_groups,
-    exact_ccd_detector_set_inner_distance, exact_ccd_detector_set_min_distance,
-    exact_ccd_detector_set_thickness, exact_ccd_has_intersections, exact_ccd_mesh_free, exact_ccd_mesh_new,
+    exact_ccd_detector_has_intersections, exact_ccd_detector_is_free, exact_ccd_detector_new,
+    exact_ccd_detector_set_groups, exact_ccd_detector_set_inner_distance,
+    exact_ccd_detector_set_min_distance, exact_ccd_detector_set_thickness, exact_ccd_mesh_free,
+    exact_ccd_mesh_new,
 };
 
 use super::{input, succeeds};
@@ -56,7 +57,7 @@ unsafe fn steps(
         let is_plain = set(bytes, vertices, detector, d)?;
         let earliest = answers(detector, &x0, &x1);
         if is_plain && let Some(earliest) = earliest {
-            audit(mesh, d, &x0, &x1, earliest);
+            audit(mesh, detector, d, &x0, &x1, earliest);
         }
         Ok(earliest.is_some_and(|time| time <= 1.0))
     }
@@ -154,8 +155,8 @@ unsafe fn answers(detector: *mut Detector, x0: &[f64], x1: &[f64]) -> Option<f64
 }
 
 /// # Safety
-/// The handle is valid, and of a mesh with as many vertices.
-unsafe fn audit(mesh: *const Mesh, d: f64, x0: &[f64], x1: &[f64], earliest: f64) {
+/// The handles are valid, and of a mesh with as many vertices.
+unsafe fn audit(mesh: *const Mesh, detector: *const Detector, d: f64, x0: &[f64], x1: &[f64], earliest: f64) {
     let vertices = x0.len() / 3;
     let mut audit = ptr::null_mut();
     let mut contact = Contact::default();
@@ -164,8 +165,8 @@ unsafe fn audit(mesh: *const Mesh, d: f64, x0: &[f64], x1: &[f64], earliest: f64
     unsafe {
         let x = x0.as_ptr();
         let null = ptr::null_mut();
-        assert!(succeeds(exact_ccd_has_intersections(
-            mesh,
+        assert!(succeeds(exact_ccd_detector_has_intersections(
+            detector,
             x,
             vertices,
             &raw mut intersects,

@@ -13,6 +13,7 @@ _Arrays = Union[_Floats, tuple[_Integers, _Floats, _Floats]]
 _Columns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats, _Floats]
 
 __all__ = [
+    "KINDS",
     "Detector",
     "FrameSequence",
     "Mesh",
@@ -33,6 +34,7 @@ __all__ = [
 ]
 
 __version__: str
+KINDS: list[tuple[str, int]]
 
 def main(arguments: Sequence[str]) -> int: ...
 def collides(
@@ -56,7 +58,7 @@ def overlaps(
     second: _Integers,
     x0: _Floats,
     x1: _Floats,
-    distance: float,
+    inflation: float,
     threads: Optional[int],
 ) -> _Integers: ...
 def read_mesh(path: _Path) -> tuple[_Floats, _Integers, _Integers]: ...

@@ -7,9 +7,7 @@ from typing import NamedTuple, Optional
 import numpy as np
 from numpy.typing import NDArray
 
-from .queries import IMPACT, Kind
-
-_KINDS = np.array(["vf", "ee", "ve", "vv"])
+from .queries import IMPACT, POINTS, Kind
 
 _PAIR = [
     ("kind", "U2"),
@@ -66,7 +64,7 @@ def table(columns: Columns) -> NDArray[np.void]:
     """The columns of the compiled part as one structured array."""
     kinds, ids, vertices, impacts, distances = columns
     contacts = np.empty(len(kinds), CONTACT)
-    contacts["kind"] = _KINDS[kinds]
+    contacts["kind"] = np.array(list(POINTS))[kinds]
     contacts["first"], contacts["second"] = ids.T
     contacts["vertices"] = vertices
     contacts["distance"] = distances

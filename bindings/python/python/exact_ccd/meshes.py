@@ -61,8 +61,8 @@ class FreeStep(NamedTuple):
     Attributes
     ----------
     size : float
-        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if the mesh
-        touches itself at the start.
+        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if no positive
+        size is certified, because the mesh touches itself at the start, or within the smallest float64 of it.
     positions : float64 array of shape (V, 3)
         The positions at its end. Unless `size` is 0, the straight motion to these very positions has
         been decided to be free of contact, exactly.
@@ -96,8 +96,10 @@ class Mesh:
         A number for each vertex: primitives all of whose vertices have the same number do not collide.
     can_collide : callable, optional
         ``can_collide(i, j) -> bool`` for two vertices: a pair of primitives can collide if it holds for
-        any vertex of the first and any of the second, as in the IPC Toolkit. It is called after contact
-        has been found, where possible; `groups` are much faster where it is not.
+        any vertex of the first and any of the second, as in the IPC Toolkit. It is called for pairs in
+        contact. Three methods of :class:`Detector` may call it for all candidates, which is slow: ``step``
+        does; ``earliest_contact`` and ``free_step`` do if it forbids the earliest contact, and ``free_step``
+        also if a pair touches at the start. `groups` have no such cost.
 
     Raises
     ------
@@ -244,6 +246,8 @@ class Detector:
 
     def contacts(self, x0: ArrayLike, x1: ArrayLike, until: float = 1.0) -> NDArray[np.void]:
         """Return all contacts of the step whose first time is not after `until`, the earliest first.
+
+        A time `until` that is not in [0, 1] raises ValueError.
 
         Returns
         -------

@@ -13,8 +13,8 @@ from ._arrays import Floats, Indices, floats, indices as integers
 Kind = Literal["vf", "ee", "ve", "vv"]
 """The kind of a query: ``"vf"``, ``"ee"``, ``"ve"`` or ``"vv"``."""
 
-POINTS = {"vf": 4, "ee": 4, "ve": 3, "vv": 2}
-"""The number of points of a query of each kind."""
+POINTS: dict[str, int] = dict(_native.KINDS)
+"""The kinds in their order, and the number of points of a query of each."""
 
 IMPACT = np.dtype(
     [
@@ -49,6 +49,13 @@ class ContactTimes(NamedTuple):
 _Arrays = Union[Floats, tuple[Indices, Floats, Floats]]
 
 
+def check_kind(kind: str, place: str = "") -> None:
+    """Refuse a name that is not that of a kind; `place` is a prefix of the message."""
+    if kind not in POINTS:
+        names = ", ".join(f'"{name}"' for name in POINTS)
+        raise ValueError(f"{place}kind {kind!r}, expected one of {names}")
+
+
 def _arrays(
     kind: str,
     points: Optional[ArrayLike],
@@ -57,8 +64,7 @@ def _arrays(
     vertices_t1: Optional[ArrayLike],
 ) -> _Arrays:
     """The queries as arrays of the compiled part."""
-    if kind not in POINTS:
-        raise ValueError(f'kind {kind!r}, expected "vf", "ee", "ve" or "vv"')
+    check_kind(kind)
     count = POINTS[kind]
     if indices is None and vertices_t0 is None and vertices_t1 is None and points is not None:
         return floats("points", points, (None, 2 * count, 3))

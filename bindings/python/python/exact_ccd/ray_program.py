@@ -37,27 +37,29 @@ def run(options: argparse.Namespace) -> int:
     import ray
 
     from .ray import audit, check_dataset
-    from .ray.chunks import to_json
+    from .ray.chunks import absolute, to_json
 
     ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
     if options.command == "audit":
         frames = options.frames if len(options.frames) > 1 else options.frames[0]
         report = audit(frames, min_distance=options.min_distance, steps=options.steps, results=options.results)
-        _print(to_json(report))
+        sys.stdout.write(to_json(report) + "\n")
         return 0 if report.is_free else 1
     import ray.data
 
     ray.data.DataContext.get_current().enable_progress_bars = False
     answered = check_dataset(
-        ray.data.read_parquet(options.files), answers=["collides", "toi"], min_distance=options.min_distance
+        ray.data.read_parquet([absolute(file) for file in options.files]),
+        answers=["collides", "toi"],
+        min_distance=options.min_distance,
     )
     if options.output is not None:
-        answered.write_parquet(options.output)
-        answered = ray.data.read_parquet(options.output)
+        answered.write_parquet(absolute(options.output))
+        answered = ray.data.read_parquet(absolute(options.output))
     table: dict[str, Any] = {"queries": 0, "colliding": 0, "wrong": None}
     for batch in answered.iter_batches(batch_format="pyarrow", batch_size=None):
         _count(table, batch)
-    _print(table)
+    sys.stdout.write(json.dumps(table) + "\n")
     return 0
 
 
@@ -72,8 +74,13 @@ def _count(table: dict[str, Any], batch: Any) -> None:
         table["wrong"] = (table["wrong"] or 0) + wrong
 
 
-def _print(table: Any) -> None:
-    sys.stdout.write(json.dumps(table) + "\n")
+def _message(error: Exception) -> str:
+    """The message of an error, or of the error of a task that it passes on."""
+    for one in (getattr(error, "cause", None), error):
+        if isinstance(one, (ValueError, TypeError, OSError)):
+            return str(one)
+    # The text of an error of Ray contains that of its causes.
+    return f"{type(error).__name__}: {error}"
 
 
 def main() -> None:
@@ -84,8 +91,9 @@ def main() -> None:
     except ImportError as error:
         sys.stderr.write(f"error: {error}; pip install exact-ccd[ray]\n")
         status = 2
-    except (ValueError, TypeError, OSError) as error:
-        sys.stderr.write(f"error: {error}\n")
+    except Exception as error:
+        # Also those of Ray: a lost cluster or a failed task is no violation.
+        sys.stderr.write(f"error: {_message(error)}\n")
         status = 2
     sys.exit(status)
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._arrays import Floats, floats
-from .queries import POINTS, Kind
+from .queries import POINTS, Kind, check_kind
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -172,8 +172,7 @@ class _Kinds(NamedTuple):
     @classmethod
     def all(cls, kind: Kind) -> _Kinds:
         """One kind for all rows."""
-        if kind not in POINTS:
-            raise ValueError(f'kind {kind!r}, expected "vf", "ee", "ve" or "vv"')
+        check_kind(kind)
         return cls([kind], None)
 
     @classmethod
@@ -191,9 +190,7 @@ class _Kinds(NamedTuple):
         names = encoded.dictionary.to_pylist()
         codes = encoded.indices.to_numpy()
         for code, name in enumerate(names):
-            if name not in POINTS:
-                row = int(np.argmax(codes == code))
-                raise ValueError(f'row {row}: kind {name!r}, expected "vf", "ee", "ve" or "vv"')
+            check_kind(name, f"row {np.argmax(codes == code)}: ")
         return cls(names, codes)
 
     def within(self, first: int, count: int) -> Iterator[tuple[Kind, Optional[NDArray[np.intp]]]]:

@@ -10,7 +10,7 @@ use exact_ccd_sim::HalfSpace;
 use crate::contacts::ContactRecord;
 
 /// A half space on the command line: a point of its boundary, then the normal, which points outward.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct HalfSpaceArgument(HalfSpace);
 
 impl FromStr for HalfSpaceArgument {
@@ -23,7 +23,7 @@ impl FromStr for HalfSpaceArgument {
             return Err("expected six numbers: a point of the boundary, then the outward normal".to_owned());
         };
         let (point, normal) = ([x, y, z], [nx, ny, nz]);
-        let half_space = HalfSpace { point, normal };
+        let half_space = HalfSpace::new(point, normal);
         match half_space.check(0) {
             Ok(()) => Ok(Self(half_space)),
             Err(error) => Err(format!(

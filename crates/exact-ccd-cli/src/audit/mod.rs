@@ -10,11 +10,12 @@ use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
 use exact_ccd::separation::Separation;
-use exact_ccd_mesh::{Audit, Frame, MotionError, Violation};
+use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
-use crate::contacts::ListFile;
+use crate::contacts::{ContactList, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::impact_files;
 use crate::min_distance;
 use crate::notes::Notes;
 use crate::output::print;
@@ -161,6 +162,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let total = clock.elapsed();
     if let Some(file) = &arguments.all {
         found.list.write(file)?;
+    }
+    if let (Some(folder), Some(last)) = (&arguments.out, examination.last())
+        && found.first.is_none()
+    {
+        let rest = Step::new(&last.mesh, &last.positions, &last.positions)?;
+        impact_files::write(folder, rest, &ContactList::default())?;
     }
     let seconds = |duration: Duration| duration.as_secs_f64();
     let report = Report {

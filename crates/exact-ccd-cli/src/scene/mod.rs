@@ -19,7 +19,7 @@ use crate::notes::Notes;
 pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
 use part::{Part, named};
-pub(crate) use rules::PartPair;
+use rules::Rules;
 pub(crate) use split::note_split_vertices;
 pub(crate) use summary::Summary;
 
@@ -30,6 +30,7 @@ pub(crate) struct Scene {
     /// The first frame, until it is read.
     first: Option<Frame>,
     contents: Contents,
+    rules: Rules,
     can_collide: CanCollide,
     frame_count: usize,
 }
@@ -65,13 +66,14 @@ impl Scene {
         part::make_names_unique(&mut parts);
         let frame = joined(&mut parts, None, 0)?;
         let contents = part::contents(&parts, &frame);
-        let can_collide = rules::can_collide(&parts, options)?;
+        let can_collide = rules::can_collide(&parts, &options.rules)?;
         let (mesh, first) = (frame.mesh.clone(), Some(frame));
         Ok(Self {
             parts,
             mesh,
             first,
             contents,
+            rules: options.rules.clone(),
             can_collide,
             frame_count,
         })
@@ -157,7 +159,7 @@ impl Scene {
 
     /// The contents and the parts, for reports.
     pub(crate) fn summary(&self) -> Summary {
-        Summary::new(self.contents, &self.parts)
+        Summary::new(self.contents, &self.parts, &self.rules)
     }
 
     /// Refuses a scene in which nothing can touch.

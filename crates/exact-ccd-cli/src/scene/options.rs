@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::PartPair;
+use super::rules::Rules;
 
 /// The options `--with`, `--ignore`, `--only`, `--weld` and `--triangles-only`.
 #[derive(clap::Args)]
@@ -12,14 +12,8 @@ pub(crate) struct SceneOptions {
     /// frames moves, and has as many frames as the other parts that move.
     #[arg(long = "with", value_name = "FILE")]
     pub(super) others: Vec<PathBuf>,
-    /// The parts A and B do not collide; may be repeated. A part is named as its file is, without
-    /// folder and extension, or by NAME=FILE in place of FILE. Objects and groups of OBJ files (`o`
-    /// and `g`) are named GROUP or PART/GROUP. A:A leaves out the pairs of a part with itself.
-    #[arg(long, value_name = "A:B", conflicts_with = "only")]
-    pub(super) ignore: Vec<PartPair>,
-    /// Only the parts A and B collide; may be repeated.
-    #[arg(long, value_name = "A:B")]
-    pub(super) only: Vec<PartPair>,
+    #[command(flatten)]
+    pub(super) rules: Rules,
     /// Make one vertex of those that are in the same place in all frames, if edges that coincide end
     /// in them: exporters split vertices so at seams of textures and normals. In STL files, which have
     /// no shared vertices, all vertices in the same place are one, always. Parts are not joined.

@@ -6,10 +6,22 @@ use std::str::FromStr;
 
 use exact_ccd_mesh::CanCollide;
 
-use super::options::SceneOptions;
 use super::part::Part;
 use super::vertex_set::{VertexSet, named_set};
 use crate::failure::Failure;
+
+/// The options `--ignore` and `--only`.
+#[derive(Clone, clap::Args)]
+pub(crate) struct Rules {
+    /// The parts A and B do not collide; may be repeated. A part is named as its file is, without
+    /// folder and extension, or by NAME=FILE in place of FILE. Objects and groups of OBJ files (`o`
+    /// and `g`) are named GROUP or PART/GROUP. A:A leaves out the pairs of a part with itself.
+    #[arg(long, value_name = "A:B", conflicts_with = "only")]
+    pub(super) ignore: Vec<PartPair>,
+    /// Only the parts A and B collide; may be repeated.
+    #[arg(long, value_name = "A:B")]
+    pub(super) only: Vec<PartPair>,
+}
 
 /// Two parts or groups by their names, `A:B` on the command line.
 #[derive(Clone, Debug)]
@@ -40,14 +52,20 @@ impl fmt::Display for PartPair {
 /// Parts have no vertices in common, but groups may have. `--ignore` leaves out primitives all of whose
 /// vertices are in a group; `--only` keeps those with any vertex in it. Both rules allow the faces of an edge
 /// that they allow, as [`CanCollide::new`] expects.
-pub(super) fn can_collide(parts: &[Part], options: &SceneOptions) -> Result<CanCollide, Failure> {
+pub(super) fn can_collide(parts: &[Part], rules: &Rules) -> Result<CanCollide, Failure> {
     let sets = |pairs: &[PartPair]| -> Result<Vec<[VertexSet; 2]>, Failure> {
         let pair = |PartPair([a, b]): &PartPair| Ok([named_set(parts, a)?, named_set(parts, b)?]);
         pairs.iter().map(pair).collect()
     };
-    let (only, ignore) = (sets(&options.only)?, sets(&options.ignore)?);
+    let (only, ignore) = (sets(&rules.only)?, sets(&rules.ignore)?);
     let obstacles = parts.iter().filter(|part| part.is_obstacle);
     let obstacles: Vec<Range<u32>> = obstacles.map(|part| part.vertices.clone()).collect();
+    for (pair, sets) in rules.only.iter().zip(&only) {
+        let rests = |set: &VertexSet| obstacles.iter().any(|part| set.is_of(part));
+        if sets.iter().all(rests) {
+            return Err(Failure::OnlyObstacles(pair.to_string()));
+        }
+    }
     if only.is_empty() && ignore.is_empty() && obstacles.is_empty() {
         return Ok(CanCollide::all());
     }

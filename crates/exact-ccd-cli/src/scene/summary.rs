@@ -6,6 +6,7 @@ use exact_ccd_files::Contents;
 use serde::Serialize;
 
 use super::part::Part;
+use super::rules::{PartPair, Rules};
 use crate::failure::listed;
 
 /// The contents of a scene, as a part of a JSON object.
@@ -18,6 +19,12 @@ pub(crate) struct Summary {
     /// The named groups, if there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     groups: Vec<GroupSummary>,
+    /// The pairs of `--only`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    only: Vec<String>,
+    /// The pairs of `--ignore`.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    ignore: Vec<String>,
     #[serde(skip)]
     contents: Contents,
 }
@@ -52,7 +59,7 @@ struct PartSummary {
 }
 
 impl Summary {
-    pub(super) fn new(contents: Contents, parts: &[Part]) -> Self {
+    pub(super) fn new(contents: Contents, parts: &[Part], rules: &Rules) -> Self {
         let groups: Vec<GroupSummary> = parts
             .iter()
             .flat_map(|part| {
@@ -83,6 +90,8 @@ impl Summary {
             },
             parts: several.iter().map(part).collect(),
             groups: if groups.len() > 1 { groups } else { Vec::new() },
+            only: rules.only.iter().map(PartPair::to_string).collect(),
+            ignore: rules.ignore.iter().map(PartPair::to_string).collect(),
             contents,
         }
     }
@@ -106,6 +115,11 @@ impl fmt::Display for Summary {
         if !self.groups.is_empty() {
             let names: Vec<_> = self.groups.iter().map(|group| group.name.clone()).collect();
             writeln!(f, "groups: {}", listed(&names))?;
+        }
+        for (rule, pairs) in [("only", &self.only), ("ignored", &self.ignore)] {
+            if !pairs.is_empty() {
+                writeln!(f, "{rule}: {}", pairs.join(", "))?;
+            }
         }
         Ok(())
     }

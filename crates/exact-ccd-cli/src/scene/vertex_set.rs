@@ -1,5 +1,7 @@
 //! The vertices of a part or of a group, by its name.
 
+use std::ops::Range;
+
 use super::part::Part;
 use crate::failure::Failure;
 
@@ -17,6 +19,11 @@ impl VertexSet {
 
     pub(super) fn has_any(&self, vertices: &[u32]) -> bool {
         vertices.iter().any(|&vertex| self.has(vertex))
+    }
+
+    /// True if they are of the part with these vertices.
+    pub(super) fn is_of(&self, part: &Range<u32>) -> bool {
+        part.contains(&self.first)
     }
 
     fn has(&self, vertex: u32) -> bool {

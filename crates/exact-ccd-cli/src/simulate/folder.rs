@@ -5,10 +5,11 @@ use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use exact_ccd_files::{read_pvd, write_ply, write_pvd};
+use exact_ccd_files::{NamedPart, read_pvd, write_ply_with_parts, write_pvd};
 use exact_ccd_sim::scene::Scene;
-use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
+use exact_ccd_sim::{Checkpoint, Simulation, Statistics, System};
 
+use super::contact_points;
 use super::grid::Grid;
 use super::log::Log;
 use super::path::Path as PathWriter;
@@ -20,17 +21,26 @@ use crate::output::{draft_of, remove_files, write_file, write_file_soon};
 const CHECKPOINT: &str = "checkpoint.json";
 const STATISTICS: &str = "statistics.csv";
 const COLLECTION: &str = "motion.pvd";
+const CONTACT_COLLECTION: &str = "contacts.pvd";
 pub(super) const ANIMATION: &str = "motion.png";
 pub(super) const GIF: &str = "motion.gif";
 pub(super) const ENERGIES: &str = "energies.svg";
 pub(super) const DISTANCE: &str = "minimal-distance.svg";
-const FILES: [&str; 7] = [
-    CHECKPOINT, STATISTICS, COLLECTION, ANIMATION, GIF, ENERGIES, DISTANCE,
+const FILES: [&str; 8] = [
+    CHECKPOINT,
+    STATISTICS,
+    COLLECTION,
+    CONTACT_COLLECTION,
+    ANIMATION,
+    GIF,
+    ENERGIES,
+    DISTANCE,
 ];
 
 /// The subfolders, which have one or more files for each time step.
 const FRAMES: &str = "frames";
 const GRIDS: &str = "vtu";
+const CONTACTS: &str = "contacts";
 const PATH: &str = "path";
 pub(super) const PICTURES: &str = "pictures";
 
@@ -100,6 +110,7 @@ impl OutputFolder {
         }
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
+        make_folder(&folder.join(CONTACTS))?;
         // These files refer to those in the subfolders, so they are removed first.
         for file in FILES.map(|name| folder.join(name)) {
             match fs::remove_file(&file) {
@@ -157,8 +168,8 @@ impl OutputFolder {
             });
         }
         let mut this = Self::with(folder, simulation, log, every, frames);
-        // The collection is written first, so that it never names a removed file.
-        this.write_collection(simulation)?;
+        // The collections are written first, so that they never name a removed file.
+        this.write_collections(simulation)?;
         remove_after(folder, Some(last))?;
         Ok(this)
     }
@@ -180,6 +191,17 @@ impl OutputFolder {
             }
         }
         Ok(())
+    }
+
+    /// Saves the current state, after which the run ends early: the files of a time step that was not
+    /// completed are removed.
+    pub(super) fn finish(&mut self, simulation: &Simulation) -> Result<(), Failure> {
+        let step = simulation.state().step;
+        remove_after(&self.folder, Some(step))?;
+        if self.frames.last() != Some(&step) {
+            self.write_frame(simulation)?;
+        }
+        self.save(simulation)
     }
 
     /// Flushes all results to disk, then writes the checkpoint.
@@ -205,29 +227,36 @@ impl OutputFolder {
     fn write_frame(&mut self, simulation: &Simulation) -> Result<(), Failure> {
         let state = simulation.state();
         let frame = simulation.system().surface_frame(&state.positions);
-        let files = [self.frame(state.step), grid_file(&self.folder, state.step)];
+        let parts = named_parts(simulation.system());
+        let files = [
+            self.frame(state.step),
+            grid_file(&self.folder, state.step),
+            contact_file(&self.folder, state.step),
+        ];
         write_file_soon(&files[0], |writer| {
-            write_ply(writer, &frame.map_err(io::Error::other)?)
+            write_ply_with_parts(writer, &frame.map_err(io::Error::other)?, &parts)
         })?;
         write_file_soon(&files[1], |writer| self.grid.write(state, writer))?;
+        write_file_soon(&files[2], |writer| contact_points::write(simulation, writer))?;
         self.pending.extend(files);
         self.frames.push(state.step);
-        self.write_collection(simulation)
+        self.write_collections(simulation)
     }
 
-    fn write_collection(&mut self, simulation: &Simulation) -> Result<(), Failure> {
+    fn write_collections(&mut self, simulation: &Simulation) -> Result<(), Failure> {
         let time_step = simulation.settings().time_step;
-        let frame = |step: u64| {
-            (
-                step as f64 * time_step,
-                format!("{GRIDS}/{}", steps::name(step, "vtu")),
-            )
-        };
-        let file = self.file(COLLECTION);
-        let frames = self.frames.iter().copied().map(frame);
-        write_file_soon(&file, |writer| write_pvd(writer, frames))?;
-        if !self.pending.contains(&file) {
-            self.pending.push(file);
+        for (collection, folder, extension) in
+            [(COLLECTION, GRIDS, "vtu"), (CONTACT_COLLECTION, CONTACTS, "vtp")]
+        {
+            let frame = |&step: &u64| {
+                let name = format!("{folder}/{}", steps::name(step, extension));
+                (step as f64 * time_step, name)
+            };
+            let file = self.file(collection);
+            write_file_soon(&file, |writer| write_pvd(writer, self.frames.iter().map(frame)))?;
+            if !self.pending.contains(&file) {
+                self.pending.push(file);
+            }
         }
         Ok(())
     }
@@ -286,6 +315,7 @@ fn missing(folder: &Path, frames: &[u64], rows: &[Row], last: u64) -> Option<Str
         [
             folder.join(FRAMES).join(steps::name(step, "ply")),
             grid_file(folder, step),
+            contact_file(folder, step),
         ]
     });
     let file = files.into_iter().find(|file| !file.is_file());
@@ -304,13 +334,23 @@ fn grid_file(folder: &Path, step: u64) -> PathBuf {
     folder.join(GRIDS).join(steps::name(step, "vtu"))
 }
 
+fn contact_file(folder: &Path, step: u64) -> PathBuf {
+    folder.join(CONTACTS).join(steps::name(step, "vtp"))
+}
+
+/// The bodies of the surface of a system, for the files of the surface.
+pub(super) fn named_parts(system: &System) -> Vec<NamedPart> {
+    let part = |(name, vertices)| NamedPart { name, vertices };
+    system.surface_bodies().into_iter().map(part).collect()
+}
+
 pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
 }
 
 /// Removes the files of all time steps after `last`, or of all time steps for `None`, and unfinished files.
 fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failure> {
-    for inner in [FRAMES, GRIDS, PATH, PICTURES] {
+    for inner in [FRAMES, GRIDS, CONTACTS, PATH, PICTURES] {
         steps::remove_after(&folder.join(inner), last)?;
     }
     let is_draft = |name: &str| draft_of(name).is_some_and(|file| FILES.contains(&file));

@@ -3,7 +3,7 @@
 
 use std::io;
 
-use exact_ccd_files::{UnstructuredGrid, write_vtu};
+use exact_ccd_files::{Bodies, UnstructuredGrid, write_vtu};
 use exact_ccd_sim::{State, System};
 
 /// The cells of a system.
@@ -14,6 +14,9 @@ pub(super) struct Grid {
     /// The edges of rods.
     lines: Vec<[u32; 2]>,
     particles: Vec<u32>,
+    /// The body of each vertex.
+    bodies: Vec<u32>,
+    names: Vec<String>,
 }
 
 impl Grid {
@@ -34,10 +37,14 @@ impl Grid {
             triangles,
             lines: system.surface().loose_edges().to_vec(),
             particles: system.particles().to_vec(),
+            bodies: (0..system.start().len() as u32)
+                .map(|vertex| system.body_of(vertex) as u32)
+                .collect(),
+            names: system.body_names(),
         }
     }
 
-    /// Writes the cells at the positions of a state, with the velocities of their vertices.
+    /// Writes the cells at the positions of a state, with the velocities and the bodies of their vertices.
     pub(super) fn write(&self, state: &State, writer: impl io::Write) -> io::Result<()> {
         let grid = UnstructuredGrid {
             positions: &state.positions,
@@ -46,6 +53,10 @@ impl Grid {
             lines: &self.lines,
             points: &self.particles,
             velocities: Some(&state.velocities),
+            bodies: Some(Bodies {
+                of_vertices: &self.bodies,
+                names: &self.names,
+            }),
         };
         write_vtu(writer, grid)
     }

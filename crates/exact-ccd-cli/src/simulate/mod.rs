@@ -1,8 +1,10 @@
 //! `exact-ccd simulate`: the intersection-free simulation of a scene.
 
+mod contact_points;
 mod filters;
 mod folder;
 mod grid;
+mod interrupt;
 mod json;
 mod line;
 mod log;
@@ -15,6 +17,7 @@ mod recorder;
 mod statistics;
 mod steps;
 
+use std::ffi::OsString;
 use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -22,7 +25,7 @@ use std::process::ExitCode;
 
 use clap::value_parser;
 use exact_ccd_sim::scene::Scene;
-use exact_ccd_sim::{Simulation, System};
+use exact_ccd_sim::{Simulation, SimulationError, System};
 
 use crate::failure::Failure;
 use crate::output::print;
@@ -34,14 +37,17 @@ use queries::QueryFolder;
 
 /// Simulate a scene: elastic bodies with contact and friction, without intersections
 ///
-/// SCENE is a TOML file with bodies, materials, scripted motions and settings. The key
+/// SCENE is a TOML file with bodies, materials, scripted motions and settings, or a scene of
+/// another program as of `exact-ccd import`. The key
 /// `settings.ccd` selects the method of continuous collision detection (CCD). The
 /// command prints one line for the scene and one for each time step.
 ///
 /// With --out, the command writes for each time step N
 ///   DIR/frames/N.ply     the surface
-///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities;
+///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities, bodies;
 ///                        DIR/motion.pvd opens all time steps in ParaView
+///   DIR/contacts/N.vtp   the contacts as points, with distance, force and bodies;
+///                        DIR/contacts.pvd opens all of them
 ///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
 ///                        energies and run times; column names end with units
 ///   DIR/checkpoint.json  the state for --resume, which replaces the previous one
@@ -50,12 +56,15 @@ use queries::QueryFolder;
 /// uninterrupted run. The results of an earlier run in DIR are an error without --resume
 /// or --overwrite. Without --out, nothing is saved.
 ///
-/// Exit status: 0 success, 2 error. With --strict, a time step that does not converge is an
+/// Ctrl-C ends the run after the last complete time step, which is saved, and prints the
+/// command that continues it; a second Ctrl-C ends the process at once.
+///
+/// Exit status: 0 success, 2 error, 130 after Ctrl-C. With --strict, a time step that does not converge is an
 /// error.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
-    /// The scene, a .toml file.
+    /// The scene, a .toml file or one of another program.
     scene: PathBuf,
     /// The output folder.
     #[arg(long, value_name = "DIR")]
@@ -119,7 +128,9 @@ fn ccd_help() -> String {
     format!("The CCD method, in place of that of the scene, one of: {names}")
 }
 
-pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+/// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
+/// Ctrl-C can be handled.
+pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
     if let Some(name) = &arguments.ccd {
         filters::check(name)?;
     }
@@ -128,6 +139,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         filters::by_name(name, system).map_err(|error| error.to_string())
     };
     let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
+    scene.notes.iter().for_each(|text| note(text));
     let (simulation, mut folder) = match &arguments.out {
         None => (scene.simulation()?, None),
         Some(folder) => {
@@ -163,9 +175,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Some(folder) => Some(Pictures::begin(folder, &simulation, scene.rendering)?),
     };
     let mut unconverged = Vec::new();
+    if command.is_some() {
+        simulation = simulation.with_interrupt(interrupt::flag());
+    }
     let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
     let lines = bar.clone();
-    during(bar, |progress| -> Result<(), Failure> {
+    let ended = during(bar, |progress| -> Result<(), Failure> {
         while simulation.state().step < steps {
             let mut path = folder
                 .as_ref()
@@ -205,7 +220,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             }
         }
         Ok(())
-    })?;
+    });
+    let interrupted = matches!(
+        ended,
+        Err(Failure::Simulation(SimulationError::Interrupted { .. }))
+    );
+    if let (true, Some(command)) = (interrupted, command) {
+        if let Some(folder) = &mut folder {
+            folder.finish(&simulation)?;
+        }
+        let message = interrupt::message(simulation.state().step, arguments, command);
+        let _ = writeln!(std::io::stderr(), "exact-ccd: {message}");
+        return Ok(ExitCode::from(interrupt::STATUS));
+    }
+    ended?;
     recording.finish(&text_of_page)?;
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         warn(&warning);
@@ -230,6 +258,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// Writes a warning to standard error. An error of this is ignored.
 fn warn(warning: &dyn Display) {
     let _ = writeln!(std::io::stderr(), "exact-ccd: warning: {warning}");
+}
+
+/// Writes a note to standard error. An error of this is ignored.
+pub(crate) fn note(note: &dyn Display) {
+    let _ = writeln!(std::io::stderr(), "exact-ccd: note: {note}");
 }
 
 /// A simulation from its start or from the checkpoint in a folder, with the opened folder.

@@ -3,11 +3,11 @@
 use std::io;
 use std::path::PathBuf;
 
-use exact_ccd_files::write_ply;
+use exact_ccd_files::{NamedPart, write_ply_with_parts};
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::System;
 
-use super::folder::make_folder;
+use super::folder::{make_folder, named_parts};
 use crate::failure::Failure;
 use crate::output::write_file_soon;
 
@@ -15,6 +15,7 @@ use crate::output::write_file_soon;
 pub(super) struct Path {
     folder: PathBuf,
     system: System,
+    parts: Vec<NamedPart>,
     step: u64,
     increments: usize,
     files: Vec<PathBuf>,
@@ -27,6 +28,7 @@ impl Path {
         let result = make_folder(&folder);
         Self {
             folder,
+            parts: named_parts(&system),
             system,
             step,
             increments: 0,
@@ -43,7 +45,7 @@ impl Path {
                 .join(format!("{:06}-{:03}.ply", self.step, self.increments));
             let frame = self.system.surface_frame(positions);
             self.result = write_file_soon(&file, |writer| {
-                write_ply(writer, &frame.map_err(io::Error::other)?)
+                write_ply_with_parts(writer, &frame.map_err(io::Error::other)?, &self.parts)
             });
             self.files.push(file);
             self.increments += 1;

@@ -370,6 +370,10 @@ fn the_impact_is_written_for_paraview() {
     assert_eq!(impact(&folder), (mesh, points[..1].to_vec()));
 
     // An answer without a contact leaves no mesh of an earlier one.
+    let run = folder.run(&["audit", "start.ply", "start.ply", "--out", "out"]);
+    assert_eq!(run.status, 0, "{run:?}");
+    assert!(!folder.path("out/impact.vtu").exists());
+    folder.run(&["audit", "start.ply", "end.ply", "--as-given", "--out", "out"]);
     let run = folder.run(&["step", "start.ply", "start.ply", "--out", "out"]);
     assert_eq!(run.status, 0);
     assert!(!folder.path("out/impact.vtu").exists() && folder.path("out/contacts.vtp").exists());

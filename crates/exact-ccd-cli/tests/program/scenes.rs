@@ -1,5 +1,6 @@
 //! Several files as one scene, the order of frames, polygons and split vertices.
 
+use exact_ccd_files::{NamedPart, write_ply_with_parts};
 use exact_ccd_mesh::Frame;
 use serde_json::{Value, json};
 
@@ -112,11 +113,49 @@ fn parts_are_left_out_by_name() {
     assert_eq!(toi(&["--ignore", "b:a", "--ignore", "floor:a"]), Value::Null);
     assert_eq!(toi(&["--only", "a:floor"]), json!(0.5));
     assert_eq!(toi(&["--only", "b:floor"]), Value::Null);
+    let report = json_of(&folder.run(&[&scene[..], &["--only", "a:floor", "--only", "a:b"]].concat()));
+    assert_eq!(report["only"], json!(["a:floor", "a:b"]));
+    let run = folder.run(&[&scene[..7], &["--ignore", "a:b"]].concat());
+    assert!(run.stdout.contains("\nignored: a:b\n"), "{run:?}");
+    let run = folder.run(&[&scene[..], &["--only", "floor:floor"]].concat());
+    assert_eq!(
+        run.error(),
+        "--only floor:floor: both are obstacles, which are not compared with each other: name a part that moves"
+    );
     let run = folder.run(&[&scene[..], &["--only", "a:ceiling"]].concat());
     assert_eq!(
         run.error(),
         "there is no part or group ceiling; there are a, b, floor"
     );
+}
+
+/// The names in PLY files select pairs, as those of files do.
+#[test]
+fn names_in_files_are_names_of_parts() {
+    let folder = Folder::new();
+    for (frame, height) in [1.0, -1.0].into_iter().enumerate() {
+        let part = |name: &str, vertices| NamedPart {
+            name: name.to_owned(),
+            vertices,
+        };
+        let parts = [part("square", 0..4), part("a tip", 4..7)];
+        let mut file = Vec::new();
+        write_ply_with_parts(&mut file, &tip_above_square(height), &parts).unwrap();
+        folder.write(&format!("{frame}.ply"), file);
+    }
+    let audit = |rules: &[&str]| folder.run(&[&["audit", "0.ply", "1.ply"], rules].concat());
+    assert_eq!(audit(&[]).status, 1);
+    assert_eq!(audit(&["--ignore", "a tip:square"]).status, 0);
+    assert_eq!(audit(&["--only", "square:square"]).status, 0);
+    assert_eq!(audit(&["--only", "a tip:square"]).status, 1);
+    // The name of the file stands for all of its vertices.
+    assert_eq!(audit(&["--ignore", "0:0"]).status, 0);
+    let unknown = audit(&["--ignore", "tip:square"]);
+    assert_eq!(
+        unknown.error(),
+        "there is no part tip; there are 0, square, a tip"
+    );
+    assert_eq!(audit(&["--weld", "--ignore", "a tip:square"]).status, 0);
 }
 
 #[test]

@@ -476,3 +476,46 @@ motion = { key-frames = { frames = [{ time = 0.0 }, { time = 0.1, translate = [0
         assert!(run.status == 2 && run.stderr.contains(error), "{error}: {run:?}");
     }
 }
+
+/// Bodies have names in the files of the path, by which an audit selects pairs, and contacts are points.
+#[test]
+fn bodies_have_names_and_contacts_are_written() {
+    let folder = Folder::new();
+    folder.write(
+        "scene.toml",
+        SCENE.replacen("[[body]]", "[[body]]\nname = \"cube\"", 1),
+    );
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--out",
+        "result",
+        "--path",
+        "--every",
+        "5",
+    ]);
+    assert_eq!(run.status, 0, "{run:?}");
+    for pair in ["cube:body-1", "cube:cube"] {
+        let run = folder.run(&["audit", "result/path", "--only", pair]);
+        assert_eq!(run.status, 0, "{run:?}");
+    }
+    let run = folder.run(&["audit", "result/frames", "--ignore", "cube:floor"]);
+    assert!(run.error().ends_with("cube, body-1"), "{run:?}");
+    let names: Vec<String> = ["000000", "000005", "000010"]
+        .map(|step| format!("{step}.vtp"))
+        .to_vec();
+    let mut found: Vec<String> = fs::read_dir(folder.path("result/contacts"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    found.sort_unstable();
+    assert_eq!(found, names);
+    let collection = fs::read_to_string(folder.path("result/contacts.pvd")).unwrap();
+    assert!(
+        names
+            .iter()
+            .all(|name| collection.contains(&format!("\"contacts/{name}\"")))
+    );
+    let grid = fs::read_to_string(folder.path("result/vtu/000010.vtu")).unwrap();
+    assert!(grid.contains("Name=\"body_names\"") && grid.contains("Name=\"body\""));
+}

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 
 use crate::folder::Folder;
 use crate::simulate::folder;
@@ -181,4 +181,101 @@ fn a_broken_row_is_an_error() {
             .starts_with("result/statistics.csv: CSV deserialize error: record 2 (line: 3, "),
         "{run:?}"
     );
+}
+
+/// Ctrl-C drops the time step in progress, saves the last complete one, and prints the command that continues
+/// the run.
+#[cfg(target_os = "linux")]
+#[test]
+fn an_interrupted_simulation_says_how_to_continue() {
+    let folder = folder();
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--out",
+        "whole",
+        "--path",
+        "--threads",
+        "1",
+    ]);
+    assert_eq!(run.status, 0, "{run:?}");
+    let long = [
+        "simulate",
+        "scene.toml",
+        "--path",
+        "--threads",
+        "1",
+        "--steps",
+        "20000",
+    ];
+    let interrupt = |more: &[&str]| {
+        // Background jobs of scripts ignore SIGINT, and so does a test that runs in one.
+        let mut program = Command::new("env");
+        program.args(["--default-signal=INT", env!("CARGO_BIN_EXE_exact-ccd")]);
+        program.args(long).args(more).current_dir(folder.path(""));
+        let mut child = program
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut output = BufReader::new(child.stdout.take().unwrap());
+        // The line of the scene, and one for each of two time steps.
+        for _ in 0..3 {
+            output.read_line(&mut String::new()).unwrap();
+        }
+        let pid = child.id().to_string();
+        let sent = Command::new("sh")
+            .args(["-c", &format!("kill -INT {pid}")])
+            .status();
+        assert!(sent.unwrap().success());
+        // The pipe must not fill up.
+        std::io::copy(&mut output, &mut std::io::sink()).unwrap();
+        let ended = child.wait_with_output().unwrap();
+        assert_eq!(ended.status.code(), Some(130));
+        String::from_utf8(ended.stderr).unwrap()
+    };
+    let nothing = interrupt(&[]);
+    assert!(
+        nothing.ends_with("; without --out, nothing was saved\n"),
+        "{nothing}"
+    );
+
+    let message = interrupt(&["--out", "a result", "--overwrite"]);
+    let (first, command) = message.trim_end().split_once('\n').unwrap();
+    let step: u64 = first
+        .strip_prefix("exact-ccd: interrupted after time step ")
+        .and_then(|rest| rest.strip_suffix(", which is saved; this command continues the run:"))
+        .unwrap()
+        .parse()
+        .unwrap();
+    assert!(step >= 2, "{message}");
+    assert!(
+        command.ends_with(&format!(" {} --out 'a result' --resume", long.join(" "))),
+        "{command}"
+    );
+    let rows = fs::read_to_string(folder.path("a result/statistics.csv")).unwrap();
+    assert_eq!(rows.lines().count() as u64, step + 1);
+    assert!(folder.path(&format!("a result/vtu/{step:06}.vtu")).is_file());
+    // The path has no part of the time step that was dropped, and the run continues after the last one.
+    for file in fs::read_dir(folder.path("a result/path")).unwrap() {
+        let name = file.unwrap().file_name().into_string().unwrap();
+        assert!(name[..6].parse::<u64>().unwrap() <= step, "{name}");
+    }
+    let last = (step + 1).max(12).to_string();
+    let resume = [
+        "simulate",
+        "scene.toml",
+        "--out",
+        "a result",
+        "--path",
+        "--resume",
+        "--steps",
+        &last,
+    ];
+    let run = folder.run(&resume);
+    assert_eq!((run.status, run.stderr.as_str()), (0, ""), "{run:?}");
+    for step in 0..=10 {
+        let frame = |out: &str| fs::read(folder.path(&format!("{out}/frames/{step:06}.ply"))).unwrap();
+        assert!(frame("a result") == frame("whole"), "{step}");
+    }
 }

@@ -1,6 +1,6 @@
 //! Named groups of a mesh file.
 
-/// A named group of elements: an object or a group of OBJ.
+/// A named group of elements: an object or a group of OBJ, or the named parts of PLY.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Group {
     /// Its name.

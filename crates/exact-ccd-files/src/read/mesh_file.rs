@@ -33,8 +33,9 @@ pub struct MeshFile {
     pub frame: Frame,
     /// The numbers of its elements.
     pub contents: Contents,
-    /// The objects and groups of an OBJ file. An element belongs to the last statement `o` or `g` before it;
-    /// several statements of one name are one group.
+    /// The objects and groups of an OBJ file, and the named parts of a PLY file, see
+    /// [`NamedPart`](crate::NamedPart). In OBJ, an element belongs to the last statement `o` or `g` before
+    /// it; several statements or parts of one name are one group.
     pub groups: Vec<Group>,
 }
 

@@ -108,6 +108,11 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 impl<'a> Line<'a> {
+    /// The rest of the line.
+    pub(super) fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+
     pub(super) fn place(&self) -> Place {
         Place::Line(self.number)
     }

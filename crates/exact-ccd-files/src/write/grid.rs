@@ -36,6 +36,18 @@ pub struct UnstructuredGrid<'a> {
     pub points: &'a [u32],
     /// The velocity of each vertex, written as point data `velocity`; none to write no velocities.
     pub velocities: Option<&'a [Point]>,
+    /// The bodies, written as point data and cell data `body` and as field data `body_names`; none to write
+    /// no bodies.
+    pub bodies: Option<Bodies<'a>>,
+}
+
+/// The bodies of a grid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bodies<'a> {
+    /// The body of each vertex, by its place among the names. A cell belongs to the body of its first corner.
+    pub of_vertices: &'a [u32],
+    /// The name of each body.
+    pub names: &'a [String],
 }
 
 /// The faces and loose edges of a frame.
@@ -78,6 +90,22 @@ impl UnstructuredGrid<'_> {
             return Err(invalid(format!(
                 "a cell names vertex {corner}, but there are only {count} vertices"
             )));
+        }
+        if let Some(bodies) = self.bodies
+            && bodies.of_vertices.len() != count
+        {
+            let found = bodies.of_vertices.len();
+            return Err(invalid(format!(
+                "{found} bodies of vertices, expected one for each of {count} vertices"
+            )));
+        }
+        if let Some(bodies) = self.bodies
+            && bodies
+                .of_vertices
+                .iter()
+                .any(|&body| body as usize >= bodies.names.len())
+        {
+            return Err(invalid("a vertex has a body without a name"));
         }
         let Some(velocities) = self.velocities else {
             return Ok(());

@@ -8,9 +8,9 @@ mod pvd;
 mod vtp;
 mod vtu;
 
-pub use grid::UnstructuredGrid;
+pub use grid::{Bodies, UnstructuredGrid};
 pub use obj::write_obj;
-pub use ply::write_ply;
+pub use ply::{write_ply, write_ply_with_parts};
 pub use pvd::write_pvd;
 pub use vtp::{PointArray, write_vtp};
 pub use vtu::write_vtu;

@@ -4,7 +4,8 @@ use std::io;
 
 use exact_ccd_mesh::Frame;
 
-use super::check::check_frame;
+use super::check::{check_frame, invalid};
+use crate::named_part::NamedPart;
 
 /// Writes a frame as a binary little-endian PLY file, which reads back as the same frame, bit for bit.
 ///
@@ -15,13 +16,36 @@ use super::check::check_frame;
 /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput) if there is no vertex,
 /// or, with the [`PositionsError`](exact_ccd_mesh::PositionsError), if the positions do not fit the
 /// mesh.
-pub fn write_ply(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
+pub fn write_ply(writer: impl io::Write, frame: &Frame) -> io::Result<()> {
+    write_ply_with_parts(writer, frame, &[])
+}
+
+/// Writes a frame as [`write_ply`], with the names of its parts as comments, which
+/// [`MeshFile::groups`](crate::MeshFile) has.
+///
+/// # Errors
+/// Those of [`write_ply`]; and [`InvalidInput`](io::ErrorKind::InvalidInput) for a name with a control
+/// character, or parts that do not cover all vertices, in their order.
+pub fn write_ply_with_parts(
+    mut writer: impl io::Write,
+    frame: &Frame,
+    parts: &[NamedPart],
+) -> io::Result<()> {
     check_frame(frame)?;
+    if !parts.is_empty() && !NamedPart::cover(parts, frame.positions.len()) {
+        return Err(invalid("the parts do not cover all vertices in their order"));
+    }
+    if let Some(part) = parts.iter().find(|part| part.name.contains(char::is_control)) {
+        return Err(invalid(format!(
+            "the name {:?} has a control character",
+            part.name
+        )));
+    }
     let coordinates = frame.positions.as_flattened();
     let single = coordinates
         .iter()
         .all(|&x| f64::from(x as f32).to_bits() == x.to_bits());
-    let mut bytes = header(frame, if single { "float" } else { "double" }).into_bytes();
+    let mut bytes = header(frame, parts, if single { "float" } else { "double" }).into_bytes();
     for &x in coordinates {
         if single {
             bytes.extend((x as f32).to_le_bytes());
@@ -38,7 +62,8 @@ pub fn write_ply(mut writer: impl io::Write, frame: &Frame) -> io::Result<()> {
     writer.write_all(&bytes)
 }
 
-fn header(frame: &Frame, coordinate: &str) -> String {
+fn header(frame: &Frame, parts: &[NamedPart], coordinate: &str) -> String {
+    let comments: String = parts.iter().map(|part| format!("comment {part}\n")).collect();
     let vertex_count = frame.positions.len();
     let face_count = frame.mesh.faces().len();
     // Some readers do not support unsigned indices.
@@ -54,6 +79,7 @@ fn header(frame: &Frame, coordinate: &str) -> String {
     format!(
         "ply\n\
          format binary_little_endian 1.0\n\
+         {comments}\
          element vertex {vertex_count}\n\
          property {coordinate} x\n\
          property {coordinate} y\n\

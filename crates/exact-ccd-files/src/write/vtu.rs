@@ -36,16 +36,17 @@ pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGri
     cells.add(TRIANGLE, grid.triangles);
     cells.add(LINE, grid.lines);
     cells.add(VERTEX, grid.points.as_chunks::<1>().0);
-    let velocities = grid.velocities.map_or(String::new(), |velocities| {
-        let data = vectors("velocity", velocities);
-        format!("<PointData Vectors=\"velocity\">\n{data}\n</PointData>\n")
-    });
+    let Data {
+        field,
+        points,
+        of_cells,
+    } = Data::new(&grid, &cells);
     let file = format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <UnstructuredGrid>
-<Piece NumberOfPoints="{}" NumberOfCells="{}">
-{velocities}<Points>
+{field}<Piece NumberOfPoints="{}" NumberOfCells="{}">
+{points}{of_cells}<Points>
 {}
 </Points>
 <Cells>
@@ -67,9 +68,68 @@ pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGri
     writer.write_all(file.as_bytes())
 }
 
+/// The elements with data, each empty or a line.
+#[derive(Default)]
+struct Data {
+    field: String,
+    points: String,
+    of_cells: String,
+}
+
+impl Data {
+    fn new(grid: &UnstructuredGrid<'_>, cells: &Cells) -> Self {
+        let velocities = grid.velocities.map(|velocities| vectors("velocity", velocities));
+        let body = |bodies: &mut dyn Iterator<Item = u32>| {
+            data_array(
+                "Int32",
+                "body",
+                1,
+                bodies.flat_map(|body| (body as i32).to_le_bytes()),
+            )
+        };
+        let of_vertices = grid
+            .bodies
+            .map(|bodies| body(&mut bodies.of_vertices.iter().copied()));
+        let of_cells = grid.bodies.map(|bodies| {
+            let first = |corner: &u32| bodies.of_vertices[*corner as usize];
+            body(&mut cells.first.iter().map(first))
+        });
+        let names = grid.bodies.map(|bodies| names("body_names", bodies.names));
+        let element = |name: &str, attributes: &str, arrays: Vec<String>| {
+            if arrays.is_empty() {
+                return String::new();
+            }
+            format!("<{name}{attributes}>\n{}\n</{name}>\n", arrays.join("\n"))
+        };
+        let vectors = if velocities.is_some() {
+            " Vectors=\"velocity\""
+        } else {
+            ""
+        };
+        let of_points: Vec<String> = velocities.into_iter().chain(of_vertices).collect();
+        Self {
+            field: element("FieldData", "", names.into_iter().collect()),
+            points: element("PointData", vectors, of_points),
+            of_cells: element("CellData", "", of_cells.into_iter().collect()),
+        }
+    }
+}
+
+/// An array of texts, each with a zero at its end.
+fn names(name: &str, texts: &[String]) -> String {
+    let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
+    format!(
+        "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"binary\">{}</DataArray>",
+        texts.len(),
+        encoded(bytes)
+    )
+}
+
 /// The three arrays that describe cells.
 #[derive(Default)]
 struct Cells {
+    /// The first corner of each cell.
+    first: Vec<u32>,
     corners: Vec<i64>,
     /// The number of corners up to the end of each cell.
     ends: Vec<i64>,
@@ -79,6 +139,7 @@ struct Cells {
 impl Cells {
     fn add<const N: usize>(&mut self, kind: u8, cells: &[[u32; N]]) {
         for cell in cells {
+            self.first.push(cell[0]);
             self.corners.extend(cell.map(i64::from));
             self.ends.push(self.corners.len() as i64);
             self.types.push(kind);

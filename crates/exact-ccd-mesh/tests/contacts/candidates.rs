@@ -6,8 +6,8 @@ use std::sync::Mutex;
 use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Pair, Step, StepError, Sweep,
-    TriangleMesh,
+    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Detector, Pair, Step, StepError,
+    Sweep, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -25,7 +25,7 @@ fn contacts_of_candidates_are_those_of_all_pairs() {
         assert_eq!(candidates.contacts(step), expected);
         assert_eq!(candidates.earliest_contact(step), expected.first().copied());
         assert_eq!(candidates.is_free(step), expected.is_empty());
-        for until in [-1.0, 0.0, 0.3, 1.0, 2.0, f64::NAN]
+        for until in [-0.0, 0.0, 0.3, 1.0]
             .into_iter()
             .chain(expected.iter().map(|contact| contact.impact.time.lower()))
         {
@@ -38,7 +38,16 @@ fn contacts_of_candidates_are_those_of_all_pairs() {
                 .copied()
                 .collect();
             between += usize::from(!until_then.is_empty() && until_then.len() < expected.len());
-            assert_eq!(candidates.contacts_until(step, until), until_then, "{until}");
+            assert_eq!(candidates.contacts_until(step, until), Ok(until_then), "{until}");
+        }
+        for time in [-5e-324, -1.0, 1.0f64.next_up(), f64::INFINITY, f64::NAN] {
+            let error = candidates.contacts_until(step, time).unwrap_err();
+            assert_eq!(error.time.to_bits(), time.to_bits());
+            let of_detector = Detector::new(scene.mesh.clone()).contacts(&scene.x0, &scene.x1, time);
+            assert!(
+                matches!(of_detector, Err(StepError::Time(_))),
+                "{time}: {of_detector:?}"
+            );
         }
     }
     assert!(between > 100, "{between}");

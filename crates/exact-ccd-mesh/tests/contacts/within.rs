@@ -307,6 +307,12 @@ fn a_number_of_thicknesses_that_is_not_that_of_vertices_is_an_error() {
     );
     let detector = Detector::new(scene.mesh.clone()).with_min_distance(thickness.clone());
     assert_eq!(detector.unwrap_err(), expected);
+    // The detector keeps its distance.
+    let near = MinDistance::uniform(separation(0.5));
+    let mut detector = Detector::new(scene.mesh.clone()).with_min_distance(near).unwrap();
+    let before = detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap();
+    assert_eq!(detector.set_min_distance(thickness.clone()), Err(expected));
+    assert_eq!(detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap(), before);
     let options = CandidateOptions::default().with_min_distance(thickness);
     let candidates = Candidates::with_options(scene.step(), &Bvh, &options);
     assert_eq!(candidates.unwrap_err(), CandidateError::ThicknessCount(expected));

@@ -32,7 +32,11 @@ const CANCELLED: f64 = 1e-12;
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Between {
     Features(Feature),
-    VertexAndPlane(Plane),
+    VertexAndPlane {
+        plane: Plane,
+        /// The number of the half space with this boundary.
+        half_space: u32,
+    },
 }
 
 impl Between {
@@ -40,7 +44,7 @@ impl Between {
         match self {
             Self::Features(feature) => feature.separation(points),
             // Rounding may put a vertex that is barely apart on the other side.
-            Self::VertexAndPlane(plane) => Separation {
+            Self::VertexAndPlane { plane, .. } => Separation {
                 weights: [1.0, 0.0, 0.0, 0.0],
                 vector: plane.normal * plane.height(&points[0]).max(0.0),
             },
@@ -51,7 +55,7 @@ impl Between {
         match self {
             Self::Features(feature) => feature.factors(points),
             // The squared distance is that of one linear combination of the coordinates.
-            Self::VertexAndPlane(plane) => {
+            Self::VertexAndPlane { plane, .. } => {
                 let mut change = SMatrix::<f64, 12, 5>::zeros();
                 change.fixed_view_mut::<3, 1>(0, 0).copy_from(&plane.normal);
                 let mut first = SVector::<f64, 5>::zeros();
@@ -103,12 +107,12 @@ impl Collision {
         }
     }
 
-    /// The collision of a vertex and a half space.
+    /// The collision of a vertex and a half space, by its number.
     #[must_use]
-    pub fn with_half_space(vertex: u32, boundary: Plane) -> Self {
+    pub fn with_half_space(vertex: u32, half_space: u32, plane: Plane) -> Self {
         Self {
             vertices: [vertex].into_iter().collect(),
-            between: Between::VertexAndPlane(boundary),
+            between: Between::VertexAndPlane { plane, half_space },
             mollifier: None,
             thickness: 0.0,
             multiplicity: 1.0,
@@ -177,6 +181,15 @@ impl Collision {
         &self.vertices
     }
 
+    /// The number of the half space, if it is with one.
+    #[must_use]
+    pub fn half_space(&self) -> Option<u32> {
+        match self.between {
+            Between::Features(_) => None,
+            Between::VertexAndPlane { half_space, .. } => Some(half_space),
+        }
+    }
+
     /// True if two collisions are between the same features.
     #[must_use]
     pub fn is_same(&self, other: &Self) -> bool {
@@ -196,6 +209,13 @@ impl Collision {
     #[must_use]
     pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
         self.between.separation(points)
+    }
+
+    /// The distance between the surfaces, in m: that of the features minus the thickness.
+    #[must_use]
+    pub fn gap(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
+        let barrier = barrier.with_thickness(self.thickness);
+        barrier.gap(self.separation(points).squared())
     }
 
     /// The value of the barrier, in m⁴. `barrier` is that of surfaces without thickness, here and below.

@@ -160,12 +160,12 @@ fn near(
     let points = candidates.vertex_vertex().par_iter();
     all.par_extend(points.filter_map(|&pair| near.two_vertices(pair)));
     all.extend(near.corrections(&pairs));
-    for &plane in surface.half_spaces {
+    for (half_space, &plane) in (0..).zip(surface.half_spaces) {
         all.par_extend(
             surface
                 .grounded
                 .par_iter()
-                .filter_map(|&vertex| near.ground(vertex, plane)),
+                .filter_map(|&vertex| near.ground(vertex, half_space, plane)),
         );
     }
     all
@@ -248,7 +248,7 @@ impl Near<'_> {
     }
 
     /// The collision of a vertex and a half space, with the distance between their surfaces.
-    fn ground(&self, vertex: u32, plane: Plane) -> Option<(f64, Collision)> {
+    fn ground(&self, vertex: u32, half_space: u32, plane: Plane) -> Option<(f64, Collision)> {
         let thickness = self.surface.thickness(&[vertex], &[]);
         let barrier = self.barrier.with_thickness(thickness);
         let height = plane
@@ -257,7 +257,7 @@ impl Near<'_> {
         let squared = height * height;
         barrier.is_active(squared).then(|| {
             let weight = self.surface.weight_of_vertex(vertex).unwrap_or(1.0);
-            let collision = Collision::with_half_space(vertex, plane).weighted(weight);
+            let collision = Collision::with_half_space(vertex, half_space, plane).weighted(weight);
             (barrier.gap(squared), collision.with_thickness(thickness))
         })
     }

@@ -1,7 +1,9 @@
 //! Lagged friction: normal forces and tangent planes are those of an earlier iterate.
 
+mod coefficients;
 mod contact;
 mod smooth;
 
+pub(crate) use coefficients::Coefficients;
 pub use contact::FrictionContact;
 pub use smooth::Smoothing;

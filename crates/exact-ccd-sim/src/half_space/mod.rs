@@ -11,9 +11,12 @@ use serde::{Deserialize, Serialize};
 ///
 /// The boundary is exactly the plane of these floating-point numbers. Contact with it is decided exactly
 /// ([`HalfSpace::is_apart`]), friction and the barrier act on vertices.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub struct HalfSpace {
+    /// Its name, which several half spaces may share. Empty for no name.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub name: String,
     /// A point of the boundary, in m.
     #[serde(default)]
     pub point: Point,
@@ -36,12 +39,26 @@ pub struct HalfSpaceError {
 }
 
 impl HalfSpace {
+    /// The half space with a point of its boundary and the normal of the boundary, without a name.
+    #[must_use]
+    pub const fn new(point: Point, normal: Point) -> Self {
+        let name = String::new();
+        Self { name, point, normal }
+    }
+
+    /// The same half space with another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        let name = name.into();
+        Self { name, ..self }
+    }
+
     /// Checks that the point is finite and that the normal has a direction.
     ///
     /// # Errors
     /// [`HalfSpaceError`] has the number `half_space`.
     pub fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
-        let Self { point, normal } = *self;
+        let Self { point, normal, .. } = *self;
         let error = |what, value, expected| HalfSpaceError {
             half_space,
             what,

@@ -50,6 +50,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
     let points = points.into_iter().map(|point| described.place(point)).collect();
     let velocity = described.velocity;
     Ok(Body {
+        name: described.name.clone(),
         points,
         kind,
         velocity,
@@ -127,10 +128,12 @@ fn check_placement(described: &BodyDescription) -> Result<(), (&'static str, Str
 
 /// The selected vertices of a body, or the reason why there are none. `first` is the body's first vertex in
 /// the system.
-pub(super) fn select(selection: Selection, points: &[Point], first: u32) -> Result<Vec<u32>, String> {
+pub(super) fn select(selection: &Selection, points: &[Point], first: u32) -> Result<Vec<u32>, String> {
     let all = (first..).zip(points);
-    let Selection::Box { lower, upper } = selection else {
-        return Ok(all.map(|(vertex, _)| vertex).collect());
+    let (lower, upper) = match selection {
+        Selection::All => return Ok(all.map(|(vertex, _)| vertex).collect()),
+        Selection::Vertices(vertices) => return numbered(vertices, points.len(), first),
+        Selection::Box { lower, upper } => (lower, upper),
     };
     if (0..3).any(|axis| lower[axis] > upper[axis]) {
         return Err(format!(
@@ -151,4 +154,15 @@ pub(super) fn select(selection: Selection, points: &[Point], first: u32) -> Resu
         ));
     }
     Ok(selected)
+}
+
+/// The vertices with these numbers of a body.
+fn numbered(vertices: &[u32], count: usize, first: u32) -> Result<Vec<u32>, String> {
+    match vertices.iter().find(|&&vertex| vertex as usize >= count) {
+        Some(vertex) => Err(format!(
+            "the body has no vertex {vertex}, expected numbers from 0, below {count}"
+        )),
+        None if vertices.is_empty() => Err("no vertex is selected, expected at least one number".to_owned()),
+        None => Ok(vertices.iter().map(|vertex| first + vertex).collect()),
+    }
 }

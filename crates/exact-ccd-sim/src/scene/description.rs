@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use exact_ccd_mesh::Point;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::placement::{Rotation, Scale};
 use super::rendering::Rendering;
@@ -14,7 +14,7 @@ use crate::script::Script;
 use crate::settings::Settings;
 
 /// A scene.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct Description {
     /// The simulated time, in s. Required: the check comes after parsing, so that its error is located at
@@ -27,17 +27,20 @@ pub(super) struct Description {
     #[serde(default)]
     pub(super) body: Vec<BodyDescription>,
     /// The half spaces, `[[half-space]]`.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) half_space: Vec<HalfSpace>,
     /// The settings of the pictures.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Rendering::is_default")]
     pub(super) render: Rendering,
 }
 
 /// A body. Without a material, it is an obstacle.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct BodyDescription {
+    /// The name, which several bodies may share.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) name: String,
     /// A mesh file. Solids need tetrahedra (.msh). All other bodies accept any file that
     /// [`exact_ccd_files::read_frame`] accepts, and the surface of tetrahedra.
     pub(super) mesh: Option<PathBuf>,
@@ -52,32 +55,32 @@ pub(super) struct BodyDescription {
     /// The material of particles.
     pub(super) particles: Option<ParticleProperties>,
     /// The offset of the contact surface, in m.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) offset: f64,
     /// The scaling about the origin, applied first.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) scale: Scale,
     /// The rotation about the origin, applied second.
     pub(super) rotate: Option<Rotation>,
     /// The translation in m, applied third.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) translate: Point,
     /// The initial velocity, in m/s.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) velocity: Point,
     /// The initial angular velocity about the center of mass, in rad/s.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) angular_velocity: Point,
     /// The loads on its vertices, `[[body.load]]`.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) load: Vec<LoadDescription>,
     /// The scripts of its vertices, `[[body.script]]`. The last script of a vertex applies.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) script: Vec<ScriptDescription>,
 }
 
 /// A generated mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) enum Shape {
     /// [`shapes::solid_box`](crate::shapes::solid_box).
@@ -144,34 +147,68 @@ impl BodyDescription {
 }
 
 /// A selection of vertices and their motion.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct ScriptDescription {
     /// The selected vertices.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) vertices: Selection,
     /// Their motion.
     pub(super) motion: Script,
+    /// The axes along which they are scripted.
+    #[serde(default = "all_axes", skip_serializing_if = "are_all")]
+    pub(super) axes: Vec<Axis>,
+    /// The time from which they are free, in s.
+    pub(super) release: Option<f64>,
+}
+
+/// An axis of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+fn all_axes() -> Vec<Axis> {
+    vec![Axis::X, Axis::Y, Axis::Z]
+}
+
+fn are_all(axes: &[Axis]) -> bool {
+    axes == all_axes()
+}
+
+impl ScriptDescription {
+    /// A script along all axes, at all times.
+    pub(super) fn new(vertices: Selection, motion: Script) -> Self {
+        Self {
+            vertices,
+            motion,
+            axes: all_axes(),
+            release: None,
+        }
+    }
 }
 
 /// A selection of vertices and a force on them.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct LoadDescription {
     /// The selected vertices.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) vertices: Selection,
     /// The force.
     pub(super) force: Force,
     /// The time at which it begins, in s.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "is_default")]
     pub(super) from: f64,
     /// The time at which it ends, in s.
     pub(super) until: Option<f64>,
 }
 
 /// A selection of vertices of a body.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) enum Selection {
     /// All vertices.
@@ -184,4 +221,11 @@ pub(super) enum Selection {
         /// The greatest coordinates, in m.
         upper: Point,
     },
+    /// The vertices with these numbers in the mesh, from 0.
+    Vertices(Vec<u32>),
+}
+
+/// True for a value that is the same as if it were not given.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }

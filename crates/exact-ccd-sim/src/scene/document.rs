@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use toml::de::{DeTable, DeValue};
 
+use super::import::ImportError;
+
 /// An error in a scene file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
@@ -17,6 +19,9 @@ pub enum SceneError {
         /// The cause.
         source: io::Error,
     },
+    /// A scene of another program cannot be imported.
+    #[error(transparent)]
+    Import(#[from] ImportError),
     /// A value is missing or invalid.
     #[error("{}, line {line}, {field}: {message}", file.display())]
     Field {

@@ -3,13 +3,16 @@
 use std::path::Path;
 
 use super::body::{load, select};
+use super::description::Axis;
 use super::document::{Document, Key, SceneError};
+use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use super::rendering::Rendering;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;
+use crate::scripted::Scripted;
 use crate::settings::Settings;
 use crate::simulation::{Simulation, SimulationError};
 use crate::system::System;
@@ -33,10 +36,13 @@ pub struct Scene {
     pub steps: u64,
     /// The settings of the pictures.
     pub rendering: Rendering,
+    /// The entries of a scene of another program that are ignored.
+    pub notes: Vec<Note>,
 }
 
 impl Scene {
-    /// Reads a scene file. Mesh files are read from the folder `meshes`, or from that of the scene file.
+    /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
+    /// `meshes`, or from that of the scene file.
     ///
     /// # Errors
     /// [`SceneError`] names the file, the line and the field.
@@ -46,6 +52,12 @@ impl Scene {
         filter_by_name: &FilterByName<'_>,
     ) -> Result<Self, SceneError> {
         let file = file.as_ref();
+        if let Some(Imported { toml, meshes, notes }) = import(file, meshes)? {
+            let mut label = file.as_os_str().to_owned();
+            label.push(" as TOML");
+            let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
+            return Ok(Self { notes, ..scene });
+        }
         let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
@@ -96,14 +108,22 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let selected = select(script.vertices, &body.points, first)
+                let selected = select(&script.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
-                script.motion.check().map_err(|error| {
-                    let of_motion = error.field.split('.').map(Name);
-                    let path: Vec<Key<'_>> = of_script("motion").into_iter().chain(of_motion).collect();
+                let scripted = Scripted {
+                    vertices: selected,
+                    script: script.motion.clone(),
+                    axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
+                    release: script.release,
+                };
+                scripted.check().map_err(|error| {
+                    let names = error.field.split('.').map(Name);
+                    let motion = error.field.contains('.').then_some(Name("motion"));
+                    let path = [Name("body"), Index(index), Name("script"), Index(number)];
+                    let path: Vec<Key<'_>> = path.into_iter().chain(motion).chain(names).collect();
                     document.error_of(&path, &error.to_string())
                 })?;
-                scripts.push((selected, script.motion.clone()));
+                scripts.push(scripted);
             }
             for (number, load) in described.load.iter().enumerate() {
                 let of_load = |field| {
@@ -115,7 +135,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let vertices = select(load.vertices, &body.points, first)
+                let vertices = select(&load.vertices, &body.points, first)
                     .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
                 let load = Load {
                     vertices,
@@ -147,6 +167,7 @@ impl Scene {
             filter,
             steps: 0,
             rendering: description.render,
+            notes: Vec::new(),
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
         scene

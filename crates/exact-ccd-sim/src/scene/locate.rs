@@ -100,6 +100,7 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
             return document.error_of(&[Name("body"), Index(body)], &message);
         }
         SimulationError::Setting(setting) => setting.what,
+        SimulationError::UnknownBody { .. } => "friction.pair",
         SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         SimulationError::State { .. }
         | SimulationError::NotFinite { .. }
@@ -107,6 +108,7 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
         | SimulationError::OtherSetting { .. }
         | SimulationError::OtherSystem { .. }
         | SimulationError::Singular { .. }
+        | SimulationError::Interrupted { .. }
         | SimulationError::Blocked { .. } => "",
     };
     let names = field.split('.').filter(|name| !name.is_empty()).map(Name);

@@ -31,6 +31,7 @@
 mod body;
 mod description;
 mod document;
+mod import;
 mod load;
 mod locate;
 mod mesh;
@@ -39,5 +40,6 @@ mod placement;
 mod rendering;
 
 pub use document::SceneError;
+pub use import::{ImportError, Imported, Note, Place, Problem, import};
 pub use load::{FilterByName, Scene};
 pub use rendering::{Rendering, Subject};

@@ -2,12 +2,12 @@
 
 use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::description::BodyDescription;
 
 /// A scale factor for all axes, or one for each axis.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged, expecting = "expected a number or three")]
 pub(super) enum Scale {
     /// One factor for all axes.
@@ -37,7 +37,7 @@ impl Default for Scale {
 }
 
 /// A rotation about an axis through the origin.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct Rotation {
     /// The direction of the axis.

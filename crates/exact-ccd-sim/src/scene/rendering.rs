@@ -1,10 +1,10 @@
 //! The pictures of a scene.
 
 use exact_ccd_mesh::Point;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 /// The settings of the pictures, `[render]`. The simulation does not depend on them.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
 pub struct Rendering {
     /// Width and height in pixels.
@@ -22,7 +22,7 @@ pub struct Rendering {
 }
 
 /// The part of a scene that fills its pictures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub enum Subject {
     /// The bodies with mass, and vertices that move. If there are none, everything.
@@ -53,6 +53,10 @@ impl Default for Rendering {
 }
 
 impl Rendering {
+    pub(super) fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+
     /// Checks all settings. The error is the name of the first one that is out of range, and a message.
     pub(super) fn check(&self) -> Result<(), (&'static str, String)> {
         let is_direction = |vector: Option<Point>| {

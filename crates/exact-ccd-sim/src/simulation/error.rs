@@ -12,6 +12,16 @@ pub enum SimulationError {
     /// A setting is out of range.
     #[error(transparent)]
     Setting(#[from] SettingError),
+    /// A pair of friction names a body that does not exist.
+    #[error(
+        "`friction.pair` names the body `{name}`, expected one of the names of bodies and half spaces: {known}"
+    )]
+    UnknownBody {
+        /// The name.
+        name: String,
+        /// The names of the bodies and half spaces.
+        known: String,
+    },
     /// The settings name another CCD method than `exact`, which only the caller can pass.
     #[error(
         "the settings name the CCD method `{name}`, expected `exact`: pass other methods to `with_filter`"
@@ -118,6 +128,12 @@ pub enum SimulationError {
     #[error("step {step}: the linear system of Newton's method has no solution; try a smaller time step")]
     Singular {
         /// The number of the step.
+        step: u64,
+    },
+    /// The flag of [`Simulation::with_interrupt`](crate::Simulation::with_interrupt) is true.
+    #[error("step {step}: interrupted")]
+    Interrupted {
+        /// The number of the step, which has not been taken.
         step: u64,
     },
     /// The CCD method rejects a Newton step of any positive length.

@@ -1,22 +1,27 @@
 //! Simulations.
 
+mod contacts;
 mod error;
 mod start;
 mod step;
 mod warning;
 
 use std::fmt;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use exact_ccd_mesh::Point;
 
 use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::StepFilter;
+use crate::friction::Coefficients;
 use crate::settings::{SettingError, Settings};
 use crate::solver::LinearSolver;
 use crate::state::State;
 use crate::system::{Fingerprint, System};
 
+pub use contacts::Contact;
 pub use error::SimulationError;
 pub use start::Primitive;
 pub use warning::Warning;
@@ -38,9 +43,11 @@ pub struct Simulation {
     settings: Settings,
     filter: StepFilter,
     barrier: Barrier,
+    coefficients: Coefficients,
     solver: LinearSolver,
     state: State,
     fingerprint: Fingerprint,
+    interrupt: Arc<AtomicBool>,
 }
 
 impl Simulation {
@@ -128,7 +135,13 @@ impl Simulation {
             }
             .into());
         }
+        let coefficients = Coefficients::new(&settings.friction, &system.names());
+        let coefficients = coefficients.map_err(|name| SimulationError::UnknownBody {
+            name,
+            known: system.known_names(),
+        })?;
         Ok(Self {
+            coefficients,
             fingerprint: system.fingerprint(),
             system,
             settings,
@@ -136,6 +149,7 @@ impl Simulation {
             barrier,
             solver: LinearSolver::default(),
             state,
+            interrupt: Arc::default(),
         })
     }
 
@@ -148,6 +162,13 @@ impl Simulation {
         filter.name().clone_into(&mut self.settings.ccd);
         self.filter = filter;
         self
+    }
+
+    /// The same simulation with a flag that interrupts it: once the flag is true, a time step ends with
+    /// [`SimulationError::Interrupted`] before its next Newton iteration.
+    #[must_use]
+    pub fn with_interrupt(self, interrupt: Arc<AtomicBool>) -> Self {
+        Self { interrupt, ..self }
     }
 
     /// The filter.

@@ -11,16 +11,16 @@ use crate::dirichlet::Dirichlet;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::{Acceleration, Scheme};
+use crate::scripted::Axes;
 use crate::solver::{Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Seconds, Statistics};
-use crate::system::System;
 
 impl Simulation {
     /// Takes one time step. An error leaves the state unchanged.
     ///
     /// # Errors
-    /// [`SimulationError::Singular`] and [`SimulationError::Blocked`].
+    /// [`SimulationError::Singular`], [`SimulationError::Blocked`] and [`SimulationError::Interrupted`].
     pub fn step(&mut self) -> Result<Statistics, SimulationError> {
         self.step_along(&mut |_| ())
     }
@@ -151,9 +151,10 @@ impl Simulation {
             self.barrier,
         );
         let mut lagged = self.kept_stiffness(&scheme);
+        let held = system.held(time);
         let mut now = Iterate {
-            stiffness: self.stiffness(&scheme, &collisions, &range, smoothing),
-            dirichlet: Dirichlet::new(system, &positions, time),
+            stiffness: self.stiffness(&scheme, &collisions, &range, &held),
+            dirichlet: Dirichlet::new(system, &held, &positions, time),
             positions,
             collisions,
         };
@@ -165,6 +166,8 @@ impl Simulation {
             let newton = Newton {
                 system,
                 scheme: &scheme,
+                held: &held,
+                interrupt: &self.interrupt,
                 friction: &friction,
                 smoothing,
                 barrier: self.barrier,
@@ -176,7 +179,7 @@ impl Simulation {
             };
             statistics.converged &= newton.minimise(&mut solver, &mut now, &mut statistics, visit)?;
             lagged = Some(now.stiffness);
-            if settings.friction.coefficient == 0.0 {
+            if !settings.friction.acts() {
                 break;
             }
         }
@@ -185,7 +188,15 @@ impl Simulation {
         statistics.minimal_distance = Some(now.collisions.minimal_distance()).filter(|d| d.is_finite());
         statistics.script_lag = now.dirichlet.lag(&now.positions);
         let velocities = scheme.velocities(&now.positions);
-        let potential = potential(system, &scheme, now.stiffness, &friction, smoothing);
+        let potential = Potential {
+            system,
+            scheme: &scheme,
+            stiffness: now.stiffness,
+            friction: &friction,
+            smoothing,
+            springs: &[],
+            held: &held,
+        };
         statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
         statistics.stiffness = touched.then_some(now.stiffness);
@@ -219,21 +230,32 @@ impl Simulation {
         scheme: &Scheme,
         collisions: &Collisions,
         range: &StiffnessRange,
-        smoothing: Smoothing,
+        held: &[Axes],
     ) -> f64 {
         let before = self.kept_stiffness(scheme).unwrap_or(0.0);
         if collisions.as_slice().is_empty() {
             return before.max(range.least);
         }
-        let potential = potential(&self.system, scheme, before, &[], smoothing);
+        let potential = Potential {
+            system: &self.system,
+            scheme,
+            stiffness: before,
+            friction: &[],
+            smoothing: Smoothing { threshold: 1.0 },
+            springs: &[],
+            held,
+        };
         let positions = &self.state.positions;
         let mut energy = potential.smooth_gradient(positions);
         let mut barriers = collisions.gradient(positions);
-        for vertex in 0..positions.len() {
-            if !self.system.is_free(vertex) {
-                energy[vertex] = Vector3::zeros();
-                barriers[vertex] = Vector3::zeros();
-            }
+        for (place, _) in held
+            .as_flattened()
+            .iter()
+            .enumerate()
+            .filter(|(_, is_held)| **is_held)
+        {
+            energy[place / 3][place % 3] = 0.0;
+            barriers[place / 3][place % 3] = 0.0;
         }
         before.max(range.balance(&energy, &barriers))
     }
@@ -245,34 +267,21 @@ impl Simulation {
     }
 
     fn friction(&self, now: &Iterate, stiffness: f64) -> Vec<FrictionContact> {
-        let coefficient = self.settings.friction.coefficient;
-        if coefficient == 0.0 {
+        if !self.settings.friction.acts() {
             return Vec::new();
         }
         let contact = |collision: &Collision| {
+            let coefficient = self.coefficients.of(self.system.bodies_of(collision));
+            if coefficient == 0.0 {
+                return None;
+            }
             let corners = gather_some(&now.positions, collision.vertices());
             let force = stiffness * collision.normal_force(&corners, &self.barrier);
             let separation = collision.separation(&corners);
-            FrictionContact::new(collision.vertices().clone(), &separation, coefficient * force)
+            let vertices = collision.vertices().clone();
+            Some(FrictionContact::new(vertices, &separation, coefficient * force))
         };
-        now.collisions.as_slice().iter().map(contact).collect()
-    }
-}
-
-fn potential<'a>(
-    system: &'a System,
-    scheme: &'a Scheme,
-    stiffness: f64,
-    friction: &'a [FrictionContact],
-    smoothing: Smoothing,
-) -> Potential<'a> {
-    Potential {
-        system,
-        scheme,
-        stiffness,
-        friction,
-        smoothing,
-        springs: &[],
+        now.collisions.as_slice().iter().filter_map(contact).collect()
     }
 }
 

@@ -89,13 +89,11 @@ impl Simulation {
         let candidates = self.system.near(step, &self.barrier);
         let surface = self.system.contact_surface(self.settings.formulation);
         let (gap, collision) = Collisions::nearest(surface, &candidates, positions, self.barrier)?;
-        // The vertices of the first primitive precede those of the second. A half space has none.
-        let body = |vertex: &u32| self.system.body_of(*vertex);
-        let (first, others) = collision.vertices().split_first()?;
-        let (a, b) = (body(first), others.last().map(body));
+        let [a, b] = self.system.bodies_of(&collision);
+        let is_half_space = collision.half_space().is_some();
         let distance = self.barrier.activation_distance();
         Some(Warning::Near {
-            bodies: (b.map_or(a, |b| a.min(b)), b.map(|b| a.max(b))),
+            bodies: (a.min(b), (!is_half_space).then_some(a.max(b))),
             gap,
             distance,
         })

@@ -34,10 +34,8 @@ impl Newton<'_> {
     ) -> bool {
         let mut together = displaced(&now.positions, direction, 1.0);
         let mut alone = now.positions.clone();
-        for &(vertex, target) in now.dirichlet.targets() {
-            together[vertex as usize] = target;
-            alone[vertex as usize] = target;
-        }
+        now.dirichlet.set(&mut together);
+        now.dirichlet.set(&mut alone);
         let far = self.system.extent() * FARTHEST;
         for end in [together, alone] {
             let pairs = zip(&now.positions, &end).map(|(a, b)| (b - a).amax());

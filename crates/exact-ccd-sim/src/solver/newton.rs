@@ -1,5 +1,6 @@
 //! Projected Newton with a line search that is filtered by CCD.
 
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use exact_ccd_mesh::Point;
@@ -13,6 +14,7 @@ use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::Scheme;
+use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::simulation::SimulationError;
 use crate::statistics::Statistics;
@@ -22,6 +24,9 @@ use crate::system::System;
 pub(crate) struct Newton<'a> {
     pub(crate) system: &'a System,
     pub(crate) scheme: &'a Scheme,
+    /// The coordinates of each vertex that are not free.
+    pub(crate) held: &'a [Axes],
+    pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
     pub(crate) smoothing: Smoothing,
     pub(crate) barrier: Barrier,
@@ -57,6 +62,10 @@ impl Newton<'_> {
         let mass = self.system.free_mass();
         let mut plan: Option<(Unknowns, Vec<u64>)> = None;
         for _ in 0..self.max_iterations {
+            if self.interrupt.load(Ordering::Relaxed) {
+                let step = statistics.step;
+                return Err(SimulationError::Interrupted { step });
+            }
             let clock = Instant::now();
             let springs = now.dirichlet.springs();
             let potential = Potential {
@@ -66,23 +75,18 @@ impl Newton<'_> {
                 friction: self.friction,
                 smoothing: self.smoothing,
                 springs: &springs,
+                held: self.held,
             };
-            let unknowns = self.unknowns(&now.dirichlet);
+            let unknowns = Unknowns::new(&now.dirichlet.known(self.held));
             if plan.as_ref().is_none_or(|(before, _)| *before != unknowns) {
                 let keys = potential.elastic_keys(&unknowns);
                 plan = Some((unknowns, keys));
             }
             let Some((unknowns, keys)) = &plan else { continue };
 
-            let prescribed = self.prescribed(now);
+            let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(&now.positions, &now.collisions, unknowns, keys, &prescribed);
-            let right: Vec<f64> = unknowns
-                .vertices()
-                .iter()
-                .flat_map(|&v| {
-                    <[f64; 3]>::from(-quadratic.gradient[v as usize] - quadratic.prescribed[v as usize])
-                })
-                .collect();
+            let right = quadratic.right(unknowns);
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();
 
             let clock = Instant::now();
@@ -94,7 +98,7 @@ impl Newton<'_> {
 
             let mut direction = prescribed;
             for (&vertex, part) in unknowns.vertices().iter().zip(solution.chunks_exact(3)) {
-                direction[vertex as usize] = Vector3::from_column_slice(part);
+                direction[vertex as usize] += Vector3::from_column_slice(part);
             }
             statistics.iterations += 1;
             if now.dirichlet.is_prescribed() {
@@ -124,29 +128,5 @@ impl Newton<'_> {
             }
         }
         Ok(false)
-    }
-
-    fn unknowns(&self, dirichlet: &Dirichlet) -> Unknowns {
-        let mut unknown: Vec<bool> = (0..self.system.start.len())
-            .map(|v| self.system.is_free(v))
-            .collect();
-        if dirichlet.has_springs() {
-            for &(vertex, _) in dirichlet.targets() {
-                unknown[vertex as usize] = true;
-            }
-        }
-        Unknowns::new(&unknown)
-    }
-
-    /// The displacements from the positions to the Dirichlet targets, zero for all other vertices.
-    fn prescribed(&self, now: &Iterate) -> Vec<Vector3<f64>> {
-        let mut prescribed = vec![Vector3::zeros(); now.positions.len()];
-        if now.dirichlet.is_prescribed() {
-            for &(vertex, target) in now.dirichlet.targets() {
-                let vertex = vertex as usize;
-                prescribed[vertex] = Vector3::from(target) - Vector3::from(now.positions[vertex]);
-            }
-        }
-        prescribed
     }
 }

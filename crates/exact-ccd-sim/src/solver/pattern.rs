@@ -69,6 +69,20 @@ impl Pattern {
         SymbolicSparseColMat::new_checked(3 * columns, 3 * columns, pointers, None, rows)
     }
 
+    /// Calls a function with the row, the column and the value of each scalar in the lower triangle.
+    pub(crate) fn each(&self, values: &mut [f64], mut visit: impl FnMut([usize; 2], &mut f64)) {
+        let mut values = values.iter_mut();
+        for (column, ends) in self.starts.windows(2).enumerate() {
+            for axis in 0..3 {
+                let blocks = self.rows[ends[0]..ends[1]].iter();
+                let rows = blocks.flat_map(|&row| [0, 1, 2].map(|k: usize| 3 * row as usize + k));
+                for (row, value) in rows.skip(axis).zip(&mut values) {
+                    visit([row, 3 * column + axis], value);
+                }
+            }
+        }
+    }
+
     /// Adds the block of row `a` and column `b` to the values of the scalars. Each off-diagonal block must be
     /// given in one triangle only. Of a diagonal block, the lower triangle is used.
     pub(crate) fn add(&self, values: &mut [f64], a: u32, b: u32, block: &Matrix3<f64>) {

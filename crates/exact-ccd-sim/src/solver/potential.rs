@@ -8,6 +8,7 @@ use crate::contact::Collisions;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
+use crate::scripted::Axes;
 use crate::system::System;
 
 /// ½ |x − x̂|²_M + h² Ψ(x) + κ Σ b + friction + springs, in kg m².
@@ -19,21 +20,31 @@ pub(crate) struct Potential<'a> {
     pub(crate) smoothing: Smoothing,
     /// The springs that draw scripted vertices to their Dirichlet targets.
     pub(crate) springs: &'a [Spring],
+    /// The coordinates of each vertex that are not free: see [`System::held`].
+    pub(crate) held: &'a [Axes],
 }
 
-/// The spring ½ k |x − target|² of a scripted vertex.
+/// The spring ½ Σ k (x − target)² of a scripted vertex, a sum over the axes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spring {
     pub(crate) vertex: u32,
     pub(crate) target: Point,
-    /// In kg.
-    pub(crate) stiffness: f64,
+    /// k for each axis, in kg: 0 for coordinates that are free.
+    pub(crate) stiffness: Vector3<f64>,
 }
 
 impl Spring {
+    fn value(&self, points: &[Point]) -> f64 {
+        0.5 * self.offset(points).dot(&self.gradient(points))
+    }
+
     /// The gradient with respect to the vertex.
     pub(super) fn gradient(&self, points: &[Point]) -> Vector3<f64> {
-        (at(points, self.vertex as usize) - Vector3::from(self.target)) * self.stiffness
+        self.offset(points).component_mul(&self.stiffness)
+    }
+
+    fn offset(&self, points: &[Point]) -> Vector3<f64> {
+        at(points, self.vertex as usize) - Vector3::from(self.target)
     }
 }
 
@@ -47,14 +58,7 @@ impl Potential<'_> {
             .inertia()
             .map(|(v, m)| 0.5 * m * self.offset(points, v).norm_squared())
             .sum();
-        let springs: f64 = self
-            .springs
-            .iter()
-            .map(|spring| {
-                let offset = at(points, spring.vertex as usize) - Vector3::from(spring.target);
-                0.5 * spring.stiffness * offset.norm_squared()
-            })
-            .sum();
+        let springs: f64 = self.springs.iter().map(|spring| spring.value(points)).sum();
         let elastic = self.elastic(points) * self.scheme.duration * self.scheme.duration;
         inertia + springs + elastic + self.stiffness * collisions.value(points) + self.friction(points)
     }
@@ -128,10 +132,11 @@ impl Potential<'_> {
         8.0 * f64::EPSILON * (elastic + value.abs())
     }
 
-    /// The free vertices with their masses.
+    /// The vertices with a free coordinate, with their masses. The inertia of a vertex acts on its held
+    /// coordinates too, where it is a constant.
     pub(super) fn inertia(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let masses = self.system.masses.iter().copied().enumerate();
-        masses.filter(|&(vertex, _)| self.system.is_free(vertex))
+        masses.filter(|&(vertex, _)| self.held[vertex] != [true; 3])
     }
 
     pub(super) fn inertia_gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {

@@ -9,6 +9,7 @@ use super::unknowns::Unknowns;
 use crate::contact::Collisions;
 use crate::element::Term;
 use crate::gather::gather_some;
+use crate::scripted::Axes;
 
 /// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
 pub(crate) struct Quadratic {
@@ -19,7 +20,7 @@ pub(crate) struct Quadratic {
     /// The entries of this Hessian.
     pub(crate) values: Vec<f64>,
     /// The change of the gradient by the prescribed displacements: the columns of the Hessian that belong to
-    /// the vertices that are not unknown, times their displacements.
+    /// the coordinates that are not unknown, times their displacements.
     pub(crate) prescribed: Vec<Vector3<f64>>,
 }
 
@@ -38,7 +39,7 @@ impl Potential<'_> {
         keys
     }
 
-    /// The quadratic model. `displacements` are the prescribed ones of the vertices that are not unknown.
+    /// The quadratic model. `displacements` are the prescribed ones: zero for unknown coordinates.
     pub(crate) fn quadratic(
         &self,
         points: &[Point],
@@ -66,11 +67,11 @@ impl Potential<'_> {
         };
 
         for (vertex, mass) in self.inertia() {
-            sum.add_diagonal(vertex as u32, mass);
+            sum.add_diagonal(vertex as u32, &Vector3::repeat(mass));
         }
         for spring in self.springs {
             sum.gradient[spring.vertex as usize] += spring.gradient(points);
-            sum.add_diagonal(spring.vertex, spring.stiffness);
+            sum.add_diagonal(spring.vertex, &spring.stiffness);
         }
         let scale = self.scheme.duration * self.scheme.duration;
         each(
@@ -103,12 +104,52 @@ impl Potential<'_> {
             |contact| contact.derivatives(&self.displacements(points, contact), self.smoothing),
             |_, element| sum.add(element),
         );
-        Quadratic {
+        let mut quadratic = Quadratic {
             gradient: sum.gradient,
             pattern: sum.pattern,
             values: sum.values,
             prescribed: sum.prescribed,
+        };
+        if let Some(known) = unknowns.known() {
+            quadratic.eliminate(known, unknowns, displacements);
         }
+        quadratic
+    }
+}
+
+impl Quadratic {
+    /// Eliminates the known coordinates of unknown vertices: their rows and columns become those of a
+    /// diagonal matrix, and the change of the gradient by their displacements is that of the columns before.
+    fn eliminate(&mut self, known: &[Axes], unknowns: &Unknowns, displacements: &[Vector3<f64>]) {
+        let vertex = |scalar: usize| unknowns.vertices()[scalar / 3] as usize;
+        let is_known = |scalar: usize| known[scalar / 3][scalar % 3];
+        let (pattern, prescribed) = (&self.pattern, &mut self.prescribed);
+        pattern.each(&mut self.values, |[row, column], value| {
+            if row == column || !(is_known(row) || is_known(column)) {
+                return;
+            }
+            for [row, column] in [[row, column], [column, row]] {
+                if is_known(column) && !is_known(row) {
+                    let displacement = displacements[vertex(column)][column % 3];
+                    prescribed[vertex(row)][row % 3] += *value * displacement;
+                }
+            }
+            *value = 0.0;
+        });
+    }
+
+    /// The right-hand side of the Newton direction for the unknowns: zero for known coordinates.
+    pub(super) fn right(&self, unknowns: &Unknowns) -> Vec<f64> {
+        let mut right: Vec<f64> = unknowns
+            .vertices()
+            .iter()
+            .flat_map(|&v| <[f64; 3]>::from(-self.gradient[v as usize] - self.prescribed[v as usize]))
+            .collect();
+        let known = unknowns.known().unwrap_or_default().as_flattened();
+        for (value, _) in right.iter_mut().zip(known).filter(|(_, is_known)| **is_known) {
+            *value = 0.0;
+        }
+        right
     }
 }
 
@@ -131,9 +172,9 @@ struct Sum<'a> {
 }
 
 impl Sum<'_> {
-    fn add_diagonal(&mut self, vertex: u32, value: f64) {
+    fn add_diagonal(&mut self, vertex: u32, values: &Vector3<f64>) {
         if let Some(number) = self.unknowns.number(vertex) {
-            let block = Matrix3::from_diagonal_element(value);
+            let block = Matrix3::from_diagonal(values);
             self.pattern.add(&mut self.values, number, number, &block);
         }
     }

@@ -1,24 +1,38 @@
 //! The vertices that are unknowns of the linear system.
 
-/// A numbering of some of the vertices.
+use crate::scripted::Axes;
+
+/// A numbering of the vertices of which at least one coordinate is unknown.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Unknowns {
     numbers: Vec<Option<u32>>,
     vertices: Vec<u32>,
+    /// The known coordinates of each numbered vertex; empty if there is none.
+    known: Vec<Axes>,
 }
 
 impl Unknowns {
-    /// The numbering of the vertices for which `is_unknown` is true, in their order.
-    pub(crate) fn new(is_unknown: &[bool]) -> Self {
+    /// The numbering of vertices with these known coordinates, in their order.
+    pub(crate) fn new(known: &[Axes]) -> Self {
         let mut vertices = Vec::new();
-        let mut number = |(vertex, &unknown): (usize, &bool)| {
-            unknown.then(|| {
+        let mut number = |(vertex, known): (usize, &Axes)| {
+            (*known != [true; 3]).then(|| {
                 vertices.push(vertex as u32);
                 vertices.len() as u32 - 1
             })
         };
-        let numbers = is_unknown.iter().enumerate().map(&mut number).collect();
-        Self { numbers, vertices }
+        let numbers = known.iter().enumerate().map(&mut number).collect();
+        let of = |&vertex: &u32| known[vertex as usize];
+        let known = if vertices.iter().any(|vertex| of(vertex) != [false; 3]) {
+            vertices.iter().map(of).collect()
+        } else {
+            Vec::new()
+        };
+        Self {
+            numbers,
+            vertices,
+            known,
+        }
     }
 
     /// The number of unknown vertices.
@@ -34,5 +48,10 @@ impl Unknowns {
     /// The unknown vertices, in their order.
     pub(crate) fn vertices(&self) -> &[u32] {
         &self.vertices
+    }
+
+    /// The known coordinates of the vertex with each number. `None` if there are none.
+    pub(crate) fn known(&self) -> Option<&[Axes]> {
+        (!self.known.is_empty()).then_some(&self.known)
     }
 }

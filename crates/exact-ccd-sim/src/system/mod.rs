@@ -4,8 +4,8 @@ mod error;
 mod fingerprint;
 mod parts;
 
+use std::collections::BTreeSet;
 use std::ops::Range;
-use std::sync::Arc;
 
 use exact_ccd::separation::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
@@ -15,11 +15,11 @@ use exact_ccd_mesh::{
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::{Barrier, Part, Surface, Weights};
+use crate::contact::{Barrier, Collision, Part, Surface, Weights};
 use crate::elasticity::{Elastic, VertexBend};
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
-use crate::script::Script;
+use crate::scripted::{Axes, Coordinates, Scripted, Timed};
 use crate::settings::Formulation;
 use parts::Parts;
 
@@ -35,8 +35,8 @@ pub struct System {
     pub(crate) elements: Vec<Elastic>,
     /// The bending of shells about vertices.
     pub(crate) bends: Vec<VertexBend>,
-    /// The script of each vertex that has one.
-    pub(crate) scripts: Vec<Option<Arc<Script>>>,
+    /// The scripts of each vertex.
+    pub(crate) scripts: Vec<Coordinates>,
     /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
     pub(crate) surface: TriangleMesh,
     /// The vertices of faces and rods, and particles, increasing: without those in the interior of solids.
@@ -60,6 +60,8 @@ pub struct System {
     /// True for the vertices of obstacles that no script moves.
     fixed: Vec<bool>,
     weights: Weights,
+    /// The name of each body.
+    names: Vec<String>,
     /// The vertices of each body.
     bodies: Vec<Range<u32>>,
     size: f64,
@@ -68,25 +70,27 @@ pub struct System {
 
 impl System {
     /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
-    /// the motion of vertices; the last script of a vertex applies. Obstacles without a script are fixed.
+    /// the motion of vertices; along each axis, the last script of a vertex applies. Obstacles without a
+    /// script are fixed.
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script.
-    pub fn new(bodies: &[Body], scripts: &[(Vec<u32>, Script)]) -> Result<Self, SystemError> {
+    pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
         let mut parts = Parts::default();
         for (index, body) in bodies.iter().enumerate() {
             parts.add(index, body)?;
         }
         let vertex_count = parts.start.len();
-        for (index, (vertices, script)) in scripts.iter().enumerate() {
-            script.check().map_err(|source| SystemError::Motion {
+        for (index, scripted) in scripts.iter().enumerate() {
+            scripted.check().map_err(|source| SystemError::Motion {
                 script: index,
                 source,
             })?;
-            let script = Arc::new(script.clone());
-            for &vertex in vertices {
+            let script = Timed::new(scripted);
+            for &vertex in &scripted.vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
-                *slot.ok_or(SystemError::Script { vertex, vertex_count })? = Some(Arc::clone(&script));
+                let slot = slot.ok_or(SystemError::Script { vertex, vertex_count })?;
+                slot.set(scripted.axes, &script);
             }
         }
         let mesh = TriangleMesh::with_edges(vertex_count, parts.faces, &parts.edges)?;
@@ -115,9 +119,7 @@ impl System {
             &parts.start,
             &contact_parts(&ranges, &parts.obstacle, &parts.scripts),
         );
-        let is_fixed = |(&is_obstacle, script): (&bool, &Option<Arc<Script>>)| {
-            is_obstacle && script.as_deref() == Some(&Script::Fixed)
-        };
+        let is_fixed = |(&is_obstacle, scripts): (&bool, &Coordinates)| is_obstacle && scripts.are_fixed();
         let fixed = parts.obstacle.iter().zip(&parts.scripts).map(is_fixed).collect();
         let is_grounded = |&vertex: &u32| !parts.obstacle[vertex as usize];
         let grounded = surface_vertices.iter().copied().filter(is_grounded).collect();
@@ -144,6 +146,7 @@ impl System {
             grounded,
             fixed,
             weights,
+            names: bodies.iter().map(|body| body.name.clone()).collect(),
             bodies: ranges,
             size: if size > 0.0 { size } else { extent },
             extent,
@@ -323,6 +326,25 @@ impl System {
         Ok(frame)
     }
 
+    /// The vertices of [`System::surface_frame`] of each body, with its name, or with `body-N` for the Nth
+    /// body if it has none. They cover all vertices.
+    #[must_use]
+    pub fn surface_bodies(&self) -> Vec<(String, Range<u32>)> {
+        let place = |vertex: u32| self.surface_vertices.partition_point(|&kept| kept < vertex) as u32;
+        let ranges = self.bodies.iter().map(|body| place(body.start)..place(body.end));
+        self.body_names().into_iter().zip(ranges).collect()
+    }
+
+    /// The name of each body, or `body-N` for the Nth body if it has none.
+    #[must_use]
+    pub fn body_names(&self) -> Vec<String> {
+        let name = |(number, name): (usize, &String)| match name.as_str() {
+            "" => format!("body-{number}"),
+            name => name.to_owned(),
+        };
+        self.names.iter().enumerate().map(name).collect()
+    }
+
     /// The vertices of the system that are in [`System::surface_frame`], in its order.
     #[must_use]
     pub fn surface_vertices(&self) -> &[u32] {
@@ -369,8 +391,38 @@ impl System {
     }
 
     /// The body of a vertex, by its place in the list of bodies.
-    pub(crate) fn body_of(&self, vertex: u32) -> usize {
+    #[must_use]
+    pub fn body_of(&self, vertex: u32) -> usize {
         self.bodies.partition_point(|range| range.end <= vertex)
+    }
+
+    /// The bodies of a collision, by their places in the list of all bodies, followed by the half spaces.
+    pub(crate) fn bodies_of(&self, collision: &Collision) -> [usize; 2] {
+        // The vertices of the first primitive precede those of the second. A half space has none.
+        let vertices = collision.vertices();
+        let second = match collision.half_space() {
+            Some(half_space) => self.bodies.len() + half_space as usize,
+            None => self.body_of(vertices[vertices.len() - 1]),
+        };
+        [self.body_of(vertices[0]), second]
+    }
+
+    /// The names of all bodies, followed by those of the half spaces. Empty for no name.
+    #[must_use]
+    pub fn names(&self) -> Vec<&str> {
+        let half_spaces = self.half_spaces.iter().map(|half_space| &half_space.name);
+        self.names.iter().chain(half_spaces).map(String::as_str).collect()
+    }
+
+    /// All names, quoted, for messages.
+    pub(crate) fn known_names(&self) -> String {
+        let names = self.names();
+        let given: BTreeSet<String> = names
+            .iter()
+            .filter(|name| !name.is_empty())
+            .map(|name| format!("`{name}`"))
+            .collect();
+        given.into_iter().collect::<Vec<_>>().join(", ")
     }
 
     /// The diagonals of the bounding boxes of the bodies at the start, in m.
@@ -381,10 +433,19 @@ impl System {
             .map(move |range| diagonal(points(range).copied()))
     }
 
-    /// True if a vertex has mass and no script.
+    /// True if a vertex has mass, and at least one coordinate that no script holds at all times.
     #[must_use]
     pub fn is_free(&self, vertex: usize) -> bool {
-        self.scripts[vertex].is_none() && self.masses[vertex] > 0.0
+        self.masses[vertex] > 0.0 && !self.scripts[vertex].are_held()
+    }
+
+    /// The coordinates of each vertex that are not free in a time step that ends at this time, in s: those
+    /// that scripts hold, and all of a vertex without mass.
+    pub(crate) fn held(&self, time: f64) -> Vec<Axes> {
+        let held = |(scripts, &mass): (&Coordinates, &f64)| {
+            if mass > 0.0 { scripts.held(time) } else { [true; 3] }
+        };
+        self.scripts.iter().zip(&self.masses).map(held).collect()
     }
 
     /// The mass of all free vertices, in kg. If no vertex is free, the mass of all vertices; if no vertex has
@@ -414,7 +475,7 @@ impl System {
 }
 
 /// The part of each vertex in contact.
-fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Option<Arc<Script>>]) -> Vec<Part> {
+fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Coordinates]) -> Vec<Part> {
     let part = |range: &Range<u32>| {
         let vertices = range.start as usize..range.end as usize;
         let (obstacle, scripts) = (&obstacle[vertices.clone()], &scripts[vertices.clone()]);

@@ -1,7 +1,6 @@
 //! The construction of a system, body by body.
 
 use std::ops::Range;
-use std::sync::Arc;
 
 use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
@@ -13,7 +12,7 @@ use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProper
 use crate::elasticity::{Bend, Elastic, ElasticModuli, Membrane, Stretch, Tetrahedron, VertexBend, bending};
 use crate::gather::gather;
 use crate::hinges::hinges;
-use crate::script::Script;
+use crate::scripted::Coordinates;
 
 /// The parts of a system under construction.
 #[derive(Default)]
@@ -29,7 +28,7 @@ pub(super) struct Parts {
     pub(super) offsets: Vec<f64>,
     pub(super) elements: Vec<Elastic>,
     pub(super) bends: Vec<VertexBend>,
-    pub(super) scripts: Vec<Option<Arc<Script>>>,
+    pub(super) scripts: Vec<Coordinates>,
     pub(super) obstacle: Vec<bool>,
     pub(super) rigidity: f64,
 }
@@ -71,8 +70,7 @@ impl Parts {
         self.masses.resize(first + count, 0.0);
         self.obstacle.resize(first + count, is_obstacle);
         self.offsets.resize(first + count, added.offset);
-        self.scripts
-            .resize(first + count, is_obstacle.then(|| Arc::new(Script::Fixed)));
+        self.scripts.resize(first + count, Coordinates::default());
         let is_empty = match &added.kind {
             BodyKind::Obstacle { faces } | BodyKind::Shell { faces, .. } => faces.is_empty(),
             BodyKind::Solid { tetrahedra, .. } => tetrahedra.is_empty(),

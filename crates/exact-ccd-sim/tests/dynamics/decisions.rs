@@ -76,13 +76,7 @@ fn no_scripted_step_is_taken_without_a_decision() {
         velocity: [0.0, 30.0, 0.0],
         until: None,
     };
-    let system = || {
-        System::new(
-            &[cloth.clone(), floor.clone()],
-            &[((9..13).collect(), rising.clone())],
-        )
-        .unwrap()
-    };
+    let system = || System::new(&[cloth.clone(), floor.clone()], &[rising.clone().on(9..13)]).unwrap();
     assert_eq!(violation(system(), Hasty { decides: true }), None);
     assert!(violation(system(), Hasty { decides: false }).is_some());
 }

@@ -110,28 +110,16 @@ fn no_step_ends_in_contact() {
         poisson: 0.25,
         thickness: 0.5,
     };
-    let falling = Body {
-        points: vec![[0.0, 3.0, 0.0], [0.0, 7.0, 1.0], [0.0, 7.0, -1.0]],
-        kind: BodyKind::Shell {
-            faces: vec![[0, 1, 2]],
-            material,
-        },
-        velocity: [0.0, -6.0, 0.0],
-        angular_velocity: [0.0; 3],
-        offset: 0.0,
-    };
+    let faces = vec![[0, 1, 2]];
+    let points = vec![[0.0, 3.0, 0.0], [0.0, 7.0, 1.0], [0.0, 7.0, -1.0]];
+    let mut falling = Body::new(points, BodyKind::Shell { faces, material });
+    falling.velocity = [0.0, -6.0, 0.0];
     for scale in 1..20 {
-        let slope = Body {
-            points: corners
-                .map(|corner| corner.map(|x| x * f64::from(scale)))
-                .to_vec(),
-            kind: BodyKind::Obstacle {
-                faces: vec![[0, 1, 2]],
-            },
-            velocity: [0.0; 3],
-            angular_velocity: [0.0; 3],
-            offset: 0.0,
-        };
+        let points = corners
+            .map(|corner| corner.map(|x| x * f64::from(scale)))
+            .to_vec();
+        let faces = vec![[0, 1, 2]];
+        let slope = Body::new(points, BodyKind::Obstacle { faces });
         let system = System::new(&[falling.clone(), slope], &[]).unwrap();
         let settings = Settings {
             time_step: 0.5,

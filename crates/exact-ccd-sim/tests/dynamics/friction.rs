@@ -30,6 +30,7 @@ fn settled(tangent: f64, integrator: Integrator) -> Simulation {
             coefficient: COEFFICIENT,
             static_velocity: Length::Absolute(1e-4),
             lags: 2,
+            ..Friction::default()
         },
         ..Settings::default()
     };

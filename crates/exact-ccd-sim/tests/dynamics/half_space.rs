@@ -7,10 +7,7 @@ use nalgebra::Vector3;
 
 use crate::measure::center;
 
-const TILTED: HalfSpace = HalfSpace {
-    point: [0.3, -0.7, 0.1],
-    normal: [0.31, 1.7, -0.23],
-};
+const TILTED: HalfSpace = HalfSpace::new([0.3, -0.7, 0.1], [0.31, 1.7, -0.23]);
 
 /// A cube with its lowest corner at a height above the tilted half space.
 fn above(height: f64) -> System {
@@ -86,10 +83,7 @@ fn a_start_within_a_half_space_is_an_error() {
 #[test]
 fn offsets_keep_their_distance() {
     let ball = shapes::particles([1, 1, 2], [0.0, 0.0, 0.3]).placed(|[x, y, z]| [x, y + 0.012, z]);
-    let ground = HalfSpace {
-        point: [0.0; 3],
-        normal: [0.0, 2.0, 0.0],
-    };
+    let ground = HalfSpace::new([0.0; 3], [0.0, 2.0, 0.0]);
     let system = System::new(&[ball.with_offset(0.01)], &[]).unwrap();
     let system = system.with_half_spaces(vec![ground]).unwrap();
     let settings = Settings {
@@ -141,10 +135,7 @@ fn a_cube_at_rest_does_not_drift() {
 fn friction_acts_on_a_half_space() {
     let slides = |coefficient: f64| {
         let angle = 20.0_f64.to_radians();
-        let ground = HalfSpace {
-            point: [0.0; 3],
-            normal: [0.0, 1.0, 0.0],
-        };
+        let ground = HalfSpace::new([0.0; 3], [0.0, 1.0, 0.0]);
         let block = shapes::solid_box([2, 1, 2], [0.4, 0.1, 0.4]).placed(|[x, y, z]| [x, y + 3e-4, z]);
         let system = System::new(&[block], &[])
             .unwrap()

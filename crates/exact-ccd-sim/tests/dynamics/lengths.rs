@@ -79,10 +79,7 @@ fn warnings_name_the_bodies() {
     };
     assert!((size - 0.3 * 3.0_f64.sqrt()).abs() < 1e-12);
     // A half space has no body: the vertex that is near it counts.
-    let ground = HalfSpace {
-        point: [0.0, -1e-3, 0.0],
-        normal: [0.0, 1.0, 0.0],
-    };
+    let ground = HalfSpace::new([0.0, -1e-3, 0.0], [0.0, 1.0, 0.0]);
     let system = System::new(&[cube(0.0)], &[])
         .unwrap()
         .with_half_spaces(vec![ground])

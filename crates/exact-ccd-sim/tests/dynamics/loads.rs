@@ -36,13 +36,13 @@ fn on(body: &Body, force: Force, is_loaded: impl Fn([f64; 3]) -> bool) -> Load {
 
 /// The center and the mean height of the top of a body that is held at the bottom, in equilibrium.
 fn equilibrium(body: Body, load: Load) -> (Vector3<f64>, f64) {
-    let bottom = (0..body.points.len() as u32)
+    let bottom: Vec<u32> = (0..body.points.len() as u32)
         .filter(|&v| body.points[v as usize][1] == 0.0)
         .collect();
     let top: Vec<usize> = (0..body.points.len())
         .filter(|&v| body.points[v][1] == 1.0)
         .collect();
-    let system = System::new(&[body], &[(bottom, Script::Fixed)]).unwrap();
+    let system = System::new(&[body], &[Script::Fixed.on(bottom)]).unwrap();
     let settings = Settings {
         time_step: 1e3,
         gravity: [0.0; 3],

@@ -3,9 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod conservation;
+mod contacts;
 mod decisions;
 mod filters;
 mod friction;
+mod friction_pairs;
 mod half_space;
 mod lengths;
 mod loads;
@@ -15,6 +17,7 @@ mod pairs;
 mod rest;
 mod resume;
 mod rods;
+mod scripted_axes;
 mod scripts;
 mod start;
 mod stiffness;

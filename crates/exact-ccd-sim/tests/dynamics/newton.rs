@@ -58,7 +58,7 @@ fn increments_below_the_spacing_of_coordinates_are_not_taken() {
         ..Settings::default()
     };
     // One corner of the cube is fixed.
-    let system = System::new(&[cube], &[(vec![0], Script::Fixed)]).unwrap();
+    let system = System::new(&[cube], &[Script::Fixed.on([0])]).unwrap();
     let mut simulation = Simulation::new(system, settings).unwrap();
     let mut at = simulation.state().positions.clone();
     let mut increments = 0;

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use exact_ccd::Exact;
 use exact_ccd_sim::{
-    Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Settings, Simulation, SimulationError,
-    State, StepFilter, System, shapes,
+    Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Scripted, Settings, Simulation,
+    SimulationError, State, StepFilter, System, shapes,
 };
 
 fn system() -> System {
@@ -128,7 +128,7 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
     }
     let cube = || shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
     let floor = || shapes::floor([1, 1], [1.1, 1.2]);
-    let changed = |change: &dyn Fn(&mut Body), scripts: &[(Vec<u32>, Script)]| {
+    let changed = |change: &dyn Fn(&mut Body), scripts: &[Scripted]| {
         let mut cube = cube();
         change(&mut cube);
         other(System::new(&[cube, floor()], scripts).unwrap(), &|_| ())
@@ -136,7 +136,7 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
     assert_eq!(changed(&|_| (), &[]), "none");
     assert_eq!(changed(&|cube| cube.points[0][0] -= 1e-9, &[]), "positions");
     assert_eq!(changed(&|cube| cube.velocity[0] = 1e-9, &[]), "velocities");
-    assert_eq!(changed(&|_| (), &[(vec![0], Script::Fixed)]), "scripts");
+    assert_eq!(changed(&|_| (), &[Script::Fixed.on([0])]), "scripts");
     let denser = |cube: &mut Body| {
         if let BodyKind::Solid { material, .. } = &mut cube.kind {
             material.density *= 1.01;

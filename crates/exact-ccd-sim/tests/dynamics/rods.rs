@@ -12,7 +12,7 @@ fn at_rest(clamped: &[u32], gravity: Point) -> (RodProperties, Vec<Point>) {
     let BodyKind::Rod { material, .. } = rod.kind else {
         panic!("a line is a rod")
     };
-    let system = System::new(&[rod], &[(clamped.to_vec(), Script::Fixed)]).unwrap();
+    let system = System::new(&[rod], &[Script::Fixed.on(clamped.to_vec())]).unwrap();
     // With steps that are long against all periods, implicit Euler ends at rest.
     let settings = Settings {
         time_step: 1e3,
@@ -107,7 +107,7 @@ fn more_than_two_edges_are_hinged() {
         let edges = (1..=rays).map(|ray| [0, ray]).collect();
         let material = shapes::ROPE;
         let body = Body::new(points, BodyKind::Rod { edges, material });
-        let system = System::new(&[body], &[(vec![0], Script::Fixed)]).unwrap();
+        let system = System::new(&[body], &[Script::Fixed.on([0])]).unwrap();
         let settings = Settings {
             contact_distance: Length::Absolute(1e-4),
             ..Settings::default()

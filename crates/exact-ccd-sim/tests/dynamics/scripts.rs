@@ -21,7 +21,7 @@ fn a_rising_floor_lifts_a_cube() {
         until: Some(0.1),
     };
     let vertices = (8..12).collect::<Vec<u32>>();
-    let system = System::new(&[cube, floor], &[(vertices, rising)]).unwrap();
+    let system = System::new(&[cube, floor], &[rising.on(vertices)]).unwrap();
     let mut simulation = Simulation::new(system, settings()).unwrap();
     let start = center(&simulation).y;
     for _ in 0..10 {
@@ -43,7 +43,7 @@ fn the_script_lag_is_the_distance_to_an_unreachable_target() {
         velocity: [0.0, 10.0, 0.0],
         until: None,
     };
-    let system = System::new(&[cloth, ceiling], &[(vec![0, 4], up)]).unwrap();
+    let system = System::new(&[cloth, ceiling], &[up.on([0, 4])]).unwrap();
     let mut simulation = Simulation::new(system, settings()).unwrap();
     let statistics = simulation.step().unwrap();
     // The targets are 0.05 m behind the ceiling. The springs draw the vertices close to the ceiling.

@@ -88,7 +88,7 @@ fn the_barrier_acts_without_free_vertices() {
         velocity: [0.0, 1.0, 0.0],
         until: None,
     };
-    let system = System::new(&[cloth, ceiling], &[((0..9).collect(), up)]).unwrap();
+    let system = System::new(&[cloth, ceiling], &[up.on(0..9)]).unwrap();
     let settings = Settings {
         time_step: 0.02,
         contact_distance: Length::Absolute(2e-3),

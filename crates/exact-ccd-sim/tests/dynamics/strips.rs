@@ -12,7 +12,7 @@ fn relative_deflection(points: Vec<Point>, faces: Vec<[u32; 3]>) -> f64 {
     let mut material = shapes::CLOTH;
     material.poisson = 0.0;
     let cell = SIZE[0] / f64::from(CELLS[0]);
-    let clamped = (0..points.len() as u32)
+    let clamped: Vec<u32> = (0..points.len() as u32)
         .filter(|&v| points[v as usize][0] < 1.01 * cell)
         .collect();
     let end: Vec<usize> = (0..points.len())
@@ -20,7 +20,7 @@ fn relative_deflection(points: Vec<Point>, faces: Vec<[u32; 3]>) -> f64 {
         .collect();
     let gravity = 1e-5;
     let body = Body::new(points, BodyKind::Shell { faces, material });
-    let system = System::new(&[body], &[(clamped, Script::Fixed)]).unwrap();
+    let system = System::new(&[body], &[Script::Fixed.on(clamped)]).unwrap();
     let settings = Settings {
         time_step: 1e3,
         gravity: [0.0, -gravity, 0.0],

@@ -2,8 +2,8 @@
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::{
-    Body, Checkpoint, Friction, Integrator, Length, Primitive, Script, Settings, Simulation, SimulationError,
-    Statistics, StepFilter, System, shapes,
+    Body, Checkpoint, Friction, Integrator, Length, Primitive, Script, Scripted, Settings, Simulation,
+    SimulationError, Statistics, StepFilter, System, shapes,
 };
 use nalgebra::Vector3;
 
@@ -33,7 +33,7 @@ fn moved(body: Body, [x, y, z]: Point) -> Body {
 /// Takes some steps. Checks the distances in each increment.
 fn run(
     bodies: &[Body],
-    scripts: &[(Vec<u32>, Script)],
+    scripts: &[Scripted],
     settings: Settings,
     steps: usize,
 ) -> (Simulation, Vec<Statistics>) {
@@ -165,7 +165,7 @@ fn a_particle_rests_on_a_cloth() {
     let rim: Vec<u32> = (0..25).filter(rim).collect();
     // Between vertices: over a face.
     let bead = moved(shapes::particles([1, 1, 1], [0.0; 3]), [0.17, 0.014, 0.225]).with_offset(0.01);
-    let (simulation, all) = run(&[cloth, bead], &[(rim, Script::Fixed)], settings(), 300);
+    let (simulation, all) = run(&[cloth, bead], &[Script::Fixed.on(rim)], settings(), 300);
     let last = all.last().unwrap();
     let distance = last.minimal_distance.unwrap();
     assert!(
@@ -185,7 +185,7 @@ fn a_particle_rests_on_a_cloth() {
 #[test]
 fn a_rod_rests_on_parallel_rods() {
     let track = |z: f64| moved(shapes::line(2, 0.3), [-0.15, 0.0, z]).with_offset(5e-3);
-    let scripts = [((0..6).collect(), Script::Fixed)];
+    let scripts = [Script::Fixed.on(0..6)];
     let rod = moved(shapes::line(3, 0.15), [-0.08, 0.0145, 0.0]).with_offset(5e-3);
     let bodies = [track(-0.006), track(0.006), rod];
     let (simulation, all) = run(&bodies, &scripts, settings(), 60);
@@ -203,7 +203,7 @@ fn a_rod_rests_on_parallel_rods() {
 #[test]
 fn friction_acts_between_particles_and_rods() {
     let track = |z: f64| moved(shapes::line(1, 2.0), [-1.0, 0.0, z]).with_offset(0.02);
-    let scripts = [((0..4).collect(), Script::Fixed)];
+    let scripts = [Script::Fixed.on(0..4)];
     let reach = 0.04 + 0.5 * REACH;
     let height = (reach * reach - 0.03_f64.powi(2)).sqrt();
     let mut bead = moved(shapes::particles([1, 1, 1], [0.0; 3]), [-0.5, height, 0.0]).with_offset(0.02);
@@ -216,6 +216,7 @@ fn friction_acts_between_particles_and_rods() {
                 coefficient,
                 static_velocity: Length::Absolute(1e-3),
                 lags: 3,
+                ..Friction::default()
             },
             ..settings()
         };

@@ -15,7 +15,7 @@ fn system() -> System {
         rate,
         until: None,
     };
-    let scripts = [(side(0.0), twist(4.0)), (side(1.0), twist(-4.0))];
+    let scripts = [twist(4.0).on(side(0.0)), twist(-4.0).on(side(1.0))];
     System::new(&[mat], &scripts).unwrap()
 }
 

@@ -134,6 +134,16 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         ),
         (
             "motion = \"fixed\"",
+            "motion = \"fixed\"\naxes = []",
+            "line 37, body[1].script[1].axes: `axes` is out of range, expected at least one axis",
+        ),
+        (
+            "motion = \"fixed\"",
+            "motion = \"fixed\"\nrelease = -1.0",
+            "line 37, body[1].script[1].release: `release` is out of range, expected a number not below 0",
+        ),
+        (
+            "motion = \"fixed\"",
             "motion = { moving = { velocity = [nan, 0.0, 0.0] } }",
             "line 36, body[1].script[1].motion.moving.velocity: ",
         ),
@@ -178,6 +188,16 @@ fn numbers_out_of_range_are_reported_at_their_field() {
             "lags = 2",
             "lags = 0",
             "line 16, settings.friction.lags: `friction.lags` is 0, expected at least 1",
+        ),
+        (
+            "lags = 2",
+            "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = -1.0",
+            "line 17, settings.friction.pair: `friction.pair` is -1, expected coefficients not below 0",
+        ),
+        (
+            "lags = 2",
+            "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = 1.0",
+            "line 17, settings.friction.pair: `friction.pair` names the body `a`, expected one of the names",
         ),
         (
             "scale = 0.5",

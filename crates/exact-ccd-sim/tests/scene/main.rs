@@ -91,6 +91,23 @@ fn a_scene_file_determines_system_settings_and_steps() {
     assert_eq!(simulation.state().positions[14], start[14]);
 }
 
+/// A script along x leaves y and z free, and the last script of each axis counts.
+#[test]
+fn scripts_act_along_the_axes_of_the_scene_file() {
+    let with = |keys: &str| parse(&SCENE.replace("motion = \"fixed\"", keys)).unwrap();
+    let moving = "motion = { moving = { velocity = [0.5, 0.0, 0.0] } }\naxes = [\"x\"]";
+    let scene = with(moving);
+    assert!(scene.system.is_free(14));
+    let mut simulation = scene.simulation().unwrap();
+    simulation.step().unwrap();
+    let (now, start) = (simulation.state().positions[14], scene.system.start()[14]);
+    assert!((now[0] - start[0] - 0.01).abs() < 1e-12, "{now:?}");
+    assert!(now[2] < start[2] - 1e-3, "{now:?}");
+    // Released at once, the vertices are those of a body without scripts.
+    let scene = with("motion = \"fixed\"\nrelease = 0.0");
+    assert!(scene.system.is_free(14));
+}
+
 /// The scene of the documentation has every key.
 #[test]
 fn the_scene_of_the_documentation_is_valid() {
@@ -99,7 +116,11 @@ fn the_scene_of_the_documentation_is_valid() {
     let (text, _) = rest.split_once("```").unwrap();
     let scene = parse(text).unwrap();
     assert_eq!(scene.steps, 50);
-    // Its settings are the default values.
-    assert_eq!(scene.settings, exact_ccd_sim::Settings::default());
+    // Its settings are the default values, but for a pair of bodies with friction.
+    let mut settings = scene.settings.clone();
+    assert_eq!(settings.friction.pairs.len(), 1);
+    settings.friction.pairs.clear();
+    assert_eq!(settings, exact_ccd_sim::Settings::default());
+    assert_eq!(scene.system.names(), ["block", "", "", "", "", "ground"]);
     scene.simulation().unwrap().step().unwrap();
 }

@@ -2,8 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::instant::{Instant, roots};
+use super::instant::Instant;
 use super::motion::Motion;
+use super::roots::roots;
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
@@ -48,7 +49,7 @@ impl<K: Kind> FirstContact<K> {
             times.push(instant.round());
             // Contact over an interval begins at an event and includes the next one, because the
             // primitives are closed.
-            let lasts = |next| motion.touches(&Instant::Dyadic(instant.before(next)));
+            let lasts = |next| motion.touches(&Instant::At(instant.before(next)));
             if motion.is_always_coplanar() && instants.get(i + 1).is_some_and(lasts) {
                 return ContactTimes::Interval { first: times[0] };
             }

@@ -74,7 +74,7 @@ impl<K: Kind> Contact<'_, K> {
                 is_above = sign.is_gt() == is_above;
                 break;
             }
-            derivative = derivative.derivative();
+            derivative = derivative.velocity();
             is_above = !is_above;
         }
         Some(if is_above { normal } else { normal.map(|x| -x) })
@@ -86,7 +86,7 @@ impl<K: Kind> Contact<'_, K> {
         let [x, y] = side.edge;
         let offset = self.motion.to_scale(self.motion.difference((side.vertex, x)));
         let edge = self.motion.to_scale(self.motion.difference((y, x)));
-        let velocity = |vector: &Vector| [0, 1, 2].map(|axis: usize| vector[axis].derivative());
+        let velocity = |vector: &Vector| [0, 1, 2].map(|axis: usize| vector[axis].velocity());
         let mut relative = velocity(&offset);
         let mut along = 0.0;
         let axis = (0..3).find(|&axis| self.instant.sign(&edge[axis]).is_ne());

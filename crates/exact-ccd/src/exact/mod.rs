@@ -7,23 +7,31 @@
 //! filter, for audits. They read coordinates as bit patterns, and do not depend on the
 //! floating-point environment.
 
+mod approximation;
+mod bracket;
+mod divisor;
 mod dyadic;
+mod evaluation;
 mod first_contact;
+mod gap;
 mod guess;
 mod impact;
 mod instant;
 mod modular;
 mod motion;
 mod narrowing;
+mod order;
 mod polynomial;
 mod ratio;
+mod roots;
 pub mod separation;
+mod split;
 
 pub(crate) use dyadic::to_integers;
 pub(crate) use first_contact::FirstContact;
-pub(crate) use instant::roots;
 pub(crate) use motion::{Vector, cross, dot};
 pub(crate) use polynomial::Polynomial;
+pub(crate) use roots::roots;
 
 use crate::impact::Impact;
 use crate::kind::Kind;

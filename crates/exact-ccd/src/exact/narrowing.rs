@@ -4,9 +4,9 @@
 use core::cell::RefCell;
 use core::cmp::Ordering;
 
-use super::dyadic::Dyadic;
 use super::instant::Instant;
 use super::polynomial::Polynomial;
+use super::split::Split;
 
 /// A time with a bracket that each sign may make narrower.
 pub(crate) struct Narrowing(RefCell<Instant>);
@@ -22,12 +22,12 @@ impl Narrowing {
     }
 
     /// A number not above this time, at most as far from it as the bracket is wide.
-    pub(super) fn lower_bound(&self) -> Dyadic {
+    pub(super) fn lower_bound(&self) -> Split {
         self.0.borrow().bounds().0.clone()
     }
 
     /// Makes the bracket narrower by a factor of at least 2ᵏ.
     pub(crate) fn narrow_by(&self, bits: usize) {
-        self.0.replace_with(|instant| instant.clone().narrowed_by(bits));
+        self.0.borrow_mut().narrow_by(bits);
     }
 }

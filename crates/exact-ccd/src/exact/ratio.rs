@@ -37,9 +37,12 @@ impl Narrowing {
     /// once the bracket is narrow enough.
     pub(crate) fn ratio(&self, a: &Polynomial, b: &Polynomial) -> f64 {
         let scaled = a.shifted(BITS);
-        let reaches = |n: u64| self.sign(&(&scaled - &(&Polynomial::constant(n) * b))).is_ge();
+        let reaches = |n: u64| {
+            self.sign(&(&scaled - &(&Polynomial::constant(n.into()) * b)))
+                .is_ge()
+        };
         loop {
-            if let Some(guess) = scaled.quotient_at(b, &self.lower_bound()) {
+            if let Some(guess) = self.guess(&scaled, b) {
                 let (low, high) = (guess.saturating_sub(1), guess.saturating_add(2));
                 if reaches(low) && !reaches(high) {
                     let floor = (low + 1..high).take_while(|&n| reaches(n)).last().unwrap_or(low);
@@ -48,5 +51,15 @@ impl Narrowing {
             }
             self.narrow_by(64);
         }
+    }
+
+    /// The quotient of two numbers at an end of the bracket, to within one unit, if it is in the range of
+    /// u64.
+    fn guess(&self, a: &Polynomial, b: &Polynomial) -> Option<u64> {
+        let t = self.lower_bound();
+        let [a, b] = [a, b].map(|polynomial| polynomial.value_at(&t, BITS + 2));
+        let unit = b.top() - (BITS + 2) as isize;
+        let [a, b] = [a, b].map(|value| value.in_units(unit));
+        (!b.is_zero()).then(|| u64::try_from(a / b).ok())?
     }
 }

@@ -90,8 +90,11 @@ pub struct TimeOutOfStep {
 }
 
 impl TimeOutOfStep {
-    /// Checks that a time is in [0, 1].
-    pub(crate) fn check(time: f64) -> Result<(), Self> {
+    /// Checks that a time is in [0, 1]; −0.0 is 0.
+    ///
+    /// # Errors
+    /// The time, if it is outside or NaN.
+    pub fn check(time: f64) -> Result<(), Self> {
         match NonNegative::new(time) {
             Some(checked) if checked.get() <= 1.0 => Ok(()),
             _ => Err(Self { time }),

@@ -1,11 +1,12 @@
 //! The answers to queries that are as costly as possible are those of the definition.
 
+mod coincident;
 mod digest;
 mod families;
 
 use exact_ccd::{EdgeEdge, Query, Stage, VertexFace, exact};
 
-use families::{Family, Points, Primitives, Random, families};
+use families::{Family, Primitives, families};
 
 /// The number of queries of each family.
 const COUNT: usize = 100;
@@ -61,35 +62,6 @@ fn filters_agree_with_the_exact_path() {
     filters_agree::<EdgeEdge>();
 }
 
-/// Points with few different coordinates.
-fn small(random: &mut Random) -> Points {
-    random.points(|random| random.integer(2))
-}
-
-fn equal_at_start(random: &mut Random) -> Points {
-    let mut points = small(random);
-    points[0] = [points[0][0]; 4];
-    points
-}
-
-fn equal_at_end(random: &mut Random) -> Points {
-    let [start, end] = equal_at_start(random);
-    [end, start]
-}
-
-fn equal_at_both_ends(random: &mut Random) -> Points {
-    small(random).map(|now| [now[0]; 4])
-}
-
-/// The first point of each primitive with the same trajectory, whatever the kind.
-fn same_trajectory(random: &mut Random) -> Points {
-    small(random).map(|[a, b, _, c]| [a, b, c, a])
-}
-
-fn on_a_line(random: &mut Random) -> Points {
-    small(random).map(|now| now.map(|point| [now[0][0], point[1], now[0][2]]))
-}
-
 /// Checks that comparisons settle coincident points, with the answers of the exact path.
 fn coincidence<K: Primitives>(family: Family) {
     let mut settled = 0;
@@ -110,13 +82,7 @@ fn coincidence<K: Primitives>(family: Family) {
 
 #[test]
 fn coincident_points_are_settled_by_comparisons() {
-    for family in [
-        equal_at_start,
-        equal_at_end,
-        equal_at_both_ends,
-        same_trajectory,
-        on_a_line,
-    ] {
+    for (_, family) in coincident::FAMILIES {
         coincidence::<VertexFace>(family);
         coincidence::<EdgeEdge>(family);
     }

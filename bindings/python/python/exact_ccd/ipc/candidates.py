@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import inf
 from typing import Any, NamedTuple, Optional, Protocol
 
 import numpy as np
@@ -10,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _native
 from .._arrays import Floats, Indices, indices
 from ..queries import Kind, time_of_impact
-from .pairs import KEEP, check_keep, three_dimensional
+from .pairs import three_dimensional
+from .rescaling import choose_rescaling
 
 
 class CollisionMesh(Protocol):
@@ -90,19 +92,20 @@ class Candidates:
         inflation_radius: float = 0.0,
         broad_phase: object = None,
     ) -> None:
-        """Find the pairs whose boxes over the step come within twice `inflation_radius` of each other.
+        """Find the pairs whose boxes over the step meet, each enlarged by `inflation_radius` on every side.
 
         Without `vertices_t1`, the vertices do not move. `broad_phase` has no effect.
         """
         if vertices_t1 is not None and np.ndim(vertices_t1) == 0:
             # The form without the end: build(mesh, vertices, inflation_radius).
             inflation_radius, vertices_t1 = float(np.asarray(vertices_t1)), None
+        check_distance("inflation_radius", inflation_radius)
         x0, x1 = ends(mesh, vertices_t0, vertices_t0 if vertices_t1 is None else vertices_t1)
         every = primitives(mesh)
         is_flat = np.shape(vertices_t0)[1] == 2
 
         def near(first: Indices, second: Indices) -> Indices:
-            pairs = _native.overlaps(first, second, x0, x1, 2.0 * inflation_radius, None)
+            pairs = _native.overlaps(first, second, x0, x1, inflation_radius, None)
             if first is second:
                 pairs = pairs[pairs[:, 0] < pairs[:, 1]]
             return np.hstack([first[pairs[:, 0]], second[pairs[:, 1]]])
@@ -158,12 +161,12 @@ class Candidates:
 
         See :func:`exact_ccd.ipc.compute_collision_free_stepsize`.
         """
-        keep = fraction(narrow_phase_ccd, conservative_rescaling)
+        rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
         x0, x1 = ends(mesh, vertices_t0, vertices_t1)
         time = self._earliest(mesh, x0, x1, min_distance)
         if time is None:
             return 1.0
-        size = whole = keep * time
+        size = whole = rescaling * time
         retreat = whole - np.nextafter(whole, 0.0)
         while size > 0.0:
             if self._earliest(mesh, x0, x0 + size * (x1 - x0), min_distance) is None:
@@ -198,6 +201,12 @@ def allows(mesh: CollisionMesh, kind: Kind, vertices: NDArray[np.uint32]) -> boo
     return any(can_collide(v, w) for v in a for w in b)
 
 
+def check_distance(name: str, distance: float) -> None:
+    """Refuse a number that is not finite or below 0."""
+    if not 0.0 <= distance < inf:
+        raise ValueError(f"{name} is {distance}, expected a finite number of at least 0")
+
+
 def ends(mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) -> tuple[Floats, Floats]:
     """The positions at both ends, with z = 0 in two dimensions."""
     if len(getattr(mesh, "planes", ())):
@@ -208,13 +217,3 @@ def ends(mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) ->
         if len(x) != mesh.num_vertices:
             raise ValueError(f"{name} has {len(x)} rows, expected one for each of {mesh.num_vertices} vertices")
     return x0, x1
-
-
-def fraction(narrow_phase_ccd: object, conservative_rescaling: Optional[float]) -> float:
-    """The fraction of the exact time to keep."""
-    keep = conservative_rescaling
-    if keep is None:
-        is_exact = type(narrow_phase_ccd).__module__.startswith("exact_ccd.")
-        keep = float(getattr(narrow_phase_ccd, "conservative_rescaling", KEEP)) if is_exact else KEEP
-    check_keep(keep)
-    return keep

@@ -5,7 +5,8 @@ from __future__ import annotations
 import ipctk
 from numpy.typing import ArrayLike
 
-from .pairs import KEEP, check_keep, edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
+from .pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
+from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
 
 
 class ExactCCD(ipctk.NarrowPhaseCCD):  # type: ignore[misc]
@@ -17,18 +18,17 @@ class ExactCCD(ipctk.NarrowPhaseCCD):  # type: ignore[misc]
     :func:`is_step_collision_free` or :func:`compute_collision_free_stepsize` of this module instead: they
     decide all pairs of a step in one batch, on all cores.
 
-    Static planes do not use the narrow phase in ipctk, and read a fraction that a subclass cannot set.
+    Static planes do not use the narrow phase in ipctk, and read a factor that a subclass cannot set.
 
     Parameters
     ----------
     conservative_rescaling : float
-        The fraction of the exact time that is returned, above 0 and at most 1.
+        The factor of the exact time that is returned, above 0 and at most 1.
     """
 
-    def __init__(self, conservative_rescaling: float = KEEP) -> None:
+    def __init__(self, conservative_rescaling: float = CONSERVATIVE_RESCALING) -> None:
         super().__init__()
-        check_keep(conservative_rescaling)
-        self.conservative_rescaling = conservative_rescaling
+        self.conservative_rescaling = check_rescaling(conservative_rescaling)
         if ipctk.get_num_threads() != 1:
             ipctk.set_num_threads(1)
 

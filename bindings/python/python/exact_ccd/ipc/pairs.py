@@ -11,27 +11,19 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _native
 from .._arrays import floats
 from ..queries import Kind
-
-KEEP = 0.9
-"""The fraction of the exact time that is kept by default."""
+from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
 
 
 def _ccd(
-    kind: Kind, points: tuple[ArrayLike, ...], min_distance: float, tmax: float, keep: float
+    kind: Kind, points: tuple[ArrayLike, ...], min_distance: float, tmax: float, conservative_rescaling: float
 ) -> tuple[bool, float]:
     """The decision for one query, and its time; infinity if there is no contact until `tmax`."""
-    check_keep(keep)
+    check_rescaling(conservative_rescaling)
     query = three_dimensional("points", points)[None]
     (time,) = _native.time_of_impact(kind, query, float(min_distance), 1).tolist()
     if isnan(time) or time > tmax:
         return False, inf
-    return True, keep * time
-
-
-def check_keep(keep: float) -> None:
-    """Refuse a fraction that is not above 0 and at most 1."""
-    if not 0.0 < keep <= 1.0:
-        raise ValueError(f"conservative_rescaling is {keep}, expected a number above 0 and at most 1")
+    return True, conservative_rescaling * time
 
 
 def three_dimensional(name: str, points: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDArray[np.float64]:
@@ -50,7 +42,7 @@ def point_point_ccd(
     p1_t1: ArrayLike,
     min_distance: float = 0.0,
     tmax: float = 1.0,
-    conservative_rescaling: float = KEEP,
+    conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
     """Decide if two points come within `min_distance` of each other until `tmax`, and when.
 
@@ -63,7 +55,7 @@ def point_point_ccd(
     tmax : float
         The end of the time that is examined.
     conservative_rescaling : float
-        The fraction of the exact time that is returned, above 0 and at most 1.
+        The factor of the exact time that is returned, above 0 and at most 1.
 
     Returns
     -------
@@ -88,7 +80,7 @@ def point_edge_ccd(
     e1_t1: ArrayLike,
     min_distance: float = 0.0,
     tmax: float = 1.0,
-    conservative_rescaling: float = KEEP,
+    conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
     """Decide if a point and an edge touch until `tmax`, and when; as :func:`point_point_ccd`.
 
@@ -113,7 +105,7 @@ def point_triangle_ccd(
     t2_t1: ArrayLike,
     min_distance: float = 0.0,
     tmax: float = 1.0,
-    conservative_rescaling: float = KEEP,
+    conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
     """Decide if a point and a triangle touch until `tmax`, and when; as :func:`point_point_ccd`.
 
@@ -138,7 +130,7 @@ def edge_edge_ccd(
     eb1_t1: ArrayLike,
     min_distance: float = 0.0,
     tmax: float = 1.0,
-    conservative_rescaling: float = KEEP,
+    conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
     """Decide if two edges touch until `tmax`, and when; as :func:`point_point_ccd`."""
     points = (ea0_t0, ea1_t0, eb0_t0, eb1_t0, ea0_t1, ea1_t1, eb0_t1, eb1_t1)

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 from .. import _native
 from ..meshes import Detector, Mesh
 from ..queries import collides
-from .candidates import Candidates, CollisionMesh, allows, ends, fraction, primitives
+from .candidates import Candidates, CollisionMesh, allows, check_distance, ends, primitives
+from .rescaling import choose_rescaling
 
 
 def is_step_collision_free(
@@ -75,12 +76,13 @@ def compute_collision_free_stepsize(
         As for :func:`is_step_collision_free`. If `narrow_phase_ccd` is an :class:`ExactCCD`, its
         ``conservative_rescaling`` is taken.
     conservative_rescaling : float, optional
-        The fraction of the exact time of contact that is returned, above 0 and at most 1; 0.9 by default.
+        The factor of the exact time of contact that is returned, above 0 and at most 1; 0.9 by default.
 
     Returns
     -------
     float
-        1 if the whole step is free; 0 if the mesh touches itself at the start. Otherwise the motion to
+        1 if the whole step is free; 0 if no positive size is certified, because the mesh touches itself at
+        the start, or within the smallest float64 of it. Otherwise the motion to
         ``vertices_t0 + size * (vertices_t1 - vertices_t0)``, rounded, is free of contact.
 
     Examples
@@ -91,13 +93,13 @@ def compute_collision_free_stepsize(
     >>> compute_collision_free_stepsize(mesh, x0, x0 - [0, 0, 2] * (np.arange(4) == 3)[:, None])
     0.45
     """
-    keep = fraction(narrow_phase_ccd, conservative_rescaling)
+    rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
     x0, x1 = ends(mesh, vertices_t0, vertices_t1)
     detector = _detector(mesh, vertices_t0, min_distance)
     if detector is not None:
-        return detector.free_step(x0, x1, keep).size
+        return detector.free_step(x0, x1, rescaling).size
     return _candidates(mesh, vertices_t0, vertices_t1, min_distance).compute_collision_free_stepsize(
-        mesh, vertices_t0, vertices_t1, min_distance, conservative_rescaling=keep
+        mesh, vertices_t0, vertices_t1, min_distance, conservative_rescaling=rescaling
     )
 
 
@@ -129,8 +131,11 @@ def has_intersections(mesh: CollisionMesh, vertices: ArrayLike, broad_phase: obj
 def _candidates(
     mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike, min_distance: float
 ) -> Candidates:
+    check_distance("min_distance", min_distance)
+    # Half of an odd multiple of the smallest float64 is rounded, perhaps down: the rest is not less then.
+    half = 0.5 * min_distance
     candidates = Candidates()
-    candidates.build(mesh, vertices_t0, vertices_t1, 0.5 * min_distance)
+    candidates.build(mesh, vertices_t0, vertices_t1, max(half, min_distance - half))
     return candidates
 
 

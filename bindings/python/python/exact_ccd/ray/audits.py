@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..audits import AuditReport, examine, in_files
 from ..frames import ArrayFrames, FileFrames, FilePath, Frames, ordered
 from ..meshes import Detector, Progress
-from .chunks import Chunk, Results, chunks, digest, file_system
+from .chunks import Chunk, Results, absolute, chunks, digest, file_system
 
 
 def audit(
@@ -170,6 +170,9 @@ def _open(
     is_path = all(isinstance(frame, (str, PathLike)) for frame in listed) and len(listed) > 0
     if is_path and (filesystem is not None or "://" in fspath(listed[0])):
         return _on(filesystem, [fspath(path) for path in listed], faces, edges)
+    if is_path:
+        paths = [absolute(path) for path in listed]
+        frames = paths if isinstance(frames, (list, tuple)) else paths[0]
     files = in_files(frames, faces, edges)
     if files is not None:
         return files, files.identity()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
 import uuid
 from collections.abc import Iterator
 from os import PathLike, fspath
@@ -49,14 +50,14 @@ class Results:
         if self._filesystem.get_file_info(path).type != pyarrow.fs.FileType.File:
             return None
         with self._filesystem.open_input_file(path) as stream:
-            return from_json(json.loads(stream.read()))
+            return from_json(stream.read())
 
     def write(self, chunk: Chunk, report: AuditReport) -> None:
         """Keep the report of a finished chunk."""
         path = self._path(chunk)
         unfinished = f"{path}.{uuid.uuid4().hex}"
         with self._filesystem.open_output_stream(unfinished) as stream:
-            stream.write(json.dumps(to_json(report)).encode())
+            stream.write(to_json(report).encode())
         self._filesystem.move(unfinished, path)
 
 
@@ -72,34 +73,45 @@ def digest(*parts: Any) -> str:
     return total.hexdigest()[:32]
 
 
-def to_json(report: AuditReport) -> Any:
-    """A report as JSON, in which every float64 keeps its value."""
+def to_json(report: AuditReport) -> str:
+    """A report as JSON, in which every float64 keeps its value, and a normal that does not exist is null."""
+    table: dict[str, Any] = {"frames": report.frames, "violation": None}
     violation = report.violation
-    if violation is None:
-        return {"frames": report.frames, "violation": None}
-    contact = violation.contact
-    fields = None if contact is None else {name: _plain(value) for name, value in contact._asdict().items()}
-    found = {"frame": violation.frame, "contact": fields, "intersection": violation.intersection}
-    return {"frames": report.frames, "violation": found}
+    if violation is not None:
+        table["violation"] = {**violation._asdict(), "contact": _fields(violation.contact)}
+    return json.dumps(table, allow_nan=False)
 
 
-def _plain(value: Any) -> Any:
-    return value.tolist() if isinstance(value, np.ndarray) else value
+def _fields(contact: Optional[Contact]) -> Optional[dict[str, Any]]:
+    """The fields of a contact as values of JSON."""
+    if contact is None:
+        return None
+    fields = contact._asdict()
+    if np.isnan(contact.normal).any():
+        fields["normal"] = None
+    return {name: value.tolist() if isinstance(value, np.ndarray) else value for name, value in fields.items()}
 
 
-def from_json(value: Any) -> AuditReport:
+def from_json(text: Union[str, bytes]) -> AuditReport:
     """The report that :func:`to_json` has written."""
+    value = json.loads(text)
     found = value["violation"]
     if found is None:
         return AuditReport(value["frames"], None)
     contact: Optional[Contact] = None
     if found["contact"] is not None:
+        fields = {**found["contact"]}
+        fields["normal"] = fields["normal"] or [np.nan] * 3
         types = {"vertices": np.int64, "normal": np.float64, "points": np.float64, "distance": np.float64}
-        arrays = {name: np.array(found["contact"][name], type) for name, type in types.items()}
-        contact = Contact(**{**found["contact"], **arrays})
+        contact = Contact(**{**fields, **{name: np.array(fields[name], type) for name, type in types.items()}})
     pair = found["intersection"]
     intersection = None if pair is None else (pair[0], pair[1])
     return AuditReport(value["frames"], Violation(found["frame"], contact, intersection))
+
+
+def absolute(path: Union[str, PathLike[str]]) -> str:
+    """The path for a process with another working directory, as those of tasks; an address as it is."""
+    return fspath(path) if "://" in fspath(path) else os.path.abspath(path)
 
 
 def file_system(

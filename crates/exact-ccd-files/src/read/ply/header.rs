@@ -5,10 +5,13 @@ use std::collections::HashSet;
 use super::super::binary::ByteOrder;
 use super::super::text::{Line, Lines, expect};
 use crate::error::{ParseError, Place};
+use crate::named_part::NamedPart;
 
 pub(super) struct Header<'a> {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element<'a>>,
+    /// The parts that comments name.
+    pub(super) parts: Vec<NamedPart>,
 }
 
 #[derive(Clone, Copy)]
@@ -77,10 +80,15 @@ impl<'a> Header<'a> {
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
         let mut names = HashSet::new();
+        let mut parts = Vec::new();
         loop {
             let line = &mut lines.expect(|| "`end_header`".to_owned())?;
             match line.expect_word(STATEMENT)? {
-                b"comment" | b"obj_info" => continue,
+                b"comment" => {
+                    parts.extend(NamedPart::parse(line.rest()));
+                    continue;
+                }
+                b"obj_info" => continue,
                 b"format" => encoding = Some(read_encoding(line)?),
                 b"element" => {
                     let element = read_element(line)?;
@@ -103,7 +111,11 @@ impl<'a> Header<'a> {
                 b"end_header" => {
                     line.expect_end()?;
                     let encoding = encoding.ok_or_else(|| line.unexpected("`format`", b"end_header"))?;
-                    return Ok(Self { encoding, elements });
+                    return Ok(Self {
+                        encoding,
+                        elements,
+                        parts,
+                    });
                 }
                 other => return Err(line.unexpected(STATEMENT, other)),
             }

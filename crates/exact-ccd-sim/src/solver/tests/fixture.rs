@@ -9,6 +9,7 @@ use crate::element::Element;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::gather::gather_some;
 use crate::integrator::Scheme;
+use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
 use crate::solver::potential::{Potential, Spring};
@@ -33,6 +34,7 @@ pub(super) struct Fixture {
     pub(super) barrier: Barrier,
     pub(super) friction: Vec<FrictionContact>,
     pub(super) springs: Vec<Spring>,
+    held: Vec<Axes>,
 }
 
 impl Fixture {
@@ -63,9 +65,10 @@ impl Fixture {
         let spring = Spring {
             vertex: SPRING_VERTEX,
             target: [1.0, 2.0, 3.0],
-            stiffness: 50.0,
+            stiffness: Vector3::new(50.0, 0.0, 70.0),
         };
         let mut fixture = Self {
+            held: system.held(0.0),
             system,
             scheme,
             points,
@@ -90,6 +93,7 @@ impl Fixture {
             friction: &self.friction,
             smoothing: SMOOTHING,
             springs: &self.springs,
+            held: &self.held,
         }
     }
 
@@ -110,33 +114,45 @@ impl Fixture {
         Collisions::new(surface, &Candidates::default(), &self.points, self.barrier)
     }
 
-    /// Four of five free vertices are unknowns.
-    pub(super) fn unknowns(&self) -> Unknowns {
-        let unknown: Vec<bool> = (0..self.points.len())
-            .map(|vertex| self.system.is_free(vertex) && vertex % 5 != 0)
-            .collect();
-        Unknowns::new(&unknown)
+    /// The known coordinates of each vertex: all of an obstacle and of one vertex of five, two of another
+    /// one.
+    pub(super) fn known(&self) -> Vec<Axes> {
+        let known = |vertex: usize| match vertex % 5 {
+            _ if !self.system.is_free(vertex) => [true; 3],
+            0 => [true; 3],
+            1 => [true, false, true],
+            _ => [false; 3],
+        };
+        (0..self.points.len()).map(known).collect()
     }
 
-    /// The displacements of the vertices that are not unknown.
-    pub(super) fn prescribed(&self, unknowns: &Unknowns) -> Vec<Vector3<f64>> {
-        let prescribed = |vertex: usize| match unknowns.number(vertex as u32) {
-            Some(_) => Vector3::zeros(),
-            None => Vector3::new(1.0, -2.0, 0.5) * (1.0 + vertex as f64),
+    pub(super) fn unknowns(&self) -> Unknowns {
+        Unknowns::new(&self.known())
+    }
+
+    /// The unknown coordinates: their places among those of all vertices, and among those of the unknowns.
+    pub(super) fn rows(&self) -> [Vec<usize>; 2] {
+        let (known, unknowns) = (self.known(), self.unknowns());
+        let is_unknown = |&place: &usize| !known[place / 3][place % 3];
+        let all: Vec<usize> = (0..3 * known.len()).filter(is_unknown).collect();
+        let number = |&place: &usize| 3 * unknowns.number(place as u32 / 3).unwrap() as usize + place % 3;
+        let numbered = all.iter().map(number).collect();
+        [all, numbered]
+    }
+
+    /// The displacements of the coordinates that are not unknown.
+    pub(super) fn prescribed(&self) -> Vec<Vector3<f64>> {
+        let prescribed = |(vertex, known): (usize, &Axes)| {
+            let displacement = Vector3::new(1.0, -2.0, 0.5) * (1.0 + vertex as f64);
+            Vector3::from_fn(|axis, _| if known[axis] { displacement[axis] } else { 0.0 })
         };
-        (0..self.points.len()).map(prescribed).collect()
+        self.known().iter().enumerate().map(prescribed).collect()
     }
 
     pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
         let potential = self.potential();
         let keys = potential.elastic_keys(unknowns);
-        potential.quadratic(
-            &self.points,
-            collisions,
-            unknowns,
-            &keys,
-            &self.prescribed(unknowns),
-        )
+        potential.quadratic(&self.points, collisions, unknowns, &keys, &self.prescribed())
     }
 
     /// The projected Hessian with respect to all vertices.
@@ -176,9 +192,9 @@ impl Fixture {
             } else {
                 0.0
             };
-            let sum = inertia + springs.map(|spring| spring.stiffness).sum::<f64>();
+            let springs: Vector3<f64> = springs.map(|spring| spring.stiffness).sum();
             for axis in 0..3 {
-                dense[(3 * vertex + axis, 3 * vertex + axis)] += sum;
+                dense[(3 * vertex + axis, 3 * vertex + axis)] += inertia + springs[axis];
             }
         }
         dense

@@ -9,14 +9,6 @@ use super::linear::LinearSolver;
 use super::pattern::{Pattern, key};
 use fixture::Fixture;
 
-/// The rows of some vertices.
-fn rows_of(vertices: &[u32]) -> Vec<usize> {
-    vertices
-        .iter()
-        .flat_map(|&vertex| [0, 1, 2].map(|axis: usize| 3 * vertex as usize + axis))
-        .collect()
-}
-
 /// The dense form of a symmetric matrix with a stored lower triangle.
 fn expanded(pattern: &Pattern, values: &[f64]) -> DMatrix<f64> {
     let scalars = pattern.scalars();
@@ -84,9 +76,16 @@ fn assert_sum(fixture: &Fixture) {
     let collisions = fixture.collisions(&fixture.points);
     let quadratic = fixture.quadratic(&collisions, &unknowns);
     let dense = fixture.dense(&collisions);
-    let rows = rows_of(unknowns.vertices());
+    let [rows, places] = fixture.rows();
 
     let found = expanded(&quadratic.pattern, &quadratic.values);
+    // Known coordinates are eliminated.
+    for known in (0..found.nrows()).filter(|place| !places.contains(place)) {
+        assert!(found[(known, known)] > 0.0);
+        assert_eq!(found.row(known).iter().filter(|&&value| value != 0.0).count(), 1);
+    }
+    assert!(places.len() < found.nrows());
+    let found = found.select_rows(&places).select_columns(&places);
     let expected = dense.select_rows(&rows).select_columns(&rows);
     let error = (&found - &expected).amax();
     assert!(error < 1e-12 * expected.amax(), "{error} of {}", expected.amax());
@@ -95,7 +94,7 @@ fn assert_sum(fixture: &Fixture) {
     assert!((block - block.transpose()).amax() > 1e-3 * expected.amax());
 
     // The change of the gradient by the prescribed displacements.
-    let expected = (&dense * flat(&fixture.prescribed(&unknowns))).select_rows(&rows);
+    let expected = (&dense * flat(&fixture.prescribed())).select_rows(&rows);
     let found = flat(&quadratic.prescribed).select_rows(&rows);
     let error = (&found - &expected).amax();
     assert!(
@@ -117,13 +116,14 @@ fn the_hessian_is_the_slope_of_the_gradient() {
     let slopes = differences(&fixture.points, 1e-5, |points| {
         flat(&potential.gradient(points, &none))
     });
-    let rows = rows_of(unknowns.vertices());
+    let [rows, places] = fixture.rows();
 
     let found = expanded(&quadratic.pattern, &quadratic.values);
+    let found = found.select_rows(&places).select_columns(&places);
     let expected = slopes.select_rows(&rows).select_columns(&rows);
     let error = (&found - &expected).amax();
     assert!(error < 1e-6 * expected.amax(), "{error} of {}", expected.amax());
-    let expected = (slopes * flat(&fixture.prescribed(&unknowns))).select_rows(&rows);
+    let expected = (slopes * flat(&fixture.prescribed())).select_rows(&rows);
     let error = (flat(&quadratic.prescribed).select_rows(&rows) - &expected).amax();
     assert!(error < 1e-6 * expected.amax(), "{error} of {}", expected.amax());
 }
@@ -134,10 +134,17 @@ fn the_sparse_solution_is_the_dense_one() {
     let unknowns = fixture.unknowns();
     let quadratic = fixture.quadratic(&fixture.collisions(&fixture.points), &unknowns);
     let dense = expanded(&quadratic.pattern, &quadratic.values);
-    let right = flat(&quadratic.gradient).select_rows(&rows_of(unknowns.vertices()));
-    let expected = dense.cholesky().unwrap().solve(&right);
-    let solution = LinearSolver::default().solve(quadratic.pattern, quadratic.values, right.as_slice());
-    let error = (DVector::from_vec(solution.unwrap()) - &expected).amax();
+    let right = quadratic.right(&unknowns);
+    let expected = dense
+        .cholesky()
+        .unwrap()
+        .solve(&DVector::from_column_slice(&right));
+    let solution = LinearSolver::default().solve(quadratic.pattern, quadratic.values, &right);
+    let solution = DVector::from_vec(solution.unwrap());
+    let known = unknowns.known().unwrap().as_flattened();
+    let of_known = || known.iter().zip(&solution).filter(|(is_known, _)| **is_known);
+    assert!(of_known().next().is_some() && of_known().all(|(_, &value)| value == 0.0));
+    let error = (solution - &expected).amax();
     assert!(error < 1e-8 * expected.amax(), "{error} of {}", expected.amax());
 }
 

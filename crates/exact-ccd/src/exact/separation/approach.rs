@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 use dashu_int::IBig;
 
 use super::feature::{Feature, Pair};
-use crate::exact::dyadic::{Dyadic, to_integers};
+use crate::exact::dyadic::{decompose, to_integers};
 use crate::exact::motion::{Vector, cross, dot, subtract};
 use crate::exact::polynomial::Polynomial;
 use crate::kind::{Difference, Kind};
@@ -27,13 +27,17 @@ impl Approach {
     }
 
     /// The points at one time, as constant polynomials, and d = 0.
-    pub(super) fn at<K: Kind>(query: &Query<K>, t: &Dyadic) -> Self {
+    pub(super) fn at<K: Kind>(query: &Query<K>, t: f64) -> Self {
+        let (numerator, exponent) = decompose(t);
+        // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
+        let exponent = exponent.min(0);
         let at_time = |start: &IBig, end: &IBig| {
-            Polynomial::new([(start << t.exponent) + (end - start) * &t.numerator].into())
+            let moved = (end - start) * IBig::from(numerator);
+            Polynomial::constant((start << exponent.unsigned_abs() as usize) + moved)
         };
         let approach = Self::with(query, 0.0, at_time);
         Self {
-            unit: approach.unit - t.exponent as i32,
+            unit: approach.unit + exponent,
             ..approach
         }
     }
@@ -42,11 +46,11 @@ impl Approach {
         let mut numbers = [d; 25];
         numbers[..24].copy_from_slice(query.points().as_flattened().as_flattened());
         let (integers, unit) = to_integers(numbers);
-        let squared_separation = Polynomial::new([&integers[24] * &integers[24]].into());
+        let separation = motion(&integers[24], &integers[24]);
         let coordinate = |i: usize| motion(&integers[i], &integers[12 + i]);
         Self {
             points: [0, 3, 6, 9].map(|point| [0, 1, 2].map(|axis| coordinate(point + axis))),
-            squared_separation,
+            squared_separation: &separation * &separation,
             unit,
         }
     }
@@ -62,7 +66,7 @@ impl Approach {
             (
                 Pair::Vertices(difference, parameters),
                 dot(&x, &x),
-                Polynomial::one(),
+                Polynomial::constant(IBig::ONE),
                 Vec::new(),
             )
         });

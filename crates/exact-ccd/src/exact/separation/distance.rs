@@ -5,27 +5,28 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 
 use super::approach::Approach;
-use crate::exact::dyadic::{Dyadic, decompose};
+use crate::exact::dyadic::decompose;
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
+use crate::exact::split::Split;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::separation::DistanceBounds;
 
 /// The distance of the primitives at a time, by bisection over the bit patterns of f64, which are
 /// ordered like the numbers.
-pub(super) fn bounds<K: Kind>(query: &Query<K>, t: &Dyadic) -> DistanceBounds {
+pub(super) fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
     let approach = Approach::at(query, t);
     // All polynomials are constant.
-    let now = Narrowing::new(&Instant::Dyadic(Dyadic::ZERO));
+    let now = Narrowing::new(&Instant::At(Split::START));
     let closest = approach
         .features::<K>()
         .into_iter()
         .filter(|feature| feature.exists(&now))
         .min_by(|one, other| one.compare(other, &now));
     let [numerator, denominator] = closest.map_or([IBig::ZERO, IBig::ONE], |feature| {
-        feature.squared_distance().map(Polynomial::constant_term)
+        feature.squared_distance().map(Polynomial::at_start)
     });
     // (m 2ᵉ)² against numerator / denominator, in units of 4 to the power of `unit`.
     let compare = |bits: u64| {

@@ -4,9 +4,11 @@
 use alloc::vec::Vec;
 use core::cmp::Ordering;
 
-use crate::exact::dyadic::Dyadic;
+use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
 use crate::exact::polynomial::Polynomial;
+use crate::exact::roots::roots_between;
+use crate::exact::split::Split;
 use crate::kind::{Difference, Side};
 
 /// Two features, one of each primitive.
@@ -52,14 +54,14 @@ impl Feature {
         }
     }
 
-    /// The squared distance less d², times the denominator: at most 0 within d.
-    pub(super) fn excess(&self) -> &Polynomial {
-        &self.excess
-    }
-
-    /// False if the excess is zero or certainly has no root inside the step.
-    pub(super) fn may_cross(&self) -> bool {
-        self.excess.sign_between(&Dyadic::ZERO, &Dyadic::ONE).is_none()
+    /// The times in [low, high] at which the excess vanishes and the feature exists, in increasing order;
+    /// none if the excess is zero at all times.
+    pub(super) fn crossings(&self, [low, high]: &[Split; 2]) -> impl Iterator<Item = Instant> {
+        let is_negative = |guard: &Polynomial| guard.sign_between(low, high) == Some(Ordering::Less);
+        let may_cross = !self.excess.is_zero() && !self.guards.iter().any(is_negative);
+        let roots = may_cross.then(|| roots_between(&self.excess, [low, high]));
+        let roots = roots.into_iter().flatten();
+        roots.filter(|root| self.exists(&Narrowing::new(root)))
     }
 
     /// Numerator and denominator of the squared distance.

@@ -10,13 +10,11 @@ mod closest;
 mod distance;
 mod feature;
 
-use alloc::vec;
 use alloc::vec::Vec;
 
-use super::dyadic::Dyadic;
-use super::instant::{Instant, roots, roots_between};
+use super::instant::Instant;
 use super::narrowing::Narrowing;
-use super::polynomial::Polynomial;
+use super::split::Split;
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
@@ -25,42 +23,53 @@ use crate::time::ContactTime;
 use approach::Approach;
 use feature::Feature;
 
+/// The first and the last time.
+static STEP: [Split; 2] = [Split::START, Split::END];
+
 /// [`Query::comes_within`], decided in integers alone.
 #[must_use]
 pub fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
-    is_within(&features, &Instant::Dyadic(Dyadic::ZERO)) || crossings(&features).next().is_some()
+    is_within_at(&features, &STEP[0]) || first_crossings(&features, &STEP).next().is_some()
 }
 
 /// [`Query::first_within`], computed in integers alone.
 #[must_use]
 pub fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactTime> {
     let features = Approach::new(query, d).features::<K>();
-    if is_within(&features, &Instant::Dyadic(Dyadic::ZERO)) {
+    if is_within_at(&features, &STEP[0]) {
         return Some(ContactTime::exactly(0.0));
     }
     // Rounding is monotone: the least of the rounded times is the least time, rounded.
-    crossings(&features).map(|instant| instant.round()).min()
+    let times = first_crossings(&features, &STEP).map(|instant| instant.round());
+    times.reduce(|a, b| if b < a { b } else { a })
 }
 
 /// [`Query::intervals_within`], computed in integers alone.
 #[must_use]
 pub fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInterval> {
     let features = Approach::new(query, d).features::<K>();
-    let events = roots(events(&features));
+    let mut events = Vec::new();
+    for feature in &features {
+        for event in feature.crossings(&STEP) {
+            event.insert_into(&mut events);
+        }
+    }
+    for end in STEP.iter().filter(|end| is_within_at(&features, end)) {
+        Instant::At(end.clone()).insert_into(&mut events);
+    }
+    // The distance is at most d at each of them, and nothing changes between two.
     let mut intervals = Vec::new();
     let mut start = None;
     for (i, event) in events.iter().enumerate() {
-        // Within d just before an event is within d at it: the distance is continuous.
-        if start.is_none() && is_within(&features, event) {
-            start = Some(event);
-        }
-        let continues = |next: &Instant| is_within(&features, &Instant::Dyadic(event.before(next)));
-        if start.is_some() && !events.get(i + 1).is_some_and(continues) {
-            intervals.extend(start.take().map(|start| TimeInterval {
-                start: start.round(),
+        let first = *start.get_or_insert(event);
+        let continues = |next: &Instant| is_within_at(&features, &event.before(next));
+        if !events.get(i + 1).is_some_and(continues) {
+            intervals.push(TimeInterval {
+                start: first.round(),
                 end: event.round(),
-            }));
+            });
+            start = None;
         }
     }
     intervals
@@ -71,7 +80,7 @@ pub fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInt
 pub fn impact_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<Impact> {
     let approach = Approach::new(query, d);
     let features = approach.features::<K>();
-    let first = first_instant(&features)?;
+    let first = first_instant(&features, &STEP)?;
     closest::impact::<K>(&approach, &features, &first)
 }
 
@@ -89,59 +98,43 @@ pub(crate) fn impact_at<K: Kind>(query: &Query<K>, d: Separation, first: Contact
 /// [`TimeOutOfStep`], if `t` is not in [0, 1].
 pub fn distance_at<K: Kind>(query: &Query<K>, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
     TimeOutOfStep::check(t)?;
-    Ok(distance::bounds(query, &Dyadic::from_unit(t)))
+    Ok(distance::bounds(query, t))
 }
 
-/// The first time at which the distance is at most d, if there is one.
-fn first_instant(features: &[Feature]) -> Option<Instant> {
-    let start = Instant::Dyadic(Dyadic::ZERO);
-    if is_within(features, &start) {
-        return Some(start);
+/// The first time in [low, high] at which the distance is at most d, if there is one.
+fn first_instant(features: &[Feature], bounds: &[Split; 2]) -> Option<Instant> {
+    if is_within_at(features, &bounds[0]) {
+        return Some(Instant::At(bounds[0].clone()));
     }
-    roots(events(features))
-        .into_iter()
-        .find(|event| is_within(features, event))
+    let mut times = Vec::new();
+    for time in first_crossings(features, bounds) {
+        time.insert_into(&mut times);
+    }
+    times.into_iter().next()
 }
 
 /// The first instant within d, given its time: an f64, or a root of some excess between two of them.
 fn instant_at(features: &[Feature], time: ContactTime) -> Option<Instant> {
-    let [low, high] = [time.lower(), time.upper()].map(Dyadic::from_unit);
+    let bounds = [time.lower(), time.upper()].map(Split::from_unit);
     if time.is_exact() {
-        return Some(Instant::Dyadic(low));
+        return Some(Instant::At(bounds[0].clone()));
     }
-    let changing = features
-        .iter()
-        .map(Feature::excess)
-        .filter(|excess| excess.sign_between(&low, &high).is_none());
-    roots_between(changing.cloned().collect(), &low, &high)
-        .into_iter()
-        .find(|event| is_within(features, event))
+    let [[low, _], [_, high]] = [bounds[0].neighbours(), bounds[1].neighbours()];
+    first_instant(features, &[low, high])
 }
 
-/// Times within d, among which is the first if it is not 0: roots of single excesses, and t = 1.
-fn crossings(features: &[Feature]) -> impl Iterator<Item = Instant> {
-    let of_feature = |feature: &Feature| {
-        let roots = roots(vec![feature.excess().clone()]);
-        roots.into_iter().find(|root| is_within(features, root))
-    };
-    let inside = features
+/// Times within d, among which is the first in [low, high] if it is not `low`: the first crossing of
+/// each feature, and `high`.
+fn first_crossings(features: &[Feature], bounds: &[Split; 2]) -> impl Iterator<Item = Instant> {
+    let end = is_within_at(features, &bounds[1]).then(|| Instant::At(bounds[1].clone()));
+    let crossings = features
         .iter()
-        .filter(|feature| feature.may_cross())
-        .filter_map(of_feature);
-    let end = Some(Instant::Dyadic(Dyadic::ONE)).filter(|end| is_within(features, end));
-    inside.chain(end)
+        .filter_map(|feature| feature.crossings(bounds).next());
+    end.into_iter().chain(crossings)
 }
 
-/// True if the distance is at most d at an instant.
-fn is_within(features: &[Feature], instant: &Instant) -> bool {
-    let instant = &Narrowing::new(instant);
+/// True if the distance is at most d at a time.
+fn is_within_at(features: &[Feature], t: &Split) -> bool {
+    let instant = &Narrowing::new(&Instant::At(t.clone()));
     features.iter().any(|feature| feature.is_within(instant))
-}
-
-/// Polynomials, not zero, among whose roots are all times at which the primitives come within d or
-/// leave, and the ends of the step.
-fn events(features: &[Feature]) -> Vec<Polynomial> {
-    let crossing = features.iter().filter(|feature| feature.may_cross());
-    let excesses = crossing.map(|feature| feature.excess().clone());
-    [Polynomial::ends()].into_iter().chain(excesses).collect()
 }

@@ -1,0 +1,111 @@
+//! Errors of imports.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// An entry of a scene of another program that cannot be imported.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("{}, {place}: {problem}", file.display())]
+pub struct ImportError {
+    /// The file.
+    pub file: PathBuf,
+    /// The place of the entry.
+    pub place: Place,
+    /// The problem.
+    pub problem: Problem,
+}
+
+/// A place in a scene of another program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// A keyword in a text file.
+    Line {
+        /// The line, from 1.
+        line: usize,
+        /// The keyword.
+        keyword: String,
+    },
+    /// A value of a JSON file, as a JSON pointer (RFC 6901). It is empty for the file as a whole.
+    Pointer(String),
+}
+
+/// The reason why an entry cannot be imported.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Problem {
+    /// The keyword is none of the format.
+    #[error("the keyword is unknown to {program}")]
+    Unknown {
+        /// The program of the format.
+        program: &'static str,
+    },
+    /// A value is missing or out of range.
+    #[error("found {found}, expected {expected}")]
+    Invalid {
+        /// The value, or `nothing`.
+        found: String,
+        /// The values that are allowed.
+        expected: String,
+    },
+    /// Scenes of this program have no counterpart of the entry.
+    #[error("exact-ccd has no counterpart of {what}: {instead}")]
+    Unsupported {
+        /// The meaning.
+        what: String,
+        /// An instruction.
+        instead: String,
+    },
+    /// A file cannot be read.
+    #[error("{0}")]
+    File(String),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line { line, keyword } => write!(f, "line {line}, `{keyword}`"),
+            Self::Pointer(pointer) if pointer.is_empty() => write!(f, "the file"),
+            Self::Pointer(pointer) => write!(f, "{pointer}"),
+        }
+    }
+}
+
+/// A problem at a place of the file that is being imported.
+#[derive(Debug)]
+pub(super) struct Fault {
+    pub(super) place: Place,
+    pub(super) problem: Problem,
+}
+
+impl Fault {
+    pub(super) fn in_file(self, file: &Path) -> ImportError {
+        ImportError {
+            file: file.to_owned(),
+            place: self.place,
+            problem: self.problem,
+        }
+    }
+}
+
+impl Problem {
+    pub(super) fn invalid(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
+        Self::Invalid {
+            found: found.to_string(),
+            expected: expected.to_string(),
+        }
+    }
+
+    pub(super) fn unsupported(what: impl fmt::Display, instead: impl fmt::Display) -> Self {
+        Self::Unsupported {
+            what: what.to_string(),
+            instead: instead.to_string(),
+        }
+    }
+
+    pub(super) fn at(self, place: &Place) -> Fault {
+        Fault {
+            place: place.clone(),
+            problem: self,
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! The text scenes of IPC.
+//!
+//! Source of the format: the reference implementation of M. Li et al., *Incremental Potential Contact*, 2020
+//! (github.com/ipc-sim/IPC, version of March 2024): `Config.cpp` and `Config.hpp` for keywords and default
+//! values, `main.cpp` for the placement of meshes, `AnimScripter.cpp` for motions, `IglUtils.cpp` for
+//! selections, and `Optimizer.cpp` for lengths relative to the box and for gravity.
+
+mod bodies;
+mod entries;
+mod file;
+mod held;
+mod part;
+mod shape;
+mod words;
+
+use super::Draft;
+use super::fault::{Fault, Place, Problem};
+use super::meshes::Meshes;
+use crate::half_space::HalfSpace;
+use crate::integrator::Integrator;
+use crate::scene::description::Description;
+use crate::scene::rendering::Rendering;
+use crate::settings::{Formulation, Friction, Length, Settings};
+use file::File;
+
+/// The most Newton iterations of a time step in IPC (`Optimizer.cpp`).
+const MAX_ITERATIONS: usize = 10_000;
+
+/// The scene in the text of a file.
+pub(super) fn import(text: &str, meshes: &mut Meshes) -> Result<Draft, Fault> {
+    let mut file = File::parse(text)?;
+    let mut notes = std::mem::take(&mut file.notes);
+    let body = bodies::bodies(&file, meshes, &mut notes)?;
+    check_friction(&file)?;
+    let description = Description {
+        duration: Some(file.duration),
+        settings: settings(&file),
+        body,
+        half_space: file.planes.iter().map(half_space).collect(),
+        render: Rendering::default(),
+    };
+    Ok(Draft { description, notes })
+}
+
+fn half_space(plane: &file::Plane) -> HalfSpace {
+    HalfSpace::new(plane.point, plane.normal)
+}
+
+fn settings(file: &File) -> Settings {
+    let length = |number| {
+        if file.is_absolute {
+            Length::Absolute(number)
+        } else {
+            Length::Relative(number)
+        }
+    };
+    Settings {
+        time_step: file.time_step,
+        gravity: file.gravity,
+        integrator: Integrator::ImplicitEuler,
+        contact_distance: length(file.contact_distance),
+        formulation: Formulation::Sum,
+        friction: Friction {
+            coefficient: file.friction,
+            static_velocity: length(file.static_velocity),
+            lags: file.lags,
+            ..Friction::default()
+        },
+        tolerance: length(file.tolerance),
+        max_iterations: MAX_ITERATIONS,
+        ..Settings::default()
+    }
+}
+
+/// Checks that all friction coefficients are the same.
+fn check_friction(file: &File) -> Result<(), Fault> {
+    let planes = file.planes.iter().map(|plane| (&plane.place, plane.friction));
+    let obstacles = file
+        .obstacles
+        .iter()
+        .map(|obstacle| (&obstacle.place, obstacle.friction));
+    let differs =
+        |(place, friction): (&Place, f64)| (friction != file.friction).then_some((place.clone(), friction));
+    match planes.chain(obstacles).find_map(differs) {
+        None => Ok(()),
+        Some((place, friction)) => {
+            let what = format!("friction {friction} here with `selfFric` {}", file.friction);
+            Err(Problem::unsupported(what, "write the same coefficient in both").at(&place))
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! Values of a JSON file with their places.
+
+use exact_ccd_mesh::Point;
+use serde_json::{Map, Value};
+
+use super::super::fault::{Fault, Place, Problem};
+
+/// A value, and the JSON pointer to it.
+#[derive(Clone, Debug)]
+pub(super) struct Entry<'a> {
+    pointer: String,
+    pub(super) value: &'a Value,
+}
+
+/// The treatment of a key of an object.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Rule {
+    /// It is imported.
+    Said,
+    /// It is ignored, for this reason.
+    Ignored(&'static str),
+    /// It has no counterpart. Only its default is allowed, which is this value or nothing: `null`, `false`,
+    /// an empty list, or an object that is empty or not enabled.
+    Only(Default),
+}
+
+/// A default value.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Default {
+    Nothing,
+    True,
+    Number(f64),
+    Text(&'static str),
+}
+
+impl Default {
+    fn is(self, value: &Value) -> bool {
+        let is_default = match self {
+            Self::Nothing => false,
+            Self::True => *value == Value::Bool(true),
+            Self::Number(number) => value.as_f64() == Some(number),
+            Self::Text(text) => value.as_str() == Some(text),
+        };
+        is_default
+            || match value {
+                Value::Null => true,
+                Value::Bool(value) => !value && !matches!(self, Self::True),
+                Value::Array(values) => values.is_empty(),
+                Value::Object(values) => values.is_empty() || is_disabled(values),
+                Value::Number(_) | Value::String(_) => false,
+            }
+    }
+}
+
+/// True for an object that says that it does not apply.
+fn is_disabled(values: &Map<String, Value>) -> bool {
+    let is_off = |key| values.get(key) == Some(&Value::Bool(false));
+    is_off("enabled") || is_off("adhesion_enabled")
+}
+
+impl<'a> Entry<'a> {
+    pub(super) fn new(value: &'a Value) -> Self {
+        Self {
+            pointer: String::new(),
+            value,
+        }
+    }
+
+    pub(super) fn place(&self) -> Place {
+        Place::Pointer(self.pointer.clone())
+    }
+
+    /// The error that the value is another one than expected.
+    pub(super) fn invalid(&self, expected: &str) -> Fault {
+        let mut found = self.value.to_string();
+        if found.chars().count() > 40 {
+            found = found.chars().take(40).chain("…".chars()).collect();
+        }
+        Problem::invalid(found, expected).at(&self.place())
+    }
+
+    pub(super) fn unsupported(&self, what: &str, instead: &str) -> Fault {
+        Problem::unsupported(what, instead).at(&self.place())
+    }
+
+    /// The value of a key that is present and not `null`.
+    pub(super) fn get(&self, key: &str) -> Option<Self> {
+        let value = self.value.get(key).filter(|value| !value.is_null())?;
+        Some(self.below(key, value))
+    }
+
+    /// The value of a required key.
+    pub(super) fn need(&self, key: &str) -> Result<Self, Fault> {
+        let missing = || Problem::invalid(format!("no key `{key}`"), "this key").at(&self.place());
+        self.get(key).ok_or_else(missing)
+    }
+
+    fn below(&self, key: &str, value: &'a Value) -> Self {
+        let key = key.replace('~', "~0").replace('/', "~1");
+        let pointer = format!("{}/{key}", self.pointer);
+        Self { pointer, value }
+    }
+
+    /// Checks all keys of an object.
+    pub(super) fn check(
+        &self,
+        rules: &[(&str, Rule)],
+        notes: &mut Vec<(Place, String)>,
+    ) -> Result<(), Fault> {
+        let object = self.value.as_object().ok_or_else(|| self.invalid("an object"))?;
+        for (key, value) in object {
+            let entry = self.below(key, value);
+            let rule = rules.iter().find(|(name, _)| name == key);
+            match rule.map(|(_, rule)| *rule) {
+                None => return Err(Problem::Unknown { program: "PolyFEM" }.at(&entry.place())),
+                Some(Rule::Said) => {}
+                Some(Rule::Ignored(reason)) => notes.push((entry.place(), format!("ignored: {reason}"))),
+                Some(Rule::Only(default)) if default.is(value) => {}
+                Some(Rule::Only(_)) => return Err(entry.unsupported("this value", "remove the key")),
+            }
+        }
+        Ok(())
+    }
+
+    /// The elements of a list, or the value as the only one.
+    pub(super) fn list(&self) -> Vec<Self> {
+        match self.value {
+            Value::Array(values) => (0..)
+                .zip(values)
+                .map(|(index, value): (usize, _)| self.below(&index.to_string(), value))
+                .collect(),
+            _ => vec![self.clone()],
+        }
+    }
+
+    /// A finite number, also one in a string.
+    pub(super) fn number(&self) -> Result<f64, Fault> {
+        let number = match self.value {
+            Value::Number(number) => number.as_f64(),
+            Value::String(text) => text.trim().parse().ok(),
+            _ => None,
+        };
+        number
+            .filter(|number| number.is_finite())
+            .ok_or_else(|| self.invalid("a number, without a unit"))
+    }
+
+    pub(super) fn integer(&self) -> Result<i64, Fault> {
+        self.value.as_i64().ok_or_else(|| self.invalid("an integer"))
+    }
+
+    pub(super) fn text(&self) -> Result<&'a str, Fault> {
+        self.value.as_str().ok_or_else(|| self.invalid("a string"))
+    }
+
+    pub(super) fn is_true(&self) -> Result<bool, Fault> {
+        self.value.as_bool().ok_or_else(|| self.invalid("true or false"))
+    }
+
+    /// Three numbers.
+    pub(super) fn point(&self) -> Result<Point, Fault> {
+        let numbers: Result<Vec<f64>, Fault> = self.elements()?.iter().map(Self::number).collect();
+        numbers?.try_into().map_err(|_| self.invalid("three numbers"))
+    }
+
+    /// The elements of a list.
+    pub(super) fn elements(&self) -> Result<Vec<Self>, Fault> {
+        if self.value.is_array() {
+            Ok(self.list())
+        } else {
+            Err(self.invalid("a list"))
+        }
+    }
+
+    /// The number of a key, or a default.
+    pub(super) fn number_or(&self, key: &str, default: f64) -> Result<f64, Fault> {
+        self.get(key).map_or(Ok(default), |entry| entry.number())
+    }
+
+    /// The truth of a key that is false if not given.
+    pub(super) fn flag(&self, key: &str) -> Result<bool, Fault> {
+        self.get(key).map_or(Ok(false), |entry| entry.is_true())
+    }
+}

@@ -1,0 +1,90 @@
+//! Materials.
+
+use super::super::fault::{Fault, Place};
+use super::NOTHING;
+use super::entry::{Entry, Rule};
+use crate::body::SolidProperties;
+use crate::elasticity::SolidMaterial;
+
+/// The material of the bodies with an id.
+pub(super) struct Material {
+    /// The ids; `None` for all bodies.
+    ids: Option<Vec<i64>>,
+    properties: SolidProperties,
+}
+
+/// The materials of the file.
+pub(super) fn materials(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<Vec<Material>, Fault> {
+    let entry = root.need("materials")?;
+    let is_list = entry.value.is_array();
+    entry
+        .list()
+        .iter()
+        .map(|entry| material(entry, is_list, notes))
+        .collect()
+}
+
+fn material(entry: &Entry<'_>, is_listed: bool, notes: &mut Vec<(Place, String)>) -> Result<Material, Fault> {
+    let name = entry.need("type")?;
+    if name.text()? != "NeoHookean" {
+        return Err(name.unsupported("this material", "write \"NeoHookean\""));
+    }
+    let rules = [
+        ("type", Rule::Said),
+        ("id", Rule::Said),
+        ("E", Rule::Said),
+        ("nu", Rule::Said),
+        ("lambda", Rule::Said),
+        ("mu", Rule::Said),
+        ("rho", Rule::Said),
+        ("phi", NOTHING),
+        ("psi", NOTHING),
+    ];
+    entry.check(&rules, notes)?;
+    let (young, poisson) = if entry.get("E").is_some() {
+        (entry.need("E")?.number()?, entry.need("nu")?.number()?)
+    } else {
+        let (lambda, mu) = (entry.need("lambda")?.number()?, entry.need("mu")?.number()?);
+        (
+            mu * (3.0 * lambda + 2.0 * mu) / (lambda + mu),
+            lambda / (2.0 * (lambda + mu)),
+        )
+    };
+    let ids = match entry.get("id") {
+        None => vec![0],
+        Some(ids) => ids.list().iter().map(Entry::integer).collect::<Result<_, _>>()?,
+    };
+    Ok(Material {
+        ids: is_listed.then_some(ids),
+        properties: SolidProperties {
+            density: entry.number_or("rho", 1.0)?,
+            young,
+            poisson,
+            energy: SolidMaterial::NeoHookean,
+        },
+    })
+}
+
+/// The material of a body with an id. A body without one has the id of the elements in its mesh file, which
+/// is that of the material if there is only one.
+pub(super) fn of_body(
+    id: Option<i64>,
+    materials: &[Material],
+    body: &Entry<'_>,
+) -> Result<SolidProperties, Fault> {
+    let has_id = |material: &&Material| match (&material.ids, id) {
+        (None, _) => true,
+        (Some(_), None) => materials.len() == 1,
+        (Some(ids), Some(id)) => ids.contains(&id),
+    };
+    // Of several materials with an id, PolyFEM takes the last one.
+    let material = materials.iter().rev().find(has_id);
+    let missing = || match id {
+        Some(id) => body.invalid(&format!("a material with the id {id}")),
+        None => body.unsupported(
+            "a material for each element",
+            "give the body an id by `volume_selection`",
+        ),
+    };
+    material.map(|material| material.properties).ok_or_else(missing)
+}

@@ -1,0 +1,75 @@
+//! The faces of bodies by their ids.
+
+use exact_ccd_mesh::{Aabb, Point};
+use nalgebra::Vector3;
+
+use super::region::Regions;
+
+/// The faces of a placed body with their ids.
+pub(super) struct Surface<'a> {
+    pub(super) points: &'a [Point],
+    pub(super) faces: &'a [[u32; 3]],
+    ids: Vec<Option<i64>>,
+}
+
+impl<'a> Surface<'a> {
+    pub(super) fn new(
+        points: &'a [Point],
+        faces: &'a [[u32; 3]],
+        regions: Option<&Regions>,
+        bounds: &Aabb,
+    ) -> Self {
+        let id = |face: &[u32; 3]| {
+            let corners = face.map(|vertex| Vector3::from(points[vertex as usize]));
+            regions?.id(&(corners.iter().sum::<Vector3<f64>>() / 3.0), bounds)
+        };
+        let ids = faces.iter().map(id).collect();
+        Self { points, faces, ids }
+    }
+
+    /// The same surface at another place.
+    pub(super) fn at<'b>(&'b self, points: &'b [Point]) -> Surface<'b> {
+        Surface {
+            points,
+            faces: self.faces,
+            ids: self.ids.clone(),
+        }
+    }
+
+    /// The id of all faces.
+    pub(super) fn single_id(&self) -> Option<i64> {
+        let first = self.ids.first().copied().flatten()?;
+        self.ids.iter().all(|id| *id == Some(first)).then_some(first)
+    }
+
+    /// The vertices of the faces with one of these ids, in increasing order.
+    pub(super) fn vertices(&self, ids: &Ids) -> Vec<u32> {
+        let mut is_selected = vec![false; self.points.len()];
+        for face in self.selected(ids) {
+            face.iter()
+                .for_each(|&vertex| is_selected[vertex as usize] = true);
+        }
+        (0..)
+            .zip(is_selected)
+            .filter(|(_, selected)| *selected)
+            .map(|(vertex, _)| vertex)
+            .collect()
+    }
+
+    /// The faces with one of these ids.
+    pub(super) fn selected(&self, ids: &Ids) -> impl Iterator<Item = &[u32; 3]> {
+        let faces = self.faces.iter().zip(&self.ids);
+        faces.filter(|(_, id)| ids.contain(**id)).map(|(face, _)| face)
+    }
+}
+
+/// Ids of faces or of bodies; `None` for all.
+pub(super) struct Ids(pub(super) Option<Vec<i64>>);
+
+impl Ids {
+    pub(super) fn contain(&self, id: Option<i64>) -> bool {
+        let Self(ids) = self;
+        ids.as_ref()
+            .is_none_or(|ids| id.is_some_and(|id| ids.contains(&id)))
+    }
+}

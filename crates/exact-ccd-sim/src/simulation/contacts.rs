@@ -1,0 +1,66 @@
+//! The contacts of a state.
+
+use exact_ccd_mesh::{Point, Step};
+use nalgebra::Vector3;
+
+use super::Simulation;
+use crate::contact::{Collision, Collisions};
+use crate::gather::gather_some;
+
+/// Two features (vertices, edges, faces) within the contact distance, or a vertex and a half space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Their bodies, by their places in the list of all bodies, followed by the half spaces.
+    pub bodies: [usize; 2],
+    /// The closest points of the features, in m.
+    pub points: [Point; 2],
+    /// The distance between the contact surfaces, in m.
+    pub distance: f64,
+    /// The normal force on the first feature, in N, with the stiffness of the last time step: zero before the
+    /// first one. Some contacts of the convergent formulation correct others: their force points inward, and
+    /// the sum is that on the body.
+    pub force: Point,
+}
+
+impl Simulation {
+    /// The contacts of the current state, in an order that does not depend on threads.
+    #[must_use]
+    pub fn contacts(&self) -> Vec<Contact> {
+        let positions = &self.state.positions;
+        // The positions of a state have been checked.
+        let Ok(step) = Step::new(&self.system.surface, positions, positions) else {
+            return Vec::new();
+        };
+        let candidates = self.system.near(step, &self.barrier);
+        let surface = self.system.contact_surface(self.settings.formulation);
+        let collisions = Collisions::new(surface, &candidates, positions, self.barrier);
+        collisions
+            .as_slice()
+            .iter()
+            .map(|collision| self.contact(collision))
+            .collect()
+    }
+
+    fn contact(&self, collision: &Collision) -> Contact {
+        let corners = gather_some(&self.state.positions, collision.vertices());
+        let separation = collision.separation(&corners);
+        // The weights of the first feature are positive, those of the second negative.
+        let weighted = corners
+            .iter()
+            .zip(separation.weights)
+            .filter(|(_, weight)| *weight > 0.0);
+        let first: Vector3<f64> = weighted.map(|(corner, weight)| corner * weight).sum();
+        let direction = separation
+            .vector
+            .try_normalize(0.0)
+            .unwrap_or_else(Vector3::zeros);
+        let stiffness = self.state.stiffness.unwrap_or(0.0);
+        let force = direction * (stiffness * collision.normal_force(&corners, &self.barrier));
+        Contact {
+            bodies: self.system.bodies_of(collision),
+            points: [first, first - separation.vector].map(Point::from),
+            distance: collision.gap(&corners, &self.barrier),
+            force: force.into(),
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Numbers known to within an error.
+
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+/// A number: m 2ᵏ for the middle m and the unit k, or one that differs from it by less than 2ᵉ units for
+/// the error e.
+#[derive(Clone, Debug)]
+pub(super) struct Approximation {
+    pub(super) middle: IBig,
+    pub(super) unit: isize,
+    pub(super) error: Option<usize>,
+}
+
+impl Approximation {
+    /// The sign, if the error does not hide it.
+    pub(super) fn sign(&self) -> Option<Ordering> {
+        self.is_known_to(0).then(|| self.middle.cmp(&IBig::ZERO))
+    }
+
+    /// Returns true if the error is less than 2⁻ᵏ of the middle.
+    pub(super) fn is_known_to(&self, bits: usize) -> bool {
+        self.error
+            .is_none_or(|error| self.middle.bit_len() > error + bits)
+    }
+
+    /// The exponent of the least power of two above the magnitude of the middle.
+    pub(super) fn top(&self) -> isize {
+        self.unit.saturating_add_unsigned(self.middle.bit_len())
+    }
+
+    /// A k such that the magnitude of the number is less than 2ᵏ.
+    pub(super) fn bound(&self) -> isize {
+        let bits = self.middle.bit_len().max(self.error.unwrap_or_default());
+        self.unit.saturating_add_unsigned(bits + 1)
+    }
+
+    /// The middle in units of 2ᵏ, rounded down.
+    pub(super) fn in_units(&self, unit: isize) -> IBig {
+        shifted(&self.middle, self.unit - unit)
+    }
+}
+
+/// x 2ᵏ, rounded down.
+pub(super) fn shifted(x: &IBig, by: isize) -> IBig {
+    if by < 0 {
+        x >> by.unsigned_abs()
+    } else {
+        x << by.unsigned_abs()
+    }
+}

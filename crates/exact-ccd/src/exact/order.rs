@@ -1,0 +1,91 @@
+//! The order of times, and times between two of them.
+
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+
+use super::instant::Instant;
+use super::split::Split;
+use crate::time::ContactTime;
+
+impl Instant {
+    /// Inserts this time into distinct ones in increasing order, unless it is one of them.
+    pub(crate) fn insert_into(mut self, times: &mut Vec<Self>) {
+        let mut index = 0;
+        while let Some(time) = times.get_mut(index) {
+            match time.order(&mut self) {
+                Ordering::Less => index += 1,
+                Ordering::Equal => return,
+                Ordering::Greater => break,
+            }
+        }
+        times.insert(index, self);
+    }
+
+    /// The comparison of two times. Different times keep the disjoint brackets that it needs.
+    fn order(&mut self, other: &mut Self) -> Ordering {
+        if self.equals(other) {
+            return Ordering::Equal;
+        }
+        self.part(other);
+        self.bounds().1.cmp(other.bounds().0)
+    }
+
+    /// Returns true if this time is another one.
+    fn equals(&mut self, other: &Self) -> bool {
+        match (self, other) {
+            (this, Self::At(t)) => this.compare(t).is_eq(),
+            (Self::At(t), _) => other.compare(t).is_eq(),
+            // A common root of both polynomials in both brackets, which have no other roots there.
+            (Self::Root(one), Self::Root(two)) => {
+                one.low() < two.high()
+                    && two.low() < one.high()
+                    && one.is_root_of(two.polynomial())
+                    && one.compare(two.low()).is_gt()
+                    && one.compare(two.high()).is_lt()
+            }
+        }
+    }
+
+    /// Makes the brackets of two different times narrower, until they are disjoint, with their ends.
+    fn part(&mut self, other: &mut Self) {
+        while self.bounds().1 >= other.bounds().0 && other.bounds().1 >= self.bounds().0 {
+            let wider = if self.closeness() < other.closeness() {
+                &mut *self
+            } else {
+                &mut *other
+            };
+            wider.narrow();
+        }
+    }
+
+    /// A number strictly between this time and a later one.
+    pub(crate) fn before(&self, later: &Self) -> Split {
+        let (mut this, mut later) = (self.clone(), later.clone());
+        this.part(&mut later);
+        Split::between(this.bounds().1, later.bounds().0)
+    }
+
+    /// The time as an f64 or between two adjacent ones, by bisection over bit patterns, which are
+    /// ordered like the numbers.
+    pub(crate) fn round(&self) -> ContactTime {
+        let mut narrow = self.clone();
+        // At most a few f64 are then in the bracket, where the comparison takes long.
+        narrow.narrow_by(64);
+        let (mut low, mut high) = (0.0f64.to_bits(), 1.0f64.to_bits() + 1);
+        let compare = |bits| narrow.compare(&Split::from_unit(f64::from_bits(bits)));
+        while high - low > 1 {
+            let middle = low + (high - low) / 2;
+            if compare(middle).is_ge() {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let floor = f64::from_bits(low);
+        if compare(low).is_eq() {
+            ContactTime::exactly(floor)
+        } else {
+            ContactTime::just_above(floor)
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! A time, as the ratio in which it splits the step.
+
+use core::cmp::Ordering;
+
+use dashu_int::IBig;
+use dashu_int::ops::BitTest;
+
+use super::dyadic::decompose;
+
+/// The time t with t / (1 − t) = a 2ᵏ / b for integers a, b ≥ 0 that are not both zero.
+///
+/// A time near either end of the step has few digits in this form, as an f64 has near 0.
+#[derive(Clone, Debug)]
+pub(crate) struct Split {
+    /// a, in proportion to the time that has elapsed.
+    pub(super) elapsed: IBig,
+    /// b, in proportion to the time that is left. It is 1 unless the time is 1, or a given f64.
+    pub(super) left: IBig,
+    pub(super) exponent: isize,
+}
+
+impl Split {
+    pub(crate) const START: Self = Self {
+        elapsed: IBig::ZERO,
+        left: IBig::ONE,
+        exponent: 0,
+    };
+    pub(crate) const END: Self = Self {
+        elapsed: IBig::ONE,
+        left: IBig::ZERO,
+        exponent: 0,
+    };
+
+    /// a 2ᵏ : 1 for a > 0.
+    pub(super) fn ratio(elapsed: IBig, exponent: isize) -> Self {
+        let zeros = elapsed.trailing_zeros().unwrap_or_default();
+        Self {
+            elapsed: elapsed >> zeros,
+            left: IBig::ONE,
+            exponent: exponent + zeros as isize,
+        }
+    }
+
+    /// The value of `t`, which must lie in [0, 1].
+    pub(crate) fn from_unit(t: f64) -> Self {
+        let (mantissa, exponent) = decompose(t);
+        // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
+        let elapsed = IBig::from(mantissa);
+        let left = (IBig::ONE << exponent.min(0).unsigned_abs() as usize) - &elapsed;
+        Self {
+            elapsed,
+            left,
+            exponent: 0,
+        }
+    }
+
+    /// The ratios a 2ᵏ : 1 next to this one with a of at most 64 bits, or this one at an end.
+    pub(super) fn neighbours(&self) -> [Self; 2] {
+        if self.is_end() {
+            return [self.clone(), self.clone()];
+        }
+        let shift = 64 + self.left.bit_len() as isize - self.elapsed.bit_len() as isize;
+        let quotient = if shift < 0 {
+            &self.elapsed / (&self.left << shift.unsigned_abs())
+        } else {
+            (&self.elapsed << shift.unsigned_abs()) / &self.left
+        };
+        let next = &quotient + IBig::ONE;
+        [quotient, next].map(|a| Self::ratio(a, self.exponent - shift))
+    }
+
+    /// Returns true if the time is 0 or 1.
+    pub(super) fn is_end(&self) -> bool {
+        self.elapsed.is_zero() || self.left.is_zero()
+    }
+
+    /// Returns true for a ratio a 2ᵏ : 1 that is not 0.
+    pub(super) fn is_inner_ratio(&self) -> bool {
+        self.left.is_one() && !self.elapsed.is_zero()
+    }
+
+    /// A k with 2ᵏ⁻² < a / b < 2ᵏ; the ends of the range of integers for the ends of the step.
+    pub(super) fn top(&self) -> isize {
+        if self.elapsed.is_zero() {
+            isize::MIN
+        } else if self.left.is_zero() {
+            isize::MAX
+        } else {
+            self.exponent + 1 + self.elapsed.bit_len() as isize - self.left.bit_len() as isize
+        }
+    }
+}
+
+impl PartialEq for Split {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Split {}
+
+impl Ord for Split {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let tops = [self.top(), other.top()];
+        if self.is_end() || other.is_end() || tops[0].abs_diff(tops[1]) > 2 {
+            return tops[0].cmp(&tops[1]);
+        }
+        let least = self.exponent.min(other.exponent);
+        let product = |x: &Self, y: &Self| (&x.elapsed * &y.left) << (x.exponent - least).unsigned_abs();
+        product(self, other).cmp(&product(other, self))
+    }
+}
+
+impl PartialOrd for Split {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
