@@ -17,7 +17,7 @@ impl<K: Kind> Motion<K> {
     /// The contact at an instant at which the primitives touch; see [`Impact`] for the cases.
     pub(super) fn impact(&self, instant: &Instant) -> Impact {
         let time = instant.round();
-        // In a bracket narrower than the resolution of the ratios, Descartes' rule proves nearly
+        // In a bracket narrower than the resolution of the ratios, approximations prove nearly
         // all of their signs.
         let instant = Narrowing::new(instant);
         instant.narrow_by(64);

@@ -18,7 +18,7 @@ type Closest = ([f64; 2], Option<Point>);
 /// The closest points at the first instant within d.
 pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Option<Impact> {
     let time = first.round();
-    // In a bracket narrower than the resolution of the ratios, Descartes' rule proves nearly all of
+    // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
     // their signs.
     let instant = Narrowing::new(first);
     instant.narrow_by(64);
