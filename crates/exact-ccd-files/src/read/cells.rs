@@ -7,6 +7,7 @@ use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
+use crate::file_ids::FileIds;
 
 /// The contents of a mesh file. Readers have checked all indices.
 #[derive(Default)]
@@ -17,6 +18,8 @@ pub(super) struct Cells {
     pub(super) lines: Vec<[u32; 2]>,
     pub(super) faces: Faces,
     pub(super) solids: Vec<Solid>,
+    /// The names of the arrays that were read, in a file of several arrays.
+    pub(super) arrays: Option<String>,
 }
 
 /// The frame of a file, and the facts about the file that a frame does not have.
@@ -27,6 +30,8 @@ pub(super) struct Assembled {
     pub(super) first_polygon: Option<ParseError>,
     /// The number of cells with volume, of which the frame has the surface.
     pub(super) solids: usize,
+    pub(super) ids: FileIds,
+    pub(super) arrays: Option<String>,
 }
 
 /// The numbers of elements in the file, for the error of a file without any mesh.
@@ -51,6 +56,14 @@ impl Cells {
     /// All vertices, faces and lines. Every vertex in none of them is a point. For files without
     /// cells with volume.
     pub(super) fn into_frame(self) -> Result<Assembled, ParseError> {
+        let ids = FileIds {
+            vertices: (0..self.positions.len()).map(|vertex| vertex as u32).collect(),
+            faces: (0..self.faces.triangles.len())
+                .map(|triangle| Some(self.faces.id(triangle)))
+                .collect(),
+            vertex_count: self.positions.len(),
+            face_count: self.faces.count,
+        };
         let Faces {
             triangles,
             polygons,
@@ -63,6 +76,8 @@ impl Cells {
             polygons,
             first_polygon,
             solids: 0,
+            ids,
+            arrays: self.arrays,
         })
     }
 
@@ -82,11 +97,7 @@ impl Cells {
             // Oriented by the positions.
             Some(tetrahedra) => {
                 let mesh = TetMesh::new(self.positions.clone(), tetrahedra);
-                let triangles = mesh.map_err(at_file(Fault::TetMesh))?.surface().to_vec();
-                Faces {
-                    triangles,
-                    ..Faces::default()
-                }
+                Faces::of(mesh.map_err(at_file(Fault::TetMesh))?.surface().to_vec())
             }
             None => solids::surface(&self.solids)?,
         };
@@ -112,11 +123,7 @@ impl Cells {
                 }
                 let faces = TetFaces::of(tetrahedra);
                 faces.check().map_err(at_file(Fault::TetMesh))?;
-                let triangles = faces.boundary();
-                Faces {
-                    triangles,
-                    ..Faces::default()
-                }
+                Faces::of(faces.boundary())
             }
             None => solids::surface(&self.solids)?,
         };
@@ -131,16 +138,31 @@ impl Cells {
         let points: Vec<u32> = self.points.into_iter().filter(is_free).collect();
         let lines = loose_lines(&self.solids, self.lines);
         let mut faces = surface.triangles;
+        let mut face_ids = vec![None; faces.len()];
         if !self.faces.triangles.is_empty() {
             let sides = solids::all_triangles(&self.solids);
-            let is_shell = |&triangle: &[u32; 3]| sides.binary_search(&increasing(triangle)).is_err();
-            faces.extend(self.faces.triangles.into_iter().filter(is_shell));
+            for (number, &triangle) in self.faces.triangles.iter().enumerate() {
+                if sides.binary_search(&increasing(triangle)).is_err() {
+                    faces.push(triangle);
+                    face_ids.push(Some(self.faces.id(number)));
+                }
+            }
         }
+        let polygons = surface.polygons + self.faces.polygons_among(&face_ids);
+        let first_polygon = surface.first_polygon.or(self.faces.first_polygon);
+        let (frame, vertices) = frame(&self.positions, faces, &lines, &points)?;
         Ok(Assembled {
-            frame: frame(&self.positions, faces, &lines, &points)?,
-            polygons: surface.polygons + self.faces.polygons,
-            first_polygon: surface.first_polygon.or(self.faces.first_polygon),
+            frame,
+            polygons,
+            first_polygon: first_polygon.filter(|_| polygons > 0),
             solids: self.solids.len(),
+            ids: FileIds {
+                vertices,
+                faces: face_ids,
+                vertex_count: self.positions.len(),
+                face_count: self.faces.count,
+            },
+            arrays: self.arrays,
         })
     }
 
@@ -178,7 +200,8 @@ impl Cells {
     }
 }
 
-/// The frame of these faces, lines and points without all other vertices, in the same order.
+/// The frame of these faces, lines and points without all other vertices, in the same order, and the
+/// vertices that it has.
 ///
 /// All positions must be finite, also those that are left out.
 fn frame(
@@ -186,7 +209,7 @@ fn frame(
     faces: Vec<[u32; 3]>,
     lines: &[[u32; 2]],
     points: &[u32],
-) -> Result<Frame, ParseError> {
+) -> Result<(Frame, Vec<u32>), ParseError> {
     exact_ccd_mesh::check_positions(positions.len(), positions)
         .map_err(|error| at_file(Fault::Frame)(error.into()))?;
     let corners = faces.as_flattened().iter().chain(lines.as_flattened());
@@ -195,7 +218,8 @@ fn frame(
     let positions = vertices.iter().map(|&vertex| positions[vertex as usize]);
     let faces = faces.into_iter().map(|face| face.map(index)).collect();
     let lines: Vec<_> = lines.iter().map(|line| line.map(index)).collect();
-    Frame::with_edges(positions.collect(), faces, &lines).map_err(at_file(Fault::Frame))
+    let frame = Frame::with_edges(positions.collect(), faces, &lines).map_err(at_file(Fault::Frame))?;
+    Ok((frame, vertices))
 }
 
 /// The lines between different vertices that are not edges of cells.

@@ -9,6 +9,7 @@ use super::file::{format_of, parse_file};
 use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
+use crate::file_ids::FileIds;
 use crate::format::Format;
 
 /// The treatment of faces with more than three corners.
@@ -32,6 +33,11 @@ pub struct MeshFile {
     pub frame: Frame,
     /// The numbers of its elements.
     pub contents: Contents,
+    /// The ids of its vertices and faces in the file.
+    pub ids: FileIds,
+    /// The names of the arrays that were read, and of those that were not, of a file of several arrays of
+    /// numpy.
+    pub arrays: Option<String>,
 }
 
 impl MeshFile {
@@ -77,8 +83,12 @@ impl MeshFile {
             solids: assembled.solids,
             ..Contents::of(&assembled.frame)
         };
-        let frame = assembled.frame;
-        Ok(Self { frame, contents })
+        Ok(Self {
+            frame: assembled.frame,
+            contents,
+            ids: assembled.ids,
+            arrays: assembled.arrays,
+        })
     }
 }
 
