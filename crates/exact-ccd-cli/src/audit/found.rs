@@ -36,7 +36,7 @@ impl Found {
     ) -> Result<(), Failure> {
         let records: Vec<_> = violations
             .iter()
-            .map(|violation| record(moved, violation))
+            .map(|violation| record(moved, violation).in_file(scene.ids()))
             .collect();
         if self.first.is_none()
             && let (Some(violation), Some(first)) = (violations.first(), records.first())
@@ -59,6 +59,7 @@ impl Found {
                 impact_files::write(
                     folder,
                     Step::new(&moved.last.mesh, start, &moved.last.positions)?,
+                    scene.ids(),
                     &list,
                 )?;
             }

@@ -104,7 +104,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     )?;
     scene.check_contents(arguments.min_distance != Separation::default())?;
     let mut read = clock.elapsed();
-    let mut recording = arguments.view.recording(&arguments.frames);
+    let mut recording = arguments.view.recording(&arguments.frames).with_ids(scene.ids());
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
     let (count, mut examined) = (scene.frame_count(), 0);

@@ -9,7 +9,7 @@ mod summary;
 
 use std::path::PathBuf;
 
-use exact_ccd_files::{Contents, Polygons};
+use exact_ccd_files::{Contents, FileIds, Polygons};
 use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
 
 use crate::failure::Failure;
@@ -28,6 +28,7 @@ pub(crate) struct Scene {
     /// The first frame, until it is read.
     first: Option<Frame>,
     contents: Contents,
+    ids: FileIds,
     can_collide: CanCollide,
     frame_count: usize,
 }
@@ -57,6 +58,8 @@ impl Scene {
         part::make_names_unique(&mut parts);
         let frame = joined(&mut parts, None, 0)?;
         let contents = part::contents(&parts, &frame);
+        let mut ids = FileIds::default();
+        parts.iter().for_each(|part| ids.append(&part.ids));
         let can_collide = rules::can_collide(&parts, options)?;
         let (mesh, first) = (frame.mesh.clone(), Some(frame));
         Ok(Self {
@@ -64,6 +67,7 @@ impl Scene {
             mesh,
             first,
             contents,
+            ids,
             can_collide,
             frame_count,
         })
@@ -130,6 +134,11 @@ impl Scene {
     /// The pairs that can collide.
     pub(crate) fn can_collide(&self) -> CanCollide {
         self.can_collide.clone()
+    }
+
+    /// The ids of vertices and faces in their files, for reports.
+    pub(crate) fn ids(&self) -> &FileIds {
+        &self.ids
     }
 
     /// The error for a frame that does not belong to the frames before it.

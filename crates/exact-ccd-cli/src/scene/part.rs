@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, MeshFile, ReadMotionError};
+use exact_ccd_files::{Contents, FileIds, MeshFile, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
 
 use super::Frames;
@@ -20,6 +20,10 @@ pub(super) struct Part {
     loaded: Vec<Option<Frame>>,
     /// The contents of the first frame, as it is in its file.
     contents: Contents,
+    /// The ids of vertices and faces in the file of the first frame. A welded vertex has the least one.
+    pub(super) ids: FileIds,
+    /// The names of the arrays of the file.
+    pub(super) arrays: Option<String>,
     /// The mesh of all frames in their files.
     mesh: TriangleMesh,
     welded: Option<(Welding, TriangleMesh)>,
@@ -32,7 +36,13 @@ impl Part {
             || frames.read(0),
             || (frames.count() > 1).then(|| frames.read(1)).transpose(),
         );
-        let MeshFile { frame, contents, .. } = first?;
+        let MeshFile {
+            frame,
+            contents,
+            ids,
+            arrays,
+            ..
+        } = first?;
         let mesh = frame.mesh.clone();
         let vertices = 0..mesh.vertex_count() as u32;
         let second = second?.map(|file| file.frame);
@@ -43,12 +53,17 @@ impl Part {
             frames,
             loaded: [Some(frame), second].to_vec(),
             contents,
+            ids,
+            arrays,
             mesh,
             welded: None,
         };
         let is_stl = part.frames.are_stl();
         if weld || is_stl {
-            part.welded = Some(part.weld(is_stl)?);
+            let (welding, mesh) = part.weld(is_stl)?;
+            let kept = welding.first_vertices().iter();
+            part.ids.vertices = kept.map(|&vertex| part.ids.vertices[vertex]).collect();
+            part.welded = Some((welding, mesh));
         }
         Ok(part)
     }

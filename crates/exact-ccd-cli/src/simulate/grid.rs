@@ -45,6 +45,7 @@ impl Grid {
             triangles: &self.triangles,
             lines: &self.lines,
             points: &self.particles,
+            ids: None,
             velocities: Some(&state.velocities),
         };
         write_vtu(writer, grid)

@@ -9,6 +9,7 @@ mod convert;
 mod distances;
 mod examples;
 mod folder;
+mod ids;
 mod meshes;
 mod methods;
 mod queries;

@@ -36,6 +36,8 @@ pub struct UnstructuredGrid<'a> {
     pub points: &'a [u32],
     /// The velocity of each vertex, written as point data `velocity`; none to write no velocities.
     pub velocities: Option<&'a [Point]>,
+    /// The id of each vertex, written as point data `id`; none to write no ids.
+    pub ids: Option<&'a [u32]>,
 }
 
 /// The faces and loose edges of a frame.
@@ -63,7 +65,7 @@ impl<'a> From<&'a TetMesh> for UnstructuredGrid<'a> {
 
 impl UnstructuredGrid<'_> {
     /// Checks that coordinates and velocities are finite, corners are vertices, and each vertex has
-    /// a velocity.
+    /// a velocity and an id.
     pub(super) fn check(&self) -> io::Result<()> {
         let count = self.positions.len();
         check_positions(count, self.positions).map_err(invalid)?;
@@ -77,6 +79,12 @@ impl UnstructuredGrid<'_> {
         if let Some(corner) = corners.find(|&&corner| corner as usize >= count) {
             return Err(invalid(format!(
                 "a cell names vertex {corner}, but there are only {count} vertices"
+            )));
+        }
+        if let Some(ids) = self.ids.filter(|ids| ids.len() != count) {
+            let found = ids.len();
+            return Err(invalid(format!(
+                "{found} ids, expected one for each of {count} vertices"
             )));
         }
         let Some(velocities) = self.velocities else {

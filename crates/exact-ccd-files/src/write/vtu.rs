@@ -27,7 +27,7 @@ const TETRAHEDRON: u8 = 10;
 /// # Errors
 /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
 /// written, if a coordinate or velocity is not finite, a corner is not a vertex, or the numbers of
-/// velocities and vertices differ.
+/// velocities, of ids and of vertices differ.
 pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGrid<'a>>) -> io::Result<()> {
     let grid = grid.into();
     grid.check()?;
@@ -36,16 +36,23 @@ pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGri
     cells.add(TRIANGLE, grid.triangles);
     cells.add(LINE, grid.lines);
     cells.add(VERTEX, grid.points.as_chunks::<1>().0);
-    let velocities = grid.velocities.map_or(String::new(), |velocities| {
-        let data = vectors("velocity", velocities);
-        format!("<PointData Vectors=\"velocity\">\n{data}\n</PointData>\n")
+    let velocities = grid.velocities.map(|velocities| vectors("velocity", velocities));
+    let attribute = velocities.as_ref().map_or("", |_| " Vectors=\"velocity\"");
+    let ids = grid.ids.map(|ids| {
+        let data = ids.iter().flat_map(|&id| i64::from(id).to_le_bytes());
+        data_array("Int64", "id", 1, data)
     });
+    let arrays: Vec<String> = velocities.into_iter().chain(ids).collect();
+    let data = match &arrays[..] {
+        [] => String::new(),
+        _ => format!("<PointData{attribute}>\n{}\n</PointData>\n", arrays.join("\n")),
+    };
     let file = format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <UnstructuredGrid>
 <Piece NumberOfPoints="{}" NumberOfCells="{}">
-{velocities}<Points>
+{data}<Points>
 {}
 </Points>
 <Cells>
