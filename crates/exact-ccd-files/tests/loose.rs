@@ -221,6 +221,7 @@ fn grids_of_all_cells_read_back() {
         lines: &[[1, 4], [0, 1]],
         points: &[5, 0],
         velocities: None,
+        ids: None,
     };
     let mut file = Vec::new();
     write_vtu(&mut file, grid).unwrap();
