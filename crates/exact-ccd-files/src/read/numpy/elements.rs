@@ -35,7 +35,7 @@ impl Elements {
                      the corners of each element, as pyvista has them,",
                 );
             }
-            Form::Rows(size) if is_list && vertices.len() % size != 0 => {
+            Form::Rows(size) if is_list && !vertices.len().is_multiple_of(size) => {
                 return fault(&format!("{size} vertices for each element"));
             }
             Form::Rows(size) if is_list && !vertices.is_empty() && has_counts(&vertices) => {
