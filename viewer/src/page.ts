@@ -5,10 +5,12 @@ export type Point = readonly [number, number, number];
 /** A vertex, an edge or a face of the mesh. */
 export interface Primitive {
   kind: "vertex" | "edge" | "face";
-  /** Its index in the mesh, from 0; none for the primitives of a query. */
+  /** Its id in the file, or of an edge in the mesh, from 0; none for those of a query and sides of solids. */
   id: number | null;
-  /** Its vertices, from 0. */
+  /** Its vertices in the mesh of the page, from 0. */
   vertices: number[];
+  /** The ids of these vertices in the file. */
+  labels: number[];
 }
 
 /** Two primitives that touch. */

@@ -11,8 +11,8 @@ const query = (kind: Query["kind"], start: Point[], end: Point[]): Query => ({
   separation: 0,
   times: [],
   primitives: [
-    { kind: "vertex", id: null, vertices: [0] },
-    { kind: "face", id: null, vertices: [1, 2, 3] },
+    { kind: "vertex", id: null, vertices: [0], labels: [0] },
+    { kind: "face", id: null, vertices: [1, 2, 3], labels: [1, 2, 3] },
   ],
   distances: [],
 });

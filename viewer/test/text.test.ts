@@ -7,8 +7,8 @@ const contact: Contact = {
   frame: 1,
   time: 0.123456789012345,
   primitives: [
-    { kind: "vertex", id: 7, vertices: [7] },
-    { kind: "face", id: 3, vertices: [1, 2, 9] },
+    { kind: "vertex", id: 7, vertices: [4], labels: [7] },
+    { kind: "face", id: 3, vertices: [1, 2, 5], labels: [1, 2, 9] },
   ],
   closest: [
     [1, 2, 3],
@@ -38,14 +38,16 @@ const page = (numbers: number[]): Page => ({
 describe("texts", () => {
   it("of primitives have their vertices", () => {
     expect(contact.primitives.map(primitiveText)).toEqual(["vertex 7", "face 3 (vertices 1, 2, 9)"]);
-    expect(primitiveText({ kind: "edge", id: null, vertices: [0, 1] })).toBe("edge (vertices 0, 1)");
+    expect(primitiveText({ kind: "edge", id: null, vertices: [0, 1], labels: [0, 1] })).toBe("edge (vertices 0, 1)");
   });
   it("of contact times have all digits, and the frames if there are more than two", () => {
     expect(timeText(page([0, 1]), { ...contact, frame: 0 })).toBe("t = 0.123456789012345");
+    expect(timeText(page([0, 1]), { ...contact, frame: 1, time: 0 })).toBe("t = 1");
     expect(timeText(page([0, 4, 5]), contact)).toBe("frame 4 to 5, t = 0.123456789012345");
   });
   it("of moments are short", () => {
     expect(momentText(page([0, 1]), { frame: 0, t: 1 / 3 })).toBe("t = 0.3333333");
+    expect(momentText(page([0, 1]), { frame: 1, t: 0 })).toBe("t = 1");
     expect(momentText(page([0, 4, 5]), { frame: 1, t: 0.5 })).toBe("frame 4 to 5, t = 0.5");
     expect(momentText(page([0, 4, 5]), { frame: 1, t: 1 })).toBe("frame 5: 5 s");
     expect(momentText(page([3]), { frame: 0, t: 0 })).toBe("3 s");

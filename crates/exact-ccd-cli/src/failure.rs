@@ -77,6 +77,15 @@ pub(crate) enum Failure {
     NoDataSet(PathBuf),
     #[error("{}: expected meshes of one format, such as .ply, .obj, .stl or .vtu", .0.display())]
     NoFrames(PathBuf),
+    #[error(
+        "the order of {} and {} is not certain: the point in their numbers may be that of a decimal, or between \
+         two numbers; give the files in order with --as-given, or give all numbers the same number of digits",
+        .0[0].display(),
+        .0[1].display()
+    )]
+    UncertainOrder([PathBuf; 2]),
+    #[error("{}: --as-given needs files: those of a folder are not given in an order", .0.display())]
+    FolderAsGiven(PathBuf),
     #[error("{}: {}", file.display(), frame_count(*count, *expected))]
     FrameCount {
         file: PathBuf,

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-use exact_ccd_files::{PointArray, UnstructuredGrid, write_vtp, write_vtu};
+use exact_ccd_files::{FileIds, PointArray, UnstructuredGrid, write_vtp, write_vtu};
 use exact_ccd_mesh::Step;
 
 use crate::contacts::ContactList;
@@ -13,7 +13,7 @@ use crate::output::write_file;
 
 /// Writes `impact.vtu`, the mesh at the time of the first contact, and `contacts.vtp`, the places of the
 /// contacts with their times, normals and ids. Without a contact, there is no `impact.vtu`.
-pub(crate) fn write(folder: &Path, step: Step<'_>, list: &ContactList) -> Result<(), Failure> {
+pub(crate) fn write(folder: &Path, step: Step<'_>, ids: &FileIds, list: &ContactList) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))?;
     let impact = folder.join("impact.vtu");
     match list.0.first() {
@@ -24,6 +24,7 @@ pub(crate) fn write(folder: &Path, step: Step<'_>, list: &ContactList) -> Result
                 positions: &positions,
                 triangles: mesh.faces(),
                 lines: mesh.loose_edges(),
+                ids: Some(&ids.vertices),
                 ..UnstructuredGrid::default()
             };
             write_file(&impact, |writer| write_vtu(writer, grid))?;

@@ -37,11 +37,13 @@
 //! a surface mesh that is in no face and no edge is a point, whether or not the file lists it as
 //! one. Of tetrahedra, only listed points of VTK are kept; Gmsh lists points for its geometry.
 //!
-//! No bytes make a reader panic. Memory stays proportional to the size of the file.
+//! No bytes make a reader panic. Data from a file take at most 200 times its size and a mebibyte, at eight
+//! bytes or less for each byte.
 //! `docs/files.md` in the repository says what each format becomes.
 
 mod contents;
 mod error;
+mod file_ids;
 mod format;
 mod frame_order;
 mod named_part;
@@ -51,6 +53,7 @@ mod write;
 
 pub use contents::Contents;
 pub use error::{Fault, ParseError, Place, ReadError};
+pub use file_ids::FileIds;
 pub use format::Format;
 pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;

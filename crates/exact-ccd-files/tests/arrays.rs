@@ -146,6 +146,41 @@ fn nodes_place_their_meshes() {
 }
 
 #[test]
+fn triangles_without_all_their_corners_are_errors() {
+    // Bytes 0, 0, 128 and so on of the positions as indices.
+    let file = gltf(r#"{"mesh":0}"#, r#","indices":1"#).replacen(
+        "\"accessors\":[",
+        "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\
+         \"min\":[0,0,0],\"max\":[1,1,0]},{\"bufferView\":0,\"componentType\":5121,\"count\":5,\
+         \"type\":\"SCALAR\"},",
+        1,
+    );
+    let error = parse_frame(file.as_bytes(), Format::Gltf).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "expected three vertices for each triangle in accessor 1, found 5"
+    );
+}
+
+/// A file that many buffers name counts once, and so does its size.
+#[test]
+fn a_file_of_several_buffers_is_read_once() {
+    temporary("positions.bin", &[0; 1 << 20]);
+    let buffers =
+        "{\"byteLength\":36,\"uri\":\"positions.bin\"},{\"byteLength\":36,\"uri\":\"./positions.bin\"},";
+    let file = gltf(r#"{"mesh":0}"#, "").replacen("\"buffers\":[", &format!("\"buffers\":[{buffers}"), 1);
+    let frame = read_frame(temporary("shared.gltf", file.as_bytes())).unwrap();
+    assert_eq!(frame.positions, [[0.0; 3]; 3]);
+    let accessor = file.replacen("\"count\":3", "\"count\":12000000", 1);
+    let error = read_frame(temporary("shared.gltf", accessor.as_bytes())).unwrap_err();
+    // Twice the size of the file would allow for these positions.
+    assert!(
+        error.to_string().contains("the data expand to more than"),
+        "{error}"
+    );
+}
+
+#[test]
 fn what_a_gltf_mesh_cannot_be_is_named() {
     for (nodes, primitive, message) in [
         (
@@ -211,6 +246,19 @@ fn what_a_gltf_mesh_cannot_be_is_named() {
             .unwrap_err()
             .to_string();
         assert!(error.contains(message), "{error}");
+    }
+    for (mode, message) in [
+        (
+            "1",
+            "two vertices for each line in primitive 0 without indices, found 3",
+        ),
+        ("4", ""),
+    ] {
+        let file = gltf(r#"{"mesh":0}"#, &format!(",\"mode\":{mode}"));
+        match parse_frame(file.as_bytes(), Format::Gltf) {
+            Ok(_) => assert_eq!(message, "", "{mode}"),
+            Err(error) => assert!(error.to_string().contains(message), "{error}"),
+        }
     }
     let outside = file.replacen("data:application/octet-stream;base64,", "%2e%2e/", 1);
     let error = read_frame(temporary("outside.gltf", outside.as_bytes()))

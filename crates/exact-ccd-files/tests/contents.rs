@@ -40,7 +40,8 @@ fn gzip_is_read_by_name() {
     assert_error(
         "plain.obj.gz",
         TRIANGLE,
-        "expected data compressed by gzip, found `invalid gzip header`",
+        "the contents are not compressed, expected data compressed by gzip; remove .gz from the name of the \
+         file, or compress it",
     );
     assert_error(
         "squeezed.obj",
@@ -97,6 +98,54 @@ fn files_that_are_something_else_say_so() {
             "\x01\x02\0\x03",
             "the contents are binary data, expected OFF; export the mesh again",
         ),
+        (
+            "off.obj",
+            "OFF\n3 1 0\n",
+            "the contents are OFF, expected Wavefront OBJ; rename the file to end in .off",
+        ),
+        (
+            "facets.obj",
+            "solid cube\nfacet normal 0 0 1\n",
+            "the contents are STL as text, expected Wavefront OBJ; rename the file to end in .stl",
+        ),
+        (
+            "obj.stl",
+            format!("# from a program\n\n{TRIANGLE}").as_str(),
+            "the contents are Wavefront OBJ, expected STL; rename the file to end in .obj",
+        ),
+        (
+            "surface.obj",
+            "<?xml version=\"1.0\"?>\n<!-- a surface -->\n<VTKFile type=\"PolyData\"/>",
+            "the contents are VTK PolyData, expected Wavefront OBJ; rename the file to end in .vtp",
+        ),
+        (
+            "grid.vtp",
+            "<VTKFile type='UnstructuredGrid'/>",
+            "the contents are VTK UnstructuredGrid, expected VTK PolyData; rename the file to end in .vtu",
+        ),
+        (
+            "list.vtu",
+            "<VTKFile type='Collection'/>",
+            "the contents are a list of files of ParaView, expected VTK UnstructuredGrid; rename the file to end \
+             in .pvd",
+        ),
+        (
+            "page.vtu",
+            "<?xml version='1.0'?><html></html>",
+            "the contents are an HTML page, expected VTK UnstructuredGrid; download the file itself: the page is \
+             about it, or has an error message",
+        ),
+        (
+            "scene.obj",
+            "<?xml version='1.0'?><scene/>",
+            "the contents are XML, expected Wavefront OBJ; choose a file with a mesh, or export the mesh as OBJ \
+             or PLY",
+        ),
+        (
+            "nothing.ply",
+            " \n",
+            "the contents are empty, expected PLY; export the mesh again",
+        ),
     ] {
         assert_error(name, contents, message);
     }
@@ -143,6 +192,23 @@ fn a_file_without_a_mesh_says_what_it_has() {
 }
 
 #[test]
+fn a_ply_file_may_have_points_only() {
+    let points = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n\
+                  property float z\nend_header\n0 0 0\n1 0 0\n";
+    let file = MeshFile::parse(points.as_bytes(), Format::Ply, Polygons::default()).unwrap();
+    assert_eq!((file.contents.loose_vertices, file.contents.edges), (2, 0));
+    // Strips of triangles are not read, nor edges without the ids of their vertices.
+    for element in [
+        "element tristrips 0\nproperty list int int vertex_indices\n",
+        "element edge 0\nproperty int start\n",
+    ] {
+        let other = points.replace("end_header", &format!("{element}end_header"));
+        let error = parse_frame(other.as_bytes(), Format::Ply).unwrap_err();
+        assert_eq!(error.to_string(), "expected an element `face`, found none");
+    }
+}
+
+#[test]
 fn contents_count_loose_elements_and_parts() {
     let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 0 2\nv 9 9 9\nf 1 2 3\nl 4 5\n";
     let frame = parse_frame(obj.as_bytes(), Format::Obj).unwrap();
@@ -166,6 +232,14 @@ fn a_series_lists_files_and_times() {
     for (contents, message) in [
         ("{", "line 1: expected JSON, found `"),
         ("[]", "expected a list `files`, found none"),
+        (
+            r#"{"files": [{"name": "a.obj", "time": 0}, {"name": "b.obj", "time": 0}]}"#,
+            "or a list for each part), found `a.obj` and `b.obj` at the time 0",
+        ),
+        (
+            r#"{"files": [{"name": "a.obj", "time": 0.5}, {"name": "b.obj", "time": 0.25}]}"#,
+            "expected files sorted by time (sort the list), found `b.obj` at the time 0.25 after `a.obj` at 0.5",
+        ),
         (
             r#"{"files": [3]}"#,
             "expected a file with `name` and `time`, found `3`",

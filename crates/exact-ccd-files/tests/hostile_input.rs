@@ -61,7 +61,9 @@ fn every_beginning_of_a_file_is_an_error_or_valid() {
             if name.contains("endian") || name.contains("binary") || name.contains("own") {
                 let error = parse_frame(&bytes[..length], format).unwrap_err().to_string();
                 assert!(
-                    error.contains("the file ends") || error.contains("found"),
+                    ["the file ends", "found", "the contents are empty"]
+                        .iter()
+                        .any(|words| error.contains(words)),
                     "{name}: {error}"
                 );
             } else if let Ok(part) = parse_frame(&bytes[..length], format) {
@@ -125,6 +127,45 @@ fn lists_beyond_all_bounds_are_errors() {
     for list in ["uint double", "int double", "uint uchar"] {
         let bytes = [header(list).as_bytes(), &[0xff; 100]].concat();
         assert!(parse_frame(&bytes, Format::Ply).is_err());
+    }
+}
+
+/// Many pieces whose points are the same part of the appended data.
+#[test]
+fn data_that_are_named_often_are_errors() {
+    const LENGTH: u32 = 120_000;
+    let piece = "<Piece><Points><DataArray type='Float32' format='appended' offset='0'/></Points></Piece>";
+    let file = format!(
+        "<VTKFile type='PolyData' byte_order='LittleEndian'><PolyData>{}</PolyData>\
+         <AppendedData encoding='raw'>_",
+        piece.repeat(600)
+    );
+    let data = [&LENGTH.to_le_bytes()[..], &[0; LENGTH as usize]].concat();
+    let error = parse_frame(&[file.as_bytes(), &data].concat(), Format::Vtp).unwrap_err();
+    assert!(
+        error.to_string().contains("the data expand to more than"),
+        "{error}"
+    );
+}
+
+#[test]
+fn accessors_beyond_all_bounds_are_errors() {
+    for (name, format, bytes) in samples()
+        .into_iter()
+        .filter(|(_, format, _)| *format == Format::Gltf)
+    {
+        let text: String = bytes.iter().map(|&byte| char::from(byte)).collect();
+        let count = "\"count\":6";
+        assert!(text.contains(count), "{name}");
+        for beyond in [u64::MAX, 1 << 63, 1 << 61, u64::MAX / 24 + 1] {
+            let changed = text.replacen(count, &format!("\"count\":{beyond}"), 1);
+            let grown = changed.len() - text.len();
+            let mut bytes: Vec<u8> = changed.chars().map(|byte| byte as u8).collect();
+            // The length of the JSON.
+            let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) + grown as u32;
+            bytes[12..16].copy_from_slice(&length.to_le_bytes());
+            assert!(parse_frame(&bytes, format).is_err(), "{name}: {beyond}");
+        }
     }
 }
 

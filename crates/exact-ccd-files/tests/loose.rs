@@ -222,6 +222,7 @@ fn grids_of_all_cells_read_back() {
         points: &[5, 0],
         velocities: None,
         bodies: None,
+        ids: None,
     };
     let mut file = Vec::new();
     write_vtu(&mut file, grid).unwrap();

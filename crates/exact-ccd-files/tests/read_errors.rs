@@ -148,7 +148,7 @@ fn ply_binary() {
 fn ply_headers() {
     let statement = "`format`, `comment`, `element`, `property` or `end_header`";
     let error = assert_ply_header_error;
-    error("", "line 1: the file ends, expected `ply`");
+    error("", "the contents are empty, expected PLY; export the mesh again");
     error(
         "PK\u{3}\u{5}\u{14}\n",
         "line 1: expected `ply`, found `PK\\u{3}\\u{5}\\u{14}`",
@@ -205,7 +205,7 @@ fn ply_headers() {
     let points = "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n";
     error(
         &format!("{points}end_header\n"),
-        "expected an element `face`, found none",
+        "line 3: expected a property `z` of element `vertex`, a number, found none",
     );
     let faces = "element face 0\nproperty list uchar float vertex_indices\nend_header\n";
     error(
@@ -228,7 +228,10 @@ fn obj() {
     let face = |face: &str, message: &str| {
         assert_error(Format::Obj, format!("{triangle}f 1 2 3\n{face}\n"), message);
     };
-    error("", "line 1: the file ends, expected a statement `v`");
+    error(
+        "",
+        "the contents are empty, expected Wavefront OBJ; export the mesh again",
+    );
     error("\u{7f}elk\n\n", "line 3: the file ends, expected a statement `v`");
     error("v 0 0\n", "line 1: expected a number, found the end of the line");
     error("\nv 0 \\\n0 o\n", "line 2: expected a number, found `o`");
@@ -314,10 +317,7 @@ fn off() {
 #[test]
 fn stl() {
     let error = |text: &str, message| assert_error(Format::Stl, text, message);
-    error(
-        "",
-        "byte 0: the file ends, expected `solid`, or 80 bytes and the number of triangles",
-    );
+    error("", "the contents are empty, expected STL; export the mesh again");
     error("solid", "line 1: the file ends, expected `facet` or `endsolid`");
     error(
         "solid a\nfacets\n",

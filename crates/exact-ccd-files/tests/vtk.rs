@@ -146,6 +146,7 @@ const GRID: UnstructuredGrid<'_> = UnstructuredGrid {
     triangles: &[[5, 6, 7]],
     lines: &[],
     points: &[],
+    ids: None,
     velocities: Some(&[[0.1, -0.0, 5e-324]; 8]),
     bodies: None,
 };

@@ -4,7 +4,7 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use exact_ccd_files::{Format, UnstructuredGrid, parse_frame, read_pvd, write_vtu};
+use exact_ccd_files::{Format, MeshFile, Polygons, UnstructuredGrid, parse_frame, read_pvd, write_vtu};
 use exact_ccd_mesh::{Frame, TetMesh};
 use proptest::prelude::*;
 
@@ -134,7 +134,7 @@ fn each_error_names_its_line() {
         (
             "type=\"UnstructuredGrid\"",
             "type=\"PolyData\"",
-            "line 2: expected type `UnstructuredGrid`, found `PolyData`",
+            "the contents are VTK PolyData, expected VTK UnstructuredGrid; rename the file to end in .vtp",
         ),
         (
             "byte_order=\"LittleEndian\" ",
@@ -165,6 +165,21 @@ fn each_error_names_its_line() {
             "<Points>",
             "<Points><DataArray/>",
             "line 5: expected one element `DataArray`, found 2",
+        ),
+        (
+            "NumberOfPoints=\"3\"",
+            "NumberOfPoints=\"4\"",
+            "line 4: expected as many elements as `NumberOfPoints` says, `4`, found 3",
+        ),
+        (
+            "NumberOfCells=\"1\"",
+            "NumberOfCells=\"2\"",
+            "line 4: expected as many elements as `NumberOfCells` says, `2`, found 1",
+        ),
+        (
+            "NumberOfComponents=\"3\"",
+            "NumberOfComponents=\"2\"",
+            "line 6: expected three components of each point, found `2`",
         ),
         (
             "\"Float64\"",
@@ -266,6 +281,50 @@ fn invalid_cells_are_errors() {
         );
     }
     assert_error(cells("0 1 2 2", "4", "10"), "tetrahedron 0 has no volume");
+}
+
+/// A surface whose numbers are interrupted by a comment, with as many faces as its list has.
+#[test]
+fn comments_do_not_end_an_array() {
+    let file = |count: usize| {
+        format!(
+            "<VTKFile type='PolyData' byte_order='LittleEndian'><PolyData>\n\
+             <Piece NumberOfPoints='4' NumberOfPolys='{count}'>\n<Points>\n\
+             <DataArray type='Float64' format='ascii'>0 0 0 1 0 0 0 1 0 <!-- one more --> 1 1 1</DataArray></Points>\n\
+             <Polys><DataArray type='Int64' Name='connectivity' format='ascii'>0 1 2 <!-- --> 1 2 3</DataArray>\n\
+             <DataArray type='Int64' Name='offsets' format='ascii'>3 <!-- --> 6</DataArray></Polys>\n\
+             </Piece></PolyData></VTKFile>"
+        )
+    };
+    let frame = parse_frame(file(2).as_bytes(), Format::Vtp).unwrap();
+    assert_eq!(
+        (frame.positions.len(), frame.mesh.faces()),
+        (4, &[[0, 1, 2], [1, 2, 3]][..])
+    );
+    let error = parse_frame(file(3).as_bytes(), Format::Vtp).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 2: expected as many elements as `NumberOfPolys` says, `3`, found 2"
+    );
+}
+
+#[test]
+fn sides_of_cells_that_are_listed_as_faces_are_counted_once() {
+    let file = "<VTKFile type='UnstructuredGrid' byte_order='LittleEndian'><UnstructuredGrid><Piece><Points>\n\
+                <DataArray type='Float64' format='ascii'>9 9 9 0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1 \n\
+                5 0 0 6 0 0 6 1 0 5 1 0 7 7 7</DataArray></Points>\n<Cells>\n\
+                <DataArray type='Int64' Name='connectivity' format='ascii'>1 2 3 4 9 10 11 12 9 10 11 \n\
+                1 2 3 4 5 6 7 8 5 6 7 8</DataArray>\n\
+                <DataArray type='Int64' Name='offsets' format='ascii'>4 8 11 19 23</DataArray>\n\
+                <DataArray type='UInt8' Name='types' format='ascii'>9 9 5 12 9</DataArray></Cells></Piece>\n\
+                </UnstructuredGrid></VTKFile>";
+    let file = MeshFile::parse(file.as_bytes(), Format::Vtu, Polygons::Triangulate).unwrap();
+    // Six sides, and one of three quadrilaterals of the file.
+    assert_eq!((file.contents.polygons, file.contents.faces), (7, 15));
+    assert_eq!(file.ids.vertices, (1..=12).collect::<Vec<_>>());
+    assert_eq!(file.ids.faces[..12], [None; 12]);
+    assert_eq!(file.ids.faces[12..], [Some(1), Some(1), Some(2)]);
+    assert_eq!((file.ids.vertex_count, file.ids.face_count), (14, 4));
 }
 
 #[test]

@@ -133,6 +133,12 @@ impl Welding {
             .filter_map(|&vertex| positions.get(vertex).copied())
             .collect()
     }
+
+    /// The first of the vertices in place of which each new vertex is.
+    #[must_use]
+    pub fn first_vertices(&self) -> &[usize] {
+        &self.first
+    }
 }
 
 impl Motion {

@@ -48,7 +48,10 @@ impl Scripted {
         if self.axes == [false; 3] {
             return error("axes", "at least one axis");
         }
-        if self.release.is_some_and(|release| release.is_nan() || release < 0.0) {
+        if self
+            .release
+            .is_some_and(|release| release.is_nan() || release < 0.0)
+        {
             return error("release", "a number not below 0");
         }
         Ok(())

@@ -22,8 +22,19 @@ pub(crate) struct ShownContact {
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct Primitive {
     kind: &'static str,
+    /// The id in the file; none for a face that has none there.
     id: Option<u32>,
+    /// The vertices in the mesh of the page, for the picture.
     vertices: Vec<u32>,
+    /// Their ids in the file, for the texts.
+    labels: Vec<u32>,
+}
+
+/// The ids in a file of the vertices and faces of a mesh.
+#[derive(Clone, Debug)]
+pub(crate) struct Labels {
+    pub(crate) vertices: Vec<u32>,
+    pub(crate) faces: Vec<Option<u32>>,
 }
 
 impl Primitive {
@@ -34,12 +45,37 @@ impl Primitive {
             2 => "edge",
             _ => "face",
         };
-        let vertices = vertices.to_vec();
-        Self { kind, id, vertices }
+        let (vertices, labels) = (vertices.to_vec(), vertices.to_vec());
+        Self {
+            kind,
+            id,
+            vertices,
+            labels,
+        }
+    }
+
+    /// The same primitive with the ids of a file. Edges have no ids in files: theirs is that in the mesh.
+    fn label(&mut self, labels: &Labels) {
+        let vertex = |&vertex: &u32| labels.vertices.get(vertex as usize).copied().unwrap_or(vertex);
+        self.labels = self.vertices.iter().map(vertex).collect();
+        self.id = match self.kind {
+            "vertex" => self.labels.first().copied(),
+            "face" => self
+                .id
+                .and_then(|face| labels.faces.get(face as usize).copied().flatten()),
+            _ => self.id,
+        };
     }
 }
 
 impl ShownContact {
+    /// Replaces the ids of the mesh by those of a file.
+    pub(crate) fn label(&mut self, labels: &Labels) {
+        self.primitives
+            .iter_mut()
+            .for_each(|primitive| primitive.label(labels));
+    }
+
     /// A contact of a mesh in the step between two frames, the first of which has this number; `None` if its
     /// primitives are not those of the mesh.
     pub(crate) fn of_pair(

@@ -8,7 +8,7 @@ use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
 use crate::block;
-use crate::contact::ShownContact;
+use crate::contact::{Labels, ShownContact};
 use crate::document::{self, Document, ShownFrame};
 use crate::error::PageError;
 use crate::query::{self, PageKind, ShownQuery};
@@ -44,6 +44,7 @@ pub struct Page {
     contacts: Vec<ShownContact>,
     contact_count: usize,
     query: Option<ShownQuery>,
+    labels: Option<Labels>,
 }
 
 impl Page {
@@ -67,6 +68,7 @@ impl Page {
             contacts: Vec::new(),
             contact_count: 0,
             query: None,
+            labels: None,
         }
     }
 
@@ -125,6 +127,18 @@ impl Page {
     pub fn with_summary(self, lines: impl IntoIterator<Item = String>) -> Self {
         let summary = lines.into_iter().collect();
         Self { summary, ..self }
+    }
+
+    /// The same page with the ids that vertices and faces have in a file, in the place of those in the mesh:
+    /// one for each vertex, and one or none for each face.
+    #[must_use]
+    pub fn with_ids(mut self, vertices: Vec<u32>, faces: Vec<Option<u32>>) -> Self {
+        let labels = Labels { vertices, faces };
+        self.contacts
+            .iter_mut()
+            .for_each(|contact| contact.label(&labels));
+        let labels = Some(labels);
+        Self { labels, ..self }
     }
 
     /// The same page with another direction upwards; it is the z axis by default.
@@ -217,8 +231,11 @@ impl Page {
         });
     }
 
-    fn push(&mut self, contact: ShownContact) {
+    fn push(&mut self, mut contact: ShownContact) {
         self.contact_count += 1;
+        if let Some(labels) = &self.labels {
+            contact.label(labels);
+        }
         if self.contacts.len() < MOST_CONTACTS {
             self.contacts.push(contact);
         }

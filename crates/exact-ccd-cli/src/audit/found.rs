@@ -51,6 +51,7 @@ impl Found {
                 impact_files::write(
                     folder,
                     Step::new(&moved.last.mesh, start, &moved.last.positions)?,
+                    scene.ids(),
                     &list,
                 )?;
             }

@@ -111,7 +111,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     )?;
     scene.check_contents(arguments.min_distance != Separation::default())?;
     let mut read = clock.elapsed();
-    let mut recording = arguments.view.recording(&arguments.frames);
+    let mut recording = arguments.view.recording(&arguments.frames).with_ids(scene.ids());
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
     let half_spaces = HalfSpaces {
@@ -147,6 +147,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 .map(|violation| record(&moved, violation))
                 .collect();
             records.extend(half_spaces.touching(index, last));
+            let records: Vec<_> = records
+                .into_iter()
+                .map(|record| record.in_file(scene.ids()))
+                .collect();
             if records.is_empty() {
                 progress(1);
                 continue;
@@ -167,7 +171,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         && found.first.is_none()
     {
         let rest = Step::new(&last.mesh, &last.positions, &last.positions)?;
-        impact_files::write(folder, rest, &ContactList::default())?;
+        impact_files::write(folder, rest, scene.ids(), &ContactList::default())?;
     }
     let seconds = |duration: Duration| duration.as_secs_f64();
     let report = Report {

@@ -55,7 +55,7 @@ pub(super) fn row(record: &ContactRecord) -> [Cell; 21] {
         distance,
         ..
     } = record;
-    let integer = |value: u32| Cell::Integer(Some(value.into()));
+    let integer = |value: Option<u32>| Cell::Integer(value.map(i64::from));
     let real = |value: f64| Cell::Real(Some(value));
     let vertex = |index: usize| {
         let [first, second] = vertices;

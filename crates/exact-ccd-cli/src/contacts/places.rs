@@ -14,6 +14,7 @@ pub(crate) struct Places {
     pub(crate) normals: Vec<Point>,
     /// 0 for vf, 1 for ee, 2 for ve, 3 for vv, 4 for ef, 5 for vh.
     pub(crate) kinds: Vec<i64>,
+    /// −1 for a face that has no id in its file.
     pub(crate) ids: [Vec<i64>; 2],
 }
 
@@ -23,7 +24,7 @@ impl ContactList {
         let [x0, _] = step.positions();
         let mut places = Places::default();
         for record in &self.0 {
-            let [first, _] = &record.vertices;
+            let [first, _] = &record.mesh_vertices;
             let count = first.len() as f64;
             let middle = |axis: usize| {
                 first
@@ -38,7 +39,7 @@ impl ContactList {
             places.normals.push(record.normal.unwrap_or_default());
             places.kinds.push(record.kind as i64);
             for (ids, id) in places.ids.iter_mut().zip(record.ids) {
-                ids.push(id.into());
+                ids.push(id.map_or(-1, i64::from));
             }
         }
         places

@@ -3,23 +3,28 @@
 use std::fmt;
 
 use exact_ccd::Point;
+use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
 use serde::Serialize;
 
 use crate::distances::Reached;
 use crate::shortest::shortest;
 
-/// Two primitives that touch, in the shape of the JSON object. All ids count from 0.
+/// Two primitives that touch, in the shape of the JSON object. All ids are those in the
+/// files, counted from 0.
 #[derive(Clone, Serialize)]
 pub(crate) struct ContactRecord {
     /// The number of the frame at which the step begins, in a sequence of frames.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) frame: Option<usize>,
     pub(super) kind: RecordKind,
-    /// The indices of the two primitives.
-    pub(super) ids: [u32; 2],
-    /// Their vertices.
+    /// The ids of the two primitives; none for a face that has no id in its file.
+    pub(super) ids: [Option<u32>; 2],
+    /// The ids of their vertices.
     pub(super) vertices: [Vec<u32>; 2],
+    /// Their vertices in the mesh, which may have other ids in the file.
+    #[serde(skip)]
+    pub(super) mesh_vertices: [Vec<u32>; 2],
     /// Bounds of the first time of contact.
     pub(super) time: TimeBounds,
     /// The place on the first primitive; none for an intersection.
@@ -61,6 +66,18 @@ impl RecordKind {
             Self::Vh => "vh",
         }
     }
+
+    /// The names of the two primitives.
+    fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::Vf => ["vertex", "face"],
+            Self::Ee => ["edge", "edge"],
+            Self::Ve => ["vertex", "edge"],
+            Self::Vv => ["vertex", "vertex"],
+            Self::Ef => ["edge", "face"],
+            Self::Vh => ["vertex", "half space"],
+        }
+    }
 }
 
 impl ContactRecord {
@@ -78,7 +95,7 @@ impl ContactRecord {
                 Pair::VertexEdge { .. } => RecordKind::Ve,
                 Pair::VertexVertex { .. } => RecordKind::Vv,
             },
-            ids: contact.pair.ids(),
+            ids: contact.pair.ids().map(Some),
             time: TimeBounds {
                 lower: impact.time.lower(),
                 upper: impact.time.upper(),
@@ -89,20 +106,23 @@ impl ContactRecord {
             parameters: Some(impact.parameters),
             distance: contact.distance.into(),
             vertices: [first.to_vec(), second.to_vec()],
+            mesh_vertices: [first.to_vec(), second.to_vec()],
         }
     }
 
     /// An edge that meets a face at rest.
     pub(crate) fn of_intersection(mesh: &TriangleMesh, intersection: Intersection) -> Self {
         let Intersection { edge, face } = intersection;
+        let vertices = [
+            mesh.edges()[edge as usize].to_vec(),
+            mesh.faces()[face as usize].to_vec(),
+        ];
         Self {
             frame: None,
             kind: RecordKind::Ef,
-            ids: [edge, face],
-            vertices: [
-                mesh.edges()[edge as usize].to_vec(),
-                mesh.faces()[face as usize].to_vec(),
-            ],
+            ids: [Some(edge), Some(face)],
+            mesh_vertices: vertices.clone(),
+            vertices,
             time: TimeBounds {
                 lower: 0.0,
                 upper: 0.0,
@@ -120,7 +140,8 @@ impl ContactRecord {
         Self {
             frame: None,
             kind: RecordKind::Vh,
-            ids: [vertex, number],
+            ids: [Some(vertex), Some(number)],
+            mesh_vertices: [vec![vertex], Vec::new()],
             vertices: [vec![vertex], Vec::new()],
             time: TimeBounds { lower, upper },
             point: Some(position),
@@ -128,6 +149,23 @@ impl ContactRecord {
             parameters: None,
             distance: Reached { lower, upper: d },
         }
+    }
+
+    /// The same record with the ids of the file in place of those of the mesh. Edges have no ids in files.
+    pub(crate) fn in_file(mut self, ids: &FileIds) -> Self {
+        let vertex = |&vertex: &u32| ids.vertices.get(vertex as usize).copied().unwrap_or(vertex);
+        self.vertices = self
+            .mesh_vertices
+            .each_ref()
+            .map(|own| own.iter().map(vertex).collect());
+        for ((id, name), vertices) in self.ids.iter_mut().zip(self.kind.names()).zip(&self.vertices) {
+            *id = match name {
+                "vertex" => vertices.first().copied(),
+                "face" => id.and_then(|face| ids.faces.get(face as usize).copied().flatten()),
+                _ => *id,
+            };
+        }
+        self
     }
 
     /// The same record in a frame of a sequence.
@@ -177,17 +215,12 @@ impl ContactRecord {
 /// The two primitives, with their vertices.
 impl fmt::Display for ContactRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = match self.kind {
-            RecordKind::Vf => ["vertex", "face"],
-            RecordKind::Ee => ["edge", "edge"],
-            RecordKind::Ve => ["vertex", "edge"],
-            RecordKind::Vv => ["vertex", "vertex"],
-            RecordKind::Ef => ["edge", "face"],
-            RecordKind::Vh => ["vertex", "half space"],
-        };
-        for (side, name) in names.into_iter().enumerate() {
+        for (side, name) in self.kind.names().into_iter().enumerate() {
             let and = if side == 0 { "" } else { " and " };
-            write!(f, "{and}{name} {}", self.ids[side])?;
+            write!(f, "{and}{name}")?;
+            if let Some(id) = self.ids[side] {
+                write!(f, " {id}")?;
+            }
             if let vertices @ [_, _, ..] = &self.vertices[side][..] {
                 let vertices: Vec<_> = vertices.iter().map(ToString::to_string).collect();
                 write!(f, " (vertices {})", vertices.join(", "))?;

@@ -55,6 +55,7 @@ impl Frames {
         let order = FrameOrder::of_row(paths.to_vec());
         let is_row = !as_given && paths.len() > 1;
         if is_row {
+            check_certain(&order)?;
             if order.is_changed {
                 notes.note(
                     "the frames are sorted by the numbers in their names; --as-given keeps the order given"
@@ -67,6 +68,9 @@ impl Frames {
         let mut frames = Vec::new();
         for path in paths {
             if path.is_dir() {
+                if as_given {
+                    return Err(Failure::FolderAsGiven(path.clone()));
+                }
                 for file in meshes_in(path, notes)? {
                     frames.extend(Self::of_file(&file, polygons)?.0);
                 }
@@ -120,6 +124,7 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
         }
     }
     let order = FrameOrder::of(files);
+    check_certain(&order)?;
     warn_of_missing(&order, notes);
     let one_format = order
         .files
@@ -129,6 +134,14 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
         return Err(Failure::NoFrames(folder.to_owned()));
     }
     Ok(order.files)
+}
+
+/// Refuses names of which the order depends on the meaning of a point between digits.
+fn check_certain(order: &FrameOrder) -> Result<(), Failure> {
+    match &order.uncertain {
+        None => Ok(()),
+        Some(files) => Err(Failure::UncertainOrder(files.clone())),
+    }
 }
 
 /// The number of gaps that a warning lists.

@@ -11,7 +11,7 @@ mod vertex_set;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use exact_ccd_files::{Contents, Polygons};
+use exact_ccd_files::{Contents, FileIds, Polygons};
 use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
 
 use crate::failure::Failure;
@@ -31,6 +31,7 @@ pub(crate) struct Scene {
     first: Option<Frame>,
     contents: Contents,
     rules: Rules,
+    ids: FileIds,
     can_collide: CanCollide,
     frame_count: usize,
 }
@@ -66,6 +67,8 @@ impl Scene {
         part::make_names_unique(&mut parts);
         let frame = joined(&mut parts, None, 0)?;
         let contents = part::contents(&parts, &frame);
+        let mut ids = FileIds::default();
+        parts.iter().for_each(|part| ids.append(&part.ids));
         let can_collide = rules::can_collide(&parts, &options.rules)?;
         let (mesh, first) = (frame.mesh.clone(), Some(frame));
         Ok(Self {
@@ -74,6 +77,7 @@ impl Scene {
             first,
             contents,
             rules: options.rules.clone(),
+            ids,
             can_collide,
             frame_count,
         })
@@ -150,6 +154,11 @@ impl Scene {
     pub(crate) fn moving_vertices(&self) -> Vec<Range<u32>> {
         let moving = self.parts.iter().filter(|part| !part.is_obstacle);
         moving.map(|part| part.vertices.clone()).collect()
+    }
+
+    /// The ids of vertices and faces in their files, for reports.
+    pub(crate) fn ids(&self) -> &FileIds {
+        &self.ids
     }
 
     /// The error for a frame that does not belong to the frames before it.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::{Contents, Group, MeshFile, ReadMotionError};
+use exact_ccd_files::{Contents, FileIds, Group, MeshFile, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
 
 use super::Frames;
@@ -20,6 +20,10 @@ pub(super) struct Part {
     loaded: Vec<Option<Frame>>,
     /// The contents of the first frame, as it is in its file.
     contents: Contents,
+    /// The ids of vertices and faces in the file of the first frame. A welded vertex has the least one.
+    pub(super) ids: FileIds,
+    /// The names of the arrays of the file.
+    pub(super) arrays: Option<String>,
     /// The mesh of all frames in their files.
     mesh: TriangleMesh,
     welded: Option<(Welding, TriangleMesh)>,
@@ -38,6 +42,8 @@ impl Part {
             frame,
             contents,
             groups,
+            ids,
+            arrays,
             ..
         } = first?;
         let mesh = frame.mesh.clone();
@@ -50,6 +56,8 @@ impl Part {
             frames,
             loaded: [Some(frame), second].to_vec(),
             contents,
+            ids,
+            arrays,
             mesh,
             welded: None,
             groups,
@@ -60,6 +68,8 @@ impl Part {
             for vertex in part.groups.iter_mut().flat_map(|group| &mut group.vertices) {
                 *vertex = welding.vertex_of(*vertex).unwrap_or(*vertex);
             }
+            let kept = welding.first_vertices().iter();
+            part.ids.vertices = kept.map(|&vertex| part.ids.vertices[vertex]).collect();
             part.welded = Some((welding, mesh));
         }
         Ok(part)

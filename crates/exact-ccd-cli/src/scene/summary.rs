@@ -25,6 +25,9 @@ pub(crate) struct Summary {
     /// The pairs of `--ignore`.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     ignore: Vec<String>,
+    /// The arrays that were read of each part from arrays, and those that were not.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    arrays: Vec<String>,
     #[serde(skip)]
     contents: Contents,
 }
@@ -53,7 +56,7 @@ struct Counts {
 #[derive(Serialize)]
 struct PartSummary {
     name: String,
-    first_vertex: u32,
+    first_vertex: usize,
     vertex_count: usize,
     is_obstacle: bool,
 }
@@ -71,11 +74,21 @@ impl Summary {
             })
             .collect();
         let several = if parts.len() > 1 { parts } else { &[] };
-        let part = |part: &Part| PartSummary {
-            name: part.name.clone(),
-            first_vertex: part.vertices.start,
-            vertex_count: part.vertices.len(),
-            is_obstacle: part.is_obstacle,
+        let mut first = 0;
+        let part = |part: &Part| {
+            let vertex_count = part.ids.vertex_count;
+            first += vertex_count;
+            PartSummary {
+                name: part.name.clone(),
+                first_vertex: first - vertex_count,
+                vertex_count,
+                is_obstacle: part.is_obstacle,
+            }
+        };
+        let with_arrays = |part: &Part| {
+            part.arrays
+                .as_ref()
+                .map(|arrays| format!("{}: {arrays}", part.name))
         };
         Self {
             read: Counts {
@@ -92,6 +105,7 @@ impl Summary {
             groups: if groups.len() > 1 { groups } else { Vec::new() },
             only: rules.only.iter().map(PartPair::to_string).collect(),
             ignore: rules.ignore.iter().map(PartPair::to_string).collect(),
+            arrays: parts.iter().filter_map(with_arrays).collect(),
             contents,
         }
     }
@@ -101,13 +115,16 @@ impl Summary {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "read: {}", self.contents)?;
+        for arrays in &self.arrays {
+            writeln!(f, "read of {arrays}")?;
+        }
         for part in &self.parts {
             let kind = if part.is_obstacle { "obstacle" } else { "part" };
             write!(f, "{kind} {}: ", part.name)?;
             match part.vertex_count {
                 1 => writeln!(f, "vertex {}", part.first_vertex)?,
                 count => {
-                    let last = part.first_vertex as usize + count - 1;
+                    let last = part.first_vertex + count - 1;
                     writeln!(f, "vertices {} to {last}", part.first_vertex)?;
                 }
             }

@@ -52,6 +52,7 @@ impl Grid {
             triangles: &self.triangles,
             lines: &self.lines,
             points: &self.particles,
+            ids: None,
             velocities: Some(&state.velocities),
             bodies: Some(Bodies {
                 of_vertices: &self.bodies,

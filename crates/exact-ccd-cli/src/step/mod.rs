@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use clap::value_parser;
 use exact_ccd::separation::Separation;
+use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, MinDistance, Motion, StepError,
     StepReport, crossings,
@@ -106,6 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         can_collide: scene.can_collide(),
         distance: kept(arguments.min_distance, arguments.inner_distance),
         broad_phase: Timed::new(Bvh),
+        ids: scene.ids().clone(),
         motion,
     };
 
@@ -130,7 +132,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         notes,
         distances: Distances::new(arguments.min_distance, arguments.inner_distance),
         collision_free: answer.is_free() && start.is_empty(),
-        start: (!arguments.no_start_check).then(|| Start::new(mesh, &start)),
+        start: (!arguments.no_start_check).then(|| Start::new(mesh, &problem.ids, &start)),
         answer,
     };
     let text = if arguments.json {
@@ -139,20 +141,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         output.to_string()
     };
     print(&text)?;
-    arguments.write_contacts(&problem.motion, &start, &mut detector)?;
+    arguments.write_contacts(&problem, &start, &mut detector)?;
     arguments.view.step(
         &arguments.files,
         &problem.motion,
         &start,
+        &problem.ids,
         &mut detector,
         &output.to_string(),
     )?;
     Ok(ExitCode::from(u8::from(!output.collision_free)))
 }
 
-/// A motion, and the meaning of contact in it.
+/// A motion, the ids of its vertices and faces, and the meaning of contact in it.
 struct Problem {
     motion: Motion,
+    ids: FileIds,
     can_collide: CanCollide,
     distance: MinDistance,
     broad_phase: Timed<Bvh>,
@@ -193,7 +197,10 @@ impl Arguments {
         [read, start]: [Duration; 2],
     ) -> Result<Answer, Failure> {
         let Problem {
-            motion, broad_phase, ..
+            motion,
+            ids,
+            broad_phase,
+            ..
         } = problem;
         let Motion { x0, x1, .. } = motion;
         let clock = Instant::now();
@@ -204,7 +211,7 @@ impl Arguments {
             Answer::free(is_free, seconds())
         } else if self.toi {
             let earliest = during(stage, |_| detector.earliest_contact(x0, x1))?;
-            Answer::Report(Box::new(Report::earliest(motion, earliest, seconds())))
+            Answer::Report(Box::new(Report::earliest(motion, ids, earliest, seconds())))
         } else {
             let options = CandidateOptions::default()
                 .with_min_distance(problem.distance.clone())
@@ -213,34 +220,35 @@ impl Arguments {
                 StepReport::with_options(motion.step()?, broad_phase, &options, progress)
                     .map_err(Failure::from)
             })?;
-            Answer::Report(Box::new(Report::new(motion, &report, seconds())))
+            Answer::Report(Box::new(Report::new(motion, ids, &report, seconds())))
         })
     }
 
     /// Writes the files that have all contacts.
     fn write_contacts(
         &self,
-        motion: &Motion,
+        problem: &Problem,
         start: &[Intersection],
         detector: &mut Detector<&Timed<Bvh>>,
     ) -> Result<(), Failure> {
         if self.all.is_none() && self.out.is_none() {
             return Ok(());
         }
+        let Problem { motion, ids, .. } = problem;
         let Motion { mesh, x0, x1 } = motion;
         let contacts: Vec<Contact> = detector.contacts(x0, x1, 1.0)?;
         let at_start = start
             .iter()
-            .map(|&found| ContactRecord::of_intersection(mesh, found));
+            .map(|&found| ContactRecord::of_intersection(mesh, found).in_file(ids));
         let in_step = contacts
             .iter()
-            .map(|found| ContactRecord::of_contact(mesh, [x0, x1], found));
+            .map(|found| ContactRecord::of_contact(mesh, [x0, x1], found).in_file(ids));
         let list = ContactList(at_start.chain(in_step).collect());
         if let Some(file) = &self.all {
             list.write(file)?;
         }
         if let Some(folder) = &self.out {
-            impact_files::write(folder, motion.step()?, &list)?;
+            impact_files::write(folder, motion.step()?, ids, &list)?;
         }
         Ok(())
     }

@@ -1,5 +1,6 @@
 //! The output of `exact-ccd step`, in the shape of the JSON object.
 
+use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, Motion, PairCounts, StepReport, TriangleMesh};
 use serde::Serialize;
 
@@ -79,11 +80,11 @@ impl Output {
 }
 
 impl Start {
-    pub(super) fn new(mesh: &TriangleMesh, found: &[Intersection]) -> Self {
+    pub(super) fn new(mesh: &TriangleMesh, ids: &FileIds, found: &[Intersection]) -> Self {
         let first = found.first();
         Self {
             intersections: found.len(),
-            first: first.map(|&first| ContactRecord::of_intersection(mesh, first)),
+            first: first.map(|&first| ContactRecord::of_intersection(mesh, first).in_file(ids)),
         }
     }
 }
@@ -119,21 +120,27 @@ impl Answer {
 
 impl Report {
     /// The report of all contacts.
-    pub(super) fn new(motion: &Motion, contacts: &StepReport, seconds: Seconds) -> Self {
+    pub(super) fn new(motion: &Motion, ids: &FileIds, contacts: &StepReport, seconds: Seconds) -> Self {
         Self {
             counts: Some(Counted {
                 touching_at_start: contacts.touching.total(),
                 candidates: contacts.candidates.into(),
                 colliding: contacts.colliding.into(),
             }),
-            ..Self::earliest(motion, contacts.earliest, seconds)
+            ..Self::earliest(motion, ids, contacts.earliest, seconds)
         }
     }
 
     /// The report of the earliest contact only.
-    pub(super) fn earliest(motion: &Motion, earliest: Option<Contact>, seconds: Seconds) -> Self {
+    pub(super) fn earliest(
+        motion: &Motion,
+        ids: &FileIds,
+        earliest: Option<Contact>,
+        seconds: Seconds,
+    ) -> Self {
         let Motion { mesh, x0, x1 } = motion;
-        let contact = earliest.map(|contact| ContactRecord::of_contact(mesh, [x0, x1], &contact));
+        let contact =
+            earliest.map(|contact| ContactRecord::of_contact(mesh, [x0, x1], &contact).in_file(ids));
         Self {
             toi: contact.as_ref().map(ContactRecord::toi),
             contact,

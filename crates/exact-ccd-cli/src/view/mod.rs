@@ -6,6 +6,7 @@ mod recording;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{BroadPhase, Detector, Intersection, Motion};
 use exact_ccd_view::Page;
 
@@ -30,12 +31,14 @@ impl View {
         files: &[PathBuf],
         motion: &Motion,
         start: &[Intersection],
+        ids: &FileIds,
         detector: &mut Detector<B>,
         answer: &str,
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
         let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
         let page = Page::of_step(title(files), motion.step()?, start, &contacts)?;
+        let page = page.with_ids(ids.vertices.clone(), ids.faces.clone());
         write(file, &page.with_summary(lines(answer)))
     }
 

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Aabb, Frame, Point, Violation};
 use exact_ccd_sim::Simulation;
 use exact_ccd_view::Page;
@@ -14,12 +15,24 @@ pub(crate) struct Recording {
     file: Option<PathBuf>,
     title: String,
     page: Option<Page>,
+    /// The ids of vertices and faces in their files, if the frames are from files.
+    ids: Option<FileIds>,
 }
 
 impl Recording {
     pub(super) fn new(file: Option<PathBuf>, title: String) -> Self {
-        let page = None;
-        Self { file, title, page }
+        Self {
+            file,
+            title,
+            page: None,
+            ids: None,
+        }
+    }
+
+    /// The same recording with the ids of vertices and faces in their files.
+    pub(crate) fn with_ids(self, ids: &FileIds) -> Self {
+        let ids = self.file.is_some().then(|| ids.clone());
+        Self { ids, ..self }
     }
 
     /// Adds the next frame, from a file.
@@ -50,7 +63,11 @@ impl Recording {
     fn push(&mut self, label: &str, frame: &Frame, up: Point) -> Result<(), Failure> {
         let page = self.page.get_or_insert_with(|| {
             let bounds: Aabb = frame.positions.iter().copied().collect();
-            Page::new(&self.title, frame.mesh.clone(), &bounds).with_up(up)
+            let page = Page::new(&self.title, frame.mesh.clone(), &bounds).with_up(up);
+            match self.ids.take() {
+                Some(ids) => page.with_ids(ids.vertices, ids.faces),
+                None => page,
+            }
         });
         Ok(page.add_frame(label, &frame.positions)?)
     }

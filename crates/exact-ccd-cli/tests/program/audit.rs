@@ -84,6 +84,43 @@ fn a_folder_is_taken_in_the_order_of_its_numbers() {
 }
 
 #[test]
+fn decimals_in_names_are_in_order_or_refused() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("even")).unwrap();
+    std::fs::create_dir(folder.path("odd")).unwrap();
+    for (name, height) in [("0.50", 1.0), ("1.00", -2.0), ("0.25", 3.0)] {
+        folder.write(&format!("even/t{name}.ply"), ply(&tip_above_square(height)));
+    }
+    for (name, height) in [("0.5", 1.0), ("0.25", 3.0), ("0.75", -2.0)] {
+        folder.write(&format!("odd/t{name}.ply"), ply(&tip_above_square(height)));
+    }
+    let report = |run: &Run, files: [&str; 2]| {
+        let [before, after] = files;
+        let report = format!(
+            "contact between frame 1 ({before}) and frame 2 ({after}) {CONTACT}\nframes: 3 of 3 examined\n"
+        );
+        assert_eq!(run.stderr, "");
+        assert_report(run, 1, &report);
+    };
+    report(
+        &folder.run(&["audit", "even"]),
+        ["even/t0.50.ply", "even/t1.00.ply"],
+    );
+    let error = "the order of odd/t0.25.ply and odd/t0.5.ply is not certain: the point in their numbers may be \
+                 that of a decimal, or between two numbers; give the files in order with --as-given, or give \
+                 all numbers the same number of digits";
+    assert_eq!(folder.run(&["audit", "odd"]).error(), error);
+    let files = ["odd/t0.25.ply", "odd/t0.5.ply", "odd/t0.75.ply"];
+    assert_eq!(folder.run(&[&["audit"], &files[..]].concat()).error(), error);
+    let run = folder.run(&[&["audit", "--as-given"], &files[..]].concat());
+    report(&run, ["odd/t0.5.ply", "odd/t0.75.ply"]);
+    assert_eq!(
+        folder.run(&["audit", "odd", "--as-given"]).error(),
+        "odd: --as-given needs files: those of a folder are not given in an order"
+    );
+}
+
+#[test]
 fn json_names_the_violation() {
     let folder = heights(&[3.0, 1.0, -2.0, -1.0]);
     let report = |arguments: &[&str]| -> (i32, Value) {
@@ -129,9 +166,10 @@ fn stl_files_are_welded_over_all_frames() {
         folder.write(&format!("{frame}.stl"), stl(&tip_above_square(height)));
     }
     let run = folder.run(&["audit", "0.stl", "1.stl", "2.stl"]);
-    let report =
-        format!("contact between frame 1 (1.stl) and frame 2 (2.stl) {CONTACT}\nframes: 3 of 3 examined\n");
-    assert_report(&run, 1, &report);
+    // The ids are those in the file, three for each facet.
+    let report = "contact between frame 1 (1.stl) and frame 2 (2.stl) at t = 0.3333333333333333: \
+                  vertex 6 and face 1 (vertices 2, 1, 5)\nframes: 3 of 3 examined\n";
+    assert_report(&run, 1, report);
     let run = folder.run(&["audit", "0.stl", "1.stl"]);
     assert_report(&run, 0, "free of contact\nframes: 2 of 2 examined\n");
 }
@@ -206,23 +244,45 @@ fn errors_name_the_file() {
 }
 
 #[test]
-fn a_collection_is_taken_in_its_order() {
+fn a_collection_is_taken_in_the_order_of_its_times() {
     let folder = Folder::new();
     std::fs::create_dir(folder.path("frames")).unwrap();
     let files = [("b.vtu", 3.0), ("a.vtu", 1.0), ("c.vtu", -2.0)];
+    let list = |name: &str, times: [f64; 3]| {
+        let mut collection = Vec::new();
+        let entries = times.into_iter().zip(files.map(|(name, _)| name));
+        exact_ccd_files::write_pvd(&mut collection, entries).unwrap();
+        folder.write(name, collection);
+    };
     for (name, height) in files {
         let mut file = Vec::new();
         exact_ccd_files::write_vtu(&mut file, &tip_above_square(height)).unwrap();
         folder.write(&format!("frames/{name}"), file);
     }
-    let mut collection = Vec::new();
-    exact_ccd_files::write_pvd(&mut collection, files.map(|(name, _)| (0.0, name))).unwrap();
-    folder.write("frames/all.pvd", collection);
+    list("frames/all.pvd", [-1.0, 0.25, 0.5]);
     let run = folder.run(&["audit", "frames/all.pvd"]);
     let report = format!(
         "contact between frame 1 (frames/a.vtu) and frame 2 (frames/c.vtu) {CONTACT}\nframes: 3 of 3 examined\n"
     );
     assert_report(&run, 1, &report);
+
+    // Files of one time are parts of a frame, and not frames after each other.
+    list("frames/parts.pvd", [0.0, 1.0, 1.0]);
+    let error = folder.run(&["audit", "frames/parts.pvd"]).error().to_owned();
+    assert!(
+        error.starts_with("frames/parts.pvd: expected one file for each time (make one file of the parts"),
+        "{error}"
+    );
+    assert!(
+        error.ends_with("found `a.vtu` and `c.vtu` at the time 1"),
+        "{error}"
+    );
+    list("frames/back.pvd", [2.0, 1.0, 3.0]);
+    let error = folder.run(&["audit", "frames/back.pvd"]).error().to_owned();
+    assert!(
+        error.ends_with("found `a.vtu` at the time 1 after `b.vtu` at 2"),
+        "{error}"
+    );
 
     let mut nothing = Vec::new();
     exact_ccd_files::write_pvd(&mut nothing, [(0.0, ""); 0]).unwrap();

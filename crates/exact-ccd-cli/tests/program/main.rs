@@ -9,6 +9,7 @@ mod convert;
 mod distances;
 mod examples;
 mod folder;
+mod ids;
 mod import;
 mod meshes;
 mod methods;

@@ -337,7 +337,7 @@ fn a_file_of_two_frames_is_a_step() {
     }
     let collection = |files: &[&str]| {
         let mut collection = Vec::new();
-        let entries: Vec<_> = files.iter().map(|&name| (0.0, name)).collect();
+        let entries: Vec<_> = (0..).map(f64::from).zip(files.iter().copied()).collect();
         exact_ccd_files::write_pvd(&mut collection, entries).unwrap();
         collection
     };

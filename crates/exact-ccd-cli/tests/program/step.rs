@@ -257,11 +257,17 @@ fn all_formats_give_the_same_answer() {
     ] {
         let run = step(start, end);
         assert_eq!(run.status, 1, "{start}, {end}");
-        assert_eq!(
-            without_seconds(&run),
-            without_seconds(&expected),
-            "{start}, {end}"
-        );
+        let mut expected = without_seconds(&expected).to_owned();
+        if start == "start.stl" {
+            // The ids are those in the file, three for each facet.
+            let [ids, of_stl] = [
+                "\"ids\":[4,1],\"vertices\":[[4],[2,1,3]]",
+                "\"ids\":[6,1],\"vertices\":[[6],[2,1,5]]",
+            ];
+            assert!(expected.contains(ids), "{expected}");
+            expected = expected.replace(ids, of_stl);
+        }
+        assert_eq!(without_seconds(&run), expected, "{start}, {end}");
     }
 }
 

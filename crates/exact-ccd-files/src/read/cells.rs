@@ -8,6 +8,7 @@ use super::group::Group;
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
+use crate::file_ids::FileIds;
 
 /// The contents of a mesh file. Readers have checked all indices.
 #[derive(Default)]
@@ -20,6 +21,8 @@ pub(super) struct Cells {
     pub(super) solids: Vec<Solid>,
     /// Named groups, in formats without cells with volume.
     pub(super) groups: Vec<Group>,
+    /// The names of the arrays that were read, in a file of several arrays.
+    pub(super) arrays: Option<String>,
 }
 
 /// The frame of a file, and the facts about the file that a frame does not have.
@@ -31,6 +34,8 @@ pub(super) struct Assembled {
     /// The number of cells with volume, of which the frame has the surface.
     pub(super) solids: usize,
     pub(super) groups: Vec<Group>,
+    pub(super) ids: FileIds,
+    pub(super) arrays: Option<String>,
 }
 
 /// The numbers of elements in the file, for the error of a file without any mesh.
@@ -55,6 +60,14 @@ impl Cells {
     /// All vertices, faces and lines. Every vertex in none of them is a point. For files without
     /// cells with volume.
     pub(super) fn into_frame(self) -> Result<Assembled, ParseError> {
+        let ids = FileIds {
+            vertices: (0..self.positions.len()).map(|vertex| vertex as u32).collect(),
+            faces: (0..self.faces.triangles.len())
+                .map(|triangle| Some(self.faces.id(triangle)))
+                .collect(),
+            vertex_count: self.positions.len(),
+            face_count: self.faces.count,
+        };
         let Faces {
             triangles,
             polygons,
@@ -68,6 +81,8 @@ impl Cells {
             first_polygon,
             solids: 0,
             groups: self.groups,
+            ids,
+            arrays: self.arrays,
         })
     }
 
@@ -87,11 +102,7 @@ impl Cells {
             // Oriented by the positions.
             Some(tetrahedra) => {
                 let mesh = TetMesh::new(self.positions.clone(), tetrahedra);
-                let triangles = mesh.map_err(at_file(Fault::TetMesh))?.surface().to_vec();
-                Faces {
-                    triangles,
-                    ..Faces::default()
-                }
+                Faces::of(mesh.map_err(at_file(Fault::TetMesh))?.surface().to_vec())
             }
             None => solids::surface(&self.solids)?,
         };
@@ -117,11 +128,7 @@ impl Cells {
                 }
                 let faces = TetFaces::of(tetrahedra);
                 faces.check().map_err(at_file(Fault::TetMesh))?;
-                let triangles = faces.boundary();
-                Faces {
-                    triangles,
-                    ..Faces::default()
-                }
+                Faces::of(faces.boundary())
             }
             None => solids::surface(&self.solids)?,
         };
@@ -136,17 +143,32 @@ impl Cells {
         let points: Vec<u32> = self.points.into_iter().filter(is_free).collect();
         let lines = loose_lines(&self.solids, self.lines);
         let mut faces = surface.triangles;
+        let mut face_ids = vec![None; faces.len()];
         if !self.faces.triangles.is_empty() {
             let sides = solids::all_triangles(&self.solids);
-            let is_shell = |&triangle: &[u32; 3]| sides.binary_search(&increasing(triangle)).is_err();
-            faces.extend(self.faces.triangles.into_iter().filter(is_shell));
+            for (number, &triangle) in self.faces.triangles.iter().enumerate() {
+                if sides.binary_search(&increasing(triangle)).is_err() {
+                    faces.push(triangle);
+                    face_ids.push(Some(self.faces.id(number)));
+                }
+            }
         }
+        let polygons = surface.polygons + self.faces.polygons_among(&face_ids);
+        let first_polygon = surface.first_polygon.or(self.faces.first_polygon);
+        let (frame, vertices) = frame(&self.positions, faces, &lines, &points)?;
         Ok(Assembled {
-            frame: frame(&self.positions, faces, &lines, &points)?,
-            polygons: surface.polygons + self.faces.polygons,
-            first_polygon: surface.first_polygon.or(self.faces.first_polygon),
+            frame,
+            polygons,
+            first_polygon: first_polygon.filter(|_| polygons > 0),
             solids: self.solids.len(),
             groups: Vec::new(),
+            ids: FileIds {
+                vertices,
+                faces: face_ids,
+                vertex_count: self.positions.len(),
+                face_count: self.faces.count,
+            },
+            arrays: self.arrays,
         })
     }
 
@@ -184,7 +206,8 @@ impl Cells {
     }
 }
 
-/// The frame of these faces, lines and points without all other vertices, in the same order.
+/// The frame of these faces, lines and points without all other vertices, in the same order, and the
+/// vertices that it has.
 ///
 /// All positions must be finite, also those that are left out.
 fn frame(
@@ -192,7 +215,7 @@ fn frame(
     faces: Vec<[u32; 3]>,
     lines: &[[u32; 2]],
     points: &[u32],
-) -> Result<Frame, ParseError> {
+) -> Result<(Frame, Vec<u32>), ParseError> {
     exact_ccd_mesh::check_positions(positions.len(), positions)
         .map_err(|error| at_file(Fault::Frame)(error.into()))?;
     let corners = faces.as_flattened().iter().chain(lines.as_flattened());
@@ -201,7 +224,8 @@ fn frame(
     let positions = vertices.iter().map(|&vertex| positions[vertex as usize]);
     let faces = faces.into_iter().map(|face| face.map(index)).collect();
     let lines: Vec<_> = lines.iter().map(|line| line.map(index)).collect();
-    Frame::with_edges(positions.collect(), faces, &lines).map_err(at_file(Fault::Frame))
+    let frame = Frame::with_edges(positions.collect(), faces, &lines).map_err(at_file(Fault::Frame))?;
+    Ok((frame, vertices))
 }
 
 /// The lines between different vertices that are not edges of cells.

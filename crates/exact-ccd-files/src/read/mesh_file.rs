@@ -10,6 +10,7 @@ use super::group::Group;
 use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
+use crate::file_ids::FileIds;
 use crate::format::Format;
 
 /// The treatment of faces with more than three corners.
@@ -37,6 +38,11 @@ pub struct MeshFile {
     /// [`NamedPart`](crate::NamedPart). In OBJ, an element belongs to the last statement `o` or `g` before
     /// it; several statements or parts of one name are one group.
     pub groups: Vec<Group>,
+    /// The ids of its vertices and faces in the file.
+    pub ids: FileIds,
+    /// The names of the arrays that were read, and of those that were not, of a file of several arrays of
+    /// numpy.
+    pub arrays: Option<String>,
 }
 
 impl MeshFile {
@@ -86,6 +92,8 @@ impl MeshFile {
             frame: assembled.frame,
             contents,
             groups: assembled.groups,
+            ids: assembled.ids,
+            arrays: assembled.arrays,
         })
     }
 }

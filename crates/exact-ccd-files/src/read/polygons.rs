@@ -16,9 +16,38 @@ pub(super) struct Faces {
     pub(super) polygons: usize,
     /// The first face with more than three corners, as the error where only triangles are allowed.
     pub(super) first_polygon: Option<ParseError>,
+    /// The face of each triangle, from the first polygon on. Until then, every triangle is a face.
+    ids: Vec<u32>,
 }
 
 impl Faces {
+    /// Triangles only.
+    pub(super) fn of(triangles: Vec<[u32; 3]>) -> Self {
+        let count = triangles.len();
+        Self {
+            triangles,
+            count,
+            ..Self::default()
+        }
+    }
+
+    /// The number in the file of the face to which a triangle belongs.
+    pub(super) fn id(&self, triangle: usize) -> u32 {
+        self.ids.get(triangle).copied().unwrap_or(triangle as u32)
+    }
+
+    /// The number of polygons of which these are the ids of triangles, at least one of each, in order.
+    pub(super) fn polygons_among(&self, ids: &[Option<u32>]) -> usize {
+        let mut kept = ids.iter().flatten().peekable();
+        let mut polygons = 0;
+        for triangles in self.ids.chunk_by(|a, b| a == b) {
+            let is_kept =
+                std::iter::from_fn(|| kept.next_if(|&&id| id <= triangles[0])).last() == Some(&triangles[0]);
+            polygons += usize::from(is_kept && triangles.len() > 1);
+        }
+        polygons
+    }
+
     /// Adds the next face.
     ///
     /// # Errors
@@ -28,9 +57,18 @@ impl Faces {
         let count = corners.len();
         self.count += 1;
         match *corners {
-            [a, b, c] => self.triangles.push([a, b, c]),
+            [a, b, c] => {
+                self.triangles.push([a, b, c]);
+                if self.polygons > 0 {
+                    self.ids.push(face as u32);
+                }
+            }
             [_, _, _, ..] => {
+                if self.polygons == 0 {
+                    self.ids = (0..face as u32).collect();
+                }
                 self.polygons += 1;
+                self.ids.extend(std::iter::repeat_n(face as u32, count - 2));
                 self.first_polygon
                     .get_or_insert_with(|| Fault::Polygon { face, corners: count }.at(place()));
                 self.triangles.extend(fan(corners));
@@ -52,6 +90,12 @@ pub(super) fn fan(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> {
     let start = least_rotation(corners);
     let corner = move |k: usize| corners[(start + k) % corners.len()];
     (1..corners.len().saturating_sub(1)).map(move |k| [corner(0), corner(k), corner(k + 1)])
+}
+
+/// The triangles of a strip: every three consecutive corners, every other triangle the other way round.
+pub(super) fn strip(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> {
+    let triangles = corners.windows(3).enumerate();
+    triangles.map(|(k, corners)| [corners[0], corners[1 + k % 2], corners[2 - k % 2]])
 }
 
 /// The start of the rotation of a sequence that is first in lexicographic order, in linear time.

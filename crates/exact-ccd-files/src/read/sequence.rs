@@ -2,13 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{Frame, TriangleMesh};
-
 use super::file::parse_file;
 use super::mesh_file::{MeshFile, Polygons, assemble_cells};
 use super::numpy::{self, Arrays};
 use super::series::{read_pvd, read_series};
-use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
@@ -38,11 +35,10 @@ enum Source {
     Arrays(Box<Recording>),
 }
 
-/// Positions of all frames, and the mesh that they share.
+/// Positions of all frames, and the first frame, with the mesh that all share.
 struct Recording {
     arrays: Arrays,
-    mesh: TriangleMesh,
-    contents: Contents,
+    first: MeshFile,
 }
 
 impl FrameSequence {
@@ -134,17 +130,13 @@ impl FrameSequence {
         match &self.source {
             Source::Files(_) => MeshFile::read(self.file(frame), self.polygons),
             Source::Arrays(recording) => {
-                let frame = Frame {
-                    mesh: recording.mesh.clone(),
-                    positions: recording.arrays.positions(frame),
-                };
-                let checked = frame.check();
+                let mut file = recording.first.clone();
+                let all = recording.arrays.positions(frame);
+                let checked = exact_ccd_mesh::check_positions(all.len(), &all);
                 checked.map_err(|error| at_path(Fault::Frame(error.into()).at(Place::File)))?;
-                Ok(MeshFile {
-                    frame,
-                    contents: recording.contents,
-                    groups: Vec::new(),
-                })
+                let kept = file.ids.vertices.iter();
+                file.frame.positions = kept.map(|&vertex| all[vertex as usize]).collect();
+                Ok(file)
             }
         }
     }
@@ -158,9 +150,5 @@ impl FrameSequence {
 /// Arrays with the mesh of their first frame, which is that of all.
 fn with_mesh(arrays: Arrays, polygons: Polygons) -> Result<Source, ParseError> {
     let first = MeshFile::assembled(assemble_cells(arrays.cells(0)?, Format::Npz)?, polygons)?;
-    Ok(Source::Arrays(Box::new(Recording {
-        arrays,
-        mesh: first.frame.mesh,
-        contents: first.contents,
-    })))
+    Ok(Source::Arrays(Box::new(Recording { arrays, first })))
 }

@@ -8,7 +8,7 @@ use super::file::parse_file;
 use super::vtk;
 use crate::error::{Fault, ParseError, Place, ReadError, quoted};
 
-/// Reads the times and files of a ParaView collection, `.pvd`, in its order.
+/// Reads the times and files of a ParaView collection, `.pvd`. The times must increase.
 /// [`write_pvd`](crate::write_pvd) writes one.
 ///
 /// Paths in the collection are relative to its folder.
@@ -19,7 +19,7 @@ pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError
     read_list(path.as_ref(), vtk::read_collection)
 }
 
-/// Reads the times and files of a series of ParaView, such as `.vtu.series`, in its order.
+/// Reads the times and files of a series of ParaView, such as `.vtu.series`. The times must increase.
 ///
 /// Paths in the series are relative to its folder.
 ///
@@ -36,8 +36,36 @@ fn read_list(
     parse: impl FnOnce(&[u8]) -> Result<List<String>, ParseError>,
 ) -> Result<List<PathBuf>, ReadError> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let entries = parse_file(path, parse)?.into_iter();
+    let entries = parse_file(path, |bytes| {
+        let entries = parse(bytes)?;
+        check_times(&entries)?;
+        Ok(entries)
+    })?;
+    let entries = entries.into_iter();
     Ok(entries.map(|(time, file)| (time, folder.join(file))).collect())
+}
+
+/// Refuses several files of one time, which are parts of a frame, and times that decrease.
+fn check_times(entries: &[(f64, String)]) -> Result<(), ParseError> {
+    for pair in entries.windows(2) {
+        let [(before, first), (time, second)] = pair else {
+            continue;
+        };
+        let [first, second] = [first, second].map(|file| quoted(file.as_bytes()));
+        let (expected, found) = if time > before {
+            continue;
+        } else if time == before {
+            let expected = "one file for each time (make one file of the parts, in ParaView with Merge \
+                            Blocks, or a list for each part)";
+            (expected, format!("{first} and {second} at the time {time}"))
+        } else {
+            let expected = "files sorted by time (sort the list)";
+            let found = format!("{second} at the time {time} after {first} at {before}");
+            (expected, found)
+        };
+        return Err(Fault::expected(expected, found).at(Place::File));
+    }
+    Ok(())
 }
 
 /// The entries of `{"files": [{"name": "0.vtu", "time": 0}, …]}`.

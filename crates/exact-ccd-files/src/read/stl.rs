@@ -22,14 +22,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
     };
     let vertex_count = u32::try_from(positions.len()).map_err(|_| Fault::TooManyVertices.at(Place::File))?;
     let faces = (0..vertex_count / 3).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
-    let faces = Faces {
-        triangles: faces.collect(),
-        count: positions.len() / 3,
-        ..Faces::default()
-    };
     Ok(Cells {
         positions,
-        faces,
+        faces: Faces::of(faces.collect()),
         ..Cells::default()
     })
 }

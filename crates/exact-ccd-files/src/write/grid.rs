@@ -39,6 +39,8 @@ pub struct UnstructuredGrid<'a> {
     /// The bodies, written as point data and cell data `body` and as field data `body_names`; none to write
     /// no bodies.
     pub bodies: Option<Bodies<'a>>,
+    /// The id of each vertex, written as point data `id`; none to write no ids.
+    pub ids: Option<&'a [u32]>,
 }
 
 /// The bodies of a grid.
@@ -75,7 +77,7 @@ impl<'a> From<&'a TetMesh> for UnstructuredGrid<'a> {
 
 impl UnstructuredGrid<'_> {
     /// Checks that coordinates and velocities are finite, corners are vertices, and each vertex has
-    /// a velocity.
+    /// a velocity and an id.
     pub(super) fn check(&self) -> io::Result<()> {
         let count = self.positions.len();
         check_positions(count, self.positions).map_err(invalid)?;
@@ -106,6 +108,12 @@ impl UnstructuredGrid<'_> {
                 .any(|&body| body as usize >= bodies.names.len())
         {
             return Err(invalid("a vertex has a body without a name"));
+        }
+        if let Some(ids) = self.ids.filter(|ids| ids.len() != count) {
+            let found = ids.len();
+            return Err(invalid(format!(
+                "{found} ids, expected one for each of {count} vertices"
+            )));
         }
         let Some(velocities) = self.velocities else {
             return Ok(());

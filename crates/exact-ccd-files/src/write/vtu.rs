@@ -27,7 +27,7 @@ const TETRAHEDRON: u8 = 10;
 /// # Errors
 /// Those of the writer; and [`InvalidInput`](io::ErrorKind::InvalidInput), before anything is
 /// written, if a coordinate or velocity is not finite, a corner is not a vertex, or the numbers of
-/// velocities and vertices differ.
+/// velocities, of ids and of vertices differ.
 pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGrid<'a>>) -> io::Result<()> {
     let grid = grid.into();
     grid.check()?;
@@ -106,7 +106,11 @@ impl Data {
         } else {
             ""
         };
-        let of_points: Vec<String> = velocities.into_iter().chain(of_vertices).collect();
+        let ids = grid.ids.map(|ids| {
+            let data = ids.iter().flat_map(|&id| i64::from(id).to_le_bytes());
+            data_array("Int64", "id", 1, data)
+        });
+        let of_points = velocities.into_iter().chain(of_vertices).chain(ids).collect();
         Self {
             field: element("FieldData", "", names.into_iter().collect()),
             points: element("PointData", vectors, of_points),

@@ -26,8 +26,9 @@ fn changed(version: fn(&Contents, Encoding) -> Vec<u8>, from: &str, to: &str) ->
 
 #[test]
 fn header() {
-    assert_error("", "line 1: the file ends, expected `$MeshFormat`");
-    assert_error("solid\n", "line 1: expected `$MeshFormat`, found `solid`");
+    let error = parse_tet_mesh(b"").unwrap_err().to_string();
+    assert_eq!(error, "line 1: the file ends, expected `$MeshFormat`");
+    assert_error("mesh\n", "line 1: expected `$MeshFormat`, found `mesh`");
     assert_error(
         "$MeshFormat\n4.0 0 8\n",
         "line 2: expected `2.2` or `4.1`, found `4.0`",

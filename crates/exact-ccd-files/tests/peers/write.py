@@ -173,7 +173,9 @@ def with_numpy():
     )
     np.savez(FOLDER / "numpy_big_endian.npz", points=both.astype(">f8"), faces=faces.astype(">i4"))
     np.savez(FOLDER / "numpy_half.npz", positions=both.astype(np.float16), faces=faces)
-    for name in ("numpy", "numpy_small", "numpy_big_endian", "numpy_half"):
+    # A list with counts, as mesh.faces of pyvista.
+    np.savez(FOLDER / "numpy_counts.npz", points=both, faces=np.insert(faces, 0, 3, axis=1).ravel())
+    for name in ("numpy", "numpy_small", "numpy_big_endian", "numpy_half", "numpy_counts"):
         print("frames", f"{name}.npz")
 
 

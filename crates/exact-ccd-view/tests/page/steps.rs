@@ -78,11 +78,11 @@ fn contacts_are_those_of_the_step_with_all_bits() {
     assert_eq!(first["time"].as_f64(), Some(0.5));
     assert_eq!(
         first["primitives"][0],
-        serde_json::json!({"kind": "vertex", "id": 3, "vertices": [3]})
+        serde_json::json!({"kind": "vertex", "id": 3, "vertices": [3], "labels": [3]})
     );
     assert_eq!(
         first["primitives"][1],
-        serde_json::json!({"kind": "face", "id": 0, "vertices": [0, 1, 2]})
+        serde_json::json!({"kind": "face", "id": 0, "vertices": [0, 1, 2], "labels": [0, 1, 2]})
     );
     assert_eq!(first["closest"][0], serde_json::json!([1.0, 1.0, 0.0]));
     assert_eq!(first["normal"], serde_json::json!([0.0, 0.0, 1.0]));

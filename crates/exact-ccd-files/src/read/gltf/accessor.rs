@@ -5,27 +5,16 @@ use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions};
 
 use super::super::compressed::Budget;
+use super::buffers::Buffers;
 use crate::error::Fault;
 
-/// The contents of the buffers.
-pub(super) struct Data(Vec<Vec<u8>>);
-
-impl Data {
-    pub(super) fn new(buffers: Vec<Vec<u8>>) -> Self {
-        Self(buffers)
-    }
-
-    /// The number of bytes in all buffers.
-    pub(super) fn size(&self) -> usize {
-        self.0.iter().map(Vec::len).sum()
-    }
-
+impl Buffers {
     /// The elements of an accessor as positions, exactly.
     pub(super) fn positions(&self, accessor: &Accessor, budget: &mut Budget) -> Result<Vec<Point>, Fault> {
         if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
             return Err(wrong(accessor, "three floats for each position"));
         }
-        budget.take(24 * accessor.count() as u64)?;
+        budget.take((accessor.count() as u64).saturating_mul(24))?;
         let number = |at: &[u8], k: usize| {
             let bytes = std::array::from_fn(|byte| at[4 * k + byte]);
             f64::from(f32::from_le_bytes(bytes))
@@ -42,7 +31,7 @@ impl Data {
         if !matches!(accessor.data_type(), U8 | U16 | U32) || accessor.dimensions() != Dimensions::Scalar {
             return Err(wrong(accessor, "unsigned integers as indices"));
         }
-        budget.take(8 * accessor.count() as u64)?;
+        budget.take((accessor.count() as u64).saturating_mul(8))?;
         let number = |at: &[u8]| {
             at.iter()
                 .rev()
@@ -60,7 +49,7 @@ impl Data {
         let (size, count) = (accessor.size(), accessor.count());
         let stride = view.stride().unwrap_or(size);
         let missing = || wrong(accessor, "data within its buffer view");
-        let buffer = self.0.get(view.buffer().index()).ok_or_else(missing)?;
+        let buffer = self.get(view.buffer().index()).ok_or_else(missing)?;
         let data = buffer
             .get(view.offset()..)
             .and_then(|data| data.get(..view.length()));

@@ -1,5 +1,7 @@
 //! The buffers of a file: its own binary part, text in base64, or other files.
 
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::{Component, Path, PathBuf};
 
 use base64::Engine;
@@ -10,35 +12,71 @@ use percent_encoding::percent_decode_str;
 
 use crate::error::{Fault, quoted};
 
-/// The contents of each buffer. Other files are in `folder`.
-pub(super) fn read(
-    document: &Document,
-    blob: Option<Vec<u8>>,
-    folder: Option<&Path>,
-) -> Result<Vec<Vec<u8>>, Fault> {
-    let mut blob = blob;
-    let mut buffers = Vec::new();
-    for buffer in document.buffers() {
-        let index = buffer.index();
-        let data = match buffer.source() {
-            Source::Bin => blob
-                .take()
-                .ok_or_else(|| Fault::ends("the binary part of a GLB file"))?,
-            Source::Uri(uri) => match uri.strip_prefix("data:") {
-                Some(data) => decode(data).ok_or_else(|| {
-                    let expected = format!("base64 in the URI of buffer {index}");
-                    Fault::expected(expected, quoted(uri.as_bytes()))
-                })?,
-                None => read_file(uri, folder)?,
-            },
-        };
-        if data.len() < buffer.length() {
-            let expected = format!("{} bytes of buffer {index}", buffer.length());
-            return Err(Fault::expected(expected, data.len().to_string()));
+/// The contents of the buffers. Buffers of one file share its contents.
+pub(super) struct Buffers {
+    contents: Vec<Vec<u8>>,
+    /// The index of the contents of each buffer.
+    contents_of: Vec<usize>,
+}
+
+impl Buffers {
+    /// Reads the contents of each buffer. Other files are in `folder`.
+    pub(super) fn read(
+        document: &Document,
+        blob: Option<Vec<u8>>,
+        folder: Option<&Path>,
+    ) -> Result<Self, Fault> {
+        let mut blob = blob;
+        let mut files = HashMap::new();
+        let (mut contents, mut contents_of) = (Vec::new(), Vec::new());
+        for buffer in document.buffers() {
+            let index = buffer.index();
+            let place = match buffer.source() {
+                Source::Bin => {
+                    let blob = blob.take();
+                    contents.push(blob.ok_or_else(|| Fault::ends("the binary part of a GLB file"))?);
+                    contents.len() - 1
+                }
+                Source::Uri(uri) => match uri.strip_prefix("data:") {
+                    Some(data) => {
+                        contents.push(decode(data).ok_or_else(|| {
+                            let expected = format!("base64 in the URI of buffer {index}");
+                            Fault::expected(expected, quoted(uri.as_bytes()))
+                        })?);
+                        contents.len() - 1
+                    }
+                    None => match files.entry(file(uri, folder)?) {
+                        Entry::Occupied(place) => *place.get(),
+                        Entry::Vacant(place) => {
+                            contents.push(read_file(place.key(), uri)?);
+                            *place.insert(contents.len() - 1)
+                        }
+                    },
+                },
+            };
+            let length = contents[place].len();
+            if length < buffer.length() {
+                let expected = format!("{} bytes of buffer {index}", buffer.length());
+                return Err(Fault::expected(expected, length.to_string()));
+            }
+            contents_of.push(place);
         }
-        buffers.push(data);
+        Ok(Self {
+            contents,
+            contents_of,
+        })
     }
-    Ok(buffers)
+
+    /// The contents of the buffer with this index.
+    pub(super) fn get(&self, buffer: usize) -> Option<&[u8]> {
+        let &place = self.contents_of.get(buffer)?;
+        Some(&self.contents[place])
+    }
+
+    /// The number of bytes of all contents.
+    pub(super) fn size(&self) -> usize {
+        self.contents.iter().map(Vec::len).sum()
+    }
 }
 
 /// The data of a URI `data:TYPE;base64,TEXT`, without its first five characters.
@@ -47,8 +85,8 @@ fn decode(uri: &str) -> Option<Vec<u8>> {
     STANDARD.decode(text).ok()
 }
 
-/// Reads a file that a relative path in a URI names: below the folder, and not elsewhere.
-fn read_file(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Fault> {
+/// The file that a relative path in a URI names: below the folder, and not elsewhere.
+fn file(uri: &str, folder: Option<&Path>) -> Result<PathBuf, Fault> {
     let found = || quoted(uri.as_bytes());
     let Some(folder) = folder else {
         return Err(Fault::expected(
@@ -62,9 +100,16 @@ fn read_file(uri: &str, folder: Option<&Path>) -> Result<Vec<u8>, Fault> {
             .all(|component| matches!(component, Component::Normal(_) | Component::CurDir))
     });
     let name = name.ok_or_else(|| Fault::expected("a file in the same folder", found()))?;
-    let path = folder.join(name);
-    std::fs::read(&path).map_err(|error| {
+    // Every path of a file is the same one: without the parts `.`.
+    let parts = name
+        .components()
+        .filter(|part| matches!(part, Component::Normal(_)));
+    Ok(folder.join(parts.collect::<PathBuf>()))
+}
+
+fn read_file(path: &Path, uri: &str) -> Result<Vec<u8>, Fault> {
+    std::fs::read(path).map_err(|error| {
         let expected = "the file of a buffer beside the .gltf file";
-        Fault::expected(expected, format!("{}: {error}", found()))
+        Fault::expected(expected, format!("{}: {error}", quoted(uri.as_bytes())))
     })
 }

@@ -16,8 +16,9 @@ use gltf::{Document, Gltf, Mesh, Node, Primitive, Scene, Semantic};
 
 use super::cells::Cells;
 use super::compressed::Budget;
+use super::polygons::strip;
 use crate::error::{Fault, ParseError, Place, quoted};
-use accessor::Data;
+use buffers::Buffers;
 use transform::Transform;
 
 /// Reads the default scene, or else the first one. Its other files are in `folder`.
@@ -39,7 +40,7 @@ fn read_scene(json: &[u8], blob: Option<Vec<u8>>, folder: Option<&Path>) -> Resu
     }
     let document = Document::from_json(root).map_err(invalid)?;
     let mut reader = Reader {
-        data: Data::new(buffers::read(&document, blob, folder)?),
+        data: Buffers::read(&document, blob, folder)?,
         budget: Budget::of(json.len()),
         visited: vec![false; document.nodes().len()],
         cells: Cells::default(),
@@ -60,7 +61,7 @@ fn invalid(error: gltf::Error) -> Fault {
 }
 
 struct Reader {
-    data: Data,
+    data: Buffers,
     /// The number of bytes that positions and indices may take: many nodes may have the same mesh.
     budget: Budget,
     visited: Vec<bool>,
@@ -122,6 +123,7 @@ impl Reader {
                 }
             };
             let vertices = self.vertices(&primitive, first, positions.count())?;
+            check_count(&primitive, vertices.len())?;
             self.add(primitive.mode(), &vertices)?;
         }
         Ok(())
@@ -131,7 +133,7 @@ impl Reader {
     fn vertices(&mut self, primitive: &Primitive, first: usize, count: usize) -> Result<Vec<u32>, Fault> {
         let indices = match primitive.indices() {
             None => {
-                self.budget.take(count as u64 * 4)?;
+                self.budget.take((count as u64).saturating_mul(4))?;
                 (0..count as u64).collect()
             }
             Some(accessor) => self.data.indices(&accessor, &mut self.budget)?,
@@ -164,12 +166,7 @@ impl Reader {
                 }
             }
             Mode::Triangles => triangles.extend(vertices.as_chunks::<3>().0),
-            Mode::TriangleStrip => triangles.extend(
-                vertices
-                    .windows(3)
-                    .enumerate()
-                    .map(|(k, strip)| [strip[0], strip[1 + k % 2], strip[2 - k % 2]]),
-            ),
+            Mode::TriangleStrip => triangles.extend(strip(vertices)),
             Mode::TriangleFan => {
                 if let Some((&center, around)) = vertices.split_first() {
                     triangles.extend(around.windows(2).map(|pair| [center, pair[0], pair[1]]));
@@ -179,6 +176,31 @@ impl Reader {
         cells.faces.count = cells.faces.triangles.len();
         Ok(())
     }
+}
+
+/// Refuses a number of vertices with which the last element of a primitive is not whole.
+fn check_count(primitive: &Primitive, count: usize) -> Result<(), Fault> {
+    let (is_whole, expected) = match primitive.mode() {
+        Mode::Points => (true, ""),
+        Mode::Lines => (count.is_multiple_of(2), "two vertices for each line"),
+        Mode::Triangles => (count.is_multiple_of(3), "three vertices for each triangle"),
+        Mode::LineStrip | Mode::LineLoop => (count != 1, "two or more vertices of a strip of lines"),
+        Mode::TriangleStrip | Mode::TriangleFan => {
+            let is_whole = !matches!(count, 1 | 2);
+            (is_whole, "three or more vertices of a strip or fan of triangles")
+        }
+    };
+    if is_whole {
+        return Ok(());
+    }
+    let place = match primitive.indices() {
+        Some(accessor) => format!("accessor {}", accessor.index()),
+        None => format!("primitive {} without indices", primitive.index()),
+    };
+    Err(Fault::expected(
+        format!("{expected} in {place}"),
+        count.to_string(),
+    ))
 }
 
 fn unsupported(mesh: &Mesh, with: &str) -> Fault {

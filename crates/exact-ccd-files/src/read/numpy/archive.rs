@@ -1,5 +1,6 @@
 //! The arrays in a `.npz` archive.
 
+use std::fmt;
 use std::io::{Cursor, Read};
 
 use zip::ZipArchive;
@@ -16,8 +17,28 @@ const LONGEST_HEADER: u64 = 4096;
 pub(super) struct Archive<'a> {
     zip: ZipArchive<Cursor<&'a [u8]>>,
     budget: Budget,
-    /// The index in the archive, the name without `.npy`, and the header of each array.
-    pub(super) arrays: Vec<(usize, String, Header)>,
+    pub(super) arrays: Vec<Entry>,
+}
+
+/// An array in an archive.
+pub(super) struct Entry {
+    /// The index in the archive.
+    index: usize,
+    /// The name without `.npy`.
+    pub(super) name: String,
+    /// The type and the shape; an error for an array of texts or of other types without a reader.
+    pub(super) header: Result<Header, ParseError>,
+}
+
+/// The name, the type and the shape, as `` `x` <f4 (2, 10, 3) ``.
+impl fmt::Display for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = quoted(self.name.as_bytes());
+        match &self.header {
+            Ok(header) => write!(f, "{name} {header}"),
+            Err(_) => write!(f, "{name} (not an array of numbers)"),
+        }
+    }
 }
 
 impl<'a> Archive<'a> {
@@ -36,10 +57,8 @@ impl<'a> Archive<'a> {
             };
             let read = entry.take(LONGEST_HEADER).read_to_end(&mut beginning);
             read.map_err(|error| invalid(error.into()))?;
-            // An array of texts or of other types is of no use.
-            if let Ok(header) = Header::read(&beginning) {
-                arrays.push((index, name, header));
-            }
+            let header = Header::read(&beginning);
+            arrays.push(Entry { index, name, header });
         }
         Ok(Self {
             zip,
@@ -48,10 +67,10 @@ impl<'a> Archive<'a> {
         })
     }
 
-    /// Reads the array at an index in the archive.
-    pub(super) fn read(&mut self, index: usize) -> Result<Array, ParseError> {
+    /// Reads an array of the archive.
+    pub(super) fn read(&mut self, number: usize) -> Result<Array, ParseError> {
         let at_file = |fault: Fault| fault.at(Place::File);
-        let entry = self.zip.by_index(index).map_err(|error| {
+        let entry = self.zip.by_index(self.arrays[number].index).map_err(|error| {
             at_file(Fault::expected(
                 "a zip archive",
                 quoted(error.to_string().as_bytes()),
@@ -60,21 +79,17 @@ impl<'a> Archive<'a> {
         let file = self.budget.read_all(entry, "zip").map_err(at_file)?;
         Array::read(&file)
     }
+}
 
-    /// All arrays with their types and shapes, for messages.
-    pub(super) fn describe(&self) -> String {
-        const MOST: usize = 6;
-        let shown = self.arrays.iter().take(MOST);
-        let mut list: Vec<String> = shown
-            .map(|(_, name, header)| format!("{} {header}", quoted(name.as_bytes())))
-            .collect();
-        if self.arrays.len() > MOST {
-            list.push(format!("{} more", self.arrays.len() - MOST));
-        }
-        if list.is_empty() {
-            "no arrays of numbers".to_owned()
-        } else {
-            list.join(", ")
-        }
+/// Arrays with their types and shapes, for messages.
+pub(super) fn list<'e>(entries: impl IntoIterator<Item = &'e Entry>) -> String {
+    const MOST: usize = 6;
+    let mut entries = entries.into_iter();
+    let mut list: Vec<String> = entries.by_ref().take(MOST).map(Entry::to_string).collect();
+    match (entries.count(), list.is_empty()) {
+        (_, true) => return "no arrays".to_owned(),
+        (0, _) => {}
+        (more, _) => list.push(format!("{more} more")),
     }
+    list.join(", ")
 }

@@ -2,7 +2,9 @@
 
 mod archive;
 mod array;
+mod elements;
 mod header;
+mod roles;
 mod scene;
 
 pub(super) use scene::{Arrays, read_npy, read_npz};

@@ -15,11 +15,16 @@ use crate::named_part::NamedPart;
 /// Reads all rows of all elements, in the order of the header.
 pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Result<Cells, ParseError> {
     let vertex_count = find(header, "vertex")?.count;
-    // A file of rods has edges and may have no faces.
-    if !header
-        .elements
-        .iter()
-        .any(|element| element.name == b"edge" && end_points(element).is_some())
+    // A file of rods or of points may have no faces. Elements with lists, as strips of triangles, are others.
+    let is_read = |element: &Element| match element.name {
+        b"vertex" | b"face" => true,
+        b"edge" => end_points(element).is_some(),
+        _ => !element
+            .properties
+            .iter()
+            .any(|property| matches!(property.kind, Kind::List { .. })),
+    };
+    if !header.elements.iter().all(is_read) && !header.elements.iter().any(|element| element.name == b"face")
     {
         find(header, "face")?;
     }

@@ -1,5 +1,6 @@
 //! Arrays of numbers: inline as text or in base64, or appended to the file.
 
+use std::borrow::Cow;
 use std::cell::Cell;
 use std::str::FromStr;
 
@@ -107,7 +108,7 @@ impl<'a> Encoding<'a> {
         scalar: Scalar,
         decode: impl FnOnce(&[u8]) -> Vec<T>,
     ) -> Result<Vec<T>, ParseError> {
-        let text = array.text().unwrap_or_default();
+        let text = text(array);
         let (mut stream, is_inline) = match file.attribute(array, "format")? {
             "ascii" => {
                 let number = |word: &str| {
@@ -155,6 +156,19 @@ impl<'a> Encoding<'a> {
         } else {
             Stream::base64(data)
         })
+    }
+}
+
+/// The text of an array, which comments and other elements may interrupt.
+fn text<'n>(array: Node<'n, 'n>) -> Cow<'n, str> {
+    let mut pieces = array
+        .children()
+        .filter(Node::is_text)
+        .filter_map(|node| node.text());
+    let first = pieces.next().unwrap_or_default();
+    match pieces.next() {
+        None => Cow::Borrowed(first),
+        Some(second) => Cow::Owned([first, second].into_iter().chain(pieces).collect()),
     }
 }
 

@@ -29,6 +29,8 @@ impl Layout {
     pub(super) fn data(&self, stream: &mut Stream, budget: &mut Budget) -> Result<Vec<u8>, Fault> {
         let [first] = self.words(stream)?;
         if self.compression == Compression::None {
+            // Several arrays may be the same part of the appended data.
+            budget.take(first)?;
             return take(stream, first);
         }
         // The number of blocks, their size, and that of the last one if it is shorter.

@@ -1,6 +1,7 @@
 //! Cells of VTK by the number of their type.
 
 use super::super::cells::Cells;
+use super::super::polygons::strip;
 use super::super::solids::Solid;
 use crate::error::{Fault, ParseError, Place};
 
@@ -28,10 +29,8 @@ pub(super) fn add(
         (3, [_, _]) | (POLY_LINE, [_, _, ..]) => cells.add_polyline(corners),
         (5, [_, _, _]) | (POLYGON, _) | (9, [_, _, _, _]) => cells.faces.add(corners, place)?,
         (TRIANGLE_STRIP, [_, _, _, ..]) => {
-            for (k, triangle) in corners.windows(3).enumerate() {
-                // Every other triangle is the other way round.
-                let [a, b, c] = [triangle[0], triangle[1 + k % 2], triangle[2 - k % 2]];
-                cells.faces.add(&[a, b, c], &place)?;
+            for triangle in strip(corners) {
+                cells.faces.add(&triangle, &place)?;
             }
         }
         // The corners of a pixel and of a voxel are ordered by their coordinates.

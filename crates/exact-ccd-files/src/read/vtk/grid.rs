@@ -3,19 +3,20 @@
 use roxmltree::Node;
 
 use super::super::cells::Cells;
+use super::super::text::parse;
 use super::appended;
 use super::array::Encoding;
 use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
 use super::list::CellList;
 use super::xml::{File, parse_xml};
-use crate::error::ParseError;
+use crate::error::{ParseError, quoted};
 
-/// The lists of a surface, and the type of their cells.
-const LISTS: [(&str, i64); 4] = [
-    ("Verts", POLY_VERTEX),
-    ("Lines", POLY_LINE),
-    ("Strips", TRIANGLE_STRIP),
-    ("Polys", POLYGON),
+/// The lists of a surface, the attributes with the numbers of their cells, and the type of these.
+const LISTS: [(&str, &str, i64); 4] = [
+    ("Verts", "NumberOfVerts", POLY_VERTEX),
+    ("Lines", "NumberOfLines", POLY_LINE),
+    ("Strips", "NumberOfStrips", TRIANGLE_STRIP),
+    ("Polys", "NumberOfPolys", POLYGON),
 ];
 
 /// The root of a file, which has this type: `UnstructuredGrid` or `PolyData`.
@@ -49,14 +50,18 @@ impl<'a> Reader<'_, 'a> {
         self.read_points(piece)?;
         if let Some(list) = piece.children().find(|child| child.has_tag_name("Cells")) {
             let types = self.integers(list, "types")?;
-            return self.read_list(list, first, |_| types);
+            let count = self.read_list(list, first, |_| types)?;
+            return self.check_count(piece, "NumberOfCells", count);
         }
-        for (name, kind) in LISTS {
+        for (name, number, kind) in LISTS {
             let list = piece.children().find(|child| child.has_tag_name(name));
             // A list without cells may have no arrays.
-            if let Some(list) = list.filter(|list| list.first_element_child().is_some()) {
-                self.read_list(list, first, |count| vec![kind; count])?;
-            }
+            let list = list.filter(|list| list.first_element_child().is_some());
+            let count = match list {
+                Some(list) => self.read_list(list, first, |count| vec![kind; count])?,
+                None => 0,
+            };
+            self.check_count(piece, number, count)?;
         }
         Ok(())
     }
@@ -66,26 +71,42 @@ impl<'a> Reader<'_, 'a> {
         if piece.attribute("NumberOfPoints") == Some("0") {
             return Ok(());
         }
-        let coordinates = self
-            .encoding
-            .reals(self.file, self.file.child(points, "DataArray")?)?;
+        let array = self.file.child(points, "DataArray")?;
+        let components = array.attribute("NumberOfComponents").unwrap_or("3");
+        if components != "3" {
+            let found = quoted(components.as_bytes());
+            return Err(self.file.fault(array, "three components of each point", found));
+        }
+        let coordinates = self.encoding.reals(self.file, array)?;
         let (positions, rest) = coordinates.as_chunks::<3>();
         if !rest.is_empty() {
             let found = format!("{} numbers", coordinates.len());
             return Err(self.file.fault(points, "three coordinates for each point", found));
         }
         self.cells.positions.extend(positions);
-        Ok(())
+        self.check_count(piece, "NumberOfPoints", positions.len())
     }
 
-    /// Appends the cells of a list, with the types that belong to their number. Corners are counted
-    /// from the vertex `first`.
+    /// Compares a number that an attribute of a piece declares with that of its arrays.
+    fn check_count(&self, piece: Node<'a, 'a>, name: &str, count: usize) -> Result<(), ParseError> {
+        match piece.attribute(name) {
+            Some(declared) if parse(declared.as_bytes()) != Some(count) => {
+                let declared = quoted(declared.as_bytes());
+                let expected = format!("as many elements as `{name}` says, {declared}");
+                Err(self.file.fault(piece, expected, count.to_string()))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Appends the cells of a list, with the types that belong to their number, and returns this number.
+    /// Corners are counted from the vertex `first`.
     fn read_list(
         &mut self,
         list: Node<'a, 'a>,
         first: usize,
         types: impl FnOnce(usize) -> Vec<i64>,
-    ) -> Result<(), ParseError> {
+    ) -> Result<usize, ParseError> {
         let (corners, ends) = (
             self.integers(list, "connectivity")?,
             self.integers(list, "offsets")?,
@@ -97,7 +118,8 @@ impl<'a> Reader<'_, 'a> {
             place: &|| self.file.place(list),
         };
         let points = first..self.cells.positions.len();
-        list.add_to(&mut self.cells, points)
+        list.add_to(&mut self.cells, points)?;
+        Ok(ends.len())
     }
 
     /// The array of integers with this name.
