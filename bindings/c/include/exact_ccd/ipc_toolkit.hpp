@@ -31,8 +31,8 @@ namespace exact_ccd {
 
 /// The narrow phase, pair by pair. In two dimensions, z is 0.
 ///
-/// `toi` is at most `tmax`, 0 if the primitives are within `min_distance` at the start, and infinite if there is
-/// no contact until `tmax`. Coordinates that are not finite, and a negative `min_distance`, throw
+/// `toi` is at most `tmax`, 0 if the primitives are within `min_distance` at the start, and infinite if
+/// there is no contact until `tmax`. Coordinates that are not finite, and a negative `min_distance`, throw
 /// exact_ccd::Error; then `toi` keeps its value.
 class ExactCCD : public ipc::NarrowPhaseCCD {
 public:
