@@ -153,7 +153,7 @@ fn names_in_files_are_names_of_parts() {
     let unknown = audit(&["--ignore", "tip:square"]);
     assert_eq!(
         unknown.error(),
-        "there is no part tip; there are 0, square, a tip"
+        "there is no part or group tip; there are 0, square, a tip"
     );
     assert_eq!(audit(&["--weld", "--ignore", "a tip:square"]).status, 0);
 }

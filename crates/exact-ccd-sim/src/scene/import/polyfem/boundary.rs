@@ -181,8 +181,8 @@ impl<'a> Conditions<'a> {
             let has_corners =
                 |face: &&[u32; 3]| face.iter().all(|corner| vertices.binary_search(corner).is_ok());
             if surface.faces.iter().filter(has_corners).count() != surface.selected(&condition.ids).count() {
-                let what = "a force on faces, of which the corners are also those of another face,";
-                return Err(condition.entry.unsupported(what, "select that face too"));
+                let what = "a force on faces that share all their corners with a face without it";
+                return Err(condition.entry.unsupported(what, "select both faces"));
             }
             body.load.push(LoadDescription {
                 vertices: of_vertices(&vertices, surface.points),
