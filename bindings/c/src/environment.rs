@@ -1,8 +1,9 @@
 //! The floating-point environment of the host, which the library replaces by the standard one.
 //!
 //! Hosts flush subnormal numbers (`-ffast-math`) or round upwards (interval arithmetic). Rust, as
-//! IEEE 754, assumes neither. The control register is read at the start and at the end of each call, and
-//! written only if it differs. It has the flags of exceptions too, which the library raises.
+//! IEEE 754, assumes neither. The control register is read at the start of each call, and written, there and
+//! at the end, only if it is not the standard one. Flags of exceptions may be set otherwise, as after any
+//! function of floating-point numbers.
 
 /// The standard environment until it is dropped; then that of the caller.
 pub(crate) struct Environment {
@@ -10,7 +11,7 @@ pub(crate) struct Environment {
         not(target_arch = "x86_64"),
         expect(dead_code, reason = "no register is read")
     )]
-    caller: u32,
+    replaced: Option<u32>,
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -44,16 +45,16 @@ impl Environment {
     #[inline]
     pub(crate) fn standard() -> Self {
         let caller = control::read();
-        if let Some(standard) = control::standard_if_other(caller) {
-            control::write(standard);
-        }
-        Self { caller }
+        let standard = control::standard_if_other(caller);
+        standard.map(control::write);
+        let replaced = standard.map(|_| caller);
+        Self { replaced }
     }
 
     /// On other processors the kernel detects flushed subnormal numbers, and rounding is the host's.
     #[cfg(not(target_arch = "x86_64"))]
     pub(crate) fn standard() -> Self {
-        Self { caller: 0 }
+        Self { replaced: None }
     }
 }
 
@@ -61,8 +62,8 @@ impl Drop for Environment {
     #[inline]
     fn drop(&mut self) {
         #[cfg(target_arch = "x86_64")]
-        if control::read() != self.caller {
-            control::write(self.caller);
+        if let Some(caller) = self.replaced {
+            control::write(caller);
         }
     }
 }

@@ -95,6 +95,7 @@ pub(crate) unsafe fn positions<'a>(
 ///
 /// # Safety
 /// `pointer` is null, or points to a value that nobody changes during the call.
+#[inline]
 pub(crate) unsafe fn reference<'a, T>(name: &str, pointer: *const T) -> Result<&'a T, Error> {
     check(name, pointer)?;
     // SAFETY: not null and aligned; the rest is the caller's promise.
