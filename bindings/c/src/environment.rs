@@ -46,9 +46,12 @@ impl Environment {
     pub(crate) fn standard() -> Self {
         let caller = control::read();
         let standard = control::standard_if_other(caller);
-        standard.map(control::write);
-        let replaced = standard.map(|_| caller);
-        Self { replaced }
+        if let Some(standard) = standard {
+            control::write(standard);
+        }
+        Self {
+            replaced: standard.map(|_| caller),
+        }
     }
 
     /// On other processors the kernel detects flushed subnormal numbers, and rounding is the host's.
