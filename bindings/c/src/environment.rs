@@ -1,9 +1,8 @@
 //! The floating-point environment of the host, which the library replaces by the standard one.
 //!
 //! Hosts flush subnormal numbers (`-ffast-math`) or round upwards (interval arithmetic). Rust, as
-//! IEEE 754, assumes neither. The control register is read at the start of each call, and written, there and
-//! at the end, only if it is not the standard one. Flags of exceptions may be set otherwise, as after any
-//! function of floating-point numbers.
+//! IEEE 754, assumes neither. The control register is read at the start and at the end of each call, and
+//! written only if it differs. It has the flags of exceptions too, which the library raises.
 
 /// The standard environment until it is dropped; then that of the caller.
 pub(crate) struct Environment {
@@ -11,7 +10,7 @@ pub(crate) struct Environment {
         not(target_arch = "x86_64"),
         expect(dead_code, reason = "no register is read")
     )]
-    replaced: Option<u32>,
+    caller: u32,
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -45,19 +44,16 @@ impl Environment {
     #[inline]
     pub(crate) fn standard() -> Self {
         let caller = control::read();
-        let standard = control::standard_if_other(caller);
-        if let Some(standard) = standard {
+        if let Some(standard) = control::standard_if_other(caller) {
             control::write(standard);
         }
-        Self {
-            replaced: standard.map(|_| caller),
-        }
+        Self { caller }
     }
 
     /// On other processors the kernel detects flushed subnormal numbers, and rounding is the host's.
     #[cfg(not(target_arch = "x86_64"))]
     pub(crate) fn standard() -> Self {
-        Self { replaced: None }
+        Self { caller: 0 }
     }
 }
 
@@ -65,8 +61,8 @@ impl Drop for Environment {
     #[inline]
     fn drop(&mut self) {
         #[cfg(target_arch = "x86_64")]
-        if let Some(caller) = self.replaced {
-            control::write(caller);
+        if control::read() != self.caller {
+            control::write(self.caller);
         }
     }
 }

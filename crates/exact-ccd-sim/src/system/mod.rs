@@ -2,9 +2,12 @@
 
 mod error;
 mod fingerprint;
+mod loads;
+mod masses;
+mod names;
+mod obstacles;
 mod parts;
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use exact_ccd::separation::{InvalidThickness, Thickness};
@@ -15,11 +18,11 @@ use exact_ccd_mesh::{
 use nalgebra::Vector3;
 
 use crate::body::Body;
-use crate::contact::{Barrier, Collision, Part, Surface, Weights};
+use crate::contact::{Barrier, Part, Surface, Weights};
 use crate::elasticity::{Elastic, VertexBend};
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
-use crate::scripted::{Axes, Coordinates, Scripted, Timed};
+use crate::scripted::{Coordinates, Scripted, Timed};
 use crate::settings::Formulation;
 use parts::Parts;
 
@@ -153,94 +156,6 @@ impl System {
         })
     }
 
-    /// The same system with half spaces as obstacles, in place of those that it has.
-    ///
-    /// # Errors
-    /// [`SystemError::HalfSpace`] names the first one without a finite point or a normal.
-    pub fn with_half_spaces(self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
-        for (number, half_space) in half_spaces.iter().enumerate() {
-            half_space.check(number)?;
-        }
-        Ok(Self {
-            planes: half_spaces.iter().map(HalfSpace::plane).collect(),
-            half_spaces,
-            ..self
-        })
-    }
-
-    /// The same system with loads, in place of those that it has.
-    ///
-    /// # Errors
-    /// [`SystemError::Load`] names the first one with a number that is out of range.
-    pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
-        for (number, load) in loads.iter().enumerate() {
-            load.check(number, self.start.len())?;
-        }
-        Ok(Self { loads, ..self })
-    }
-
-    /// The accelerations of the vertices by all loads, in a time step from these positions that ends at
-    /// `time`, in m/s². Vertices without mass are not accelerated. `None` without loads.
-    pub(crate) fn accelerations(&self, positions: &[Point], time: f64) -> Option<Vec<Vector3<f64>>> {
-        if self.loads.is_empty() {
-            return None;
-        }
-        let mut forces = vec![Vector3::zeros(); positions.len()];
-        let points = [self.start.as_slice(), positions];
-        for load in &self.loads {
-            load.add(&mut forces, &self.surface, &self.masses, points, time);
-        }
-        let pairs = forces.into_iter().zip(&self.masses);
-        let accelerations = pairs.map(|(force, &mass)| {
-            if mass > 0.0 {
-                force / mass
-            } else {
-                Vector3::zeros()
-            }
-        });
-        Some(accelerations.collect())
-    }
-
-    /// The half spaces.
-    #[must_use]
-    pub fn half_spaces(&self) -> &[HalfSpace] {
-        &self.half_spaces
-    }
-
-    /// The first vertex that is not apart from a half space, exactly, with the number of this half space.
-    /// A linear motion is free of contact with half spaces if there is none at both of its ends.
-    #[must_use]
-    pub fn first_grounded(&self, positions: &[Point]) -> Option<(u32, usize)> {
-        let touches = |half_space: &HalfSpace, vertex: u32| {
-            let (at, offset) = (positions.get(vertex as usize), self.offsets[vertex as usize]);
-            at.is_some_and(|&at| !half_space.is_apart(at, offset))
-        };
-        let numbered = self.half_spaces.iter().enumerate();
-        numbered.into_iter().find_map(|(number, half_space)| {
-            let vertex = self
-                .grounded
-                .iter()
-                .find(|&&vertex| touches(half_space, vertex))?;
-            Some((*vertex, number))
-        })
-    }
-
-    /// The part of a step that is free of contact with half spaces. It is 1 only if all of the step is free;
-    /// a smaller part is not certified.
-    pub(crate) fn free_of_half_spaces(&self, step: Step<'_>) -> f64 {
-        let [before, after] = step.positions();
-        if self.first_grounded(after).is_none() {
-            return 1.0;
-        }
-        let part = |half_space: &HalfSpace, vertex: usize| {
-            half_space.free_part([before[vertex], after[vertex]], self.offsets[vertex])
-        };
-        let vertices = || self.grounded.iter().map(|&vertex| vertex as usize);
-        let parts = self.half_spaces.iter();
-        let parts = parts.flat_map(|half_space| vertices().map(move |vertex| part(half_space, vertex)));
-        parts.fold(1.0_f64.next_down(), f64::min).max(f64::EPSILON)
-    }
-
     /// The range of vertices of each body, in the order of the bodies.
     #[must_use]
     pub fn ranges(bodies: &[Body]) -> Vec<Range<u32>> {
@@ -335,16 +250,6 @@ impl System {
         self.body_names().into_iter().zip(ranges).collect()
     }
 
-    /// The name of each body, or `body-N` for the Nth body if it has none.
-    #[must_use]
-    pub fn body_names(&self) -> Vec<String> {
-        let name = |(number, name): (usize, &String)| match name.as_str() {
-            "" => format!("body-{number}"),
-            name => name.to_owned(),
-        };
-        self.names.iter().enumerate().map(name).collect()
-    }
-
     /// The vertices of the system that are in [`System::surface_frame`], in its order.
     #[must_use]
     pub fn surface_vertices(&self) -> &[u32] {
@@ -390,87 +295,12 @@ impl System {
         self.extent
     }
 
-    /// The body of a vertex, by its place in the list of bodies.
-    #[must_use]
-    pub fn body_of(&self, vertex: u32) -> usize {
-        self.bodies.partition_point(|range| range.end <= vertex)
-    }
-
-    /// The bodies of a collision, by their places in the list of all bodies, followed by the half spaces.
-    pub(crate) fn bodies_of(&self, collision: &Collision) -> [usize; 2] {
-        // The vertices of the first primitive precede those of the second. A half space has none.
-        let vertices = collision.vertices();
-        let second = match collision.half_space() {
-            Some(half_space) => self.bodies.len() + half_space as usize,
-            None => self.body_of(vertices[vertices.len() - 1]),
-        };
-        [self.body_of(vertices[0]), second]
-    }
-
-    /// The names of all bodies, followed by those of the half spaces. Empty for no name.
-    #[must_use]
-    pub fn names(&self) -> Vec<&str> {
-        let half_spaces = self.half_spaces.iter().map(|half_space| &half_space.name);
-        self.names.iter().chain(half_spaces).map(String::as_str).collect()
-    }
-
-    /// All names, quoted, for messages.
-    pub(crate) fn known_names(&self) -> String {
-        let names = self.names();
-        let given: BTreeSet<String> = names
-            .iter()
-            .filter(|name| !name.is_empty())
-            .map(|name| format!("`{name}`"))
-            .collect();
-        given.into_iter().collect::<Vec<_>>().join(", ")
-    }
-
     /// The diagonals of the bounding boxes of the bodies at the start, in m.
     pub(crate) fn body_sizes(&self) -> impl Iterator<Item = f64> {
         let points = |range: &Range<u32>| self.start[range.start as usize..range.end as usize].iter();
         self.bodies
             .iter()
             .map(move |range| diagonal(points(range).copied()))
-    }
-
-    /// True if a vertex has mass, and at least one coordinate that no script holds at all times.
-    #[must_use]
-    pub fn is_free(&self, vertex: usize) -> bool {
-        self.masses[vertex] > 0.0 && !self.scripts[vertex].are_held()
-    }
-
-    /// The coordinates of each vertex that are not free in a time step that ends at this time, in s: those
-    /// that scripts hold, and all of a vertex without mass.
-    pub(crate) fn held(&self, time: f64) -> Vec<Axes> {
-        let held = |(scripts, &mass): (&Coordinates, &f64)| {
-            if mass > 0.0 { scripts.held(time) } else { [true; 3] }
-        };
-        self.scripts.iter().zip(&self.masses).map(held).collect()
-    }
-
-    /// The mass of all free vertices, in kg. If no vertex is free, the mass of all vertices; if no vertex has
-    /// mass, 1 kg.
-    #[must_use]
-    pub fn free_mass(&self) -> f64 {
-        self.counted_masses().iter().sum()
-    }
-
-    /// The mean mass of the vertices that [`System::free_mass`] sums, in kg.
-    #[must_use]
-    pub fn mean_mass(&self) -> f64 {
-        self.free_mass() / self.counted_masses().len() as f64
-    }
-
-    /// The masses that [`System::free_mass`] sums. Not empty.
-    fn counted_masses(&self) -> Vec<f64> {
-        let masses = |is_counted: &dyn Fn(usize) -> bool| -> Vec<f64> {
-            let masses = self.masses.iter().copied().enumerate();
-            let counted = masses.filter(|&(vertex, mass)| mass > 0.0 && is_counted(vertex));
-            counted.map(|(_, mass)| mass).collect()
-        };
-        let free = masses(&|vertex| self.is_free(vertex));
-        let counted = if free.is_empty() { masses(&|_| true) } else { free };
-        if counted.is_empty() { vec![1.0] } else { counted }
     }
 }
 

@@ -1,0 +1,42 @@
+//! The loads of a system.
+
+use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
+
+use super::{System, SystemError};
+use crate::load::Load;
+
+impl System {
+    /// The same system with loads, in place of those that it has.
+    ///
+    /// # Errors
+    /// [`SystemError::Load`] names the first one with a number that is out of range.
+    pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
+        for (number, load) in loads.iter().enumerate() {
+            load.check(number, self.start.len())?;
+        }
+        Ok(Self { loads, ..self })
+    }
+
+    /// The accelerations of the vertices by all loads, in a time step from these positions that ends at
+    /// `time`, in m/s². Vertices without mass are not accelerated. `None` without loads.
+    pub(crate) fn accelerations(&self, positions: &[Point], time: f64) -> Option<Vec<Vector3<f64>>> {
+        if self.loads.is_empty() {
+            return None;
+        }
+        let mut forces = vec![Vector3::zeros(); positions.len()];
+        let points = [self.start.as_slice(), positions];
+        for load in &self.loads {
+            load.add(&mut forces, &self.surface, &self.masses, points, time);
+        }
+        let pairs = forces.into_iter().zip(&self.masses);
+        let accelerations = pairs.map(|(force, &mass)| {
+            if mass > 0.0 {
+                force / mass
+            } else {
+                Vector3::zeros()
+            }
+        });
+        Some(accelerations.collect())
+    }
+}

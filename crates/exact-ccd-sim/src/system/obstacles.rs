@@ -1,0 +1,63 @@
+//! The half spaces of a system.
+
+use exact_ccd_mesh::{Point, Step};
+
+use super::{System, SystemError};
+use crate::half_space::HalfSpace;
+
+impl System {
+    /// The same system with half spaces as obstacles, in place of those that it has.
+    ///
+    /// # Errors
+    /// [`SystemError::HalfSpace`] names the first one without a finite point or a normal.
+    pub fn with_half_spaces(self, half_spaces: Vec<HalfSpace>) -> Result<Self, SystemError> {
+        for (number, half_space) in half_spaces.iter().enumerate() {
+            half_space.check(number)?;
+        }
+        Ok(Self {
+            planes: half_spaces.iter().map(HalfSpace::plane).collect(),
+            half_spaces,
+            ..self
+        })
+    }
+
+    /// The half spaces.
+    #[must_use]
+    pub fn half_spaces(&self) -> &[HalfSpace] {
+        &self.half_spaces
+    }
+
+    /// The first vertex that is not apart from a half space, exactly, with the number of this half space.
+    /// A linear motion is free of contact with half spaces if there is none at both of its ends.
+    #[must_use]
+    pub fn first_grounded(&self, positions: &[Point]) -> Option<(u32, usize)> {
+        let touches = |half_space: &HalfSpace, vertex: u32| {
+            let (at, offset) = (positions.get(vertex as usize), self.offsets[vertex as usize]);
+            at.is_some_and(|&at| !half_space.is_apart(at, offset))
+        };
+        let numbered = self.half_spaces.iter().enumerate();
+        numbered.into_iter().find_map(|(number, half_space)| {
+            let vertex = self
+                .grounded
+                .iter()
+                .find(|&&vertex| touches(half_space, vertex))?;
+            Some((*vertex, number))
+        })
+    }
+
+    /// The part of a step that is free of contact with half spaces. It is 1 only if all of the step is free;
+    /// a smaller part is not certified.
+    pub(crate) fn free_of_half_spaces(&self, step: Step<'_>) -> f64 {
+        let [before, after] = step.positions();
+        if self.first_grounded(after).is_none() {
+            return 1.0;
+        }
+        let part = |half_space: &HalfSpace, vertex: usize| {
+            half_space.free_part([before[vertex], after[vertex]], self.offsets[vertex])
+        };
+        let vertices = || self.grounded.iter().map(|&vertex| vertex as usize);
+        let parts = self.half_spaces.iter();
+        let parts = parts.flat_map(|half_space| vertices().map(move |vertex| part(half_space, vertex)));
+        parts.fold(1.0_f64.next_down(), f64::min).max(f64::EPSILON)
+    }
+}
