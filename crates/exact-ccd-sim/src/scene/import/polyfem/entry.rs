@@ -21,19 +21,19 @@ pub(super) enum Rule {
     Ignored(&'static str),
     /// It has no counterpart. Only its default is allowed, which is this value or nothing: `null`, `false`,
     /// an empty list, or an object that is empty or not enabled.
-    Only(Default),
+    Only(IfAbsent),
 }
 
 /// A default value.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Default {
+pub(super) enum IfAbsent {
     Nothing,
     True,
     Number(f64),
     Text(&'static str),
 }
 
-impl Default {
+impl IfAbsent {
     fn is(self, value: &Value) -> bool {
         let is_default = match self {
             Self::Nothing => false,

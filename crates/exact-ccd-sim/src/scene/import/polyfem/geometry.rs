@@ -10,7 +10,7 @@ use super::super::meshes::Meshes;
 use super::super::pose::Pose;
 use super::NOTHING;
 use super::boundary::Conditions;
-use super::entry::{Default, Entry, Rule};
+use super::entry::{Entry, IfAbsent, Rule};
 use super::material::{self, Material};
 use super::region::Regions;
 use super::surface::Surface;
@@ -46,8 +46,8 @@ const RULES: [(&str, Rule); 19] = [
     ("curve_selection", NOTHING),
     ("point_selection", NOTHING),
     ("extract", Rule::Said),
-    ("unit", Rule::Only(Default::Text("m"))),
-    ("n_refs", Rule::Only(Default::Number(0.0))),
+    ("unit", Rule::Only(IfAbsent::Text("m"))),
+    ("n_refs", Rule::Only(IfAbsent::Number(0.0))),
     ("advanced", Rule::Said),
     ("fps", NOTHING),
     ("mesh_sequence", NOTHING),
@@ -193,8 +193,8 @@ fn check_options(
         let rules = [
             ("normalize_mesh", NOTHING),
             ("force_linear_geometry", NOTHING),
-            ("refinement_location", Rule::Only(Default::Number(0.5))),
-            ("min_component", Rule::Only(Default::Number(-1.0))),
+            ("refinement_location", Rule::Only(IfAbsent::Number(0.5))),
+            ("min_component", Rule::Only(IfAbsent::Number(-1.0))),
         ];
         advanced.check(&rules, notes)?;
     }

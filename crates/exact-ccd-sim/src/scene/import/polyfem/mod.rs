@@ -26,10 +26,10 @@ use super::fault::{Fault, Place, Problem};
 use super::meshes::Meshes;
 use crate::scene::description::Description;
 use crate::scene::rendering::Rendering;
-use entry::{Default, Entry, Rule};
+use entry::{Entry, IfAbsent, Rule};
 
 const VIEWING: Rule = Rule::Ignored("it concerns the output of PolyFEM");
-const NOTHING: Rule = Rule::Only(Default::Nothing);
+const NOTHING: Rule = Rule::Only(IfAbsent::Nothing);
 
 /// The keys of the file.
 const RULES: [(&str, Rule); 14] = [
@@ -68,7 +68,7 @@ pub(super) fn import(text: &str, folder: &Path, meshes: &mut Meshes) -> Result<D
         settings,
         body: scene.bodies,
         half_space: scene.half_spaces,
-        render: <Rendering as std::default::Default>::default(),
+        render: Rendering::default(),
     };
     Ok(Draft { description, notes })
 }

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 
 use super::super::fault::{Fault, Place};
 use super::NOTHING;
-use super::entry::{Default, Entry, Rule};
+use super::entry::{Entry, IfAbsent, Rule};
 use crate::integrator::Integrator;
 use crate::settings::{Formulation, Friction, Length, Settings};
 
@@ -19,7 +19,7 @@ pub(super) struct Time {
 
 /// Checks that lengths are in m and elements linear.
 pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
-    let unit = |text| Rule::Only(Default::Text(text));
+    let unit = |text| Rule::Only(IfAbsent::Text(text));
     if let Some(units) = root.get("units") {
         let length = ("characteristic_length", SOLVER);
         units.check(
@@ -34,8 +34,8 @@ pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, St
     }
     if let Some(space) = root.get("space") {
         let rules = [
-            ("discr_order", Rule::Only(Default::Number(1.0))),
-            ("discr_orderq", Rule::Only(Default::Number(1.0))),
+            ("discr_order", Rule::Only(IfAbsent::Number(1.0))),
+            ("discr_orderq", Rule::Only(IfAbsent::Number(1.0))),
             ("pressure_discr_order", SOLVER),
             ("basis_type", unit("Lagrange")),
             ("poly_basis_type", SOLVER),
@@ -60,7 +60,7 @@ pub(super) fn time(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result
         return Err(root.unsupported("a static problem", instead));
     };
     let rules = [
-        ("t0", Rule::Only(Default::Number(0.0))),
+        ("t0", Rule::Only(IfAbsent::Number(0.0))),
         ("tend", Rule::Said),
         ("dt", Rule::Said),
         ("time_steps", Rule::Said),
@@ -119,9 +119,9 @@ pub(super) fn settings(
         ("epsv", Rule::Said),
         ("friction_coefficient", Rule::Said),
         ("use_convergent_formulation", Rule::Said),
-        ("use_area_weighting", Rule::Only(Default::True)),
-        ("use_improved_max_operator", Rule::Only(Default::True)),
-        ("use_physical_barrier", Rule::Only(Default::True)),
+        ("use_area_weighting", Rule::Only(IfAbsent::True)),
+        ("use_improved_max_operator", Rule::Only(IfAbsent::True)),
+        ("use_physical_barrier", Rule::Only(IfAbsent::True)),
         ("use_adaptive_dhat", NOTHING),
         ("min_distance_ratio", SOLVER),
         ("use_gcp_formulation", NOTHING),
@@ -203,7 +203,7 @@ fn solver(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(usize, 
             ("friction_iterations", Rule::Said),
             ("tangential_adhesion_iterations", SOLVER),
             ("friction_convergence_tol", SOLVER),
-            ("barrier_stiffness", Rule::Only(Default::Text("adaptive"))),
+            ("barrier_stiffness", Rule::Only(IfAbsent::Text("adaptive"))),
             ("initial_barrier_stiffness", SOLVER),
         ];
         contact.check(&rules, notes)?;
