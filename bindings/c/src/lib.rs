@@ -15,8 +15,7 @@
 //!   threads at the same time. Calls with the same handle must not overlap, unless all of them take
 //!   it as `const`.
 //! - The floating-point environment of the caller (flushed subnormal numbers, rounding) does not
-//!   change any answer, and is the same after the call, except for the flags of exceptions that have
-//!   occurred.
+//!   change any answer, and is the same after the call.
 
 mod audit;
 mod batch;
