@@ -84,8 +84,8 @@ pub(crate) struct Earliest {
     /// never increases.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
-    /// The pairs that start within their distance, some of them twice. No search until any time
-    /// misses one.
+    /// The pairs that start within their distance, some of them twice. Their boxes meet at t = 0, so that a
+    /// search until any time examines all of them.
     touching: Mutex<Vec<Pair>>,
 }
 

@@ -70,8 +70,8 @@ fn one_by_one<K: Kind>(
     }
 }
 
-/// The least part of a step that is examined, 2⁻⁶⁰.
-const SHORTEST: f64 = f64::from_bits((1023 - 60) << 52);
+/// The least time until which a step is examined, 2⁻⁶⁰.
+const LEAST_UNTIL: f64 = f64::from_bits((1023 - 60) << 52);
 
 #[inline(always)]
 fn with_filters<S: Simd, K: Kind>(
@@ -82,8 +82,8 @@ fn with_filters<S: Simd, K: Kind>(
     until: f64,
     found: Found<'_, K>,
 ) {
-    // Not 0, so that all of a step of positive length is free if the filters prove it until its end.
-    let until = until.clamp(SHORTEST, 1.0);
+    // Above 0: a proof that begins at t = 0 ends later. What is found after `until` is dropped by `found`.
+    let until = until.clamp(LEAST_UNTIL, 1.0);
     let separation = |index: usize| {
         let (a, b) = queries[index].as_ref().split_at(K::FIRST);
         separations.between(a, b)

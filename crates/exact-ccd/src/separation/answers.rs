@@ -35,7 +35,7 @@ impl<K: Kind> Query<K> {
     }
 
     /// [`collision_within`](Self::collision_within) of a query whose primitives are known to be beyond
-    /// d before the first of two times. None is needed after the second one, which is above 0.
+    /// d before the first of two times. A collision after the second time, which is above 0, may be left out.
     pub(crate) fn collision_between(&self, d: Separation, times: [f64; 2]) -> Option<Collision<'_, K>> {
         if d.is_zero() {
             return self.collision();

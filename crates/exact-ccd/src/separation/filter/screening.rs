@@ -47,5 +47,5 @@ impl<T: Lanes> Screening<T> {
     }
 }
 
-/// A proof is tried in stretches that are longer than this fraction of the time.
+/// A proof is tried in stretches that are longer than this fraction of the time until which it is tried.
 const SHORTEST: f64 = 1.0 / 64.0;
