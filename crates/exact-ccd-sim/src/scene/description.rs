@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::placement::{Rotation, Scale};
@@ -74,7 +75,7 @@ pub(super) struct BodyDescription {
     /// The loads on its vertices, `[[body.load]]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) load: Vec<LoadDescription>,
-    /// The scripts of its vertices, `[[body.script]]`. The last script of a vertex applies.
+    /// The scripts of its vertices, `[[body.script]]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) script: Vec<ScriptDescription>,
 }
@@ -140,6 +141,14 @@ impl BodyDescription {
         given.map(|(key, _)| key).collect()
     }
 
+    /// The position in the scene of a point of the mesh.
+    #[must_use]
+    pub(super) fn place(&self, point: Point) -> Point {
+        let scaled = self.scale.apply(point);
+        let rotated = self.rotate.map_or(scaled, |rotation| rotation.apply(scaled));
+        (rotated + Vector3::from(self.translate)).into()
+    }
+
     /// The key of the material, for messages.
     pub(super) fn material(&self) -> &'static str {
         self.materials().first().copied().unwrap_or("solid")
@@ -158,6 +167,9 @@ pub(super) struct ScriptDescription {
     /// The axes along which they are scripted.
     #[serde(default = "all_axes", skip_serializing_if = "are_all")]
     pub(super) axes: Vec<Axis>,
+    /// The time at which the motion begins, in s.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) from: f64,
     /// The time from which they are free, in s.
     pub(super) release: Option<f64>,
 }
@@ -186,6 +198,7 @@ impl ScriptDescription {
             vertices,
             motion,
             axes: all_axes(),
+            from: 0.0,
             release: None,
         }
     }

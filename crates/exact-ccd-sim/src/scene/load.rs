@@ -114,6 +114,7 @@ impl Scene {
                     vertices: selected,
                     script: script.motion.clone(),
                     axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
+                    from: script.from,
                     release: script.release,
                 };
                 scripted.check().map_err(|error| {

@@ -2,10 +2,12 @@
 
 mod contacts;
 mod error;
+mod resume;
 mod start;
 mod step;
 mod warning;
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -63,6 +65,7 @@ impl Simulation {
             velocities: system.velocities.clone(),
             earlier: None,
             stiffness: None,
+            origins: BTreeMap::new(),
         };
         Self::resume(system, settings, state)
     }
@@ -117,6 +120,9 @@ impl Simulation {
         if let Some(earlier) = &state.earlier {
             finite("earlier positions", &earlier.positions)?;
             finite("earlier velocities", &earlier.velocities)?;
+        }
+        for origins in state.origins.values() {
+            finite("origins", origins)?;
         }
         if !state
             .stiffness

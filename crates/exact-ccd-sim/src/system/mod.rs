@@ -6,6 +6,7 @@ mod loads;
 mod masses;
 mod names;
 mod obstacles;
+mod origins;
 mod parts;
 
 use std::ops::Range;
@@ -73,8 +74,8 @@ pub struct System {
 
 impl System {
     /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
-    /// the motion of vertices; along each axis, the last script of a vertex applies. Obstacles without a
-    /// script are fixed.
+    /// the motion of vertices; along each axis, the script of a vertex that began last applies, and the last
+    /// of those that begin at the same time. Obstacles without a script are fixed.
     ///
     /// # Errors
     /// [`SystemError`] names the body or the script.
@@ -93,7 +94,7 @@ impl System {
             for &vertex in &scripted.vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
                 let slot = slot.ok_or(SystemError::Script { vertex, vertex_count })?;
-                slot.set(scripted.axes, &script);
+                slot.add(scripted.axes, &script);
             }
         }
         let mesh = TriangleMesh::with_edges(vertex_count, parts.faces, &parts.edges)?;

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod imported;
 mod ipc;
 mod ipc_errors;
 mod ipc_motions;
@@ -86,15 +87,4 @@ fn msh(body: &Body) -> String {
         writeln!(text, "{} 4 2 0 1 {a} {b} {c} {d}", index + 1).unwrap();
     }
     text + "$EndElements\n"
-}
-
-/// True if the TOML file has these lines, one after the other.
-fn has(imported: &Imported, lines: &str) -> bool {
-    let lines: Vec<&str> = lines
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty())
-        .collect();
-    let all: Vec<&str> = imported.toml.lines().filter(|line| !line.is_empty()).collect();
-    all.windows(lines.len()).any(|window| window == lines)
 }
