@@ -64,7 +64,7 @@ pub use read::{
 };
 pub use unsupported::Unsupported;
 pub use write::{
-    Bodies, PointArray, UnstructuredGrid, write_obj, write_ply, write_ply_with_parts, write_pvd, write_vtp,
+    PointArray, UnstructuredGrid, write_obj, write_ply, write_ply_with_parts, write_pvd, write_vtp,
     write_vtu,
 };
 

@@ -517,5 +517,10 @@ fn bodies_have_names_and_contacts_are_written() {
             .all(|name| collection.contains(&format!("\"contacts/{name}\"")))
     );
     let grid = fs::read_to_string(folder.path("result/vtu/000010.vtu")).unwrap();
-    assert!(grid.contains("Name=\"body_names\"") && grid.contains("Name=\"body\""));
+    assert!(grid.contains("Name=\"body\"") && !grid.contains("String"));
+    let bodies = fs::read_to_string(folder.path("result/bodies.csv")).unwrap();
+    assert_eq!(
+        bodies,
+        "body,name,kind,first_vertex,vertex_count\n0,cube,solid,0,8\n1,body-1,obstacle,8,4\n"
+    );
 }

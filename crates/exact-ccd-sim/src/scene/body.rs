@@ -2,14 +2,18 @@
 
 use std::path::Path;
 
+use exact_ccd_files::Group;
 use exact_ccd_mesh::{Aabb, Point};
 
 use super::description::{BodyDescription, Selection};
 use super::mesh::Mesh;
 use crate::body::{Body, BodyKind};
 
-/// The described body, or the invalid field with a message.
-pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
+/// The described body, without its regions, and the groups of its mesh; or the invalid field with a message.
+pub(super) fn load(
+    described: &BodyDescription,
+    folder: &Path,
+) -> Result<(Body, Vec<Group>), (&'static str, String)> {
     if let [first, second, ..] = described.materials()[..] {
         return Err((
             second,
@@ -21,6 +25,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
         faces,
         edges,
         tetrahedra,
+        groups,
     } = mesh(described, folder)?;
     let kind = if let Some(material) = described.solid {
         if tetrahedra.is_empty() {
@@ -28,7 +33,11 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
                 "the mesh of the solid has no tetrahedra, expected a .msh file with tetrahedra or a box";
             return Err(("solid", message.to_owned()));
         }
-        BodyKind::Solid { tetrahedra, material }
+        BodyKind::Solid {
+            tetrahedra,
+            material,
+            regions: Vec::new(),
+        }
     } else if let Some(material) = described.rod {
         if let Some(cells) = other_than_edges(&faces, &edges) {
             let message = format!("the mesh of the rod has {cells}, expected edges only");
@@ -49,14 +58,15 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
     check_placement(described)?;
     let points = points.into_iter().map(|point| described.place(point)).collect();
     let velocity = described.velocity;
-    Ok(Body {
+    let body = Body {
         name: described.name.clone(),
         points,
         kind,
         velocity,
         angular_velocity: described.angular_velocity,
         offset: described.offset,
-    })
+    };
+    Ok((body, groups))
 }
 
 /// The cells of a mesh that a rod cannot have, in words.
@@ -128,11 +138,23 @@ fn check_placement(described: &BodyDescription) -> Result<(), (&'static str, Str
 
 /// The selected vertices of a body, or the reason why there are none. `first` is the body's first vertex in
 /// the system.
-pub(super) fn select(selection: &Selection, points: &[Point], first: u32) -> Result<Vec<u32>, String> {
+pub(super) fn select(
+    selection: &Selection,
+    points: &[Point],
+    groups: &[Group],
+    first: u32,
+) -> Result<Vec<u32>, String> {
     let all = (first..).zip(points);
     let (lower, upper) = match selection {
         Selection::All => return Ok(all.map(|(vertex, _)| vertex).collect()),
         Selection::Vertices(vertices) => return numbered(vertices, points.len(), first),
+        Selection::Group(key) => {
+            let vertices = key.find(groups)?.into_iter().flat_map(|group| &group.vertices);
+            let mut selected: Vec<u32> = vertices.map(|vertex| first + vertex).collect();
+            selected.sort_unstable();
+            selected.dedup();
+            return Ok(selected);
+        }
         Selection::Box { lower, upper } => (lower, upper),
     };
     if (0..3).any(|axis| lower[axis] > upper[axis]) {

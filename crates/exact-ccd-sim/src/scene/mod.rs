@@ -31,12 +31,14 @@
 mod body;
 mod description;
 mod document;
+mod group;
 mod import;
 mod load;
 mod locate;
 mod mesh;
 mod parse;
 mod placement;
+mod region;
 mod rendering;
 
 pub use document::SceneError;
