@@ -6,9 +6,7 @@ use std::io::ErrorKind;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use exact_ccd_files::{
-    Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu,
-};
+use exact_ccd_files::{Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu};
 use exact_ccd_mesh::{Frame, Point, TetMesh};
 use proptest::prelude::*;
 use roxmltree::{Document, Node};

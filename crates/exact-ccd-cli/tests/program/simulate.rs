@@ -455,6 +455,8 @@ motion = { key-frames = { frames = [{ time = 0.0 }, { time = 0.1, translate = [0
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let frame = exact_ccd_files::read_frame(folder.path("out/frames/000010.ply")).unwrap();
     assert!(frame.positions[..8].iter().all(|x| x[1] > 0.0) && frame.positions[8][1] == 3.0);
+    let bodies = folder.read("out/bodies.csv");
+    assert_eq!(bodies.lines().last(), Some("2,half-space-0,half-space,12,0"));
 
     for (from, to, error) in [
         (

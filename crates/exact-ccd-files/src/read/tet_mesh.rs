@@ -31,8 +31,8 @@ pub fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
 /// Reads the tetrahedra in a Gmsh file as [`read_tet_mesh`], and its physical groups, by increasing dimension
 /// and tag.
 ///
-/// An element belongs to the group of its first tag in version 2.2, and to those of its entity in version 4.1.
-/// Groups without elements are left out. The elements of a partitioned mesh of version 4.1 belong to none.
+/// An element belongs to the group of its first tag in version 2.2, and to those of its entity in version
+/// 4.1. Groups without elements are left out. In a partitioned mesh of version 4.1, elements belong to none.
 ///
 /// # Errors
 /// As [`read_tet_mesh`].

@@ -82,9 +82,7 @@ impl Data {
                 bodies.flat_map(|body| (body as i32).to_le_bytes()),
             )
         };
-        let of_vertices = grid
-            .bodies
-            .map(|bodies| body(&mut bodies.iter().copied()));
+        let of_vertices = grid.bodies.map(|bodies| body(&mut bodies.iter().copied()));
         let of_cells = grid.bodies.map(|bodies| {
             let first = |corner: &u32| bodies[*corner as usize];
             body(&mut cells.first.iter().map(first))

@@ -49,9 +49,18 @@ fn tags_of_version_2_are_the_first_of_each_element() {
     };
     let expected = "expected a dimension, a tag and a name in quotes, found ";
     for line in [
-        "3 7 up", "3 7 \"up", "3 7", "4 7 \"up\"", "3 -7 \"up\"", "x 7 \"up\"", "\"up\"",
+        "3 7 up",
+        "3 7 \"up",
+        "3 7",
+        "4 7 \"up\"",
+        "3 -7 \"up\"",
+        "x 7 \"up\"",
+        "\"up\"",
     ] {
-        assert_eq!(error("3 7 \"up\"", line), format!("line 7: {expected}`{}`", line.escape_debug()));
+        assert_eq!(
+            error("3 7 \"up\"", line),
+            format!("line 7: {expected}`{}`", line.escape_debug())
+        );
     }
     assert_eq!(
         error("s\n3\n", "s\n4\n"),
@@ -82,14 +91,46 @@ fn tags_of_version_4_are_those_of_the_entities() {
     ];
     assert_eq!(groups, expected);
     for (from, to, message) in [
-        ("0 0 1 2\n", "0 0 1\n", "line 9: expected the number of entities of a dimension, found the end"),
-        ("0 0 1 2\n", "0 0 1 3\n", "line 13: expected the tag of an entity, found `$EndEntities`"),
-        ("0 0 1 2\n", "0 0 1 1\n", "line 12: expected `$EndEntities`, found `2`"),
-        ("1 1 0 1 -5", "1 1 0 x -5", "line 10: expected the number of physical tags, found `x`"),
-        ("1 1 0 1 -5", "1 1 0 9 -5", "line 10: expected the tag of a physical group, found the end"),
-        ("3 7 8 7 1 3", "3 7 8 7 2 3", "line 11: expected the tag of a bounding entity, found the end"),
-        ("3 7 8 7 1 3", "3 7 8 7 1 3 4", "line 11: expected the end of the line, found `4`"),
-        ("\n2 0 0 -1", "\n1 0 0 -1", "line 12: expected an entity of dimension 3 with a tag of its own, found `1`"),
+        (
+            "0 0 1 2\n",
+            "0 0 1\n",
+            "line 9: expected the number of entities of a dimension, found the end",
+        ),
+        (
+            "0 0 1 2\n",
+            "0 0 1 3\n",
+            "line 13: expected the tag of an entity, found `$EndEntities`",
+        ),
+        (
+            "0 0 1 2\n",
+            "0 0 1 1\n",
+            "line 12: expected `$EndEntities`, found `2`",
+        ),
+        (
+            "1 1 0 1 -5",
+            "1 1 0 x -5",
+            "line 10: expected the number of physical tags, found `x`",
+        ),
+        (
+            "1 1 0 1 -5",
+            "1 1 0 9 -5",
+            "line 10: expected the tag of a physical group, found the end",
+        ),
+        (
+            "3 7 8 7 1 3",
+            "3 7 8 7 2 3",
+            "line 11: expected the tag of a bounding entity, found the end",
+        ),
+        (
+            "3 7 8 7 1 3",
+            "3 7 8 7 1 3 4",
+            "line 11: expected the end of the line, found `4`",
+        ),
+        (
+            "\n2 0 0 -1",
+            "\n1 0 0 -1",
+            "line 12: expected an entity of dimension 3 with a tag of its own, found `1`",
+        ),
     ] {
         assert!(file.contains(from), "{from}");
         let error = parse_tet_groups(file.replacen(from, to, 1).as_bytes());
@@ -141,14 +182,16 @@ fn a_frame_has_the_groups_with_names() {
     assert_eq!(file.groups, [base]);
 }
 
-/// Each of many groups has each of many elements: an error, before they take more memory than the file allows.
+/// Each of many groups has each of many elements: an error, before they take too much memory.
 #[test]
 fn groups_are_bounded_by_the_size_of_the_file() {
     let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let tetrahedra = [[0, 1, 2, 3]; 5000];
     let mut contents = Contents::new(&positions, &[], &tetrahedra);
     contents.physical[3] = (1..=20_000).collect();
-    let error = parse_tet_groups(&v4(&contents, Encoding::Little)).unwrap_err().to_string();
+    let error = parse_tet_groups(&v4(&contents, Encoding::Little))
+        .unwrap_err()
+        .to_string();
     assert!(error.contains("the data expand to more than "), "{error}");
     assert!(error.starts_with("byte "), "{error}");
 }

@@ -27,8 +27,12 @@ fn assert_sound_or_error(bytes: &[u8]) {
         assert_eq!(Ok(found), mesh.as_ref());
         for group in groups {
             let is_increasing = |numbers: &[u32]| numbers.is_sorted_by(|a, b| a < b);
-            assert!(is_increasing(&group.vertices) && is_increasing(&group.cells), "{group:?}");
-            let below = |numbers: &[u32], count: usize| numbers.last().is_none_or(|&last| (last as usize) < count);
+            assert!(
+                is_increasing(&group.vertices) && is_increasing(&group.cells),
+                "{group:?}"
+            );
+            let below =
+                |numbers: &[u32], count: usize| numbers.last().is_none_or(|&last| (last as usize) < count);
             assert!(below(&group.vertices, found.positions().len()));
             assert!(below(&group.cells, found.tetrahedra().len()));
             assert!(!group.name.contains(char::is_control), "{group:?}");

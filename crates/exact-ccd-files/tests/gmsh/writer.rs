@@ -184,7 +184,10 @@ pub(crate) fn v4(contents: &Contents, encoding: Encoding) -> Vec<u8> {
         writer.section("PhysicalNames", |writer| writer.line(NAMES));
     }
     writer.section("Entities", |writer| {
-        let counts = contents.physical.each_ref().map(|tags| usize::from(!tags.is_empty()));
+        let counts = contents
+            .physical
+            .each_ref()
+            .map(|tags| usize::from(!tags.is_empty()));
         counts.into_iter().for_each(|count| writer.size(count));
         writer.end();
         let all = contents.physical.iter().enumerate();

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use crate::polyfem::scene;
 use crate::{Folder, has, msh_with_tags, solid};
 
-/// A folder with `tagged.msh`: the box, of which the tetrahedra below, in the middle and above have these tags.
+/// A folder with `tagged.msh`: the box, of which the tetrahedra below and above have these tags.
 fn folder(name: &str, [lower, upper]: [i32; 2]) -> Folder {
     let folder = Folder::new(name);
     let body = solid();

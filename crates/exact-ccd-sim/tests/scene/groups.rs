@@ -9,8 +9,9 @@ use exact_ccd_sim::{BodyKind, shapes};
 
 use crate::filter;
 
-/// A folder of this name with `column.msh`: a column of 1 m × 1 m² along y, of which the upper half is the group
-/// `upper` with the tag 7, and the ends are groups of triangles. With `grid.obj`: two triangles in two groups.
+/// A folder of this name with `column.msh`: a column of 1 m × 1 m² along y, of which the upper half is the
+/// group `upper` with the tag 7, and the ends are groups of triangles; and with `grid.obj`: two triangles in
+/// two groups.
 fn folder(name: &str) -> PathBuf {
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     fs::create_dir_all(&folder).unwrap();

@@ -138,7 +138,7 @@ impl Groups {
         })
     }
 
-    /// The groups that have elements, by increasing dimension and tag, of a file with this number of vertices.
+    /// The groups that have elements, by increasing dimension and tag. The file has this number of vertices.
     pub(super) fn finish(self, vertex_count: usize) -> Vec<Group> {
         let mut groups: Vec<Group> = self.groups.into_values().collect();
         groups.retain(|group| !group.vertices.is_empty());
