@@ -146,7 +146,7 @@ impl Receive for Tallies<'_> {
             ..Tally::default()
         };
         self.narrow_phase
-            .approaches::<K>(self.mesh, &candidates, |ids, approach| {
+            .approaches::<K>(self.mesh, &candidates, 1.0, |ids, approach| {
                 let times = approach.times();
                 tally.touching += usize::from(times.starts_within);
                 tally.colliding += usize::from(times.contact.is_some());

@@ -139,6 +139,22 @@ impl Trajectories {
         &self,
         queries: &[K::Vertices],
         separations: Separations<'_>,
+        found: impl FnMut(usize, Collision<'_, K>),
+    ) -> Result<(), VertexOutOfRange> {
+        self.collisions_until(queries, separations, 1.0, found)
+    }
+
+    /// Calls `found` with the index and the collision of each query of vertices that first comes within
+    /// its separation at a time [not after](crate::ContactTime::is_at_most) `until`, in order. The earlier
+    /// that is, the less it costs.
+    ///
+    /// # Errors
+    /// As [`collisions_within`](Self::collisions_within).
+    pub fn collisions_until<K: Kind>(
+        &self,
+        queries: &[K::Vertices],
+        separations: Separations<'_>,
+        until: f64,
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
         self.check::<K>(queries)?;
@@ -150,6 +166,7 @@ impl Trajectories {
             rows: &self.rows,
             queries,
             separations,
+            until,
             found: &mut found,
         });
         Ok(())
