@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::body::{load, select};
+use super::body::load;
 use super::description::Axis;
 use super::document::{Document, Key, SceneError};
 use super::import::{Imported, Note, import};
@@ -10,6 +10,7 @@ use super::locate::{of_simulation, of_system};
 use super::parse::parse;
 use super::region;
 use super::rendering::Rendering;
+use super::selection::select;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;

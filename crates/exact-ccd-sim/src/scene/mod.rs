@@ -40,6 +40,7 @@ mod parse;
 mod placement;
 mod region;
 mod rendering;
+mod selection;
 
 pub use document::SceneError;
 pub use import::{ImportError, Imported, Note, Place, Problem, import};
