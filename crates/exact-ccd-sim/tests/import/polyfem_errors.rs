@@ -66,7 +66,7 @@ fn errors_name_the_pointer() {
         ),
         (
             json!({ "materials": [{ "type": "NeoHookean", "id": 2, "E": 1, "nu": 0 }] }),
-            "/geometry: found tetrahedra with the id 1, for which there is no material, expected",
+            "/geometry: found tetrahedra with the id 1, which no material has, expected one of the ids of materials (2): ",
         ),
         (
             json!({ "materials": { "type": "NeoHookean", "E": "x", "nu": 0 } }),

@@ -98,8 +98,8 @@ fn tetrahedra_without_a_tag_have_the_id_0() {
     let error = folder.import("scene.json", &of(&json!(null), &one)).unwrap_err();
     assert_eq!(
         error,
-        "scene.json, /geometry: found tetrahedra with the id 0, for which there is no material, expected by \
-         `volume_selection` or by physical groups of the mesh one of the ids of materials: 7"
+        "scene.json, /geometry: found tetrahedra with the id 0, which no material has, expected one of the \
+         ids of materials (7): set it by `volume_selection`, or by physical groups of the mesh"
     );
 }
 

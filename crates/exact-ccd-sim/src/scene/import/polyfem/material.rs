@@ -72,9 +72,9 @@ pub(super) fn of_id(id: i64, materials: &[Material], geometry: &Entry<'_>) -> Re
     let missing = || {
         let ids = materials.iter().flat_map(|material| &material.ids).flatten();
         let known: Vec<String> = ids.map(i64::to_string).collect();
-        let found = format!("tetrahedra with the id {id}, for which there is no material");
+        let found = format!("tetrahedra with the id {id}, which no material has");
         let expected = format!(
-            "by `volume_selection` or by physical groups of the mesh one of the ids of materials: {}",
+            "one of the ids of materials ({}): set it by `volume_selection`, or by physical groups of the mesh",
             known.join(", ")
         );
         Problem::invalid(found, expected).at(&geometry.place())
