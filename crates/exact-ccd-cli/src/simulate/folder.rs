@@ -9,6 +9,7 @@ use exact_ccd_files::{NamedPart, read_pvd, write_ply_with_parts, write_pvd};
 use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics, System};
 
+use super::bodies;
 use super::contact_points;
 use super::grid::Grid;
 use super::log::Log;
@@ -20,15 +21,17 @@ use crate::output::{draft_of, remove_files, write_file, write_file_soon};
 
 const CHECKPOINT: &str = "checkpoint.json";
 const STATISTICS: &str = "statistics.csv";
+const BODIES: &str = "bodies.csv";
 const COLLECTION: &str = "motion.pvd";
 const CONTACT_COLLECTION: &str = "contacts.pvd";
 pub(super) const ANIMATION: &str = "motion.png";
 pub(super) const GIF: &str = "motion.gif";
 pub(super) const ENERGIES: &str = "energies.svg";
 pub(super) const DISTANCE: &str = "minimal-distance.svg";
-const FILES: [&str; 8] = [
+const FILES: [&str; 9] = [
     CHECKPOINT,
     STATISTICS,
+    BODIES,
     COLLECTION,
     CONTACT_COLLECTION,
     ANIMATION,
@@ -122,6 +125,7 @@ impl OutputFolder {
         }
         remove_after(folder, None)?;
         let log = Log::begin(folder.join(STATISTICS))?;
+        bodies::write(&folder.join(BODIES), simulation.system())?;
         let mut this = Self::with(folder, simulation, log, every, Vec::new());
         this.write_frame(simulation)?;
         this.save(simulation)?;
@@ -167,6 +171,7 @@ impl OutputFolder {
                 ),
             });
         }
+        bodies::write(&folder.join(BODIES), simulation.system())?;
         let mut this = Self::with(folder, simulation, log, every, frames);
         // The collections are written first, so that they never name a removed file.
         this.write_collections(simulation)?;

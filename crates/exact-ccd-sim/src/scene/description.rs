@@ -6,6 +6,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use super::group::GroupKey;
 use super::placement::{Rotation, Scale};
 use super::rendering::Rendering;
 use crate::body::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
@@ -72,12 +73,25 @@ pub(super) struct BodyDescription {
     /// The initial angular velocity about the center of mass, in rad/s.
     #[serde(default, skip_serializing_if = "is_default")]
     pub(super) angular_velocity: Point,
+    /// The materials of groups of a solid, `[[body.region]]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) region: Vec<RegionDescription>,
     /// The loads on its vertices, `[[body.load]]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) load: Vec<LoadDescription>,
     /// The scripts of its vertices, `[[body.script]]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) script: Vec<ScriptDescription>,
+}
+
+/// A physical group of a solid with a material of its own.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct RegionDescription {
+    /// The group.
+    pub(super) group: GroupKey,
+    /// Its material.
+    pub(super) solid: SolidProperties,
 }
 
 /// A generated mesh.
@@ -236,6 +250,8 @@ pub(super) enum Selection {
     },
     /// The vertices with these numbers in the mesh, from 0.
     Vertices(Vec<u32>),
+    /// The vertices of a group of the mesh file.
+    Group(GroupKey),
 }
 
 /// True for a value that is the same as if it were not given.

@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use super::body::{load, select};
+use super::body::load;
 use super::description::Axis;
 use super::document::{Document, Key, SceneError};
 use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
+use super::region;
 use super::rendering::Rendering;
+use super::selection::select;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;
@@ -95,8 +97,18 @@ impl Scene {
         let mut loads = Vec::new();
         let mut first = 0;
         for (index, described) in description.body.iter().enumerate() {
-            let body = load(described, folder).map_err(|(field, message)| {
+            let (mut body, groups) = load(described, folder).map_err(|(field, message)| {
                 document.error_of(&[Name("body"), Index(index), Name(field)], &message)
+            })?;
+            region::add(&described.region, &groups, &mut body).map_err(|(number, message)| {
+                let path = [
+                    Name("body"),
+                    Index(index),
+                    Name("region"),
+                    Index(number),
+                    Name("group"),
+                ];
+                document.error_of(&path, &message)
             })?;
             for (number, script) in described.script.iter().enumerate() {
                 let of_script = |field| {
@@ -108,7 +120,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let selected = select(&script.vertices, &body.points, first)
+                let selected = select(&script.vertices, &body.points, &groups, first)
                     .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
                 let scripted = Scripted {
                     vertices: selected,
@@ -136,7 +148,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let vertices = select(&load.vertices, &body.points, first)
+                let vertices = select(&load.vertices, &body.points, &groups, first)
                     .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
                 let load = Load {
                     vertices,

@@ -96,6 +96,26 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
+    /// A region of a solid has a tetrahedron that the solid does not have.
+    #[error("body {body}: region {region} has tetrahedron {element}, expected a number below {count}")]
+    Region {
+        /// The body, from 0.
+        body: usize,
+        /// The region, from 0.
+        region: usize,
+        /// The tetrahedron.
+        element: u32,
+        /// The number of tetrahedra of the solid.
+        count: usize,
+    },
+    /// The material of a region of a solid is out of range.
+    #[error("{source}, in region {region}")]
+    InRegion {
+        /// The region, from 0.
+        region: usize,
+        /// The error of the material.
+        source: Box<SystemError>,
+    },
     /// The offset of the contact surface is out of range.
     #[error("body {body}: the offset is {offset}, expected a number not below 0")]
     Offset {

@@ -4,6 +4,7 @@ mod error;
 mod fingerprint;
 mod loads;
 mod masses;
+mod materials;
 mod names;
 mod obstacles;
 mod origins;
@@ -66,6 +67,8 @@ pub struct System {
     weights: Weights,
     /// The name of each body.
     names: Vec<String>,
+    /// The kind of each body.
+    kinds: Vec<&'static str>,
     /// The vertices of each body.
     bodies: Vec<Range<u32>>,
     size: f64,
@@ -151,6 +154,7 @@ impl System {
             fixed,
             weights,
             names: bodies.iter().map(|body| body.name.clone()).collect(),
+            kinds: bodies.iter().map(|body| body.kind.name()).collect(),
             bodies: ranges,
             size: if size > 0.0 { size } else { extent },
             extent,

@@ -7,6 +7,7 @@ use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 
 use super::error::SystemError;
+use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::elasticity::{Bend, Elastic, ElasticModuli, Membrane, Stretch, Tetrahedron, VertexBend, bending};
@@ -85,12 +86,17 @@ impl Parts {
                 let faces = placed(body, faces, first, count)?;
                 self.faces.extend(faces);
             }
-            BodyKind::Solid { tetrahedra, material } => {
+            BodyKind::Solid {
+                tetrahedra,
+                material,
+                regions,
+            } => {
                 let mesh = TetMesh::new(added.points.clone(), tetrahedra.clone())
                     .map_err(|source| SystemError::Solid { body, source })?;
                 let surface = placed(body, mesh.surface(), first, count)?;
                 let tetrahedra = placed(body, tetrahedra, first, count)?;
-                self.add_solid(body, tetrahedra, material)?;
+                let materials = materials(body, tetrahedra.len(), material, regions)?;
+                self.add_solid(body, tetrahedra, &materials)?;
                 self.faces.extend(surface);
             }
             BodyKind::Shell { faces, material } => {
@@ -132,14 +138,9 @@ impl Parts {
         &mut self,
         body: usize,
         mut tetrahedra: Vec<[u32; 4]>,
-        material: &SolidProperties,
+        materials: &[&SolidProperties],
     ) -> Result<(), SystemError> {
-        positive(body, "density", material.density)?;
-        material
-            .moduli()
-            .check()
-            .map_err(|source| SystemError::Moduli { body, source })?;
-        for (element, corners) in tetrahedra.iter_mut().enumerate() {
+        for (element, (corners, material)) in tetrahedra.iter_mut().zip(materials).enumerate() {
             let points = gather(&self.start, corners);
             let volume = (points[1] - points[0])
                 .cross(&(points[2] - points[0]))
@@ -243,7 +244,7 @@ impl Parts {
     }
 }
 
-fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
+pub(super) fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
     if value > 0.0 && value.is_finite() {
         Ok(())
     } else {

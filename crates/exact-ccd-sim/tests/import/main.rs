@@ -9,6 +9,7 @@ mod ipc_motions;
 mod mutations;
 mod polyfem;
 mod polyfem_errors;
+mod polyfem_regions;
 mod run;
 
 use std::fmt::Write;
@@ -69,8 +70,13 @@ fn solid() -> Body {
     shapes::solid_box([2, 2, 2], [0.5, 1.0, 1.5])
 }
 
-/// A solid as a Gmsh file of version 2.2.
+/// A solid as a Gmsh file of version 2.2, without physical groups.
 fn msh(body: &Body) -> String {
+    msh_with_tags(body, |_| 0)
+}
+
+/// A solid as a Gmsh file of version 2.2, with the physical tag of each tetrahedron.
+fn msh_with_tags(body: &Body, tag: impl Fn(&[u32; 4]) -> i32) -> String {
     let BodyKind::Solid { tetrahedra, .. } = &body.kind else {
         panic!("expected a solid");
     };
@@ -84,7 +90,8 @@ fn msh(body: &Body) -> String {
     writeln!(text, "$EndNodes\n$Elements\n{}", tetrahedra.len()).unwrap();
     for (index, corners) in tetrahedra.iter().enumerate() {
         let [a, b, c, d] = corners.map(|corner| corner + 1);
-        writeln!(text, "{} 4 2 0 1 {a} {b} {c} {d}", index + 1).unwrap();
+        let tag = tag(corners);
+        writeln!(text, "{} 4 2 {tag} 1 {a} {b} {c} {d}", index + 1).unwrap();
     }
     text + "$EndElements\n"
 }
