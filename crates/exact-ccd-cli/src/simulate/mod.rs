@@ -7,6 +7,7 @@ mod folder;
 mod grid;
 mod interrupt;
 mod json;
+mod layout;
 mod line;
 mod log;
 mod painter;

@@ -169,11 +169,6 @@ impl Scene {
             .map_err(|error| of_system(&document, &description, &error))?;
         let filter = filter_by_name(&settings.ccd, &system)
             .map_err(|message| document.error_of(&[Name("settings"), Name("ccd")], &message))?;
-        if system.is_thick() && !filter.is_exact() {
-            let name = filter.name().to_owned();
-            let error = SimulationError::Separation { name };
-            return Err(of_simulation(&document, &bodies, &error));
-        }
         let mut scene = Self {
             system,
             settings,
@@ -199,7 +194,7 @@ impl Scene {
             ccd: StepFilter::default().name().to_owned(),
             ..self.settings.clone()
         };
-        Ok(Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone()))
+        Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone())
     }
 
     /// The simulation from a checkpoint of this scene.

@@ -27,8 +27,13 @@ pub(super) fn of_system(
         SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
         SystemError::Moduli { body, source } => (*body, Some(source.field())),
         SystemError::Mass { body, .. } => (*body, Some("density")),
-        SystemError::Velocity { body, .. } => {
-            let path = [Name("body"), Index(*body), Name("velocity")];
+        SystemError::Velocity { body, what, .. } => {
+            let field = if *what == "velocity" {
+                *what
+            } else {
+                "angular-velocity"
+            };
+            let path = [Name("body"), Index(*body), Name(field)];
             return document.error_of(&path, &without_body(*body, error));
         }
         // The points of a mesh are finite: the placement overflows.

@@ -1,7 +1,6 @@
 //! The material of each tetrahedron of a solid.
 
-use super::error::SystemError;
-use super::parts::positive;
+use super::error::{SystemError, positive};
 use crate::body::{Region, SolidProperties};
 
 /// The material of each tetrahedron of a solid: that of its last region, otherwise that of the solid.

@@ -6,7 +6,7 @@ use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 
-use super::error::SystemError;
+use super::error::{SystemError, positive};
 use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
@@ -46,19 +46,24 @@ impl Parts {
             });
         }
         let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
-        let expected = if is_obstacle {
-            let rests = added.velocity == [0.0; 3] && added.angular_velocity == [0.0; 3];
-            (!rests).then_some("zero: obstacles are moved by scripts")
-        } else {
-            let is_finite = is_finite(&added.velocity) && is_finite(&added.angular_velocity);
-            (!is_finite).then_some("finite numbers")
-        };
-        if let Some(expected) = expected {
-            return Err(SystemError::Velocity {
-                body,
-                velocity: added.velocity,
-                expected,
-            });
+        let velocities = [
+            ("velocity", added.velocity),
+            ("angular velocity", added.angular_velocity),
+        ];
+        for (what, velocity) in velocities {
+            let (is_allowed, expected) = if is_obstacle {
+                (velocity == [0.0; 3], "zero: obstacles are moved by scripts")
+            } else {
+                (is_finite(&velocity), "finite numbers")
+            };
+            if !is_allowed {
+                return Err(SystemError::Velocity {
+                    body,
+                    what,
+                    velocity,
+                    expected,
+                });
+            }
         }
         if !(0.0..=Thickness::MAX).contains(&added.offset) {
             let offset = added.offset;
@@ -241,14 +246,6 @@ impl Parts {
         self.masses[vertices.clone()].fill(mass(body, 0, material.mass())?);
         self.particles.extend(vertices.map(|vertex| vertex as u32));
         Ok(())
-    }
-}
-
-pub(super) fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(SystemError::NotPositive { body, what, value })
     }
 }
 
