@@ -163,7 +163,7 @@ impl Simulation {
     /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
     ///
     /// # Errors
-    /// [`SimulationError::Separation`], if a body has an offset and the filter is not that of an exact method.
+    /// [`SimulationError::Separation`], if a body has an offset and the method of the filter is not exact.
     pub fn with_filter(mut self, filter: StepFilter) -> Result<Self, SimulationError> {
         check_filter(&self.system, &filter)?;
         filter.name().clone_into(&mut self.settings.ccd);

@@ -5,7 +5,10 @@ use std::sync::{Arc, Mutex};
 use exact_ccd::Exact;
 use exact_ccd::parity::RootParity;
 use exact_ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
-use exact_ccd_sim::{Body, BodyKind, Settings, ShellProperties, Simulation, StepFilter, System};
+use exact_ccd_sim::{
+    Body, BodyKind, Checkpoint, Settings, ShellProperties, Simulation, SimulationError, StepFilter, System,
+    shapes,
+};
 
 /// A vertex that passes through a triangle at t = ¾.
 fn falling() -> (TriangleMesh, [Vec<Point>; 2]) {
@@ -137,5 +140,38 @@ fn no_step_ends_in_contact() {
         // The height without contact is 0.
         let height = simulation.state().positions[0][1];
         assert!(height > 0.0 && height < 1.0, "{height}");
+    }
+}
+
+/// A method without exact times decides contact, not offsets: bodies with offsets could come nearer than these.
+#[test]
+fn bodies_with_offsets_need_an_exact_method() {
+    let cloth = shapes::cloth([2, 2], [1.0; 2]);
+    let parity = || StepFilter::new("parity", Arc::new(RootParity::default()));
+    for (offset, is_accepted) in [(0.0, true), (1e-3, false)] {
+        let system = System::new(&[cloth.clone().with_offset(offset)], &[]).unwrap();
+        let settings = Settings {
+            gravity: [0.0; 3],
+            ..Settings::default()
+        };
+        let simulation = || Simulation::new(system.clone(), settings.clone()).unwrap();
+        let checkpoint = Checkpoint {
+            settings: Settings {
+                ccd: "parity".to_owned(),
+                ..settings.clone()
+            },
+            ..simulation().checkpoint()
+        };
+        let resumed = checkpoint.resume(system.clone(), settings.clone(), parity());
+        for result in [simulation().with_filter(parity()), resumed] {
+            let name = "parity".to_owned();
+            match result {
+                Ok(_) => assert!(is_accepted),
+                Err(error) => assert_eq!(
+                    (is_accepted, error),
+                    (false, SimulationError::Separation { name })
+                ),
+            }
+        }
     }
 }

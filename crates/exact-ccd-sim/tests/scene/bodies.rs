@@ -115,7 +115,7 @@ fn errors_of_rods_and_particles_name_their_field() {
         ),
         (
             vec![line, "rod = { density = 1.0, young = 1.0, radius = 0.0 }"],
-            "body[0].rod.radius: the radius is 0, expected a positive number",
+            "body[0].rod.radius: the radius is 0, expected a positive finite number",
         ),
         (
             vec![line, "rod = { density = 1.0, young = -1.0, radius = 1.0 }"],

@@ -41,7 +41,7 @@ fn errors_name_file_line_and_field() {
         (
             "density = 300.0",
             "density = 0.0",
-            "line 28, body[1].shell.density: the density is 0, expected a positive number",
+            "line 28, body[1].shell.density: the density is 0, expected a positive finite number",
         ),
         (
             "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
@@ -111,6 +111,11 @@ fn numbers_out_of_range_are_reported_at_their_field() {
             "velocity = [0.0, 1.0, 0.0]",
             "velocity = [0.0, nan, 0.0]",
             "line 24, body[0].velocity: the velocity is [0.0, NaN, 0.0], expected finite numbers",
+        ),
+        (
+            "velocity = [0.0, 1.0, 0.0]",
+            "angular-velocity = [0.0, inf, 0.0]",
+            "line 24, body[0].angular-velocity: the angular velocity is [0.0, inf, 0.0], expected finite numbers",
         ),
         (
             "translate = [0.0, -1.0, 0.0]",

@@ -186,7 +186,7 @@ fn errors_of_regions_name_their_field() {
         (
             "density = 3000.0",
             "density = -3.0",
-            "line 16, body[0].region[0].solid.density: the density is -3, expected a positive number",
+            "line 16, body[0].region[0].solid.density: the density is -3, expected a positive finite number",
         ),
         (
             "young = 4e6, poisson = 0.0",

@@ -144,8 +144,8 @@ impl Trajectories {
     }
 
     /// Calls `found` with the index and the collision of each query of vertices that first comes within
-    /// its separation at a time [not after](crate::ContactTime::is_at_most) `until`, in order; none if `until`
-    /// is negative or NaN. With a separation above 0, the earlier that is, the less it costs.
+    /// its separation at a time [not after](crate::ContactTime::is_at_most) `until`, in order. There is none
+    /// if `until` is negative or NaN. With a separation above 0, the earlier that is, the less it costs.
     ///
     /// # Errors
     /// As [`collisions_within`](Self::collisions_within).
