@@ -19,18 +19,46 @@ impl Polynomial {
     }
 
     /// The polynomial in τ at t, known to k bits; at t = 1, the last coefficient.
-    ///
-    /// The precision is doubled until it suffices. It is at most that of the plain integer.
     pub(super) fn value_at(&self, t: &Split, bits: usize) -> Approximation {
-        let mut precision = LEAST_PRECISION + bits;
+        self.value_from(LEAST_PRECISION + bits, t, bits)
+    }
+
+    /// The polynomial in τ at t with a known sign, in a unit of at most 2ᵏ unless it is a plain integer.
+    pub(super) fn value_in(&self, t: &Split, unit: isize) -> Approximation {
+        self.value_from(self.precision_of(unit, t.top()), t, 0)
+    }
+
+    /// The polynomial in τ at t, known to k bits, by a precision that suffices: the given one, or one found
+    /// by doubling it until the sign is known, and then by the bits that are missing. It is at most that of
+    /// the plain integer.
+    fn value_from(&self, mut precision: usize, t: &Split, bits: usize) -> Approximation {
         while t.is_inner_ratio() && precision < self.length_at(t) {
             let value = self.values(t, t, precision);
             if value.is_known_to(bits) {
                 return value;
             }
-            precision *= 2;
+            precision += if value.is_known_to(1) {
+                value.missing(bits) + 2
+            } else {
+                precision
+            };
         }
         self.plain_value(t)
+    }
+
+    /// The precision of values in the unit 2ᵏ, for times up to 2ˢ.
+    fn precision_of(&self, unit: isize, scale: isize) -> usize {
+        let precision = self.top_at(scale).saturating_sub(unit);
+        usize::try_from(precision).unwrap_or_default().max(LEAST_PRECISION)
+    }
+
+    /// The exponent of the least power of two above all terms, for times up to 2ˢ.
+    fn top_at(&self, scale: isize) -> isize {
+        let terms = self.coefficients().iter().enumerate();
+        let tops = terms
+            .filter(|(_, c)| !c.is_zero())
+            .map(|(i, c)| c.bit_len() as isize + i as isize * scale);
+        tops.max().unwrap_or_default()
     }
 
     /// The sign of all values in [low, high], low < high, if it is one that is easily proved: by the signs
@@ -41,9 +69,6 @@ impl Polynomial {
     /// sign: the error of each approximation is then proportional to the width.
     pub(crate) fn sign_between(&self, low: &Split, high: &Split) -> Option<Ordering> {
         let closeness = Split::closeness(low, high);
-        if closeness == 0 {
-            return self.sign_everywhere();
-        }
         let mut precision = LEAST_PRECISION;
         while precision < closeness {
             if let Some(sign) = self.values(low, high, precision).sign() {
@@ -51,20 +76,40 @@ impl Polynomial {
             }
             precision *= 2;
         }
-        self.near(low, high, closeness).sign()
+        self.sign_near(low, high)
+    }
+
+    /// The sign of all values in [low, high], as above, but without the approximations of a lower precision
+    /// than the interval is narrow.
+    pub(super) fn sign_near(&self, low: &Split, high: &Split) -> Option<Ordering> {
+        match Split::closeness(low, high) {
+            0 => self.sign_everywhere(),
+            closeness => self.near(low, high, closeness).sign(),
+        }
     }
 
     /// All values in [low, high] of the polynomial in τ: that at `low`, and the product of the largest
-    /// magnitude of the slope and of the width as its error.
+    /// magnitude of the slope and of the width as its error. The value is as precise as that product.
     fn near(&self, low: &Split, high: &Split, closeness: usize) -> Approximation {
-        let value = self.values(low, low, LEAST_PRECISION + 2 * closeness);
-        let slope = self.slope().values(low, high, LEAST_PRECISION + closeness);
-        let change = slope.bound() + high.top() - closeness as isize - value.unit;
+        let change = self.slope().bound_near(low, high, closeness) + high.top() - closeness as isize;
+        let value = self.values(low, low, self.precision_of(change - 12, low.top()));
+        let change = (change - value.unit).max(0).unsigned_abs();
         Approximation {
-            error: value
-                .error
-                .map(|error| error.max(change.max(0).unsigned_abs()) + 1),
+            error: value.error.map(|error| error.max(change) + 1),
             ..value
+        }
+    }
+
+    /// A k such that all magnitudes in [low, high] are less than 2ᵏ, as small as the width allows, or not
+    /// much above one of them.
+    fn bound_near(&self, low: &Split, high: &Split, closeness: usize) -> isize {
+        let mut precision = LEAST_PRECISION;
+        loop {
+            let values = self.values(low, high, precision);
+            if values.is_known_to(0) || precision > closeness {
+                return values.bound();
+            }
+            precision = (2 * precision).min(LEAST_PRECISION + closeness);
         }
     }
 
@@ -90,11 +135,7 @@ impl Polynomial {
     /// error, and all of them at most (n + 1) (2 + n δ) ≤ (n + 1)² (1 + δ).
     fn values(&self, low: &Split, high: &Split, precision: usize) -> Approximation {
         let scale = high.top();
-        let tops = self.coefficients().iter().enumerate();
-        let tops = tops
-            .filter(|(_, c)| !c.is_zero())
-            .map(|(i, c)| c.bit_len() as isize + i as isize * scale);
-        let unit = tops.max().unwrap_or_default() - precision as isize;
+        let unit = self.top_at(scale) - precision as isize;
         let length = (scale - low.exponent).max(0).unsigned_abs();
         let digits = length.min(precision);
         let start = &low.elapsed >> (length - digits);
@@ -116,7 +157,13 @@ impl Polynomial {
 
     /// Σ cᵢ aⁱ bⁿ⁻ⁱ 2ᵏⁱ in integers, for the ratio a 2ᵏ : b.
     fn plain_value(&self, t: &Split) -> Approximation {
-        let degree = self.coefficients().len().saturating_sub(1);
+        let [first, .., last] = self.coefficients() else {
+            return Approximation::exactly(self.at_start());
+        };
+        if t.is_end() {
+            return Approximation::exactly(if t.left.is_zero() { last } else { first }.clone());
+        }
+        let degree = self.coefficients().len() - 1;
         let mut middle = IBig::ZERO;
         let mut left = IBig::ONE;
         for (power, coefficient) in self.coefficients().iter().enumerate().rev() {

@@ -26,8 +26,15 @@ impl Narrowing {
         self.0.borrow().bounds().0.clone()
     }
 
-    /// Makes the bracket narrower by a factor of at least 2ᵏ.
+    /// Makes the bracket narrower, unless its bounds have this [closeness](Split::closeness).
+    pub(crate) fn narrow_to(&self, closeness: usize) {
+        self.0.borrow_mut().narrow_to(closeness);
+    }
+
+    /// Makes the bracket narrower by a factor of about 2ᵏ.
     pub(crate) fn narrow_by(&self, bits: usize) {
-        self.0.borrow_mut().narrow_by(bits);
+        let mut instant = self.0.borrow_mut();
+        let closeness = instant.closeness().saturating_add(bits);
+        instant.narrow_to(closeness);
     }
 }
