@@ -76,23 +76,25 @@ impl Polynomial {
             }
             precision *= 2;
         }
-        self.sign_near(low, high)
+        self.sign_near(&self.slope(), low, high)
     }
 
-    /// The sign of all values in [low, high], as above, but without the approximations of a lower precision
-    /// than the interval is narrow.
-    pub(super) fn sign_near(&self, low: &Split, high: &Split) -> Option<Ordering> {
+    /// The sign of all values in [low, high], if it is proved by the signs of the coefficients, or by the
+    /// value at `low` and the largest magnitude of the slope, which is given.
+    pub(super) fn sign_near(&self, slope: &Self, low: &Split, high: &Split) -> Option<Ordering> {
         match Split::closeness(low, high) {
             0 => self.sign_everywhere(),
-            closeness => self.near(low, high, closeness).sign(),
+            closeness => {
+                let change = slope.bound_near(low, high, closeness) + high.top() - closeness as isize;
+                self.changed_by(change, low).sign()
+            }
         }
     }
 
-    /// All values in [low, high] of the polynomial in τ: that at `low`, and the product of the largest
-    /// magnitude of the slope and of the width as its error. The value is as precise as that product.
-    fn near(&self, low: &Split, high: &Split, closeness: usize) -> Approximation {
-        let change = self.slope().bound_near(low, high, closeness) + high.top() - closeness as isize;
-        let value = self.values(low, low, self.precision_of(change - 12, low.top()));
+    /// All values of the polynomial in τ that differ from that at t by less than 2ᵏ. The value there is as
+    /// precise as that.
+    fn changed_by(&self, change: isize, t: &Split) -> Approximation {
+        let value = self.values(t, t, self.precision_of(change - 12, t.top()));
         let change = (change - value.unit).max(0).unsigned_abs();
         Approximation {
             error: value.error.map(|error| error.max(change) + 1),

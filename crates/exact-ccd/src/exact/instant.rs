@@ -33,11 +33,12 @@ impl Instant {
         if self.is_root_of(polynomial) {
             return Ordering::Equal;
         }
+        let slope = polynomial.slope();
         loop {
             self.narrow(usize::MAX);
             let sign = match self {
                 Self::At(t) => return polynomial.sign_at(t),
-                Self::Root(root) => polynomial.sign_near(root.low(), root.high()),
+                Self::Root(root) => polynomial.sign_near(&slope, root.low(), root.high()),
             };
             if let Some(sign) = sign {
                 return sign;
@@ -46,7 +47,7 @@ impl Instant {
     }
 
     /// The sign of a polynomial at this time, if it is easily proved.
-    fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
+    pub(super) fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
         match self {
             _ if polynomial.is_zero() => Some(Ordering::Equal),
             Self::At(t) => Some(polynomial.sign_at(t)),
