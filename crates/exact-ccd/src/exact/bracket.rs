@@ -21,6 +21,9 @@ pub(crate) struct Bracket {
 /// The precision of the first guess.
 const FIRST_BITS: usize = 4;
 
+/// The number of bits by which values are more precise than the next guess needs them to be.
+const MARGIN: isize = 20;
+
 /// An end of a bracket: 0, 1, or a ratio a 2ᵏ : 1.
 #[derive(Clone, Debug)]
 struct End {
@@ -75,7 +78,7 @@ impl Bracket {
         let bits = self.bits.min(most);
         let values = [&self.low.value, &self.high.value];
         // In a cell, values are less by a factor of about 2⁻ᵇ. The next guess is for 2 b bits of them.
-        let unit = tops[0].max(tops[1]) - 3 * bits as isize - 8;
+        let unit = tops[0].max(tops[1]) - 3 * bits as isize - MARGIN;
         if self.cut_to(guess::secant(values, self.low(), self.high(), bits), unit)? {
             self.bits = 2 * bits;
         } else {
@@ -85,28 +88,29 @@ impl Bracket {
         Ok(())
     }
 
-    /// Makes the bracket narrower where the values at its ends differ by a large factor 2ʳ.
+    /// Makes the bracket narrower where the value at one end is less by a factor of about 2⁻ʳ.
+    ///
+    /// The root is near that end: at a distance of about 2⁻ʳ of the width if the polynomial is nearly linear,
+    /// and of 2⁻ʳᐟ² if it has an extremum at the end. If it is farther away, because the extremum is flat, the
+    /// exponent is halved until the distance is large enough.
     fn narrow_to_end(&mut self, tops: [isize; 2]) -> Result<(), Split> {
-        let halvings = tops[0].abs_diff(tops[1]) / 2;
+        let ratio = tops[0].abs_diff(tops[1]);
         let is_near_low = tops[0] < tops[1];
-        let at = |bracket: &Self, halvings| {
-            guess::near_end(bracket.low(), bracket.high(), is_near_low, halvings)
-        };
-        let unit = tops[0].min(tops[1]) - 2 * FIRST_BITS as isize - 8;
+        let (low, high) = (self.low().clone(), self.high().clone());
+        let at = |halvings| guess::near_end(&low, &high, is_near_low, halvings);
+        let unit = tops[0].min(tops[1]) - 3 * FIRST_BITS as isize - MARGIN;
         self.bits = FIRST_BITS;
-        let far = if is_near_low {
-            self.high.time.clone()
-        } else {
-            self.low.time.clone()
+        let mut reaches = |halvings: usize| {
+            let time = at(halvings);
+            self.cut(time.clone(), unit)?;
+            Ok(time == *if is_near_low { self.high() } else { self.low() })
         };
-        let fallback = at(self, halvings / 2);
-        let mut cell = [at(self, halvings + 1), at(self, halvings - 1)];
-        if !is_near_low {
-            cell.reverse();
+        if reaches(ratio / 2 + 1)? {
+            return reaches(ratio + 2).and_then(|_| reaches(ratio - 2)).map(|_| ());
         }
-        self.cut_to(cell, unit)?;
-        if [self.low(), self.high()].contains(&&far) {
-            self.cut(fallback, unit)?;
+        let mut halvings = ratio / 2 - 1;
+        while !reaches(halvings)? && halvings > 1 {
+            halvings /= 2;
         }
         Ok(())
     }
@@ -168,3 +172,6 @@ impl Bracket {
         true
     }
 }
+
+#[cfg(test)]
+mod tests;

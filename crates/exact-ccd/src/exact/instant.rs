@@ -35,7 +35,11 @@ impl Instant {
         }
         let slope = polynomial.slope();
         loop {
-            self.narrow(usize::MAX);
+            // An attempt costs about as much as making the bracket narrower.
+            let last = self.closeness();
+            while self.closeness() <= last.saturating_add(last / 32) && matches!(self, Self::Root(_)) {
+                self.narrow(usize::MAX);
+            }
             let sign = match self {
                 Self::At(t) => return polynomial.sign_at(t),
                 Self::Root(root) => polynomial.sign_near(&slope, root.low(), root.high()),
