@@ -90,9 +90,9 @@ impl Bracket {
 
     /// Makes the bracket narrower where the value at one end is less by a factor of about 2⁻ʳ.
     ///
-    /// The root is near that end: at a distance of about 2⁻ʳ of the width if the polynomial is nearly linear,
-    /// and of 2⁻ʳᐟ² if it has an extremum at the end. If it is farther away, because the extremum is flat, the
-    /// exponent is halved until the distance is large enough.
+    /// The root is near that end: at a distance of about 2⁻ʳ of the width if the polynomial is nearly
+    /// linear, and of 2⁻ʳᐟ² if it has an extremum at the end. If it is farther away, because the extremum is
+    /// flat, the exponent is halved until the distance is large enough.
     fn narrow_to_end(&mut self, tops: [isize; 2]) -> Result<(), Split> {
         let ratio = tops[0].abs_diff(tops[1]);
         let is_near_low = tops[0] < tops[1];
