@@ -154,7 +154,7 @@ def compare(scene, options, threads):
         return Exact(options.program, [*flags, *distance], threads)
 
     def theirs(ask, *broad_phases):
-        return [Ipctk(mesh, b, n, ask, d) for b in broad_phases for n in NARROW_PHASES]
+        return [Ipctk(mesh, b, n, ask, d) for b in broad_phases for n in options.narrow]
 
     title = f"{scene.name}, {threads} thread{'s' * (threads > 1)}"
     if d > 0:
@@ -197,6 +197,8 @@ def main():
     parser.add_argument("--repeat", help="how often it answers then", type=int, default=3)
     parser.add_argument("--threads", help="how many threads", type=int, nargs="+", default=[1, 2])
     parser.add_argument("--broad", help="broad phases of ipctk", nargs="+", default=["LBVH"], choices=BROAD_PHASES)
+    narrow = list(NARROW_PHASES)
+    parser.add_argument("--narrow", help="narrow phases of ipctk", nargs="+", default=narrow, choices=narrow)
     parser.add_argument("--only", help="the scene with this name")
     parser.add_argument("--only-step", help="only the collision-free step", action="store_true")
     parser.add_argument("--min-distance", help="the distance to keep", type=float, default=0.0, metavar="D")

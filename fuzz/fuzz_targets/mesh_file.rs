@@ -3,7 +3,7 @@
 #![no_main]
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_files::{Format, parse_frame, parse_tet_mesh, write_ply};
+use exact_ccd_files::{Format, Group, parse_frame, parse_tet_groups, write_ply};
 use exact_ccd_fuzz::file;
 use exact_ccd_mesh::Frame;
 use libfuzzer_sys::fuzz_target;
@@ -98,12 +98,17 @@ const MSH: &[&str] = &[
     "$EndElements\n",
     "$Comments\n",
     "$EndComments\n",
+    "$PhysicalNames\n1\n3 7 \"a\"\n$EndPhysicalNames\n",
+    "$Entities\n0 0 0 1\n1 0 0 0 1 1 1 2 7 -8 0\n$EndEntities\n",
+    "$Entities\n",
+    "$EndEntities\n",
     "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n",
     "$Nodes\n1 4 1 4\n3 0 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes\n",
-    "1 4 2 0 0 1 2 3 4\n",
+    "1 4 2 7 0 1 2 3 4\n",
     "2 2 2 0 0 1 2 3\n",
     "1 1 1 1\n",
     "3 0 4 1\n",
+    "3 1 4 1\n",
     "1 1 2 3 4\n",
     "\0\0\0\0",
     "\x04\0\0\0\0\0\0\0",
@@ -245,8 +250,12 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         // No text begins with this byte.
         file.insert(0, 0x93);
     }
-    match parse_tet_mesh(&file) {
-        Ok(mesh) => check_frame(&mesh.surface_frame().0),
+    match parse_tet_groups(&file) {
+        Ok((mesh, groups)) => {
+            let [vertices, cells] = [mesh.positions().len(), mesh.tetrahedra().len()];
+            groups.iter().for_each(|group| check_group(group, vertices, cells));
+            check_frame(&mesh.surface_frame().0);
+        }
         Err(error) => drop(error.to_string()),
     }
     match parse_frame(&file, format) {
@@ -254,6 +263,13 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
         Err(error) => drop(error.to_string()),
     }
     Ok(())
+}
+
+fn check_group(group: &Group, vertices: usize, cells: usize) {
+    for (numbers, count) in [(&group.vertices, vertices), (&group.cells, cells)] {
+        assert!(numbers.is_sorted_by(|a, b| a < b));
+        assert!(numbers.last().is_none_or(|&last| (last as usize) < count));
+    }
 }
 
 fn check_frame(frame: &Frame) {

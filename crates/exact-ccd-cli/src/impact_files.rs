@@ -9,12 +9,12 @@ use exact_ccd_mesh::Step;
 
 use crate::contacts::ContactList;
 use crate::failure::Failure;
-use crate::output::write_file;
+use crate::output::{make_folder, write_file};
 
 /// Writes `impact.vtu`, the mesh at the time of the first contact, and `contacts.vtp`, the places of the
 /// contacts with their times, normals and ids. Without a contact, there is no `impact.vtu`.
 pub(crate) fn write(folder: &Path, step: Step<'_>, ids: &FileIds, list: &ContactList) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))?;
+    make_folder(folder)?;
     let impact = folder.join("impact.vtu");
     match list.0.first() {
         Some(first) => {

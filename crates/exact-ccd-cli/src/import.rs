@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd_sim::scene::{Imported, import};
+use exact_ccd_sim::scene::{Imported, SceneError, import};
 
 use crate::failure::Failure;
 use crate::output::{print, write_file};
@@ -34,7 +34,8 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let Some(imported) = import(&arguments.scene, arguments.meshes.as_deref())? else {
+    let imported = import(&arguments.scene, arguments.meshes.as_deref()).map_err(SceneError::from)?;
+    let Some(imported) = imported else {
         return Err(Failure::NotForeign(arguments.scene.clone()));
     };
     let Imported { toml, meshes, notes } = imported;

@@ -17,6 +17,11 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .or_else(Failure::unless_closed_pipe)
 }
 
+/// Makes a folder, with those around it.
+pub(crate) fn make_folder(folder: &Path) -> Result<(), Failure> {
+    fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
+}
+
 /// Writes a file and replaces an existing one, see [`replace_file`].
 pub(crate) fn write_file(
     file: &Path,

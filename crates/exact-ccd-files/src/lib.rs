@@ -18,8 +18,9 @@
 //! | a mesh at one time, [`Frame`] | [`read_frame`] | [`parse_frame`] | [`write_ply`], `write_obj`, `write_vtu` |
 //! | a mesh in motion, [`Motion`] | [`read_motion`] | | |
 //! | a body of tetrahedra, [`TetMesh`] | [`read_tet_mesh`] | [`parse_tet_mesh`] | [`write_vtu`] |
+//! | the same with its groups, [`Group`] | [`read_tet_groups`] | [`parse_tet_groups`] | |
 //! | tetrahedra, triangles, lines and points, [`UnstructuredGrid`] | | | [`write_vtu`] |
-//! | the same, and its contents in numbers, [`MeshFile`] | [`MeshFile::read`] | [`MeshFile::parse`] | |
+//! | a frame, and its contents in numbers, [`MeshFile`] | [`MeshFile::read`] | [`MeshFile::parse`] | |
 //! | points with data, [`PointArray`] | | | [`write_vtp`] |
 //! | a sequence of frames, [`FrameSequence`] | [`FrameSequence::open`] | | |
 //! | a sequence of files, one for each time | [`read_pvd`], [`read_series`] | | [`write_pvd`] |
@@ -58,13 +59,12 @@ pub use format::Format;
 pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
-    FrameSequence, Group, MeshFile, Polygons, ReadMotionError, parse_frame, parse_tet_mesh, read_frame,
-    read_motion, read_pvd, read_series, read_tet_mesh,
+    FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, parse_frame, parse_tet_groups,
+    parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups, read_tet_mesh,
 };
 pub use unsupported::Unsupported;
 pub use write::{
-    Bodies, PointArray, UnstructuredGrid, write_obj, write_ply, write_ply_with_parts, write_pvd, write_vtp,
-    write_vtu,
+    PointArray, UnstructuredGrid, write_obj, write_ply, write_ply_with_parts, write_pvd, write_vtp, write_vtu,
 };
 
 /// The examples in the README of the repository, as tests.

@@ -6,7 +6,7 @@ use exact_ccd_files::{Format, Group, MeshFile, Polygons};
 
 fn groups(text: &str) -> Vec<(String, Vec<u32>)> {
     let file = MeshFile::parse(text.as_bytes(), Format::Obj, Polygons::Triangulate).unwrap();
-    let parts = |Group { name, vertices }: Group| (name, vertices);
+    let parts = |Group { name, vertices, .. }: Group| (name, vertices);
     file.groups.into_iter().map(parts).collect()
 }
 

@@ -21,6 +21,7 @@ fn group(name: &str, vertices: &[u32]) -> Group {
     Group {
         name: name.to_owned(),
         vertices: vertices.to_vec(),
+        ..Group::default()
     }
 }
 

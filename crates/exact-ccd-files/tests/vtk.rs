@@ -6,9 +6,7 @@ use std::io::ErrorKind;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use exact_ccd_files::{
-    Bodies, Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu,
-};
+use exact_ccd_files::{Format, PointArray, UnstructuredGrid, parse_frame, write_pvd, write_vtp, write_vtu};
 use exact_ccd_mesh::{Frame, Point, TetMesh};
 use proptest::prelude::*;
 use roxmltree::{Document, Node};
@@ -176,16 +174,12 @@ fn solids_and_shells_share_a_grid() {
     assert_eq!(written, bits(GRID.velocities.unwrap()));
 }
 
-/// Vertices and cells have the number of their body, and the file has the names.
+/// Vertices and cells have the number of their body.
 #[test]
 fn bodies_are_data_of_points_and_cells() {
-    let names = ["a block", "<ü>"].map(str::to_owned);
     let of_vertices = [0, 0, 0, 0, 0, 1, 1, 1];
     let grid = UnstructuredGrid {
-        bodies: Some(Bodies {
-            of_vertices: &of_vertices,
-            names: &names,
-        }),
+        bodies: Some(&of_vertices),
         ..GRID
     };
     let mut file = Vec::new();
@@ -199,8 +193,6 @@ fn bodies_are_data_of_points_and_cells() {
     };
     assert_eq!(ids("PointData"), of_vertices.map(|body| body as i32));
     assert_eq!(ids("CellData"), [0, 0, 1]);
-    let text = array::<1>(child(all, "FieldData"), "body_names", "String");
-    assert_eq!(text.as_flattened(), "a block\0<ü>\0".as_bytes());
     // The mesh is read as without bodies.
     let mut plain = Vec::new();
     write_vtu(&mut plain, GRID).unwrap();
@@ -219,10 +211,7 @@ fn invalid_grids_are_not_written() {
         ),
         (
             UnstructuredGrid {
-                bodies: Some(Bodies {
-                    of_vertices: &[0],
-                    names: &[],
-                }),
+                bodies: Some(&[0]),
                 ..GRID
             },
             "1 bodies of vertices, expected one for each of 8 vertices",

@@ -20,7 +20,7 @@ use crate::step::StepError;
 /// Only the first frame is examined at rest. A mesh that does not intersect itself there can come
 /// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
 /// a contact of the step. Parts that share a vertex are neighbours and may touch. Edges and
-/// vertices without a face are primitives as all others; [`Pair`](crate::Pair) says which are compared.
+/// vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair).
 ///
 /// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either. In the
 /// first frame, the least distance of primitives that do not intersect is that of a vertex and a

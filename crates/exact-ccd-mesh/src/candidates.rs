@@ -28,8 +28,8 @@ use crate::step::Step;
 /// The exact decisions are about contact, or about the [minimum
 /// distance](CandidateOptions::min_distance) of the options. Those of other methods are about contact.
 ///
-/// They collect [`Pair`]s from another source, too: each is kept once, and those that a mesh does not
-/// have are no contacts.
+/// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
+/// mesh does not have are no contacts.
 ///
 /// ```
 /// use exact_ccd::Exact;

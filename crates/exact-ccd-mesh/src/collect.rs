@@ -65,7 +65,7 @@ impl<F: Fn(Pair) -> bool + Sync> Collect for AnyContact<F> {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
-        narrow_phase.approaches::<K>(mesh, pairs, |ids, approach| {
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
             if !self.is_found() && approach.contact().is_some() && (self.counts)(K::pair(ids)) {
                 self.is_found.store(true, Ordering::Relaxed);
             }
@@ -84,8 +84,8 @@ pub(crate) struct Earliest {
     /// never increases.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
-    /// The pairs that start within their distance, some of them twice. No search until any time
-    /// misses one.
+    /// The pairs that start within their distance, some of them twice. Their boxes meet at t = 0, so that a
+    /// search until any time examines all of them.
     touching: Mutex<Vec<Pair>>,
 }
 
@@ -135,7 +135,7 @@ impl Collect for Earliest {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         let mut touching = Vec::new();
-        narrow_phase.approaches::<K>(mesh, pairs, |ids, approach| {
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
             let times = approach.times();
             if times.starts_within {
                 touching.push(K::pair(ids));
@@ -197,7 +197,7 @@ impl Collect for ContactsUntil {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         let mut found = Vec::new();
-        narrow_phase.approaches::<K>(mesh, pairs, |ids, approach| {
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
             let Some(collision) = approach.contact() else {
                 return;
             };

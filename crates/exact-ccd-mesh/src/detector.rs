@@ -131,9 +131,9 @@ impl<B: BroadPhase> Detector<B> {
 
     /// Returns true if no pair that counts touches in the step from positions `x0` to positions `x1`.
     ///
-    /// The predicate is evaluated for pairs in contact only, on many threads, and some pairs twice. So it
-    /// may be slow, where that of [`with_can_collide`](Self::with_can_collide), which holds for all answers,
-    /// is evaluated for every candidate.
+    /// The predicate is evaluated for pairs in contact only, on many threads, and for some of them twice. So
+    /// it may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
+    /// and holds for all answers.
     ///
     /// # Errors
     /// [`StepError`] names the positions that are too many, too few or not finite.

@@ -62,7 +62,7 @@ impl NarrowPhase {
         &self.trajectories
     }
 
-    /// Calls `found` with each pair that comes within its minimum distance.
+    /// Calls `found` with each pair that first comes within its minimum distance at a time not after `until`.
     ///
     /// Pairs with a common vertex are left out, as are those that cannot collide and those that
     /// `mesh`, the mesh of the step, does not have.
@@ -70,17 +70,18 @@ impl NarrowPhase {
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
+        until: f64,
         found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
         // Two copies of the loop: the usual one has no call of a predicate.
         if self.can_collide.is_all() {
-            self.approaches_if(mesh, pairs, K::are_apart, found);
+            self.approaches_if(mesh, pairs, until, K::are_apart, found);
         } else {
             let can_collide = |vertices: &K::Vertices| {
                 let (a, b) = vertices.as_ref().split_at(K::FIRST);
                 K::are_apart(vertices) && self.can_collide.allows(a, b)
             };
-            self.approaches_if(mesh, pairs, can_collide, found);
+            self.approaches_if(mesh, pairs, until, can_collide, found);
         }
     }
 
@@ -88,6 +89,7 @@ impl NarrowPhase {
         &self,
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
+        until: f64,
         can_collide: impl Fn(&K::Vertices) -> bool,
         mut found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
@@ -104,12 +106,13 @@ impl NarrowPhase {
                 }
             }
             self.trajectories
-                .collisions_within::<K>(
+                .collisions_until::<K>(
                     &queries[..count],
                     self.min_distance.separations(),
+                    until,
                     |index, collision| found(kept[index], Approach::new(collision, inner)),
                 )
-                .expect("a mesh has the vertices of its primitives, and each has a thickness");
+                .expect("a mesh has the vertices of its primitives");
         }
     }
 

@@ -16,8 +16,8 @@ use crate::pair::Pair;
 use crate::pair_kind::Searched;
 use crate::step::{Step, StepError};
 
-/// The contacts of a step of a mesh, counted. With a minimum distance, they are as
-/// [`MinDistance`](crate::MinDistance) says.
+/// The contacts of a step of a mesh, counted; with a minimum distance, as defined by
+/// [`MinDistance`](crate::MinDistance).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StepReport {
     /// The number of pairs of primitives that come near each other; see
@@ -146,7 +146,7 @@ impl Receive for Tallies<'_> {
             ..Tally::default()
         };
         self.narrow_phase
-            .approaches::<K>(self.mesh, &candidates, |ids, approach| {
+            .approaches::<K>(self.mesh, &candidates, 1.0, |ids, approach| {
                 let times = approach.times();
                 tally.touching += usize::from(times.starts_within);
                 tally.colliding += usize::from(times.contact.is_some());

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use crate::encoder::{encoder, invalid};
 use crate::picture::Picture;
 
 /// An animated PNG file, written picture by picture. Browsers play it in a loop; programs without
@@ -84,20 +85,4 @@ pub fn write_apng(writer: impl io::Write, pictures: &[Picture], seconds: f64) ->
         animation.add(picture, seconds)?;
     }
     animation.finish()
-}
-
-/// An encoder of PNG files with this width and height.
-pub(crate) fn encoder<'a, W: io::Write>(writer: W, size: [u16; 2]) -> io::Result<png::Encoder<'a, W>> {
-    if size.contains(&0) {
-        return Err(invalid("the picture has no pixels"));
-    }
-    let [width, height] = size.map(u32::from);
-    let mut encoder = png::Encoder::new(writer, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    Ok(encoder)
-}
-
-pub(crate) fn invalid(message: &str) -> io::Error {
-    io::Error::new(io::ErrorKind::InvalidInput, message)
 }

@@ -4,7 +4,7 @@ use std::io;
 
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
-use crate::animation::invalid;
+use crate::encoder::invalid;
 use crate::picture::Picture;
 
 /// The shortest time for which programs show a picture, in s, less the rounding of sums of times. Shorter

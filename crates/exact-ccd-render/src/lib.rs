@@ -18,6 +18,7 @@
 
 mod animation;
 mod canvas;
+mod encoder;
 mod gif;
 mod marks;
 mod picture;

@@ -2,9 +2,11 @@
 
 use std::io;
 
-use crate::animation::encoder;
 use crate::canvas::Canvas;
-use crate::scene::SAMPLES;
+use crate::encoder::encoder;
+
+/// The number of samples of a pixel along each axis.
+pub(crate) const SAMPLES: usize = 2;
 
 /// A picture with 24 bits per pixel.
 #[derive(Clone, Debug, PartialEq, Eq)]

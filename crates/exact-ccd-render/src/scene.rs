@@ -6,7 +6,7 @@ use exact_ccd_mesh::{Frame, Point, TriangleMesh};
 
 use crate::canvas::{Canvas, Colour};
 use crate::marks::Marks;
-use crate::picture::Picture;
+use crate::picture::{Picture, SAMPLES};
 use crate::view::{View, cross, dot, minus, unit};
 
 const BACKGROUND: Colour = [255, 255, 255];
@@ -20,9 +20,6 @@ const SURFACES: [Colour; 5] = [
 ];
 const EDGE: Colour = [70, 80, 100];
 const MARK: Colour = [215, 48, 39];
-
-/// The number of samples of a pixel along each axis.
-pub(crate) const SAMPLES: usize = 2;
 
 /// The displacement of lines towards the viewer, relative to the faces that they bound, in pixels.
 const LIFT: f64 = 0.5;

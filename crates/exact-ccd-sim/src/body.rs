@@ -32,8 +32,10 @@ pub enum BodyKind {
     Solid {
         /// The corners of its tetrahedra, in either orientation.
         tetrahedra: Vec<[u32; 4]>,
-        /// Its material.
+        /// Its material, except in the regions.
         material: SolidProperties,
+        /// Parts with materials of their own. Of several regions of a tetrahedron, the last one counts.
+        regions: Vec<Region>,
     },
     /// A thin elastic shell.
     Shell {
@@ -59,6 +61,15 @@ pub enum BodyKind {
         /// Its triangles.
         faces: Vec<[u32; 3]>,
     },
+}
+
+/// A part of a solid with a material of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Its tetrahedra, by their places in the solid.
+    pub tetrahedra: Vec<u32>,
+    /// Its material.
+    pub material: SolidProperties,
 }
 
 /// The material of a solid.
@@ -110,6 +121,20 @@ pub struct ParticleProperties {
     pub density: f64,
     /// The radius, in m. It enters the mass, but not contact.
     pub radius: f64,
+}
+
+impl BodyKind {
+    /// The name: `solid`, `shell`, `rod`, `particles` or `obstacle`.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Solid { .. } => "solid",
+            Self::Shell { .. } => "shell",
+            Self::Rod { .. } => "rod",
+            Self::Particles { .. } => "particles",
+            Self::Obstacle { .. } => "obstacle",
+        }
+    }
 }
 
 impl Body {

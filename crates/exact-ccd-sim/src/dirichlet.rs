@@ -60,21 +60,21 @@ const STIFFNESS: [f64; 2] = [1e3, 1e9];
 const STIFFENING: f64 = 10.0;
 
 impl Dirichlet {
-    /// The targets of a system's scripts at a time (in s), for vertices that are at `points` before the step.
-    /// `held` are the coordinates that are not free in this time step.
-    pub(crate) fn new(system: &System, held: &[Axes], points: &[Point], time: f64) -> Self {
-        let target = |(vertex, &held): (usize, &Axes)| {
+    /// The targets of a system's scripts for vertices that are at `points` before the step. `held` are the
+    /// coordinates that are not free in this time step, and `target` is the position of a vertex at its end.
+    pub(crate) fn new(held: &[Axes], points: &[Point], target: impl Fn(usize) -> Point) -> Self {
+        let moving = |(vertex, &held): (usize, &Axes)| {
             if held == [false; 3] {
                 return None;
             }
             let target = Target {
                 vertex: vertex as u32,
-                at: system.scripts[vertex].position(system.start[vertex], time),
+                at: target(vertex),
                 held,
             };
             (target.offset(points) != Vector3::zeros()).then_some(target)
         };
-        let targets: Vec<Target> = held.iter().enumerate().filter_map(target).collect();
+        let targets: Vec<Target> = held.iter().enumerate().filter_map(moving).collect();
         let mode = if targets.is_empty() {
             Mode::Fixed
         } else {

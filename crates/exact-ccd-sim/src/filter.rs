@@ -96,7 +96,8 @@ impl StepFilter {
         &self.name
     }
 
-    /// True if the method is the exact one, which alone decides when surfaces with offsets come too near.
+    /// True if the times of the method are exact. The kernel computes the same times then, also within the
+    /// offsets of surfaces, and takes the place of the method.
     #[must_use]
     pub fn is_exact(&self) -> bool {
         self.method.guarantees().time == TimeGuarantee::Exact

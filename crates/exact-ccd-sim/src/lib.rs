@@ -62,7 +62,7 @@ mod state;
 mod statistics;
 mod system;
 
-pub use body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
+pub use body::{Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties, SolidProperties};
 pub use checkpoint::Checkpoint;
 pub use element::{Element, Matrix12, Vector12};
 pub use filter::StepFilter;

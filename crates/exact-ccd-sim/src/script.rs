@@ -30,8 +30,9 @@ pub enum Script {
         /// The time at which the motion ends, in s. `None`: it does not end.
         until: Option<f64>,
     },
-    /// A rotation about an axis, followed by a translation, through key frames. Both are interpolated
-    /// linearly in time; before the first key frame and after the last one, they do not change.
+    /// A rotation about an axis, followed by a translation, through key frames. Both are relative to the
+    /// position where the script begins, and interpolated linearly in time; before the first key frame and
+    /// after the last one, they do not change.
     KeyFrames {
         /// The key frames, by increasing time.
         frames: Vec<KeyFrame>,
@@ -50,11 +51,11 @@ pub enum Script {
 pub struct KeyFrame {
     /// The time, in s.
     pub time: f64,
-    /// The translation from the start, in m.
+    /// The translation from the position where the script begins, in m.
     #[serde(default)]
     pub translate: Point,
-    /// The angle of rotation from the start. Positive angles are counterclockwise for a viewer at whom the
-    /// axis points.
+    /// The angle of rotation of the position where the script begins. Positive angles are counterclockwise
+    /// for a viewer at whom the axis points.
     #[serde(default)]
     pub degrees: f64,
 }
@@ -129,25 +130,34 @@ impl Script {
         }
     }
 
-    /// The position at a time (in s) of a vertex that is at `start` at time 0.
-    #[must_use]
-    pub fn position(&self, start: Point, time: f64) -> Point {
-        let clock = |until: Option<f64>| until.map_or(time, |until| time.min(until));
+    /// The time at which a motion at constant velocity ends, in s, if it does.
+    pub(crate) fn until(&self) -> Option<f64> {
         match self {
-            Self::Fixed => start,
+            Self::Moving { until, .. } | Self::Twisting { until, .. } => *until,
+            Self::Fixed | Self::KeyFrames { .. } => None,
+        }
+    }
+
+    /// The position at a time of a vertex that is at `origin` when the script begins, at the time `from`,
+    /// both in s.
+    #[must_use]
+    pub fn position(&self, origin: Point, from: f64, time: f64) -> Point {
+        let clock = |until: Option<f64>| until.map_or(time, |until| time.min(until)) - from;
+        match self {
+            Self::Fixed => origin,
             Self::Moving { velocity, until } => {
                 let time = clock(*until);
-                core::array::from_fn(|axis| start[axis] + time * velocity[axis])
+                core::array::from_fn(|axis| origin[axis] + time * velocity[axis])
             }
             Self::Twisting {
                 center,
                 axis,
                 rate,
                 until,
-            } => turned(start, *center, *axis, rate * clock(*until)),
+            } => turned(origin, *center, *axis, rate * clock(*until)),
             Self::KeyFrames { frames, center, axis } => {
                 let (translate, degrees) = between(frames, time);
-                let turned = turned(start, *center, *axis, degrees.to_radians());
+                let turned = turned(origin, *center, *axis, degrees.to_radians());
                 (Vector3::from(turned) + translate).into()
             }
         }

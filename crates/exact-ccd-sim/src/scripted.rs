@@ -19,8 +19,12 @@ pub struct Scripted {
     /// True for each axis along which the script acts. Along the others, vertices with mass move freely, and
     /// vertices of obstacles rest.
     pub axes: [bool; 3],
+    /// The time at which the script begins, in s, from the position which a vertex then has. Before,
+    /// vertices follow the script that began last; without one, they move freely if they have mass, and rest
+    /// otherwise.
+    pub from: f64,
     /// The time from which the script does not act, in s: vertices with mass move freely then, and vertices
-    /// of obstacles rest. `None`: the script always acts.
+    /// of obstacles rest. `None`: the script does not end.
     pub release: Option<f64>,
 }
 
@@ -31,6 +35,12 @@ impl Scripted {
         Self { axes, ..self }
     }
 
+    /// The same vertices, scripted from a time on, in s.
+    #[must_use]
+    pub fn from(self, from: f64) -> Self {
+        Self { from, ..self }
+    }
+
     /// The same vertices, scripted until a time, in s.
     #[must_use]
     pub fn until(self, release: f64) -> Self {
@@ -38,7 +48,7 @@ impl Scripted {
         Self { release, ..self }
     }
 
-    /// Checks that the parameters of the script, the axes and the time are in range.
+    /// Checks that the parameters of the script, the axes and the times are in range.
     ///
     /// # Errors
     /// [`ScriptError`] names the first parameter that is out of range.
@@ -48,11 +58,15 @@ impl Scripted {
         if self.axes == [false; 3] {
             return error("axes", "at least one axis");
         }
-        if self
-            .release
-            .is_some_and(|release| release.is_nan() || release < 0.0)
-        {
-            return error("release", "a number not below 0");
+        let is_end = |end: Option<f64>| end.is_none_or(|end| end >= self.from);
+        if !(self.from >= 0.0 && self.from.is_finite()) {
+            return error("from", "a finite number not below 0");
+        }
+        if !is_end(self.release) {
+            return error("release", "a number not below 0 and not below `from`");
+        }
+        if !is_end(self.script.until()) {
+            return error("from", "a number not above the `until` of the motion");
         }
         Ok(())
     }
@@ -66,19 +80,21 @@ impl Script {
             vertices: vertices.into_iter().collect(),
             script: self,
             axes: [true; 3],
+            from: 0.0,
             release: None,
         }
     }
 }
 
-/// The scripts of the three coordinates of one vertex.
+/// The scripts of the three coordinates of one vertex, by the times at which they begin, which differ.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Coordinates([Option<Arc<Timed>>; 3]);
+pub(crate) struct Coordinates([Vec<Arc<Timed>>; 3]);
 
-/// A script with the time at which it ends.
+/// A script with the times at which it begins and ends.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Timed {
     script: Script,
+    from: f64,
     release: Option<f64>,
 }
 
@@ -86,23 +102,34 @@ impl Timed {
     pub(crate) fn new(scripted: &Scripted) -> Arc<Self> {
         Arc::new(Self {
             script: scripted.script.clone(),
+            from: scripted.from,
             release: scripted.release,
         })
+    }
+
+    /// True if no time is between the end of the script and the start of the next one.
+    fn lasts_until(&self, next: f64) -> bool {
+        self.release.is_none_or(|release| release >= next)
     }
 }
 
 impl Coordinates {
-    /// Replaces the scripts along some axes.
-    pub(crate) fn set(&mut self, axes: Axes, script: &Arc<Timed>) {
-        for (slot, _) in self.0.iter_mut().zip(axes).filter(|(_, acts)| *acts) {
-            *slot = Some(Arc::clone(script));
+    /// Adds a script along some axes. It replaces the one that begins at the same time.
+    pub(crate) fn add(&mut self, axes: Axes, script: &Arc<Timed>) {
+        for (scripts, _) in self.0.iter_mut().zip(axes).filter(|(_, acts)| *acts) {
+            scripts.retain(|other| other.from != script.from);
+            let place = scripts.partition_point(|other| other.from < script.from);
+            scripts.insert(place, Arc::clone(script));
         }
     }
 
     /// True if a script holds every coordinate at all times.
     pub(crate) fn are_held(&self) -> bool {
-        let held =
-            |script: &Option<Arc<Timed>>| script.as_ref().is_some_and(|script| script.release.is_none());
+        let held = |scripts: &Vec<Arc<Timed>>| {
+            scripts.first().is_some_and(|script| script.from == 0.0)
+                && scripts.windows(2).all(|pair| pair[0].lasts_until(pair[1].from))
+                && scripts.last().is_some_and(|script| script.release.is_none())
+        };
         self.0.iter().all(held)
     }
 
@@ -114,28 +141,33 @@ impl Coordinates {
             .all(|script| script.script == Script::Fixed)
     }
 
-    /// The coordinates that scripts hold in a time step that ends at this time, in s.
-    pub(crate) fn held(&self, time: f64) -> Axes {
-        let acts = |script: &Arc<Timed>| script.release.is_none_or(|release| time <= release);
-        [0, 1, 2].map(|axis: usize| self.0[axis].as_ref().is_some_and(acts))
+    /// The script of an axis that began last before a time, in s.
+    fn latest(&self, axis: usize, time: f64) -> Option<&Arc<Timed>> {
+        self.0[axis].iter().rev().find(|script| script.from < time)
     }
 
-    /// The position at a time of a vertex that is at `start` at time 0, which no force moves.
-    pub(crate) fn position(&self, start: Point, time: f64) -> Point {
-        let mut position = start;
-        let mut last: Option<(&Arc<Timed>, Point)> = None;
-        for (axis, script) in self.0.iter().enumerate() {
-            let Some(script) = script else { continue };
-            let at = match last {
-                Some((same, at)) if Arc::ptr_eq(same, script) => at,
-                _ => {
-                    let end = script.release.unwrap_or(f64::INFINITY);
-                    script.script.position(start, time.min(end))
-                }
+    /// The coordinates that scripts hold at a time, in s.
+    pub(crate) fn held(&self, time: f64) -> Axes {
+        let acts = |script: &Arc<Timed>| script.release.is_none_or(|release| time <= release);
+        [0, 1, 2].map(|axis| self.latest(axis, time).is_some_and(acts))
+    }
+
+    /// The coordinates of which a script begins between two times, in s.
+    pub(crate) fn beginning(&self, [before, now]: [f64; 2]) -> Axes {
+        let begins = |script: &Arc<Timed>| script.from >= before;
+        [0, 1, 2].map(|axis| self.latest(axis, now).is_some_and(begins))
+    }
+
+    /// The position at `time` of a vertex that no force moves, by the scripts that began last before
+    /// `moment`, both in s. For each axis, `origins` has the position of the vertex where that script began.
+    pub(crate) fn position(&self, origins: &[Point; 3], moment: f64, time: f64) -> Point {
+        [0, 1, 2].map(|axis: usize| {
+            let Some(script) = self.latest(axis, moment) else {
+                return origins[axis][axis];
             };
-            position[axis] = at[axis];
-            last = Some((script, at));
-        }
-        position
+            let end = script.release.unwrap_or(f64::INFINITY);
+            let at = script.script.position(origins[axis], script.from, time.min(end));
+            at[axis]
+        })
     }
 }

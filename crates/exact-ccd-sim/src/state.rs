@@ -1,5 +1,7 @@
 //! The state of a simulation.
 
+use std::collections::BTreeMap;
+
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +24,10 @@ pub struct State {
     /// step of the last step. `None` before the first contact. It is stored in this form because the
     /// effective time step changes when BDF2 follows its first step, which is one of implicit Euler.
     pub stiffness: Option<f64>,
+    /// For each axis, the position in m of a vertex where its script began, by the number of the vertex.
+    /// Those without an entry were at their start.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub origins: BTreeMap<u32, [Point; 3]>,
 }
 
 /// Positions and velocities one step earlier.

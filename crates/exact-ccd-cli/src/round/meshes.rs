@@ -1,7 +1,6 @@
 //! Mesh files, rounded.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Format, read_frame, write_ply};
@@ -10,7 +9,7 @@ use exact_ccd_mesh::{Aabb, Frame};
 use super::report::Report;
 use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
-use crate::output::write_file;
+use crate::output::{make_folder, write_file};
 
 /// Reads each mesh twice, so that only one is in memory at a time: a simulation can have many frames.
 pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
@@ -25,7 +24,7 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
     })?;
     let displacement = shared_displacement(&bounds)?;
     if let (Some(folder), 2..) = (&arguments.output, inputs.len()) {
-        fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))?;
+        make_folder(folder)?;
     }
     let mut report = Report::shared(displacement);
     for (index, input) in inputs.iter().enumerate() {

@@ -1,48 +1,27 @@
 //! The output folder of a simulation.
 
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, BufReader};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use exact_ccd_files::{NamedPart, read_pvd, write_ply_with_parts, write_pvd};
+use exact_ccd_files::{write_ply_with_parts, write_pvd};
 use exact_ccd_sim::scene::Scene;
-use exact_ccd_sim::{Checkpoint, Simulation, Statistics, System};
+use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
+use super::bodies;
 use super::contact_points;
 use super::grid::Grid;
+use super::layout::{
+    BODIES, CHECKPOINT, COLLECTION, CONTACT_COLLECTION, CONTACTS, FRAMES, GRIDS, PATH, STATISTICS,
+    contact_file, frame_file, frames_until, grid_file, missing, remove_after, remove_index_files,
+};
 use super::log::Log;
-use super::path::Path as PathWriter;
+use super::path::{Path as PathWriter, named_parts};
 use super::statistics::Row;
 use super::steps;
 use crate::failure::Failure;
-use crate::output::{draft_of, remove_files, write_file, write_file_soon};
-
-const CHECKPOINT: &str = "checkpoint.json";
-const STATISTICS: &str = "statistics.csv";
-const COLLECTION: &str = "motion.pvd";
-const CONTACT_COLLECTION: &str = "contacts.pvd";
-pub(super) const ANIMATION: &str = "motion.png";
-pub(super) const GIF: &str = "motion.gif";
-pub(super) const ENERGIES: &str = "energies.svg";
-pub(super) const DISTANCE: &str = "minimal-distance.svg";
-const FILES: [&str; 8] = [
-    CHECKPOINT,
-    STATISTICS,
-    COLLECTION,
-    CONTACT_COLLECTION,
-    ANIMATION,
-    GIF,
-    ENERGIES,
-    DISTANCE,
-];
-
-/// The subfolders, which have one or more files for each time step.
-const FRAMES: &str = "frames";
-const GRIDS: &str = "vtu";
-const CONTACTS: &str = "contacts";
-const PATH: &str = "path";
-pub(super) const PICTURES: &str = "pictures";
+use crate::output::{make_folder, write_file, write_file_soon};
 
 /// The time between two checkpoints. Flushing files to disk can take longer than a time step.
 const INTERVAL: Duration = Duration::from_secs(1);
@@ -111,17 +90,10 @@ impl OutputFolder {
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
         make_folder(&folder.join(CONTACTS))?;
-        // These files refer to those in the subfolders, so they are removed first.
-        for file in FILES.map(|name| folder.join(name)) {
-            match fs::remove_file(&file) {
-                Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                    return Err(Failure::write(&file, error));
-                }
-                _ => {}
-            }
-        }
+        remove_index_files(folder)?;
         remove_after(folder, None)?;
         let log = Log::begin(folder.join(STATISTICS))?;
+        bodies::write(&folder.join(BODIES), simulation.system())?;
         let mut this = Self::with(folder, simulation, log, every, Vec::new());
         this.write_frame(simulation)?;
         this.save(simulation)?;
@@ -167,6 +139,7 @@ impl OutputFolder {
                 ),
             });
         }
+        bodies::write(&folder.join(BODIES), simulation.system())?;
         let mut this = Self::with(folder, simulation, log, every, frames);
         // The collections are written first, so that they never name a removed file.
         this.write_collections(simulation)?;
@@ -279,80 +252,11 @@ impl OutputFolder {
 
     /// The file of the surface at the end of a time step.
     pub(super) fn frame(&self, step: u64) -> PathBuf {
-        self.file(FRAMES).join(steps::name(step, "ply"))
+        frame_file(&self.folder, step)
     }
 
     /// The path of a file in the folder.
     pub(super) fn file(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
-}
-
-/// The time steps with files that the collection in a folder lists, up to the last one. If there is no
-/// readable collection, these are all files.
-fn frames_until(folder: &Path, last: u64) -> Vec<u64> {
-    let step = |file: &Path| {
-        file.file_name()
-            .and_then(|name| name.to_str())
-            .and_then(steps::step_of)
-    };
-    let mut frames: Vec<u64> = match read_pvd(folder.join(COLLECTION)) {
-        Ok(collection) => collection.iter().filter_map(|(_, file)| step(file)).collect(),
-        Err(_) => {
-            let entries = fs::read_dir(folder.join(GRIDS)).into_iter().flatten().flatten();
-            entries.filter_map(|entry| step(&entry.path())).collect()
-        }
-    };
-    frames.retain(|&step| step <= last);
-    frames.sort_unstable();
-    frames.dedup();
-    frames
-}
-
-/// The first result up to a time step that is missing.
-fn missing(folder: &Path, frames: &[u64], rows: &[Row], last: u64) -> Option<String> {
-    let files = frames.iter().flat_map(|&step| {
-        [
-            folder.join(FRAMES).join(steps::name(step, "ply")),
-            grid_file(folder, step),
-            contact_file(folder, step),
-        ]
-    });
-    let file = files.into_iter().find(|file| !file.is_file());
-    let row = (1..=last).zip(rows.iter().map(|row| row.step).chain(std::iter::repeat(0)));
-    let row = row.into_iter().find(|(expected, found)| expected != found);
-    let row = row.map(|(step, _)| {
-        format!(
-            "the row of time step {step} in {}",
-            folder.join(STATISTICS).display()
-        )
-    });
-    file.map(|file| format!("the file {}", file.display())).or(row)
-}
-
-fn grid_file(folder: &Path, step: u64) -> PathBuf {
-    folder.join(GRIDS).join(steps::name(step, "vtu"))
-}
-
-fn contact_file(folder: &Path, step: u64) -> PathBuf {
-    folder.join(CONTACTS).join(steps::name(step, "vtp"))
-}
-
-/// The bodies of the surface of a system, for the files of the surface.
-pub(super) fn named_parts(system: &System) -> Vec<NamedPart> {
-    let part = |(name, vertices)| NamedPart { name, vertices };
-    system.surface_bodies().into_iter().map(part).collect()
-}
-
-pub(super) fn make_folder(folder: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))
-}
-
-/// Removes the files of all time steps after `last`, or of all time steps for `None`, and unfinished files.
-fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failure> {
-    for inner in [FRAMES, GRIDS, CONTACTS, PATH, PICTURES] {
-        steps::remove_after(&folder.join(inner), last)?;
-    }
-    let is_draft = |name: &str| draft_of(name).is_some_and(|file| FILES.contains(&file));
-    remove_files(folder, is_draft).map_err(|source| Failure::write(folder, source))
 }

@@ -3,7 +3,7 @@
 
 use std::io;
 
-use exact_ccd_files::{Bodies, UnstructuredGrid, write_vtu};
+use exact_ccd_files::{UnstructuredGrid, write_vtu};
 use exact_ccd_sim::{State, System};
 
 /// The cells of a system.
@@ -16,7 +16,6 @@ pub(super) struct Grid {
     particles: Vec<u32>,
     /// The body of each vertex.
     bodies: Vec<u32>,
-    names: Vec<String>,
 }
 
 impl Grid {
@@ -40,7 +39,6 @@ impl Grid {
             bodies: (0..system.start().len() as u32)
                 .map(|vertex| system.body_of(vertex) as u32)
                 .collect(),
-            names: system.body_names(),
         }
     }
 
@@ -54,10 +52,7 @@ impl Grid {
             points: &self.particles,
             ids: None,
             velocities: Some(&state.velocities),
-            bodies: Some(Bodies {
-                of_vertices: &self.bodies,
-                names: &self.names,
-            }),
+            bodies: Some(&self.bodies),
         };
         write_vtu(writer, grid)
     }

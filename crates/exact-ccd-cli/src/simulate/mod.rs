@@ -1,11 +1,13 @@
 //! `exact-ccd simulate`: the intersection-free simulation of a scene.
 
+mod bodies;
 mod contact_points;
 mod filters;
 mod folder;
 mod grid;
 mod interrupt;
 mod json;
+mod layout;
 mod line;
 mod log;
 mod painter;
@@ -48,6 +50,7 @@ use queries::QueryFolder;
 ///                        DIR/motion.pvd opens all time steps in ParaView
 ///   DIR/contacts/N.vtp   the contacts as points, with distance, force and bodies;
 ///                        DIR/contacts.pvd opens all of them
+///   DIR/bodies.csv       number, name, kind and vertices of each body
 ///   DIR/statistics.csv   a row with iterations, step sizes, contacts, minimal distance,
 ///                        energies and run times; column names end with units
 ///   DIR/checkpoint.json  the state for --resume, which replaces the previous one

@@ -7,9 +7,8 @@ use exact_ccd_files::{NamedPart, write_ply_with_parts};
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::System;
 
-use super::folder::{make_folder, named_parts};
 use crate::failure::Failure;
-use crate::output::write_file_soon;
+use crate::output::{make_folder, write_file_soon};
 
 /// Writes the surface after each Newton step of a time step.
 pub(super) struct Path {
@@ -56,4 +55,10 @@ impl Path {
     pub(super) fn finish(self) -> Result<Vec<PathBuf>, Failure> {
         self.result.map(|()| self.files)
     }
+}
+
+/// The bodies of the surface of a system, for the files of the surface.
+pub(super) fn named_parts(system: &System) -> Vec<NamedPart> {
+    let part = |(name, vertices)| NamedPart { name, vertices };
+    system.surface_bodies().into_iter().map(part).collect()
 }

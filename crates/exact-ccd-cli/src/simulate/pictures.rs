@@ -8,11 +8,12 @@ use exact_ccd_render::{Animation, Gif, Picture};
 use exact_ccd_sim::Simulation;
 use exact_ccd_sim::scene::Rendering;
 
-use super::folder::{ANIMATION, GIF, OutputFolder, PICTURES, make_folder};
+use super::folder::OutputFolder;
+use super::layout::{ANIMATION, GIF, PICTURES};
 use super::painter::Painter;
 use super::steps;
 use crate::failure::Failure;
-use crate::output::{replace_file, write_file, write_file_soon};
+use crate::output::{make_folder, replace_file, write_file, write_file_soon};
 use crate::progress::{self, during};
 
 /// The pictures of a run.

@@ -7,7 +7,8 @@ use exact_ccd_plot::{
     Area, Axis, Drawn, Frame, GREATEST, Scale, color, decades, linear, logarithmic, power, svg, write,
 };
 
-use super::folder::{DISTANCE, ENERGIES, OutputFolder};
+use super::folder::OutputFolder;
+use super::layout::{DISTANCE, ENERGIES};
 use super::statistics::Row;
 use crate::failure::Failure;
 use crate::output::write_file;

@@ -8,11 +8,11 @@ use exact_ccd_data::{DataKind, Record, Sample, Seventh};
 use exact_ccd_sim::Simulation;
 use serde::{Deserialize, Serialize};
 
-use super::folder::make_folder;
 use super::log::{self, Log};
 use super::recorder::Recording;
 use super::steps;
 use crate::failure::Failure;
+use crate::output::make_folder;
 use crate::query_files;
 
 /// A folder with query files, a file for each time step and kind, and `counts.csv`.
@@ -61,7 +61,7 @@ impl QueryFolder {
             steps::remove_after(&folder.join(kind), Some(last))?;
         }
         let log = Log::resume(folder.join("counts.csv"), last)?;
-        let (simulation, recording) = Recording::of(simulation, most);
+        let (simulation, recording) = Recording::of(simulation, most)?;
         let this = Self {
             folder: folder.to_owned(),
             recording,

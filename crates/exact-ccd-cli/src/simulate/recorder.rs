@@ -6,7 +6,7 @@ use exact_ccd::{EdgeEdge, Query, VertexFace};
 use exact_ccd_bench::comparison::{Subject, Subjects};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{Aabb, Candidates, Step};
-use exact_ccd_sim::Simulation;
+use exact_ccd_sim::{Simulation, SimulationError};
 use rayon::prelude::*;
 
 /// The number of queries that are decided at a time.
@@ -36,13 +36,16 @@ pub(super) struct Recording {
 
 impl Recording {
     /// The simulation with an observed filter, and the samples: at most `most` queries each.
-    pub(super) fn of(simulation: Simulation, most: usize) -> (Simulation, Self) {
+    ///
+    /// # Errors
+    /// Those of [`Simulation::with_filter`].
+    pub(super) fn of(simulation: Simulation, most: usize) -> Result<(Simulation, Self), SimulationError> {
         let samples = Arc::new(Mutex::new(Samples::new(most)));
         let recording = Self { samples, most };
         let observer = recording.clone();
         let filter = simulation.filter().clone();
         let filter = filter.observed(move |candidates, step| observer.record(candidates, step));
-        (simulation.with_filter(filter), recording)
+        Ok((simulation.with_filter(filter)?, recording))
     }
 
     /// Takes the samples, and starts those of the next time step.

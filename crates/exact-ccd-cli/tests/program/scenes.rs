@@ -441,6 +441,29 @@ fn groups_of_a_file_are_left_out_by_name() {
     );
 }
 
+#[test]
+fn groups_of_gmsh_have_the_names_of_physical_groups() {
+    let folder = Folder::new();
+    let house = |height: f64| {
+        format!(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 5 \"the ground\"\n2 6 \"roof\"\n\
+             $EndPhysicalNames\n$Nodes\n6\n1 0 0 0\n2 4 0 0\n3 0 0 4\n4 1 {height} 1\n5 2 {height} 1\n\
+             6 1 {height} 2\n$EndNodes\n$Elements\n2\n1 2 2 5 1 1 2 3\n2 2 2 6 1 4 5 6\n$EndElements\n"
+        )
+    };
+    folder.write("start.msh", house(1.0));
+    folder.write("end.msh", house(-1.0));
+    let run = |rules: &[&str]| folder.run(&[&["step", "start.msh", "end.msh", "--json"], rules].concat());
+    let toi = |rules: &[&str]| json_of(&run(rules))["toi"].clone();
+    assert_eq!(toi(&[]), json!(0.5));
+    assert_eq!(toi(&["--ignore", "roof:the ground"]), Value::Null);
+    assert_eq!(toi(&["--only", "roof:start/the ground"]), json!(0.5));
+    assert_eq!(
+        run(&["--only", "roof:6"]).error(),
+        "there is no part or group 6; there are start, the ground, roof"
+    );
+}
+
 /// Groups with common vertices: primitives of both are in both.
 #[test]
 fn groups_may_share_vertices() {

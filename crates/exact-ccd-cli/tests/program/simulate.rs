@@ -455,6 +455,8 @@ motion = { key-frames = { frames = [{ time = 0.0 }, { time = 0.1, translate = [0
     assert_eq!((run.status, run.stderr.as_str()), (0, ""));
     let frame = exact_ccd_files::read_frame(folder.path("out/frames/000010.ply")).unwrap();
     assert!(frame.positions[..8].iter().all(|x| x[1] > 0.0) && frame.positions[8][1] == 3.0);
+    let bodies = folder.read("out/bodies.csv");
+    assert_eq!(bodies.lines().last(), Some("2,half-space-0,half-space,12,0"));
 
     for (from, to, error) in [
         (
@@ -517,5 +519,10 @@ fn bodies_have_names_and_contacts_are_written() {
             .all(|name| collection.contains(&format!("\"contacts/{name}\"")))
     );
     let grid = fs::read_to_string(folder.path("result/vtu/000010.vtu")).unwrap();
-    assert!(grid.contains("Name=\"body_names\"") && grid.contains("Name=\"body\""));
+    assert!(grid.contains("Name=\"body\"") && !grid.contains("String"));
+    let bodies = fs::read_to_string(folder.path("result/bodies.csv")).unwrap();
+    assert_eq!(
+        bodies,
+        "body,name,kind,first_vertex,vertex_count\n0,cube,solid,0,8\n1,body-1,obstacle,8,4\n"
+    );
 }

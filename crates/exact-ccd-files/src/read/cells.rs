@@ -4,7 +4,7 @@ use std::fmt;
 
 use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 
-use super::group::Group;
+use super::group::{Group, by_name};
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
 use crate::error::{Fault, ParseError, Place};
@@ -19,7 +19,7 @@ pub(super) struct Cells {
     pub(super) lines: Vec<[u32; 2]>,
     pub(super) faces: Faces,
     pub(super) solids: Vec<Solid>,
-    /// Named groups, in formats without cells with volume.
+    /// Groups, which may have names in common.
     pub(super) groups: Vec<Group>,
     /// The names of the arrays that were read, in a file of several arrays.
     pub(super) arrays: Option<String>,
@@ -80,7 +80,7 @@ impl Cells {
             polygons,
             first_polygon,
             solids: 0,
-            groups: self.groups,
+            groups: by_name(self.groups),
             ids,
             arrays: self.arrays,
         })
@@ -156,12 +156,19 @@ impl Cells {
         let polygons = surface.polygons + self.faces.polygons_among(&face_ids);
         let first_polygon = surface.first_polygon.or(self.faces.first_polygon);
         let (frame, vertices) = frame(&self.positions, faces, &lines, &points)?;
+        let mut groups = by_name(self.groups);
+        for group in &mut groups {
+            let places = group.vertices.iter();
+            let places = places.filter_map(|vertex| vertices.binary_search(vertex).ok());
+            group.vertices = places.map(|place| place as u32).collect();
+        }
+        groups.retain(|group| !group.vertices.is_empty());
         Ok(Assembled {
             frame,
             polygons,
             first_polygon: first_polygon.filter(|_| polygons > 0),
             solids: self.solids.len(),
-            groups: Vec::new(),
+            groups,
             ids: FileIds {
                 vertices,
                 faces: face_ids,

@@ -34,9 +34,10 @@ pub struct MeshFile {
     pub frame: Frame,
     /// The numbers of its elements.
     pub contents: Contents,
-    /// The objects and groups of an OBJ file, and the named parts of a PLY file, see
-    /// [`NamedPart`](crate::NamedPart). In OBJ, an element belongs to the last statement `o` or `g` before
-    /// it; several statements or parts of one name are one group.
+    /// Groups with names and with vertices of the frame: the objects and groups of an OBJ file, the named
+    /// parts of a PLY file, see [`NamedPart`](crate::NamedPart), and the physical groups of a .msh file. In
+    /// OBJ, an element belongs to the last statement `o` or `g` before it. Several statements, parts or
+    /// physical groups of one name are one group.
     pub groups: Vec<Group>,
     /// The ids of its vertices and faces in the file.
     pub ids: FileIds,

@@ -26,9 +26,9 @@ mod text;
 mod vtk;
 
 pub use frame::{parse_frame, read_frame};
-pub use group::Group;
+pub use group::{Group, PhysicalTag};
 pub use mesh_file::{MeshFile, Polygons};
 pub use motion::{ReadMotionError, read_motion};
 pub use sequence::FrameSequence;
 pub use series::{read_pvd, read_series};
-pub use tet_mesh::{parse_tet_mesh, read_tet_mesh};
+pub use tet_mesh::{parse_tet_groups, parse_tet_mesh, read_tet_groups, read_tet_mesh};

@@ -1,7 +1,5 @@
 //! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. All others are skipped.
 
-use std::collections::HashMap;
-
 use exact_ccd_mesh::Point;
 
 use super::cells::Cells;
@@ -111,12 +109,9 @@ impl Statements {
         [self.faces.len(), self.polylines.len(), self.points.len()]
     }
 
-    /// The groups that have names and elements, in the order of their first statements. All indices are in
-    /// range.
+    /// The group of each statement. All indices are in range.
     fn groups(&self) -> Vec<Group> {
-        let mut groups: Vec<Group> = Vec::new();
-        let mut numbers: HashMap<&str, usize> = HashMap::new();
-        for (number, begin) in self.groups.iter().enumerate() {
+        let group = |(number, begin): (usize, &Begin)| {
             let end = self
                 .groups
                 .get(number + 1)
@@ -126,25 +121,10 @@ impl Statements {
             let corners = &self.corners[corner(begin.before[0])..corner(end[0])];
             let lines = self.polylines[of(1)].iter().chain(&self.points[of(2)]);
             let indices = corners.iter().chain(lines.flat_map(|(_, indices)| indices));
-            let vertices: Vec<u32> = indices.map(|&index| (index - 1) as u32).collect();
-            if begin.name.is_empty() || vertices.is_empty() {
-                continue;
-            }
-            let number = *numbers.entry(&begin.name).or_insert(groups.len());
-            if number == groups.len() {
-                groups.push(Group {
-                    name: begin.name.clone(),
-                    vertices,
-                });
-            } else {
-                groups[number].vertices.extend(vertices);
-            }
-        }
-        for group in &mut groups {
-            group.vertices.sort_unstable();
-            group.vertices.dedup();
-        }
-        groups
+            let vertices = indices.map(|&index| (index - 1) as u32).collect();
+            Group::named(begin.name.clone(), vertices)
+        };
+        self.groups.iter().enumerate().map(group).collect()
     }
 
     /// The indices on the rest of a line, from 1. An index below 0 counts back from the latest

@@ -5,6 +5,7 @@ use std::path::Path;
 use exact_ccd_mesh::TetMesh;
 
 use super::file::parse_file;
+use super::group::Group;
 use super::msh;
 use crate::error::{ParseError, ReadError};
 
@@ -25,4 +26,26 @@ pub fn read_tet_mesh(path: impl AsRef<Path>) -> Result<TetMesh, ReadError> {
 /// [`ParseError`] names the place and what was expected there.
 pub fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
     msh::read(bytes)?.into_tet_mesh()
+}
+
+/// Reads the tetrahedra in a Gmsh file as [`read_tet_mesh`], and its physical groups, by increasing dimension
+/// and tag.
+///
+/// An element belongs to the group of its first tag in version 2.2, and to those of its entity in version
+/// 4.1. Groups without elements are left out. In a partitioned mesh of version 4.1, elements belong to none.
+///
+/// # Errors
+/// As [`read_tet_mesh`].
+pub fn read_tet_groups(path: impl AsRef<Path>) -> Result<(TetMesh, Vec<Group>), ReadError> {
+    parse_file(path.as_ref(), parse_tet_groups)
+}
+
+/// Parses the contents of a Gmsh file, with the same result as [`read_tet_groups`].
+///
+/// # Errors
+/// As [`parse_tet_mesh`].
+pub fn parse_tet_groups(bytes: &[u8]) -> Result<(TetMesh, Vec<Group>), ParseError> {
+    let mut cells = msh::read(bytes)?;
+    let groups = std::mem::take(&mut cells.groups);
+    Ok((cells.into_tet_mesh()?, groups))
 }

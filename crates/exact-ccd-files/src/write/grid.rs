@@ -36,20 +36,11 @@ pub struct UnstructuredGrid<'a> {
     pub points: &'a [u32],
     /// The velocity of each vertex, written as point data `velocity`; none to write no velocities.
     pub velocities: Option<&'a [Point]>,
-    /// The bodies, written as point data and cell data `body` and as field data `body_names`; none to write
-    /// no bodies.
-    pub bodies: Option<Bodies<'a>>,
+    /// The number of the body of each vertex, written as point data and cell data `body`; none to write no
+    /// bodies. A cell belongs to the body of its first corner.
+    pub bodies: Option<&'a [u32]>,
     /// The id of each vertex, written as point data `id`; none to write no ids.
     pub ids: Option<&'a [u32]>,
-}
-
-/// The bodies of a grid.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bodies<'a> {
-    /// The body of each vertex, by its place among the names. A cell belongs to the body of its first corner.
-    pub of_vertices: &'a [u32],
-    /// The name of each body.
-    pub names: &'a [String],
 }
 
 /// The faces and loose edges of a frame.
@@ -93,21 +84,11 @@ impl UnstructuredGrid<'_> {
                 "a cell names vertex {corner}, but there are only {count} vertices"
             )));
         }
-        if let Some(bodies) = self.bodies
-            && bodies.of_vertices.len() != count
-        {
-            let found = bodies.of_vertices.len();
+        if let Some(bodies) = self.bodies.filter(|bodies| bodies.len() != count) {
+            let found = bodies.len();
             return Err(invalid(format!(
                 "{found} bodies of vertices, expected one for each of {count} vertices"
             )));
-        }
-        if let Some(bodies) = self.bodies
-            && bodies
-                .of_vertices
-                .iter()
-                .any(|&body| body as usize >= bodies.names.len())
-        {
-            return Err(invalid("a vertex has a body without a name"));
         }
         if let Some(ids) = self.ids.filter(|ids| ids.len() != count) {
             let found = ids.len();

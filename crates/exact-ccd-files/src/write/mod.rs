@@ -8,7 +8,7 @@ mod pvd;
 mod vtp;
 mod vtu;
 
-pub use grid::{Bodies, UnstructuredGrid};
+pub use grid::UnstructuredGrid;
 pub use obj::write_obj;
 pub use ply::{write_ply, write_ply_with_parts};
 pub use pvd::write_pvd;

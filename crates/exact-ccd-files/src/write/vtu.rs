@@ -36,16 +36,12 @@ pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGri
     cells.add(TRIANGLE, grid.triangles);
     cells.add(LINE, grid.lines);
     cells.add(VERTEX, grid.points.as_chunks::<1>().0);
-    let Data {
-        field,
-        points,
-        of_cells,
-    } = Data::new(&grid, &cells);
+    let Data { points, of_cells } = Data::new(&grid, &cells);
     let file = format!(
         r#"<?xml version="1.0"?>
 <VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian" header_type="UInt64">
 <UnstructuredGrid>
-{field}<Piece NumberOfPoints="{}" NumberOfCells="{}">
+<Piece NumberOfPoints="{}" NumberOfCells="{}">
 {points}{of_cells}<Points>
 {}
 </Points>
@@ -71,7 +67,6 @@ pub fn write_vtu<'a>(mut writer: impl io::Write, grid: impl Into<UnstructuredGri
 /// The elements with data, each empty or a line.
 #[derive(Default)]
 struct Data {
-    field: String,
     points: String,
     of_cells: String,
 }
@@ -87,14 +82,11 @@ impl Data {
                 bodies.flat_map(|body| (body as i32).to_le_bytes()),
             )
         };
-        let of_vertices = grid
-            .bodies
-            .map(|bodies| body(&mut bodies.of_vertices.iter().copied()));
+        let of_vertices = grid.bodies.map(|bodies| body(&mut bodies.iter().copied()));
         let of_cells = grid.bodies.map(|bodies| {
-            let first = |corner: &u32| bodies.of_vertices[*corner as usize];
+            let first = |corner: &u32| bodies[*corner as usize];
             body(&mut cells.first.iter().map(first))
         });
-        let names = grid.bodies.map(|bodies| names("body_names", bodies.names));
         let element = |name: &str, attributes: &str, arrays: Vec<String>| {
             if arrays.is_empty() {
                 return String::new();
@@ -112,21 +104,10 @@ impl Data {
         });
         let of_points = velocities.into_iter().chain(of_vertices).chain(ids).collect();
         Self {
-            field: element("FieldData", "", names.into_iter().collect()),
             points: element("PointData", vectors, of_points),
             of_cells: element("CellData", "", of_cells.into_iter().collect()),
         }
     }
-}
-
-/// An array of texts, each with a zero at its end.
-fn names(name: &str, texts: &[String]) -> String {
-    let bytes = texts.iter().flat_map(|text| text.bytes().chain([0]));
-    format!(
-        "<DataArray type=\"String\" Name=\"{name}\" NumberOfTuples=\"{}\" format=\"binary\">{}</DataArray>",
-        texts.len(),
-        encoded(bytes)
-    )
 }
 
 /// The three arrays that describe cells.

@@ -1,6 +1,6 @@
 //! For any bytes, the reader returns an error or a valid mesh.
 
-use exact_ccd_files::{Format, parse_frame, parse_tet_mesh};
+use exact_ccd_files::{Format, parse_frame, parse_tet_groups, parse_tet_mesh};
 use exact_ccd_mesh::{Frame, TetMesh};
 use proptest::prelude::*;
 
@@ -15,11 +15,30 @@ fn samples() -> Vec<(String, Vec<u8>)> {
         [0.0, 0.0, -1.0],
     ];
     let tetrahedra = [[0, 1, 2, 3], [0, 1, 2, 4]];
-    all(&Contents::new(&positions, &[[0, 1, 2], [0, 1, 3]], &tetrahedra))
+    let mut contents = Contents::new(&positions, &[[0, 1, 2], [0, 1, 3]], &tetrahedra);
+    contents.physical = [vec![], vec![], vec![5], vec![99, -7]];
+    all(&contents)
 }
 
 fn assert_sound_or_error(bytes: &[u8]) {
+    let groups = parse_tet_groups(bytes);
     let mesh = parse_tet_mesh(bytes);
+    if let Ok((found, groups)) = &groups {
+        assert_eq!(Ok(found), mesh.as_ref());
+        for group in groups {
+            let is_increasing = |numbers: &[u32]| numbers.is_sorted_by(|a, b| a < b);
+            assert!(
+                is_increasing(&group.vertices) && is_increasing(&group.cells),
+                "{group:?}"
+            );
+            let below =
+                |numbers: &[u32], count: usize| numbers.last().is_none_or(|&last| (last as usize) < count);
+            assert!(below(&group.vertices, found.positions().len()));
+            assert!(below(&group.cells, found.tetrahedra().len()));
+            assert!(!group.name.contains(char::is_control), "{group:?}");
+        }
+    }
+    assert_eq!(groups.as_ref().err(), mesh.as_ref().err());
     let frame = parse_frame(bytes, Format::Msh);
     for error in [mesh.as_ref().err(), frame.as_ref().err()].into_iter().flatten() {
         let message = error.to_string();

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 mod errors;
+mod groups;
 mod hostile;
 mod same_mesh;
 

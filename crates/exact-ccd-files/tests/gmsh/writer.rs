@@ -8,6 +8,9 @@ pub(crate) struct Contents {
     pub(crate) nodes: Vec<(u32, Point)>,
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) tetrahedra: Vec<[u32; 4]>,
+    /// The physical tags of the entity of each dimension in version 4; if none, the file has no entities. All
+    /// elements of version 2 have the physical tag 99.
+    pub(crate) physical: [Vec<i32>; 4],
 }
 
 impl Contents {
@@ -26,6 +29,7 @@ impl Contents {
             nodes: (0..).map(&tag).zip(positions.iter().copied()).collect(),
             triangles: triangles.iter().map(|corners| corners.map(&tag)).collect(),
             tetrahedra: tetrahedra.iter().map(|corners| corners.map(&tag)).collect(),
+            physical: Default::default(),
         }
     }
 
@@ -52,6 +56,9 @@ pub(crate) enum Encoding {
 }
 
 const ENCODINGS: [Encoding; 3] = [Encoding::Text, Encoding::Little, Encoding::Big];
+
+/// The names of groups, as a section of text.
+const NAMES: &str = "1\n3 99 \"$body\"";
 
 /// The contents in every version and encoding, each with a name.
 pub(crate) fn all(contents: &Contents) -> Vec<(String, Vec<u8>)> {
@@ -135,7 +142,7 @@ impl Writer {
 
 pub(crate) fn v2(contents: &Contents, encoding: Encoding) -> Vec<u8> {
     let mut writer = Writer::new("2.2", encoding);
-    writer.section("PhysicalNames", |writer| writer.line("1\n3 7 \"$body\""));
+    writer.section("PhysicalNames", |writer| writer.line(NAMES));
     writer.section("Nodes", |writer| {
         writer.line(&contents.nodes.len().to_string());
         for &(tag, position) in &contents.nodes {
@@ -173,9 +180,29 @@ pub(crate) fn v2(contents: &Contents, encoding: Encoding) -> Vec<u8> {
 
 pub(crate) fn v4(contents: &Contents, encoding: Encoding) -> Vec<u8> {
     let mut writer = Writer::new("4.1", encoding);
+    if contents.physical != <[Vec<i32>; 4]>::default() {
+        writer.section("PhysicalNames", |writer| writer.line(NAMES));
+    }
     writer.section("Entities", |writer| {
-        [0, 0, 0, 0].into_iter().for_each(|count| writer.size(count));
+        let counts = contents
+            .physical
+            .each_ref()
+            .map(|tags| usize::from(!tags.is_empty()));
+        counts.into_iter().for_each(|count| writer.size(count));
         writer.end();
+        let all = contents.physical.iter().enumerate();
+        for (dimension, tags) in all.filter(|(_, tags)| !tags.is_empty()) {
+            writer.int(1);
+            let coordinates = if dimension == 0 { 3 } else { 6 };
+            (0..coordinates).for_each(|x| writer.real(f64::from(x)));
+            writer.size(tags.len());
+            tags.iter().for_each(|&tag| writer.int(tag));
+            if dimension > 0 {
+                writer.size(dimension);
+                (0..dimension).for_each(|_| writer.int(-1));
+            }
+            writer.end();
+        }
     });
     let tags = || contents.nodes.iter().map(|node| node.0 as usize);
     let range = (tags().min().unwrap_or(0), tags().max().unwrap_or(0));
@@ -215,7 +242,13 @@ pub(crate) fn v4(contents: &Contents, encoding: Encoding) -> Vec<u8> {
         writer.end();
         let mut number = 0;
         for block in blocks {
-            writer.int(3);
+            let dimension = match block[0].0 {
+                15 => 0,
+                1 => 1,
+                2 => 2,
+                _ => 3,
+            };
+            writer.int(dimension);
             writer.int(1);
             writer.int(block[0].0);
             writer.size(block.len());

@@ -4,7 +4,7 @@ use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
     AllPairs, Audit, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Frame,
     FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Point, Step, StepReport, Sweep,
-    ThicknessCount, Violation, step_size,
+    ThicknessCount, TriangleMesh, Violation, step_size,
 };
 use fastrand::Rng;
 
@@ -290,6 +290,31 @@ fn an_audit_does_not_use_an_inner_distance() {
     for distance in [outer.clone(), outer.with_inner(separation(0.1))] {
         let violation = Audit::with_min_distance(distance).examine(frame.clone()).unwrap();
         assert!(matches!(violation, Some(Violation::Contact { frame: 0, .. })));
+    }
+}
+
+/// Candidates of a mesh of four vertices, with a thickness each, in a step of a mesh of eight.
+#[test]
+fn vertices_of_another_mesh_have_no_thickness() {
+    let mesh = TriangleMesh::new(4, vec![[0, 1, 2]]).unwrap();
+    let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    let start = [&face[..], &[[1.0, 1.0, 2.0]]].concat();
+    let thickness = MinDistance::thickness(Thickness::new(&[0.25; 4]).unwrap());
+    let options = CandidateOptions::default()
+        .with_distance(4.0)
+        .with_min_distance(thickness);
+    let step = Step::new(&mesh, &start, &start).unwrap();
+    let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
+    assert_eq!(candidates.vertex_face(), [[3, 0]]);
+
+    let other = TriangleMesh::new(8, vec![[4, 5, 6]]).unwrap();
+    let at = |height: f64| [&[[1.0, 1.0, height]; 4], &face[..], &[[9.0; 3]]].concat();
+    for (heights, is_free) in [([2.0, 0.25], false), ([2.0, 0.5], true)] {
+        let [x0, x1] = heights.map(at);
+        let step = Step::new(&other, &x0, &x1).unwrap();
+        assert_eq!(candidates.is_free(step), is_free, "{heights:?}");
+        assert_eq!(candidates.contacts(step).len(), usize::from(!is_free));
+        assert_eq!(candidates.earliest_contact(step).is_none(), is_free);
     }
 }
 

@@ -13,7 +13,8 @@ const COPLANAR: f64 = 1e-9;
 /// The convergent formulation differs from the sum of the barriers over all pairs of primitives:
 ///
 /// - Each term has the area that its vertex or its edge stands for as a weight, so that the sum is an
-///   integral over the surface.
+///   integral over the surface. The terms of ends and edges of rods and of particles have no area; their
+///   weight is 1.
 /// - The barrier of a vertex is that of its distance from the surface, not a sum over all faces near it:
 ///   from the sum over faces, the terms of their common edges are subtracted, and those of their common
 ///   vertices added (the improved max approximator). Above a plane of triangles, this is exactly the barrier

@@ -24,10 +24,10 @@ const OWN: f64 = 0.2;
 ///
 /// The energy of a shell is 0.8 times the sum of this over all vertices, and 0.2 times that of its
 /// [hinges](Hinge), which also resist the folds whose mean about every vertex vanishes. That of hinges alone
-/// depends on the arrangement of the triangles, not on their size: strips are 7 to 22 % too soft. The mean is
-/// a mixed finite element of the Hessian with lumped masses, as that of O. Stein, E. Grinspun, M. Wardetzky,
-/// A. Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with terms of the
-/// vertices on the boundary too.
+/// depends on the arrangement of the triangles, not on their size: strips are up to 21 % too soft. The mean
+/// is a mixed finite element of the Hessian with lumped masses, as that of O. Stein, E. Grinspun, M.
+/// Wardetzky, A. Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with
+/// terms of the vertices on the boundary too.
 #[derive(Clone, Debug)]
 pub struct VertexBend {
     vertices: Vec<u32>,

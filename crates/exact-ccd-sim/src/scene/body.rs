@@ -2,14 +2,17 @@
 
 use std::path::Path;
 
-use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_files::Group;
 
-use super::description::{BodyDescription, Selection};
+use super::description::BodyDescription;
 use super::mesh::Mesh;
 use crate::body::{Body, BodyKind};
 
-/// The described body, or the invalid field with a message.
-pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (&'static str, String)> {
+/// The described body, without its regions, and the groups of its mesh; or the invalid field with a message.
+pub(super) fn load(
+    described: &BodyDescription,
+    folder: &Path,
+) -> Result<(Body, Vec<Group>), (&'static str, String)> {
     if let [first, second, ..] = described.materials()[..] {
         return Err((
             second,
@@ -21,6 +24,7 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
         faces,
         edges,
         tetrahedra,
+        groups,
     } = mesh(described, folder)?;
     let kind = if let Some(material) = described.solid {
         if tetrahedra.is_empty() {
@@ -28,7 +32,11 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
                 "the mesh of the solid has no tetrahedra, expected a .msh file with tetrahedra or a box";
             return Err(("solid", message.to_owned()));
         }
-        BodyKind::Solid { tetrahedra, material }
+        BodyKind::Solid {
+            tetrahedra,
+            material,
+            regions: Vec::new(),
+        }
     } else if let Some(material) = described.rod {
         if let Some(cells) = other_than_edges(&faces, &edges) {
             let message = format!("the mesh of the rod has {cells}, expected edges only");
@@ -49,14 +57,15 @@ pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<Body, (
     check_placement(described)?;
     let points = points.into_iter().map(|point| described.place(point)).collect();
     let velocity = described.velocity;
-    Ok(Body {
+    let body = Body {
         name: described.name.clone(),
         points,
         kind,
         velocity,
         angular_velocity: described.angular_velocity,
         offset: described.offset,
-    })
+    };
+    Ok((body, groups))
 }
 
 /// The cells of a mesh that a rod cannot have, in words.
@@ -124,45 +133,4 @@ fn check_placement(described: &BodyDescription) -> Result<(), (&'static str, Str
         return Err(("translate", message));
     }
     Ok(())
-}
-
-/// The selected vertices of a body, or the reason why there are none. `first` is the body's first vertex in
-/// the system.
-pub(super) fn select(selection: &Selection, points: &[Point], first: u32) -> Result<Vec<u32>, String> {
-    let all = (first..).zip(points);
-    let (lower, upper) = match selection {
-        Selection::All => return Ok(all.map(|(vertex, _)| vertex).collect()),
-        Selection::Vertices(vertices) => return numbered(vertices, points.len(), first),
-        Selection::Box { lower, upper } => (lower, upper),
-    };
-    if (0..3).any(|axis| lower[axis] > upper[axis]) {
-        return Err(format!(
-            "the box from {lower:?} to {upper:?} is empty, expected `lower` not above `upper`"
-        ));
-    }
-    let is_selected = |point: &Point| (0..3).all(|axis| (lower[axis]..=upper[axis]).contains(&point[axis]));
-    let selected: Vec<u32> = all
-        .filter(|(_, point)| is_selected(point))
-        .map(|(vertex, _)| vertex)
-        .collect();
-    if selected.is_empty() {
-        let body: Aabb = points.iter().copied().collect();
-        return Err(format!(
-            "the box contains no vertex of the body, expected a box that meets the placed body, \
-             which extends from {:?} to {:?}",
-            body.lower, body.upper
-        ));
-    }
-    Ok(selected)
-}
-
-/// The vertices with these numbers of a body.
-fn numbered(vertices: &[u32], count: usize, first: u32) -> Result<Vec<u32>, String> {
-    match vertices.iter().find(|&&vertex| vertex as usize >= count) {
-        Some(vertex) => Err(format!(
-            "the body has no vertex {vertex}, expected numbers from 0, below {count}"
-        )),
-        None if vertices.is_empty() => Err("no vertex is selected, expected at least one number".to_owned()),
-        None => Ok(vertices.iter().map(|vertex| first + vertex).collect()),
-    }
 }

@@ -3,8 +3,10 @@
 use std::path::PathBuf;
 
 use exact_ccd_mesh::Point;
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use super::group::GroupKey;
 use super::placement::{Rotation, Scale};
 use super::rendering::Rendering;
 use crate::body::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
@@ -71,12 +73,25 @@ pub(super) struct BodyDescription {
     /// The initial angular velocity about the center of mass, in rad/s.
     #[serde(default, skip_serializing_if = "is_default")]
     pub(super) angular_velocity: Point,
+    /// The materials of groups of a solid, `[[body.region]]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) region: Vec<RegionDescription>,
     /// The loads on its vertices, `[[body.load]]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) load: Vec<LoadDescription>,
-    /// The scripts of its vertices, `[[body.script]]`. The last script of a vertex applies.
+    /// The scripts of its vertices, `[[body.script]]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) script: Vec<ScriptDescription>,
+}
+
+/// A physical group of a solid with a material of its own.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct RegionDescription {
+    /// The group.
+    pub(super) group: GroupKey,
+    /// Its material.
+    pub(super) solid: SolidProperties,
 }
 
 /// A generated mesh.
@@ -140,6 +155,14 @@ impl BodyDescription {
         given.map(|(key, _)| key).collect()
     }
 
+    /// The position in the scene of a point of the mesh.
+    #[must_use]
+    pub(super) fn place(&self, point: Point) -> Point {
+        let scaled = self.scale.apply(point);
+        let rotated = self.rotate.map_or(scaled, |rotation| rotation.apply(scaled));
+        (rotated + Vector3::from(self.translate)).into()
+    }
+
     /// The key of the material, for messages.
     pub(super) fn material(&self) -> &'static str {
         self.materials().first().copied().unwrap_or("solid")
@@ -158,6 +181,9 @@ pub(super) struct ScriptDescription {
     /// The axes along which they are scripted.
     #[serde(default = "all_axes", skip_serializing_if = "are_all")]
     pub(super) axes: Vec<Axis>,
+    /// The time at which the motion begins, in s.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) from: f64,
     /// The time from which they are free, in s.
     pub(super) release: Option<f64>,
 }
@@ -186,6 +212,7 @@ impl ScriptDescription {
             vertices,
             motion,
             axes: all_axes(),
+            from: 0.0,
             release: None,
         }
     }
@@ -223,6 +250,8 @@ pub(super) enum Selection {
     },
     /// The vertices with these numbers in the mesh, from 0.
     Vertices(Vec<u32>),
+    /// The vertices of a group of the mesh file.
+    Group(GroupKey),
 }
 
 /// True for a value that is the same as if it were not given.

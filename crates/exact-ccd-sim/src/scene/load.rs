@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use super::body::{load, select};
+use super::body::load;
 use super::description::Axis;
 use super::document::{Document, Key, SceneError};
 use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
+use super::region;
 use super::rendering::Rendering;
+use super::selection::select;
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
 use crate::load::Load;
@@ -95,8 +97,18 @@ impl Scene {
         let mut loads = Vec::new();
         let mut first = 0;
         for (index, described) in description.body.iter().enumerate() {
-            let body = load(described, folder).map_err(|(field, message)| {
+            let (mut body, groups) = load(described, folder).map_err(|(field, message)| {
                 document.error_of(&[Name("body"), Index(index), Name(field)], &message)
+            })?;
+            region::add(&described.region, &groups, &mut body).map_err(|(number, message)| {
+                let path = [
+                    Name("body"),
+                    Index(index),
+                    Name("region"),
+                    Index(number),
+                    Name("group"),
+                ];
+                document.error_of(&path, &message)
             })?;
             for (number, script) in described.script.iter().enumerate() {
                 let of_script = |field| {
@@ -108,12 +120,13 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let selected = select(&script.vertices, &body.points, first)
+                let selected = select(&script.vertices, &body.points, &groups, first)
                     .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
                 let scripted = Scripted {
                     vertices: selected,
                     script: script.motion.clone(),
                     axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
+                    from: script.from,
                     release: script.release,
                 };
                 scripted.check().map_err(|error| {
@@ -135,7 +148,7 @@ impl Scene {
                         Name(field),
                     ]
                 };
-                let vertices = select(&load.vertices, &body.points, first)
+                let vertices = select(&load.vertices, &body.points, &groups, first)
                     .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
                 let load = Load {
                     vertices,
@@ -156,11 +169,6 @@ impl Scene {
             .map_err(|error| of_system(&document, &description, &error))?;
         let filter = filter_by_name(&settings.ccd, &system)
             .map_err(|message| document.error_of(&[Name("settings"), Name("ccd")], &message))?;
-        if system.is_thick() && !filter.is_exact() {
-            let name = filter.name().to_owned();
-            let error = SimulationError::Separation { name };
-            return Err(of_simulation(&document, &bodies, &error));
-        }
         let mut scene = Self {
             system,
             settings,
@@ -186,7 +194,7 @@ impl Scene {
             ccd: StepFilter::default().name().to_owned(),
             ..self.settings.clone()
         };
-        Ok(Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone()))
+        Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone())
     }
 
     /// The simulation from a checkpoint of this scene.

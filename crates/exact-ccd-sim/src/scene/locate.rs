@@ -19,12 +19,21 @@ pub(super) fn of_system(
     description: &Description,
     error: &SystemError,
 ) -> SceneError {
+    let (region, error) = match error {
+        SystemError::InRegion { region, source } => (Some(*region), &**source),
+        error => (None, error),
+    };
     let (body, field) = match error {
         SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
         SystemError::Moduli { body, source } => (*body, Some(source.field())),
         SystemError::Mass { body, .. } => (*body, Some("density")),
-        SystemError::Velocity { body, .. } => {
-            let path = [Name("body"), Index(*body), Name("velocity")];
+        SystemError::Velocity { body, what, .. } => {
+            let field = if *what == "velocity" {
+                *what
+            } else {
+                "angular-velocity"
+            };
+            let path = [Name("body"), Index(*body), Name(field)];
             return document.error_of(&path, &without_body(*body, error));
         }
         // The points of a mesh are finite: the placement overflows.
@@ -44,10 +53,12 @@ pub(super) fn of_system(
         | SystemError::Empty { body }
         | SystemError::Solid { body, .. }
         | SystemError::Folded { body, .. }
+        | SystemError::Region { body, .. }
         | SystemError::Flat { body, .. } => (*body, None),
         SystemError::Script { .. }
         | SystemError::Motion { .. }
         | SystemError::Load(_)
+        | SystemError::InRegion { .. }
         | SystemError::Mesh(_)
         | SystemError::Thickness(_) => {
             return document.error_of(&[Name("body")], &error.to_string());
@@ -61,8 +72,12 @@ pub(super) fn of_system(
         return document.error_of(&[Name("body"), Index(body), Name(source)], &message);
     };
     let material = described.map_or("solid", BodyDescription::material);
-    let path = [Name("body"), Index(body), Name(material), Name(field)];
-    document.error_of(&path, &message)
+    let region = region.map(|region| [Name("region"), Index(region)]);
+    let path = [Name("body"), Index(body)]
+        .into_iter()
+        .chain(region.into_iter().flatten())
+        .chain([Name(material), Name(field)]);
+    document.error_of(&path.collect::<Vec<_>>(), &message)
 }
 
 /// The message without the number of the body, which the path of the field has already.

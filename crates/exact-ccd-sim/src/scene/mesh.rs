@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd_files::{Format, read_frame, read_tet_mesh};
+use exact_ccd_files::{Format, Group, MeshFile, Polygons, read_tet_groups};
 use exact_ccd_mesh::{Point, TetMesh};
 
 use super::description::Shape;
@@ -16,26 +16,31 @@ pub(super) struct Mesh {
     pub(super) faces: Vec<[u32; 3]>,
     pub(super) edges: Vec<[u32; 2]>,
     pub(super) tetrahedra: Vec<[u32; 4]>,
+    /// The groups of the file.
+    pub(super) groups: Vec<Group>,
 }
 
 impl Mesh {
     /// Reads the mesh in a file.
     pub(super) fn read(path: &Path) -> Result<Self, String> {
         if Format::of_path(path) == Some(Format::Msh) {
-            let mesh = read_tet_mesh(path).map_err(|error| error.to_string())?;
+            let (mesh, groups) = read_tet_groups(path).map_err(|error| error.to_string())?;
             return Ok(Self {
                 points: mesh.positions().to_vec(),
                 faces: mesh.surface().to_vec(),
                 tetrahedra: mesh.tetrahedra().to_vec(),
                 edges: Vec::new(),
+                groups,
             });
         }
-        let frame = read_frame(path).map_err(|error| error.to_string())?;
+        let file = MeshFile::read(path, Polygons::Triangulate);
+        let MeshFile { frame, groups, .. } = file.map_err(|error| error.to_string())?;
         Ok(Self {
             faces: frame.mesh.faces().to_vec(),
             edges: frame.mesh.loose_edges().to_vec(),
             points: frame.positions,
             tetrahedra: Vec::new(),
+            groups,
         })
     }
 

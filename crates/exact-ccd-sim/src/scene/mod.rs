@@ -31,13 +31,16 @@
 mod body;
 mod description;
 mod document;
+mod group;
 mod import;
 mod load;
 mod locate;
 mod mesh;
 mod parse;
 mod placement;
+mod region;
 mod rendering;
+mod selection;
 
 pub use document::SceneError;
 pub use import::{ImportError, Imported, Note, Place, Problem, import};

@@ -21,7 +21,7 @@ pub(super) fn parse(document: &Document<'_>) -> Result<Description, SceneError> 
     })
 }
 
-/// The error of `[body]` or `[body.script]` in single brackets, if there is one.
+/// The error of `[body]`, or of one of its tables as `[body.script]`, in single brackets, if there is one.
 fn table_for_array(document: &Document<'_>) -> Option<SceneError> {
     let table = DeTable::parse(document.text).ok()?;
     let error = |path: &[Key<'_>], name: &str| {
@@ -34,10 +34,12 @@ fn table_for_array(document: &Document<'_>) -> Option<SceneError> {
             let DeValue::Table(body) = body.get_ref() else {
                 return None;
             };
-            let DeValue::Table(_) = body.get("script")?.get_ref() else {
-                return None;
-            };
-            error(&[Name("body"), Index(index), Name("script")], "body.script")
+            ["script", "load", "region"].into_iter().find_map(|name| {
+                let DeValue::Table(_) = body.get(name)?.get_ref() else {
+                    return None;
+                };
+                error(&[Name("body"), Index(index), Name(name)], &format!("body.{name}"))
+            })
         }),
         _ => None,
     }

@@ -4,8 +4,6 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::description::BodyDescription;
-
 /// A scale factor for all axes, or one for each axis.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(untagged, expecting = "expected a number or three")]
@@ -22,6 +20,11 @@ impl Scale {
             Self::Uniform(factor) => [factor; 3],
             Self::Axes(factors) => factors,
         }
+    }
+
+    /// A scaled point.
+    pub(super) fn apply(self, point: Point) -> Vector3<f64> {
+        Vector3::from(point).component_mul(&Vector3::from(self.factors()))
     }
 
     /// True if every factor is a normal number.
@@ -47,25 +50,16 @@ pub(super) struct Rotation {
 }
 
 impl Rotation {
+    /// A rotated point. Without an axis, it stays.
+    pub(super) fn apply(&self, point: Vector3<f64>) -> Vector3<f64> {
+        match Unit::try_new(Vector3::from(self.axis), 0.0) {
+            None => point,
+            Some(axis) => Rotation3::from_axis_angle(&axis, self.degrees.to_radians()) * point,
+        }
+    }
+
     /// True if the axis has a direction.
     pub(super) fn has_axis(&self) -> bool {
         Vector3::from(self.axis).norm().is_normal()
-    }
-}
-
-impl BodyDescription {
-    /// The position in the scene of a point of the mesh.
-    #[must_use]
-    pub(super) fn place(&self, point: Point) -> Point {
-        let scaled = Vector3::from(point).component_mul(&Vector3::from(self.scale.factors()));
-        let axis = self.rotate.and_then(|rotation| {
-            let axis = Unit::try_new(Vector3::from(rotation.axis), 0.0)?;
-            Some((axis, rotation.degrees.to_radians()))
-        });
-        let rotated = match axis {
-            None => scaled,
-            Some((axis, angle)) => Rotation3::from_axis_angle(&axis, angle) * scaled,
-        };
-        (rotated + Vector3::from(self.translate)).into()
     }
 }

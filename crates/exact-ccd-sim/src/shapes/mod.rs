@@ -68,7 +68,15 @@ pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
         }
     }
     let material = RUBBER;
-    Body::new(points, BodyKind::Solid { tetrahedra, material })
+    let regions = Vec::new();
+    Body::new(
+        points,
+        BodyKind::Solid {
+            tetrahedra,
+            material,
+            regions,
+        },
+    )
 }
 
 /// A rectangle of [`CLOTH`] in the plane y = 0 with a corner at the origin. It has `cells` cells along x

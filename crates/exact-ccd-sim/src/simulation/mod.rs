@@ -2,10 +2,12 @@
 
 mod contacts;
 mod error;
+mod resume;
 mod start;
 mod step;
 mod warning;
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -63,6 +65,7 @@ impl Simulation {
             velocities: system.velocities.clone(),
             earlier: None,
             stiffness: None,
+            origins: BTreeMap::new(),
         };
         Self::resume(system, settings, state)
     }
@@ -87,6 +90,7 @@ impl Simulation {
         state: State,
         filter: StepFilter,
     ) -> Result<Self, SimulationError> {
+        check_filter(&system, &filter)?;
         filter.name().clone_into(&mut settings.ccd);
         settings.check(system.size())?;
         if state.step >= 1 << f64::MANTISSA_DIGITS {
@@ -117,6 +121,9 @@ impl Simulation {
         if let Some(earlier) = &state.earlier {
             finite("earlier positions", &earlier.positions)?;
             finite("earlier velocities", &earlier.velocities)?;
+        }
+        for origins in state.origins.values() {
+            finite("origins", origins)?;
         }
         if !state
             .stiffness
@@ -155,13 +162,13 @@ impl Simulation {
 
     /// The same simulation with another filter. Settings and checkpoints then have the name of this filter.
     ///
-    /// The exact method decides the pairs of surfaces with offsets, whatever the filter. A scene file that
-    /// names another method for them is an error.
-    #[must_use]
-    pub fn with_filter(mut self, filter: StepFilter) -> Self {
+    /// # Errors
+    /// [`SimulationError::Separation`], if a body has an offset and the filter is not that of an exact method.
+    pub fn with_filter(mut self, filter: StepFilter) -> Result<Self, SimulationError> {
+        check_filter(&self.system, &filter)?;
         filter.name().clone_into(&mut self.settings.ccd);
         self.filter = filter;
-        self
+        Ok(self)
     }
 
     /// The same simulation with a flag that interrupts it: once the flag is true, a time step ends with
@@ -211,6 +218,15 @@ impl Simulation {
     pub fn time(&self) -> f64 {
         self.state.step as f64 * self.settings.time_step
     }
+}
+
+/// Checks that the method of a filter takes the offsets of the bodies into account.
+fn check_filter(system: &System, filter: &StepFilter) -> Result<(), SimulationError> {
+    if system.is_thick() && !filter.is_exact() {
+        let name = filter.name().to_owned();
+        return Err(SimulationError::Separation { name });
+    }
+    Ok(())
 }
 
 impl fmt::Debug for Simulation {

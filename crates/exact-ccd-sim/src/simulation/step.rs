@@ -16,6 +16,11 @@ use crate::solver::{Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Seconds, Statistics};
 
+/// A part of a time step. Scripts and loads act in a time step if they act at this part before its end, so
+/// that rounding errors of times do not shift them by a time step. It is smaller than the shortest part of a
+/// step.
+const BEFORE_END: f64 = 1e-8;
+
 impl Simulation {
     /// Takes one time step. An error leaves the state unchanged.
     ///
@@ -120,14 +125,16 @@ impl Simulation {
         let Self { system, settings, .. } = &*self;
         let step = self.state.step + 1;
         let time_step = settings.time_step / parts as f64;
-        let time = (self.state.step as f64 + part as f64 / parts as f64) * settings.time_step;
+        let end = |part: usize| (self.state.step as f64 + part as f64 / parts as f64) * settings.time_step;
+        let moment = |part: usize| end(part) - BEFORE_END * settings.time_step;
+        let (time, before, moment) = (end(part), moment(part - 1), moment(part));
         let mut statistics = Statistics {
             step,
             time,
             converged: true,
             ..Statistics::default()
         };
-        let loads = system.accelerations(&self.state.positions, time);
+        let loads = system.accelerations(&self.state.positions, moment);
         let acceleration = Acceleration {
             gravity: settings.gravity,
             loads: loads.as_deref(),
@@ -151,10 +158,14 @@ impl Simulation {
             self.barrier,
         );
         let mut lagged = self.kept_stiffness(&scheme);
-        let held = system.held(time);
+        let held = system.held(moment);
+        let origins = system.origins(&self.state.origins, &positions, [before, moment]);
+        let target = |vertex: usize| {
+            system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
+        };
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &collisions, &range, &held),
-            dirichlet: Dirichlet::new(system, &held, &positions, time),
+            dirichlet: Dirichlet::new(&held, &positions, target),
             positions,
             collisions,
         };
@@ -214,6 +225,7 @@ impl Simulation {
                 stiffness: statistics
                     .stiffness
                     .map(|stiffness| stiffness * scheme.duration.powi(-2)),
+                origins,
             },
         );
         self.state.earlier = Some(Earlier {

@@ -1,6 +1,6 @@
 //! Errors of bodies and scripts.
 
-use exact_ccd::separation::InvalidThickness;
+use exact_ccd::separation::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;
@@ -87,7 +87,7 @@ pub enum SystemError {
         source: ModuliError,
     },
     /// The density, the thickness or the radius is not positive.
-    #[error("body {body}: the {what} is {value}, expected a positive number")]
+    #[error("body {body}: the {what} is {value}, expected a positive finite number")]
     NotPositive {
         /// The body, from 0.
         body: usize,
@@ -96,8 +96,31 @@ pub enum SystemError {
         /// Its value.
         value: f64,
     },
+    /// A region of a solid has a tetrahedron that the solid does not have.
+    #[error("body {body}: region {region} has tetrahedron {element}, expected a number below {count}")]
+    Region {
+        /// The body, from 0.
+        body: usize,
+        /// The region, from 0.
+        region: usize,
+        /// The tetrahedron.
+        element: u32,
+        /// The number of tetrahedra of the solid.
+        count: usize,
+    },
+    /// The material of a region of a solid is out of range.
+    #[error("{source}, in region {region}")]
+    InRegion {
+        /// The region, from 0.
+        region: usize,
+        /// The error of the material.
+        source: Box<SystemError>,
+    },
     /// The offset of the contact surface is out of range.
-    #[error("body {body}: the offset is {offset}, expected a number not below 0")]
+    #[error(
+        "body {body}: the offset is {offset}, expected a number from 0 to {:e}",
+        Thickness::MAX
+    )]
     Offset {
         /// The body, from 0.
         body: usize,
@@ -114,12 +137,14 @@ pub enum SystemError {
         /// Its mass.
         mass: f64,
     },
-    /// The initial velocity is not finite, or an obstacle has one.
-    #[error("body {body}: the velocity is {velocity:?}, expected {expected}")]
+    /// A velocity at the start is not finite, or an obstacle has one.
+    #[error("body {body}: the {what} is {velocity:?}, expected {expected}")]
     Velocity {
         /// The body, from 0.
         body: usize,
-        /// Its velocity.
+        /// `velocity` or `angular velocity`.
+        what: &'static str,
+        /// Its value.
         velocity: Point,
         /// The velocities that are allowed.
         expected: &'static str,
@@ -133,11 +158,24 @@ pub enum SystemError {
         source: ScriptError,
     },
     /// A script has a vertex index that is out of range.
-    #[error("a script has the vertex index {vertex}, expected an index below {vertex_count}")]
+    #[error(
+        "script {script}: the vertex index {vertex} is out of range, expected an index below {vertex_count}"
+    )]
     Script {
+        /// The script, from 0.
+        script: usize,
         /// The vertex.
         vertex: u32,
         /// The number of vertices of the system.
         vertex_count: usize,
     },
+}
+
+/// Checks that a parameter of a body is positive and finite.
+pub(super) fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
+    if value > 0.0 && value.is_finite() {
+        Ok(())
+    } else {
+        Err(SystemError::NotPositive { body, what, value })
+    }
 }

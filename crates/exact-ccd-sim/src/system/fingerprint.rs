@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::System;
 
-/// Hashes of the parts of a [`System`]. Different parts have different hashes, up to a probability of 2⁻⁶⁴.
+/// Hashes of the parts of a [`System`], of 64 bits: against accidental differences, not against forgery.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fingerprint {
     /// The hash of the initial positions.

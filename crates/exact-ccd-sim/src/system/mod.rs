@@ -4,8 +4,10 @@ mod error;
 mod fingerprint;
 mod loads;
 mod masses;
+mod materials;
 mod names;
 mod obstacles;
+mod origins;
 mod parts;
 
 use std::ops::Range;
@@ -65,6 +67,8 @@ pub struct System {
     weights: Weights,
     /// The name of each body.
     names: Vec<String>,
+    /// The kind of each body.
+    kinds: Vec<&'static str>,
     /// The vertices of each body.
     bodies: Vec<Range<u32>>,
     size: f64,
@@ -73,11 +77,11 @@ pub struct System {
 
 impl System {
     /// The system of some bodies. Its vertices are those of the bodies, in their order. `scripts` prescribe
-    /// the motion of vertices; along each axis, the last script of a vertex applies. Obstacles without a
-    /// script are fixed.
+    /// the motion of vertices; along each axis, the script of a vertex that began last applies, and the last
+    /// of those that begin at the same time. Obstacles without a script are fixed.
     ///
     /// # Errors
-    /// [`SystemError`] names the body or the script.
+    /// [`SystemError`] names the body or the script, unless it is about the mesh of all bodies.
     pub fn new(bodies: &[Body], scripts: &[Scripted]) -> Result<Self, SystemError> {
         let mut parts = Parts::default();
         for (index, body) in bodies.iter().enumerate() {
@@ -92,15 +96,18 @@ impl System {
             let script = Timed::new(scripted);
             for &vertex in &scripted.vertices {
                 let slot = parts.scripts.get_mut(vertex as usize);
-                let slot = slot.ok_or(SystemError::Script { vertex, vertex_count })?;
-                slot.set(scripted.axes, &script);
+                let slot = slot.ok_or(SystemError::Script {
+                    script: index,
+                    vertex,
+                    vertex_count,
+                })?;
+                slot.add(scripted.axes, &script);
             }
         }
         let mesh = TriangleMesh::with_edges(vertex_count, parts.faces, &parts.edges)?;
-        let extent = match vertex_count {
-            0 => 1.0,
-            _ => diagonal(parts.start.iter().copied()),
-        };
+        // A single point has no extent: 1 m.
+        let extent = Some(diagonal(parts.start.iter().copied())).filter(|extent| *extent > 0.0);
+        let extent = extent.unwrap_or(1.0);
         let elastic = parts.start.iter().zip(&parts.obstacle);
         let size = diagonal(
             elastic
@@ -150,6 +157,7 @@ impl System {
             fixed,
             weights,
             names: bodies.iter().map(|body| body.name.clone()).collect(),
+            kinds: bodies.iter().map(|body| body.kind.name()).collect(),
             bodies: ranges,
             size: if size > 0.0 { size } else { extent },
             extent,
@@ -176,8 +184,8 @@ impl System {
             .with_min_distance(self.min_distance.clone())
             .with_boxes(BoxKind::Moving)
             .with_can_collide(self.can_collide.clone());
-        // The distance of a barrier is positive, and each vertex has an offset.
-        Candidates::with_options(step, &Bvh, &options).unwrap_or_default()
+        Candidates::with_options(step, &Bvh, &options)
+            .expect("the distance of a barrier is not below 0, and each vertex has an offset")
     }
 
     /// The distance within which two primitives touch: the sum of their offsets.

@@ -1,6 +1,7 @@
 //! Bodies and half spaces by their places and names.
 
 use std::collections::BTreeSet;
+use std::ops::Range;
 
 use super::System;
 use crate::contact::Collision;
@@ -14,6 +15,18 @@ impl System {
             name => name.to_owned(),
         };
         self.names.iter().enumerate().map(name).collect()
+    }
+
+    /// The kind of each body: see [`BodyKind::name`](crate::BodyKind::name).
+    #[must_use]
+    pub fn body_kinds(&self) -> &[&'static str] {
+        &self.kinds
+    }
+
+    /// The vertices of each body.
+    #[must_use]
+    pub fn body_vertices(&self) -> &[Range<u32>] {
+        &self.bodies
     }
 
     /// The body of a vertex, by its place in the list of bodies.

@@ -6,7 +6,8 @@ use exact_ccd::separation::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 
-use super::error::SystemError;
+use super::error::{SystemError, positive};
+use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
 use crate::elasticity::{Bend, Elastic, ElasticModuli, Membrane, Stretch, Tetrahedron, VertexBend, bending};
@@ -45,19 +46,24 @@ impl Parts {
             });
         }
         let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
-        let expected = if is_obstacle {
-            let rests = added.velocity == [0.0; 3] && added.angular_velocity == [0.0; 3];
-            (!rests).then_some("zero: obstacles are moved by scripts")
-        } else {
-            let is_finite = is_finite(&added.velocity) && is_finite(&added.angular_velocity);
-            (!is_finite).then_some("finite numbers")
-        };
-        if let Some(expected) = expected {
-            return Err(SystemError::Velocity {
-                body,
-                velocity: added.velocity,
-                expected,
-            });
+        let velocities = [
+            ("velocity", added.velocity),
+            ("angular velocity", added.angular_velocity),
+        ];
+        for (what, velocity) in velocities {
+            let (is_allowed, expected) = if is_obstacle {
+                (velocity == [0.0; 3], "zero: obstacles are moved by scripts")
+            } else {
+                (is_finite(&velocity), "finite numbers")
+            };
+            if !is_allowed {
+                return Err(SystemError::Velocity {
+                    body,
+                    what,
+                    velocity,
+                    expected,
+                });
+            }
         }
         if !(0.0..=Thickness::MAX).contains(&added.offset) {
             let offset = added.offset;
@@ -85,12 +91,17 @@ impl Parts {
                 let faces = placed(body, faces, first, count)?;
                 self.faces.extend(faces);
             }
-            BodyKind::Solid { tetrahedra, material } => {
+            BodyKind::Solid {
+                tetrahedra,
+                material,
+                regions,
+            } => {
                 let mesh = TetMesh::new(added.points.clone(), tetrahedra.clone())
                     .map_err(|source| SystemError::Solid { body, source })?;
                 let surface = placed(body, mesh.surface(), first, count)?;
                 let tetrahedra = placed(body, tetrahedra, first, count)?;
-                self.add_solid(body, tetrahedra, material)?;
+                let materials = materials(body, tetrahedra.len(), material, regions)?;
+                self.add_solid(body, tetrahedra, &materials)?;
                 self.faces.extend(surface);
             }
             BodyKind::Shell { faces, material } => {
@@ -132,14 +143,9 @@ impl Parts {
         &mut self,
         body: usize,
         mut tetrahedra: Vec<[u32; 4]>,
-        material: &SolidProperties,
+        materials: &[&SolidProperties],
     ) -> Result<(), SystemError> {
-        positive(body, "density", material.density)?;
-        material
-            .moduli()
-            .check()
-            .map_err(|source| SystemError::Moduli { body, source })?;
-        for (element, corners) in tetrahedra.iter_mut().enumerate() {
+        for (element, (corners, material)) in tetrahedra.iter_mut().zip(materials).enumerate() {
             let points = gather(&self.start, corners);
             let volume = (points[1] - points[0])
                 .cross(&(points[2] - points[0]))
@@ -240,14 +246,6 @@ impl Parts {
         self.masses[vertices.clone()].fill(mass(body, 0, material.mass())?);
         self.particles.extend(vertices.map(|vertex| vertex as u32));
         Ok(())
-    }
-}
-
-fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(SystemError::NotPositive { body, what, value })
     }
 }
 

@@ -41,7 +41,9 @@ fn violation(system: System, method: Hasty) -> Option<Violation> {
     let faces = system.surface().faces().to_vec();
     let frame = |positions: &[Point]| Frame::new(positions.to_vec(), faces.clone()).unwrap();
     let simulation = Simulation::new(system, Settings::default()).unwrap();
-    let mut simulation = simulation.with_filter(StepFilter::new("hasty", Arc::new(method)));
+    let mut simulation = simulation
+        .with_filter(StepFilter::new("hasty", Arc::new(method)))
+        .unwrap();
     let mut audit = Audit::default();
     let mut violation = audit.examine(frame(&simulation.state().positions)).unwrap();
     for _ in 0..2 {

@@ -232,7 +232,7 @@ fn key_frames_are_interpolated() {
         axis: [0.0, 2.0, 0.0],
     };
     script.check().unwrap();
-    let at = |time| Vector3::from(script.position([2.0, 0.0, 0.0], time));
+    let at = |time| Vector3::from(script.position([2.0, 0.0, 0.0], 0.0, time));
     for (time, expected) in [
         (0.0, [2.0, 0.0, 0.0]),
         (1.25, [2.0, 1.0, 0.0]),

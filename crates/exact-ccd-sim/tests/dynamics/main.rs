@@ -17,6 +17,7 @@ mod pairs;
 mod rest;
 mod resume;
 mod rods;
+mod script_starts;
 mod scripted_axes;
 mod scripts;
 mod start;

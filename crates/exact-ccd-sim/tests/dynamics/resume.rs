@@ -178,6 +178,7 @@ fn a_checkpoint_has_the_name_of_a_replaced_filter() {
     let simulation = Simulation::new(system(), settings()).unwrap();
     let checkpoint = simulation
         .with_filter(StepFilter::by_bisection("bisection", Arc::new(Exact)))
+        .unwrap()
         .checkpoint();
     assert_eq!(checkpoint.settings.ccd, "bisection");
     assert!(matches!(

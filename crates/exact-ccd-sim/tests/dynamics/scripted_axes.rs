@@ -9,7 +9,7 @@ use crate::measure::is_free_since;
 const GRAVITY: f64 = -9.81;
 
 /// Three particles that are a metre apart.
-fn particles() -> exact_ccd_sim::Body {
+pub(crate) fn particles() -> exact_ccd_sim::Body {
     let mut body = shapes::particles([3, 1, 1], [2.0, 0.0, 0.0]);
     let (density, radius) = (1000.0, 0.01);
     let material = ParticleProperties { density, radius };
@@ -18,7 +18,7 @@ fn particles() -> exact_ccd_sim::Body {
 }
 
 /// The height after a number of steps of implicit Euler in free fall.
-fn fallen(steps: u32, time_step: f64) -> f64 {
+pub(crate) fn fallen(steps: u32, time_step: f64) -> f64 {
     0.5 * GRAVITY * time_step * time_step * f64::from(steps * (steps + 1))
 }
 

@@ -68,6 +68,8 @@ fn an_invalid_state_is_an_error() {
     assert_eq!(lost, Some(SimulationError::NotFinite { what: "positions" }));
     let fast = resume(&|state| state.velocities[3][1] = f64::INFINITY);
     assert_eq!(fast, Some(SimulationError::NotFinite { what: "velocities" }));
+    let nowhere = resume(&|state| state.origins.extend([(3, [[f64::NAN; 3]; 3])]));
+    assert_eq!(nowhere, Some(SimulationError::NotFinite { what: "origins" }));
     let late = resume(&|state| state.step = u64::MAX);
     assert_eq!(late, Some(SimulationError::Late { step: u64::MAX }));
     let stiff = resume(&|state| state.stiffness = Some(f64::NAN));

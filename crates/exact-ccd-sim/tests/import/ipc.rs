@@ -2,7 +2,8 @@
 
 use exact_ccd_sim::scene::Scene;
 
-use crate::{Folder, exact, has};
+use crate::imported::{assert_lines, assert_placed, has};
+use crate::{Folder, exact};
 
 /// A scene with one body.
 const ONE: &str = "shapes input 1\nbox.msh 0 1 0  0 0 0  1 1 1\n";
@@ -105,13 +106,8 @@ fn each_keyword_changes_its_setting() {
         ("script DCOBallHitWall 1 67", "velocity = [67.0, 0.0, 0.0]"),
         ("script DCOBallHitWall", "velocity = [1000.0, 0.0, 0.0]"),
     ];
-    for (index, (keyword, expected)) in cases.into_iter().enumerate() {
-        let imported = folder
-            .import(&format!("{index}.txt"), &format!("{ONE}{keyword}\n"))
-            .unwrap();
-        assert!(has(&imported, expected), "{keyword}: {}", imported.toml);
-        assert!(imported.notes.is_empty(), "{keyword}: {:?}", imported.notes);
-    }
+    let cases = cases.map(|(keyword, lines)| (format!("{ONE}{keyword}\n"), lines));
+    assert_lines(&folder, "txt", cases);
 }
 
 #[test]
@@ -201,14 +197,8 @@ fn shapes_are_placed_as_in_ipc() {
     let folder = Folder::new("placement");
     let text = "shapes input 1\nbox.msh 1 2 3  90 0 90  2 3 4\n";
     let scene = folder.scene("scene.txt", text).unwrap();
-    for (rest, placed) in crate::solid().points.into_iter().zip(scene.system.start()) {
-        // (x, y, z) → (2x, 3y, 4z) → about z by 90°: (−3y, 2x, 4z) → about x by 90°: (−3y, −4z, 2x).
-        let expected = [1.0 - 3.0 * rest[1], 2.0 - 4.0 * rest[2], 3.0 + 2.0 * rest[0]];
-        assert!(
-            (0..3).all(|axis| (placed[axis] - expected[axis]).abs() < 1e-12),
-            "{placed:?} {expected:?}"
-        );
-    }
+    // (x, y, z) → (2x, 3y, 4z) → about z by 90°: (−3y, 2x, 4z) → about x by 90°: (−3y, −4z, 2x).
+    assert_placed(&scene, |[x, y, z]| [1.0 - 3.0 * y, 2.0 - 4.0 * z, 3.0 + 2.0 * x]);
 }
 
 #[test]
@@ -238,6 +228,37 @@ fn all_kinds_of_shapes_are_imported() {
     let lines = "[[body]]\nmesh = \"floor.obj\"\nscale = 2.0\ntranslate = [1.0, -2.0, 3.0]\n\
                  [body.rotate]\naxis = [0.0, 1.0, 0.0]\ndegrees = 90.0";
     assert!(has(&obstacle, lines), "{}", obstacle.toml);
+}
+
+/// Half spaces have friction of their own. Meshes of `meshCO` have none in IPC, whatever their coefficient.
+#[test]
+fn friction_of_obstacles_is_that_of_pairs() {
+    let folder = Folder::new("friction");
+    let text = format!(
+        "{ONE}meshCO floor.obj 0 -9 0  8 50 0.7\nselfFric 0.3\nground 0.3 -20\nhalfSpace 0 -30 0  0 1 0  50 0.5\n"
+    );
+    let scene = folder.scene("scene.txt", &text).unwrap();
+    assert_eq!(scene.system.names(), ["shapes", "mesh-1", "", "half-space-2"]);
+    assert_eq!(scene.settings.friction.coefficient, 0.3);
+    let pairs = scene.settings.friction.pairs.iter();
+    let pairs: Vec<(&str, &str, f64)> = pairs
+        .map(|pair| (&*pair.between[0], &*pair.between[1], pair.coefficient))
+        .collect();
+    assert_eq!(
+        pairs,
+        [("shapes", "mesh-1", 0.0), ("shapes", "half-space-2", 0.5)]
+    );
+    let notes: Vec<String> = scene.notes.iter().map(ToString::to_string).collect();
+    assert!(
+        notes.len() == 1 && notes[0].ends_with("scene.txt, line 3, `meshCO`: contact with this mesh is frictionless, as in IPC, which does not use the coefficient"),
+        "{notes:?}"
+    );
+    // No names if all coefficients are the same.
+    let scene = folder
+        .scene("same.txt", &format!("{ONE}selfFric 0.3\nground 0.3 -20\n"))
+        .unwrap();
+    assert_eq!(scene.system.names(), ["", ""]);
+    assert!(scene.settings.friction.pairs.is_empty());
 }
 
 /// `size` scales the scene, and moves its lower corner to the origin.

@@ -3,7 +3,8 @@
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::Simulation;
 
-use crate::{Folder, has};
+use crate::Folder;
+use crate::imported::has;
 
 /// A body with attributes, weightless.
 fn with(attributes: &str) -> String {
@@ -106,20 +107,22 @@ fn boxes_select_vertices_of_the_surface() {
     assert_eq!(free, [13]);
 }
 
+/// The motions of a box that follow each other, with a rotation about the center that it then has, and the
+/// time in which it is free.
 #[test]
 fn boxes_move_one_after_the_other_and_release_their_vertices() {
     let folder = Folder::new("times");
-    let text = with("DBC 0 0 0  0 1 1  1 0 0  0 0 0  0 0.5 \\\n DBC 0 0 0  0 1 1  0 1 0  0 0 90  0.5");
-    let imported = folder.import("two.txt", &text).unwrap();
-    let frames = "frames = [{ time = 0.0, translate = [0.0, 0.0, 0.0], degrees = 0.0 }, \
-                  { time = 0.5, translate = [0.5, 0.0, 0.0], degrees = 0.0 }, \
-                  { time = 1.0, translate = [0.5, 0.5, 0.0], degrees = 45.0 }]";
-    let flat: String = imported.toml.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(
-        flat.contains(frames) || flat.contains("time = 0.5 translate = [0.5, 0.0, 0.0] degrees = 0.0"),
-        "{}",
-        imported.toml
-    );
+    let held = "DBC 0 0 0  0 1 1  1 0 0  0 0 0  0 0.5 \\\n DBC 0 0 0  0 1 1  0 1 0  0 0 90  0.5";
+    // The corner is turned by 45° about the center of the side, which moves by 0.5 m along x, then along y.
+    let simulation = after(&folder, held, 10);
+    let turn = core::f64::consts::FRAC_PI_4;
+    let start: Vec<Point> = after(&folder, held, 0).state().positions.clone();
+    let side = start.iter().zip(&simulation.state().positions);
+    for (start, end) in side.filter(|(start, _)| start[0] == 0.0) {
+        let arm = start[1] - 1.5;
+        let expected = [0.5 - turn.sin() * arm, 2.0 + turn.cos() * arm, start[2]];
+        assert!(difference(&[expected], &[*end]) < 1e-9, "{end:?} {expected:?}");
+    }
     let released = folder
         .import("one.txt", &with("DBC 0 0 0  0 1 1  0 0 0  0 0 0  0 0.5"))
         .unwrap();
@@ -127,6 +130,36 @@ fn boxes_move_one_after_the_other_and_release_their_vertices() {
     let global = format!("DBCTimeRange 0 0.25\n{}", with("DBC 0 0 0  0 1 1  0 0 0  0 0 0"));
     let released = folder.import("global.txt", &global).unwrap();
     assert!(has(&released, "release = 0.25"), "{}", released.toml);
+}
+
+/// A box that is free until a time, is held from where it then is, and is free again.
+#[test]
+fn boxes_are_held_from_a_time_on() {
+    let folder = Folder::new("late");
+    let late = "DBC 0 0 0  1 1 1  0 0 2  0 0 0  0.3 0.5 \\\n DBC 0 0 0  1 1 1  0 0 0  0 0 0  0.8";
+    let imported = folder.import("late.txt", &with(late)).unwrap();
+    for lines in [
+        "from = 0.3\nrelease = 0.5\n[body.script.vertices]",
+        "motion = \"fixed\"\nfrom = 0.8\n[body.script.vertices]",
+    ] {
+        assert!(has(&imported, lines), "{}", imported.toml);
+    }
+    // In free motion along x; then along z by 0.4 m in 0.2 s, and at this velocity for 0.3 s.
+    let simulation = after(&folder, &format!("initVel 1 0 0 0 0 0 {late}"), 10);
+    let center = simulation.state().positions[13];
+    assert!((center[2] - 0.75).abs() > 0.3, "{center:?}");
+    let start = after(&folder, late, 0).state().positions.clone();
+    for (start, end) in start
+        .iter()
+        .zip(&simulation.state().positions)
+        .filter(|(start, _)| start[0] == 0.0)
+    {
+        let moved = [end[0] - start[0], end[2] - start[2]];
+        assert!(moved[0] > 0.2 && moved[1] > 0.4, "{moved:?}");
+    }
+    // Boxes with common vertices at different times are not in conflict.
+    let shared = "DBC 0 0 0  0 1 1  0 0 0  0 0 0  0 0.2 \\\n DBC 0 0 0  1 0 1  0 0 0  0 0 0  0.2 0.4";
+    folder.import("shared.txt", &with(shared)).unwrap();
 }
 
 #[test]

@@ -2,12 +2,14 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod imported;
 mod ipc;
 mod ipc_errors;
 mod ipc_motions;
 mod mutations;
 mod polyfem;
 mod polyfem_errors;
+mod polyfem_regions;
 mod run;
 
 use std::fmt::Write;
@@ -68,8 +70,13 @@ fn solid() -> Body {
     shapes::solid_box([2, 2, 2], [0.5, 1.0, 1.5])
 }
 
-/// A solid as a Gmsh file of version 2.2.
+/// A solid as a Gmsh file of version 2.2, without physical groups.
 fn msh(body: &Body) -> String {
+    msh_with_tags(body, |_| 0)
+}
+
+/// A solid as a Gmsh file of version 2.2, with the physical tag of each tetrahedron.
+fn msh_with_tags(body: &Body, tag: impl Fn(&[u32; 4]) -> i32) -> String {
     let BodyKind::Solid { tetrahedra, .. } = &body.kind else {
         panic!("expected a solid");
     };
@@ -83,18 +90,8 @@ fn msh(body: &Body) -> String {
     writeln!(text, "$EndNodes\n$Elements\n{}", tetrahedra.len()).unwrap();
     for (index, corners) in tetrahedra.iter().enumerate() {
         let [a, b, c, d] = corners.map(|corner| corner + 1);
-        writeln!(text, "{} 4 2 0 1 {a} {b} {c} {d}", index + 1).unwrap();
+        let tag = tag(corners);
+        writeln!(text, "{} 4 2 {tag} 1 {a} {b} {c} {d}", index + 1).unwrap();
     }
     text + "$EndElements\n"
-}
-
-/// True if the TOML file has these lines, one after the other.
-fn has(imported: &Imported, lines: &str) -> bool {
-    let lines: Vec<&str> = lines
-        .lines()
-        .map(str::trim)
-        .filter(|line| !line.is_empty())
-        .collect();
-    let all: Vec<&str> = imported.toml.lines().filter(|line| !line.is_empty()).collect();
-    all.windows(lines.len()).any(|window| window == lines)
 }

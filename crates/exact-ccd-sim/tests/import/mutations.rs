@@ -5,7 +5,7 @@ use exact_ccd_sim::scene::Scene;
 use fastrand::Rng;
 use serde_json::{Value, json};
 
-use crate::{Folder, exact};
+use crate::{Folder, exact, msh_with_tags, solid};
 
 const TEXT: &str = "energy NH\ntimeIntegration BE\ntime 0.1 0.01\ndensity 1000\nstiffness 1e5 0.4\n\
     shapes input 2\nbox.msh 0 1 0  0 0 45  1 1 1 material 10 1e4 0.1 \\\n\
@@ -99,6 +99,9 @@ fn mutated_text_scenes_do_not_panic() {
 #[test]
 fn mutated_json_scenes_do_not_panic() {
     let folder = Folder::new("mutated-json");
+    let below = |corners: &[u32; 4]| corners.iter().sum::<u32>() < 60;
+    let tagged = msh_with_tags(&solid(), |corners| if below(corners) { 1 } else { 2 });
+    folder.write("tagged.msh", &tagged);
     let scene = json!({
         "geometry": [
             { "mesh": "box.msh", "volume_selection": 1, "surface_selection": [{ "id": 5, "axis": "-x", "position": 0.01 }] },
@@ -106,8 +109,12 @@ fn mutated_json_scenes_do_not_panic() {
               "transformation": { "translation": [5, 0, 0], "rotation": [1, 2, 3], "scale": [1, 1, 2] } },
             { "mesh": "floor.obj", "is_obstacle": true, "surface_selection": 7, "transformation": { "translation": [0, -9, 0] } },
             { "type": "plane", "is_obstacle": true, "point": [0, -20, 0], "normal": [0, 1, 0] },
+            { "mesh": "tagged.msh", "volume_selection": { "id_offset": 0 }, "transformation": { "translation": [0, 9, 0] } },
         ],
-        "materials": [{ "type": "NeoHookean", "id": 1, "E": 1e5, "nu": 0.4, "rho": 1000 }],
+        "materials": [
+            { "type": "NeoHookean", "id": [0, 2], "E": 2e5, "nu": 0.3, "rho": 500 },
+            { "type": "NeoHookean", "id": 1, "E": 1e5, "nu": 0.4, "rho": 1000 },
+        ],
         "contact": { "enabled": true, "friction_coefficient": 0.1 },
         "time": { "tend": 0.1, "dt": 0.01 },
         "boundary_conditions": {
@@ -139,7 +146,8 @@ fn mutated_json_scenes_do_not_panic() {
         json!({ "id": 5 }),
         json!({ "common": "scene.json" }),
     ];
-    folder.import("scene.json", &scene.to_string()).unwrap();
+    let imported = folder.import("scene.json", &scene.to_string()).unwrap();
+    assert!(imported.toml.contains("[[body.region]]"), "{}", imported.toml);
     let mut random = Rng::with_seed(2);
     let scenes = (0..800).map(|_| {
         let mut scene = scene.clone();

@@ -3,7 +3,8 @@
 use exact_ccd_mesh::Point;
 use serde_json::{Value, json};
 
-use crate::{Folder, has};
+use crate::Folder;
+use crate::imported::{assert_lines, assert_placed, has};
 
 /// A scene with one body, changed by a merge patch.
 pub(crate) fn scene(patch: &Value) -> String {
@@ -154,11 +155,8 @@ fn each_key_changes_its_setting() {
             "[body.rotate]\naxis = [0.0, 0.0, 1.0]\ndegrees = 30.0",
         ),
     ];
-    for (index, (patch, expected)) in cases.into_iter().enumerate() {
-        let imported = folder.import(&format!("{index}.json"), &scene(&patch)).unwrap();
-        assert!(has(&imported, expected), "{patch}: {}", imported.toml);
-        assert!(imported.notes.is_empty(), "{patch}: {:?}", imported.notes);
-    }
+    let cases = cases.map(|(patch, lines)| (scene(&patch), lines));
+    assert_lines(&folder, "json", cases);
 }
 
 /// `xyz` is a rotation about x, then about y, then about z.
@@ -167,14 +165,8 @@ fn angles_are_in_the_order_of_their_mode() {
     let folder = Folder::new("polyfem-angles");
     let patch = json!({ "geometry": { "transformation": { "rotation": [90, 0, 90] } } });
     let scene = folder.scene("scene.json", &scene(&patch)).unwrap();
-    for ([x, y, z], placed) in crate::solid().points.into_iter().zip(scene.system.start()) {
-        // About x: (x, −z, y); then about z: (z, x, y).
-        let expected = [z, x + 1.0, y];
-        assert!(
-            (0..3).all(|axis| (placed[axis] - expected[axis]).abs() < 1e-12),
-            "{placed:?} {expected:?}"
-        );
-    }
+    // About x: (x, −z, y); then about z: (z, x, y).
+    assert_placed(&scene, |[x, y, z]| [z, x + 1.0, y]);
 }
 
 #[test]

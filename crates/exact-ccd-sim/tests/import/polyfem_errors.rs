@@ -66,7 +66,7 @@ fn errors_name_the_pointer() {
         ),
         (
             json!({ "materials": [{ "type": "NeoHookean", "id": 2, "E": 1, "nu": 0 }] }),
-            "/geometry: found {",
+            "/geometry: found tetrahedra with the id 1, which no material has, expected one of the ids of materials (2): ",
         ),
         (
             json!({ "materials": { "type": "NeoHookean", "E": "x", "nu": 0 } }),
@@ -94,7 +94,7 @@ fn errors_name_the_pointer() {
         ),
         (
             json!({ "geometry": { "volume_selection": [{ "id": 1, "box": [] }] } }),
-            "/geometry/volume_selection: exact-ccd has no counterpart of a material for each",
+            "/geometry/volume_selection: exact-ccd has no counterpart of ids of cells by regions of space",
         ),
         (
             json!({ "geometry": { "transformation": { "rotation": [1, 2] } } }),

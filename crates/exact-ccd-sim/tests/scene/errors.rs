@@ -144,6 +144,22 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         ),
         (
             "motion = \"fixed\"",
+            "motion = \"fixed\"\nfrom = nan",
+            "line 37, body[1].script[1].from: `from` is out of range, expected a finite number not below 0",
+        ),
+        (
+            "motion = \"fixed\"",
+            "motion = \"fixed\"\nrelease = 1.0\nfrom = 2.0",
+            "line 37, body[1].script[1].release: `release` is out of range, expected a number not below 0 and \
+             not below `from`",
+        ),
+        (
+            "rate = 2.0 } }",
+            "rate = 2.0, until = 1.0 } }\nfrom = 2.0",
+            "line 33, body[1].script[0].from: `from` is out of range, expected a number not above the `until`",
+        ),
+        (
+            "motion = \"fixed\"",
             "motion = { moving = { velocity = [nan, 0.0, 0.0] } }",
             "line 36, body[1].script[1].motion.moving.velocity: ",
         ),

@@ -4,6 +4,7 @@
 
 mod bodies;
 mod errors;
+mod groups;
 mod octocats;
 
 use std::path::Path;

@@ -105,6 +105,7 @@ impl<'a, K: Kind> Queries<'a, K> {
                 rows: &rows,
                 queries: sound,
                 separations: d.into(),
+                until: 1.0,
                 found,
             });
             if let Some(error) = error {

@@ -13,8 +13,8 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::separation::{Screening, Separations};
 
-/// A batch of one kind: calls `found` with each query of rows that comes within its separation, and
-/// its index, in order. All indices of rows exist.
+/// A batch of one kind: calls `found` with each query of rows that comes within its separation at a time
+/// not above `until`, and its index, in order. All indices of rows exist.
 #[expect(
     unnameable_types,
     reason = "an argument of a hidden function of a sealed trait"
@@ -24,6 +24,7 @@ pub struct Batch<'a, K: Kind> {
     pub(super) rows: &'a [Row],
     pub(super) queries: &'a [K::Vertices],
     pub(super) separations: Separations<'a>,
+    pub(super) until: f64,
     pub(super) found: Found<'a, K>,
 }
 
@@ -34,15 +35,21 @@ impl<K: Kind> Batch<'_, K> {
             rows,
             queries,
             separations,
+            until,
             found,
         } = self;
+        let found: Found<'_, K> = &mut |index, collision| {
+            if until >= 1.0 || collision.first_contact_time().is_at_most(until) {
+                found(index, collision);
+            }
+        };
         if separations.is_contact() {
             return chunks::collisions::<K>(instructions, rows, queries, found);
         }
         if flushes_subnormals() {
             return one_by_one::<K>(rows, queries, separations, found);
         }
-        dispatch!(instructions.level(), simd => with_filters::<_, K>(simd, rows, queries, separations, found));
+        dispatch!(instructions.level(), simd => with_filters::<_, K>(simd, rows, queries, separations, until, found));
     }
 }
 
@@ -63,14 +70,20 @@ fn one_by_one<K: Kind>(
     }
 }
 
+/// The least time until which a step is examined, 2⁻⁶⁰.
+const LEAST_UNTIL: f64 = f64::from_bits((1023 - 60) << 52);
+
 #[inline(always)]
 fn with_filters<S: Simd, K: Kind>(
     simd: S,
     rows: &[Row],
     queries: &[K::Vertices],
     separations: Separations<'_>,
+    until: f64,
     found: Found<'_, K>,
 ) {
+    // Above 0: a proof that begins at t = 0 ends later. What is found after `until` is dropped by `found`.
+    let until = until.clamp(LEAST_UNTIL, 1.0);
     let separation = |index: usize| {
         let (a, b) = queries[index].as_ref().split_at(K::FIRST);
         separations.between(a, b)
@@ -116,11 +129,13 @@ fn with_filters<S: Simd, K: Kind>(
                     let points = transposed(simd, eight);
                     let screening =
                         Screening::new::<K>(&points, f64x8::from_slice(simd, &distances(indices)));
-                    let free: [f64; LANES] = screening.free_until::<K>().into();
+                    let free: [f64; LANES] = screening.free_until::<K>(until).into();
                     for (lane, &index) in indices.iter().enumerate() {
-                        if free[lane] < 1.0 {
+                        if free[lane] < until {
                             let query = query(eight[lane]);
-                            if let Some(collision) = query.collision_after(separation(index), free[lane]) {
+                            if let Some(collision) =
+                                query.collision_between(separation(index), [free[lane], until])
+                            {
                                 found(index, collision);
                             }
                         }

@@ -35,12 +35,12 @@ impl<K: Kind> Query<K> {
     }
 
     /// [`collision_within`](Self::collision_within) of a query whose primitives are known to be beyond
-    /// d before a time.
-    pub(crate) fn collision_after(&self, d: Separation, free: f64) -> Option<Collision<'_, K>> {
+    /// d before the first of two times. A collision after the second time, which is above 0, may be left out.
+    pub(crate) fn collision_between(&self, d: Separation, times: [f64; 2]) -> Option<Collision<'_, K>> {
         if d.is_zero() {
             return self.collision();
         }
-        let first = match filter::first_near(self, d, free) {
+        let first = match filter::first_between(self, d, times) {
             Some((first, _)) => first,
             None => exact::first_within(self, d),
         };

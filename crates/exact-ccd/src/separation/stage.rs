@@ -18,7 +18,7 @@ pub enum SeparationStage {
     /// Directions, one stretch of time after the other, prove that the primitives never come within
     /// d.
     Advancement,
-    /// The distance falls below d between two adjacent f64, or only after t = 1.
+    /// The distance falls below d between two adjacent f64, or is proved to stay above d to the end.
     Crossing,
     /// The filters have no answer: [`exact`](crate::exact::separation).
     Exact,

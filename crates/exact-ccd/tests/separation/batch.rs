@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use exact_ccd::batch::{self, Instructions, Trajectories, VertexOutOfRange};
 use exact_ccd::separation::{Separation, Separations, Thickness};
-use exact_ccd::{Collision, Impact, Kind, Point, Query, VertexEdge};
+use exact_ccd::{Collision, ContactTime, Impact, Kind, Point, Query, VertexEdge};
 use proptest::prelude::*;
 
 use crate::families::{cases, ordinary};
@@ -136,8 +136,48 @@ fn answers_as_single_queries<K: FromFour>() {
     }
 }
 
+/// Times at which a search may end: both ends of the step, beyond them, the least one above 0, and the
+/// first times themselves, from below and from above.
+fn ends(firsts: &[(usize, ContactTime)]) -> Vec<f64> {
+    let mut ends = vec![f64::NAN, -1.0, -0.0, 0.0, f64::from_bits(1), 0.5, 1.0, 2.0];
+    let some = firsts.iter().step_by(firsts.len().div_ceil(16));
+    ends.extend(some.flat_map(|(_, first)| [first.lower().next_down(), first.lower(), first.upper()]));
+    ends
+}
+
+fn answers_until_a_time<K: FromFour>() {
+    let points: Vec<Points> = queries().into_iter().map(|(points, _)| points).collect();
+    let vertices = vertices::<K>(points.len());
+    let at = |time: usize| -> Vec<Point> {
+        let now = points.iter().map(|points| K::points(points)[time]);
+        now.flat_map(|points| points.as_ref().to_vec()).collect()
+    };
+    let trajectories = Trajectories::new(&at(0), &at(1)).unwrap();
+    for d in [0.0, 0.25, 1.0] {
+        let d = Separation::new(d).unwrap();
+        let first = |points: &Points| K::query(points).first_within(d);
+        let firsts = points.iter().map(first).enumerate();
+        let firsts: Vec<_> = firsts
+            .filter_map(|(index, first)| Some((index, first?)))
+            .collect();
+        for until in ends(&firsts) {
+            let in_time = firsts.iter().filter(|(_, first)| first.is_at_most(until));
+            let expected: Vec<(usize, Bits)> =
+                in_time.map(|&(index, first)| (index, time_bits(first))).collect();
+            let mut found = Vec::new();
+            trajectories
+                .collisions_until::<K>(&vertices, d.into(), until, |index, collision| {
+                    found.push((index, time_bits(collision.first_contact_time())));
+                })
+                .unwrap();
+            assert!(found == expected, "until {until:e} within {d:?}");
+        }
+    }
+}
+
 for_each_kind! {
     batches_answer_as_single_queries => answers_as_single_queries;
+    batches_until_a_time_have_the_queries_until_then => answers_until_a_time;
 }
 
 #[test]

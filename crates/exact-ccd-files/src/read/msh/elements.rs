@@ -1,7 +1,10 @@
 //! The section `$Elements`.
 
+use arrayvec::ArrayVec;
+
 use super::super::cells::Cells;
 use super::super::solids::Solid;
+use super::groups::Groups;
 use super::nodes::{Tags, positive};
 use super::values::{Record, Values, Version};
 use crate::error::{Fault, ParseError, Place};
@@ -23,6 +26,15 @@ enum Shape {
 }
 
 impl Shape {
+    fn dimension(self) -> u8 {
+        match self {
+            Self::Point => 0,
+            Self::Line => 1,
+            Self::Triangle | Self::Quadrilateral => 2,
+            Self::Tetrahedron | Self::Hexahedron | Self::Wedge | Self::Pyramid => 3,
+        }
+    }
+
     fn of_type(number: i64, place: Place) -> Result<Self, ParseError> {
         match number {
             15 => Ok(Self::Point),
@@ -45,6 +57,7 @@ impl Shape {
 struct Elements<'a> {
     tags: &'a Tags,
     cells: &'a mut Cells,
+    groups: &'a mut Groups,
 }
 
 pub(super) fn read<'a>(
@@ -52,8 +65,9 @@ pub(super) fn read<'a>(
     values: &mut impl Values<'a>,
     tags: &Tags,
     cells: &mut Cells,
+    groups: &mut Groups,
 ) -> Result<(), ParseError> {
-    let mut elements = Elements { tags, cells };
+    let mut elements = Elements { tags, cells, groups };
     match version {
         Version::V2 => elements.read_v2(values)?,
         Version::V4 => elements.read_v4(values)?,
@@ -110,9 +124,16 @@ impl Elements<'_> {
         shape: Shape,
         tag_count: i64,
     ) -> Result<(), ParseError> {
-        for _ in 0..tag_count {
-            values.int("a tag")?;
+        let mut physical = None;
+        for number in 0..tag_count {
+            let place = values.place();
+            let tag = values.int("a tag")?;
+            // The first tag is that of the physical group.
+            if number == 0 {
+                physical = Some((tag, place));
+            }
         }
+        self.groups.set_tag(physical)?;
         self.add(values, shape, |values| {
             let place = values.place();
             positive(values.int("the tag of a node")?, place)
@@ -131,8 +152,9 @@ impl Elements<'_> {
         let mut found = 0_u64;
         for block in 0..blocks {
             values.begin(Record::of("element block", block, blocks))?;
-            values.int("the dimension of an entity")?;
-            values.int("the tag of an entity")?;
+            let dimension = values.int("the dimension of an entity")?;
+            self.groups
+                .set_entity(dimension, values.int("the tag of an entity")?);
             let place = values.place();
             let shape = Shape::of_type(values.int("the type of the elements")?, place)?;
             let in_block = values.size("the number of elements in the block")?;
@@ -160,14 +182,19 @@ impl Elements<'_> {
     ) -> Result<(), ParseError> {
         let tags = self.tags;
         let begin = values.place();
+        // No shape has more corners.
+        let mut corners: ArrayVec<u32, 8> = ArrayVec::new();
         let mut node = || {
             let place = values.place();
             let tag = tag(values)?;
-            tags.get(tag).ok_or_else(|| {
+            let node = tags.get(tag).ok_or_else(|| {
                 let expected = format!("the tag of one of the {} nodes", tags.count());
                 Fault::expected(expected, format!("`{tag}`")).at(place)
-            })
+            })?;
+            corners.push(node);
+            Ok(node)
         };
+        let cell = (shape.dimension() == 3).then_some(self.cells.solids.len() as u32);
         match shape {
             Shape::Point => self.cells.points.push(node()?),
             Shape::Line => self.cells.lines.push([node()?, node()?]),
@@ -178,7 +205,7 @@ impl Elements<'_> {
             Shape::Wedge => self.cells.solids.push(Solid::Wedge(nodes(node)?)),
             Shape::Pyramid => self.cells.solids.push(Solid::Pyramid(nodes(node)?)),
         }
-        Ok(())
+        self.groups.add(shape.dimension(), &corners, cell, begin)
     }
 }
 

@@ -1,8 +1,10 @@
-//! Gmsh's MSH, versions 2.2 and 4.1, as text and binary: nodes, lines, triangles and tetrahedra.
+//! Gmsh's MSH, versions 2.2 and 4.1, as text and binary: nodes, elements and physical
+//! groups.
 //!
 //! Gmsh reference manual, *MSH file format* and *MSH file format version 2 (Legacy)*.
 
 mod elements;
+mod groups;
 mod nodes;
 mod values;
 
@@ -10,6 +12,7 @@ use super::binary::{ByteOrder, Bytes};
 use super::cells::Cells;
 use super::text::{Lines, Syntax, expect};
 use crate::error::{Fault, ParseError, quoted};
+use groups::Groups;
 use values::{BinaryValues, TextValues, Values, Version};
 
 pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
@@ -34,12 +37,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
         return Err(line.unexpected(SIZE, size));
     }
     line.expect_end()?;
+    let groups = Groups::new(bytes.len());
     if is_binary {
         let mut body = Bytes::new(bytes, bytes.len() - lines.rest().len());
         let order = byte_order(&mut body)?;
-        read_sections(version, BinaryValues::new(body, order))
+        read_sections(version, BinaryValues::new(body, order), groups)
     } else {
-        read_sections(version, TextValues::new(lines))
+        read_sections(version, TextValues::new(lines), groups)
     }
 }
 
@@ -54,8 +58,12 @@ fn byte_order(bytes: &mut Bytes) -> Result<ByteOrder, ParseError> {
     }
 }
 
-/// Reads all sections after the version. Sections other than nodes and elements are skipped.
-fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Cells, ParseError> {
+/// Reads all sections after the version. Sections other than nodes, elements and physical groups are skipped.
+fn read_sections<'a>(
+    version: Version,
+    mut values: impl Values<'a>,
+    mut groups: Groups,
+) -> Result<Cells, ParseError> {
     values.skip_to("$EndMeshFormat")?;
     let mut cells = Cells::default();
     let mut nodes = None;
@@ -69,11 +77,18 @@ fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Ce
                 nodes = Some(read.tags);
             }
             (b"$Elements", Some(tags)) if !elements => {
-                elements::read(version, &mut values, tags, &mut cells)?;
+                elements::read(version, &mut values, tags, &mut cells, &mut groups)?;
                 elements = true;
             }
             (b"$Elements", None) => return unexpected("`$Nodes` before the elements"),
             (b"$Nodes" | b"$Elements", _) => return unexpected("a section of which there is no other"),
+            (b"$PhysicalNames", _) => groups.read_names(&mut values)?,
+            (b"$Entities", _) if version == Version::V4 => {
+                if elements {
+                    return unexpected("`$Entities` before the elements");
+                }
+                groups.read_entities(&mut values)?;
+            }
             ([b'$', name @ ..], _) => {
                 let name = String::from_utf8_lossy(name);
                 values.skip_to(&format!("$End{name}"))?;
@@ -86,5 +101,6 @@ fn read_sections<'a>(version: Version, mut values: impl Values<'a>) -> Result<Ce
             return Err(Fault::ends(section).at(values.place()));
         }
     }
+    cells.groups = groups.finish(cells.positions.len());
     Ok(cells)
 }

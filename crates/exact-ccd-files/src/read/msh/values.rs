@@ -7,7 +7,7 @@ use super::super::text::{Line, Lines, expect, parse};
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The version of the format.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Version {
     V2,
     V4,
@@ -58,6 +58,9 @@ pub(super) trait Values<'a> {
 
     /// A count on a line of its own, which is text even in a binary file.
     fn count_line(&mut self, expected: &'static str) -> Result<u64, ParseError>;
+
+    /// A line with its place, which is text even in a binary file.
+    fn line(&mut self, expected: &str) -> Result<(Place, &'a [u8]), ParseError>;
 
     /// Moves to the beginning of a record.
     fn begin(&mut self, record: Record) -> Result<(), ParseError>;
@@ -121,6 +124,11 @@ impl<'a> Values<'a> for TextValues<'a> {
         let count = self.line.count(expected)?;
         self.end()?;
         Ok(count)
+    }
+
+    fn line(&mut self, expected: &str) -> Result<(Place, &'a [u8]), ParseError> {
+        let line = self.lines.expect(|| expected.to_owned())?;
+        Ok((line.place(), line.rest()))
     }
 
     fn begin(&mut self, record: Record) -> Result<(), ParseError> {
@@ -203,6 +211,11 @@ impl<'a> Values<'a> for BinaryValues<'a> {
         let place = self.place();
         let line = self.bytes.line();
         parse(line).ok_or_else(|| Fault::expected(expected, quoted(line)).at(place))
+    }
+
+    fn line(&mut self, expected: &str) -> Result<(Place, &'a [u8]), ParseError> {
+        let place = self.place();
+        self.section().ok_or_else(|| Fault::ends(expected).at(place))
     }
 
     fn begin(&mut self, record: Record) -> Result<(), ParseError> {

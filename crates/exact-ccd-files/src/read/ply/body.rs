@@ -1,7 +1,5 @@
 //! The body of a PLY file: vertices, faces and edges. Other elements are skipped.
 
-use std::collections::HashMap;
-
 use exact_ccd_mesh::Point;
 
 use super::super::cells::{Cells, vertex_index};
@@ -39,26 +37,10 @@ pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Resul
     }
     rows.finish()?;
     if NamedPart::cover(&header.parts, cells.positions.len()) {
-        cells.groups = groups(&header.parts);
+        let group = |part: &NamedPart| Group::named(part.name.clone(), part.vertices.clone().collect());
+        cells.groups = header.parts.iter().map(group).collect();
     }
     Ok(cells)
-}
-
-/// The groups of named parts. Parts of one name are one group.
-fn groups(parts: &[NamedPart]) -> Vec<Group> {
-    let mut groups: Vec<Group> = Vec::new();
-    let mut numbers = HashMap::new();
-    for NamedPart { name, vertices } in parts {
-        let number = *numbers.entry(name).or_insert(groups.len());
-        if number == groups.len() {
-            groups.push(Group {
-                name: name.clone(),
-                vertices: Vec::new(),
-            });
-        }
-        groups[number].vertices.extend(vertices.clone());
-    }
-    groups
 }
 
 fn find<'a>(header: &'a Header<'a>, name: &str) -> Result<&'a Element<'a>, ParseError> {

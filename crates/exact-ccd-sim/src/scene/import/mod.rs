@@ -16,7 +16,6 @@ use std::path::{Path, PathBuf};
 pub use fault::{ImportError, Place, Problem};
 
 use super::description::Description;
-use super::document::SceneError;
 use meshes::Meshes;
 
 /// A scene of another program as a TOML file.
@@ -83,15 +82,16 @@ impl Program {
 /// in a folder above it.
 ///
 /// # Errors
-/// [`SceneError::Import`] names the file, the place, and the entry that is invalid or has no counterpart.
-pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Imported>, SceneError> {
+/// [`ImportError`] names the file, the place, and the entry that is invalid or has no counterpart.
+pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Imported>, ImportError> {
     let file = file.as_ref();
     let Some(program) = Program::of(file) else {
         return Ok(None);
     };
-    let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
+    let text = std::fs::read_to_string(file).map_err(|error| ImportError {
         file: file.to_owned(),
-        source,
+        place: Place::Pointer(String::new()),
+        problem: Problem::File(error.to_string()),
     })?;
     let mut meshes = Meshes::new(file, meshes);
     let draft = match program {

@@ -68,7 +68,7 @@ impl Fixture {
             stiffness: Vector3::new(50.0, 0.0, 70.0),
         };
         let mut fixture = Self {
-            held: system.held(0.0),
+            held: system.held(0.1),
             system,
             scheme,
             points,

@@ -8,24 +8,25 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
 
-/// The first time within d, or none, when D > d is known before the time `free`; `None` if that is
-/// not certain.
+/// The first time within d, or none until the time `until`, when D > d is known before the time `free`;
+/// `None` if that is not certain.
 ///
 /// Newton's method guesses an f64 t. Two proofs make it certain: the distance is above d from
 /// `free` to t, and below d at the next f64.
-pub(super) fn first_after<K: Kind>(
+pub(super) fn first_between<K: Kind>(
     query: &Query<K>,
     scaled: &Scaled,
-    free: f64,
+    [free, until]: [f64; 2],
 ) -> Option<Option<ContactTime>> {
     let advancement = Advancement::of(scaled);
-    let never = || (advancement.free_after::<K>(free, 1.0) == 1.0).then_some(None);
+    let never = || (advancement.free_after::<K>(free, until) == until).then_some(None);
     if !scaled.d_is_exact {
         return never();
     }
     let rough = Moving::<f64>::new(query, scaled);
     let precise = Moving::<DoubleDouble>::new(query, scaled);
-    let near = newton::<K, _>(&rough, [free, free]).and_then(|near| newton::<K, _>(&precise, [free, near]));
+    let near = newton::<K, _>(&rough, [free, until], free)
+        .and_then(|near| newton::<K, _>(&precise, [free, until], near));
     let Some(end) = near else {
         return never();
     };
@@ -35,16 +36,16 @@ pub(super) fn first_after<K: Kind>(
     if !is_beyond(free) && !is_beyond(advancement.free_after::<K>(free, end)) {
         return None;
     }
-    if end == 1.0 {
+    if end == until {
         return Some(None);
     }
     let next = precise.at::<K>(end.next_up());
     next.is_within().then(|| Some(ContactTime::just_above(end)))
 }
 
-/// A guess of the largest f64 in [`free`, 1] before D first reaches d, from another guess on;
+/// A guess of the largest f64 between two times before D first reaches d, from another guess on;
 /// `None` if D does not seem to decrease to d.
-fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, guess]: [f64; 2]) -> Option<f64> {
+fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, until]: [f64; 2], guess: f64) -> Option<f64> {
     const STEPS: usize = 24;
     let (mut floor, mut approaching) = (guess, None);
     for _ in 0..STEPS {
@@ -57,7 +58,7 @@ fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, guess]: [f64; 2]) ->
         let next = if slope < 0.0 {
             approaching = Some(floor);
             let step = -now.excess().value() * distance / ((distance + moving.separation()) * slope);
-            down(floor, step).clamp(free, 1.0)
+            down(floor, step).clamp(free, until)
         } else {
             // D no longer decreases here: the time of d is earlier.
             0.5 * (floor + approaching?)

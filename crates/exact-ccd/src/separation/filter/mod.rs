@@ -50,36 +50,36 @@ pub(super) fn first_within<K: Kind>(
     if screening.planes_are_beyond::<K>(query.points()) {
         return Some((None, SeparationStage::Planes));
     }
-    let free = screening.free_until::<K>();
+    let free = screening.free_until::<K>(1.0);
     if free == 1.0 {
         return Some((None, SeparationStage::Advancement));
     }
-    first_after(query, &corners, d, free)
+    first_of(query, &corners, d, [free, 1.0])
 }
 
-/// The same for a query whose primitives are known to be beyond d before a time, in an environment with
-/// gradual underflow.
-pub(super) fn first_near<K: Kind>(
+/// The same for a query whose primitives are known to be beyond d before the first of two times, until the
+/// second one, which is above 0, in an environment with gradual underflow.
+pub(super) fn first_between<K: Kind>(
     query: &Query<K>,
     d: Separation,
-    free: f64,
+    times: [f64; 2],
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
-    first_after(query, &Corners::new(query), d, free)
+    first_of(query, &Corners::new(query), d, times)
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.
 #[inline(never)]
-fn first_after<K: Kind>(
+fn first_of<K: Kind>(
     query: &Query<K>,
     corners: &Corners,
     d: Separation,
-    free: f64,
+    [free, until]: [f64; 2],
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
     let scaled = corners.scaled(d.get())?;
     if free == 0.0 && starts_within::<K>(&scaled) {
         return Some((Some(ContactTime::exactly(0.0)), SeparationStage::Start));
     }
-    let first = crossing::first_after(query, &scaled, free)?;
+    let first = crossing::first_between(query, &scaled, [free, until])?;
     Some((first, SeparationStage::Crossing))
 }
 

@@ -35,16 +35,17 @@ impl<T: Lanes> Screening<T> {
             & !self.is_out_of_range()
     }
 
-    /// The time before which [advancement](super::advance) proves it, in each lane: 1 if at all times.
+    /// The time before which [advancement](super::advance) proves it, in each lane: `until`, above 0, if it
+    /// is proved at all times until then.
     #[inline(always)]
-    pub(crate) fn free_until<K: Kind>(&self) -> T {
+    pub(crate) fn free_until<K: Kind>(&self, until: f64) -> T {
         let corners = [self.hull.corners(0), self.hull.corners(1)];
         let advancement = Advancement::new(corners, self.d, self.hull.reaches());
-        let [zero, half, one] = [0.0, 0.5, 1.0].map(|t| self.d.splat(t));
-        let to = T::select(self.is_out_of_range(), zero, one);
-        advancement.free_until::<K>(zero, to, half, self.d.splat(SHORTEST))
+        let [zero, half, whole] = [0.0, 0.5 * until, until].map(|t| self.d.splat(t));
+        let to = T::select(self.is_out_of_range(), zero, whole);
+        advancement.free_until::<K>(zero, to, half, self.d.splat(SHORTEST * until))
     }
 }
 
-/// A proof is tried in stretches of time that are longer.
+/// A proof is tried in stretches that are longer than this fraction of the time until which it is tried.
 const SHORTEST: f64 = 1.0 / 64.0;

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Place, Problem};
 use super::super::meshes::Meshes;
-use super::super::pose::{Pose, box_center};
+use super::super::pose::Pose;
 use super::super::selection::of_vertices;
 use super::file::{File, Obstacle, Script as Motion};
 use super::part::Part;
@@ -152,9 +152,4 @@ fn obstacle(described: &Obstacle, meshes: &mut Meshes) -> Result<BodyDescription
     let mean = body.place((sum / mesh.points.len() as f64).into());
     body.translate = (Vector3::from(described.origin) - Vector3::from(mean)).into();
     Ok(body)
-}
-
-/// The center of the box of some vertices of a body.
-pub(super) fn center(selected: &[u32], points: &[Point]) -> Point {
-    box_center(selected.iter().map(|&vertex| points[vertex as usize]))
 }

@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
-use super::super::fault::{Fault, Place, Problem};
+use super::super::fault::{Fault, Problem};
 use super::file::{File, Obstacle, Plane, Script};
 use super::shape;
 use super::words::{Line, Text};
@@ -68,12 +68,12 @@ impl File {
             "section" => skip_section(line, text)?,
             "ground" => {
                 let [friction, height] = line.numbers("the friction coefficient and the height")?;
-                self.plane(line.place(), [0.0, height, 0.0], [0.0, 1.0, 0.0], friction);
+                self.plane([0.0, height, 0.0], [0.0, 1.0, 0.0], friction);
             }
             "halfSpace" => {
                 let (point, normal) = (line.numbers("a point")?, line.numbers("a normal")?);
                 let [_, friction] = line.numbers("an unused number and the friction coefficient")?;
-                self.plane(line.place(), point, normal, friction);
+                self.plane(point, normal, friction);
             }
             "meshCO" => self.obstacles.push(obstacle(line)?),
             "selfCollisionOn" => {}
@@ -107,9 +107,8 @@ impl File {
         Ok(())
     }
 
-    fn plane(&mut self, place: &Place, point: Point, normal: Point, friction: f64) {
+    fn plane(&mut self, point: Point, normal: Point, friction: f64) {
         self.planes.push(Plane {
-            place: place.clone(),
             point,
             normal,
             friction,

@@ -21,7 +21,7 @@ pub(super) struct File {
     pub(super) duration: f64,
     pub(super) time_step: f64,
     pub(super) gravity: Point,
-    /// The friction coefficient between meshes.
+    /// The friction coefficient between shapes.
     pub(super) friction: f64,
     /// True if the lengths that follow are in m, not in diagonals of the box.
     pub(super) is_absolute: bool,
@@ -49,7 +49,6 @@ pub(super) struct Obstacle {
 /// `ground` or `halfSpace`.
 #[derive(Debug)]
 pub(super) struct Plane {
-    pub(super) place: Place,
     pub(super) point: Point,
     pub(super) normal: Point,
     pub(super) friction: f64,

@@ -1,4 +1,4 @@
-//! Prescribed motions of vertices that follow each other in time.
+//! Prescribed motions of vertices, as scripts.
 
 use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Vector3};
@@ -8,9 +8,11 @@ use super::file::File;
 use crate::scene::description::{ScriptDescription, Selection};
 use crate::script::{KeyFrame, Script};
 
-/// A motion at constant velocity, at times from `from` to before `until`.
+/// A motion of vertices at constant velocity, at times from `from` to before `until`.
 pub(super) struct Piece {
     pub(super) place: Place,
+    /// The vertices, increasing.
+    pub(super) vertices: Vec<u32>,
     pub(super) linear: Point,
     /// In each time step h, the rotation about z by its component times h, then about y, then about x.
     pub(super) angular: Point,
@@ -19,14 +21,8 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    pub(super) fn endless(place: Place, linear: Point, angular: Point) -> Self {
-        Self {
-            place,
-            linear,
-            angular,
-            from: 0.0,
-            until: f64::INFINITY,
-        }
+    pub(super) fn turns(&self) -> bool {
+        self.angular != [0.0; 3]
     }
 
     /// The axis of length 1 and the angular velocity about it, of the rotations of successive time steps.
@@ -43,96 +39,80 @@ impl Piece {
             }
         }
     }
-}
 
-/// The script of a selection that moves by these pieces, about this center at the start.
-pub(super) fn script(
-    vertices: Selection,
-    pieces: &[Piece],
-    center: Point,
-    file: &File,
-) -> Result<ScriptDescription, Fault> {
-    let mut sorted: Vec<&Piece> = pieces.iter().collect();
-    sorted.sort_by(|a, b| a.from.total_cmp(&b.from));
-    let mut end = None;
-    for piece in &sorted {
-        if end.map_or(piece.from > 0.0, |end| piece.from != end) {
-            let what = format!(
-                "a motion from {} s, of vertices that are free or held by another one before,",
-                piece.from
-            );
-            let instead = "let the times of the motions of a box follow each other, from 0";
-            return Err(Problem::unsupported(what, instead).at(&piece.place));
-        }
-        end = Some(piece.until);
-    }
-    let release = end.filter(|end| *end < file.duration);
-    let motion = motion(&sorted, center, file)?;
-    Ok(ScriptDescription {
-        release,
-        ..ScriptDescription::new(vertices, motion)
-    })
-}
-
-fn motion(pieces: &[&Piece], center: Point, file: &File) -> Result<Script, Fault> {
-    let turns: Vec<Option<(Vector3<f64>, f64)>> =
-        pieces.iter().map(|piece| piece.turn(file.time_step)).collect();
-    if let ([piece], [turn]) = (pieces, &turns[..]) {
-        match (turn, piece.linear == [0.0; 3]) {
-            (None, true) => return Ok(Script::Fixed),
-            (None, false) => {
-                return Ok(Script::Moving {
-                    velocity: piece.linear,
-                    until: None,
-                });
-            }
-            (Some((axis, rate)), true) => {
-                return Ok(Script::Twisting {
+    /// The script of this motion, about a center at its start.
+    pub(super) fn script(&self, vertices: Selection, center: Point, file: &File) -> ScriptDescription {
+        let motion = match (self.turn(file.time_step), self.linear == [0.0; 3]) {
+            (None, true) => Script::Fixed,
+            (None, false) => Script::Moving {
+                velocity: self.linear,
+                until: None,
+            },
+            (Some((axis, rate)), true) => Script::Twisting {
+                center,
+                axis: axis.into(),
+                rate,
+                until: None,
+            },
+            (Some((axis, rate)), false) => {
+                let end = self.until.min(file.duration.max(self.from));
+                let frame = |time: f64| KeyFrame {
+                    time,
+                    translate: self.linear.map(|velocity| velocity * (time - self.from)),
+                    degrees: (rate * (time - self.from)).to_degrees(),
+                };
+                let frames = [self.from, end].map(frame).to_vec();
+                Script::KeyFrames {
+                    frames: if self.from < end {
+                        frames
+                    } else {
+                        vec![frame(self.from)]
+                    },
                     center,
-                    axis: (*axis).into(),
-                    rate: *rate,
-                    until: None,
-                });
-            }
-            (Some(_), false) => {}
-        }
-    }
-    let axis = turns
-        .iter()
-        .flatten()
-        .next()
-        .map_or(Vector3::y(), |(axis, _)| *axis);
-    let mut state = KeyFrame {
-        time: 0.0,
-        translate: [0.0; 3],
-        degrees: 0.0,
-    };
-    let mut frames = vec![state];
-    for (piece, turn) in pieces.iter().zip(&turns) {
-        let rate = match turn {
-            None => 0.0,
-            Some((other, rate)) if *other == axis => *rate,
-            Some((other, rate)) if *other == -axis => -rate,
-            Some(_) => {
-                let what = "successive rotations about different axes";
-                return Err(Problem::unsupported(what, "write one axis").at(&piece.place));
+                    axis: axis.into(),
+                }
             }
         };
-        let until = piece.until.min(file.duration);
-        let length = until - state.time;
-        if length > 0.0 {
-            let moved = Vector3::from(state.translate) + Vector3::from(piece.linear) * length;
-            state = KeyFrame {
-                time: until,
-                translate: moved.into(),
-                degrees: state.degrees + (rate * length).to_degrees(),
-            };
-            frames.push(state);
+        ScriptDescription {
+            from: self.from,
+            release: Some(self.until).filter(|until| *until < file.duration),
+            ..ScriptDescription::new(vertices, motion)
         }
     }
-    Ok(Script::KeyFrames {
-        frames,
-        center,
-        axis: axis.into(),
-    })
+}
+
+/// The distance by which the center of the vertices of the last piece has moved when it begins. The pieces
+/// are in the order of their starts.
+///
+/// # Errors
+/// The last piece has a vertex in common with another one at the same time, or it turns vertices of which the
+/// center is not known.
+pub(super) fn moved(pieces: &[Piece]) -> Result<Vector3<f64>, Fault> {
+    let mut moved = Vector3::zeros();
+    let Some((last, before)) = pieces.split_last() else {
+        return Ok(moved);
+    };
+    let mut held_until = 0.0;
+    let mut is_known = true;
+    for piece in before {
+        let is_shared = |vertex: &u32| last.vertices.binary_search(vertex).is_ok();
+        if !piece.vertices.iter().any(is_shared) {
+            continue;
+        }
+        if piece.until > last.from {
+            let what = "a vertex in two boxes at the same time, of which IPC adds the motions,";
+            let instead = "separate the boxes or their times";
+            return Err(Problem::unsupported(what, instead).at(&last.place));
+        }
+        is_known &= piece.vertices == last.vertices && piece.from == held_until;
+        held_until = piece.until;
+        moved += Vector3::from(piece.linear) * (piece.until - piece.from);
+    }
+    is_known &= held_until == last.from;
+    if last.turns() && !is_known {
+        let what = "a rotation of vertices that were free, or that moved in other boxes, about their center";
+        let instead = "let the times of the motions of a box follow each other, from 0";
+        return Err(Problem::unsupported(what, instead).at(&last.place));
+    }
+    Ok(moved)
 }

@@ -8,19 +8,20 @@
 mod bodies;
 mod entries;
 mod file;
+mod friction;
 mod held;
 mod part;
 mod shape;
 mod words;
 
 use super::Draft;
-use super::fault::{Fault, Place, Problem};
+use super::fault::Fault;
 use super::meshes::Meshes;
 use crate::half_space::HalfSpace;
 use crate::integrator::Integrator;
 use crate::scene::description::Description;
 use crate::scene::rendering::Rendering;
-use crate::settings::{Formulation, Friction, Length, Settings};
+use crate::settings::{Formulation, Friction, FrictionPair, Length, Settings};
 use file::File;
 
 /// The most Newton iterations of a time step in IPC (`Optimizer.cpp`).
@@ -30,13 +31,14 @@ const MAX_ITERATIONS: usize = 10_000;
 pub(super) fn import(text: &str, meshes: &mut Meshes) -> Result<Draft, Fault> {
     let mut file = File::parse(text)?;
     let mut notes = std::mem::take(&mut file.notes);
-    let body = bodies::bodies(&file, meshes, &mut notes)?;
-    check_friction(&file)?;
+    let mut body = bodies::bodies(&file, meshes, &mut notes)?;
+    let mut half_space: Vec<HalfSpace> = file.planes.iter().map(half_space).collect();
+    let pairs = friction::pairs(&file, &mut body, &mut half_space, &mut notes);
     let description = Description {
         duration: Some(file.duration),
-        settings: settings(&file),
+        settings: settings(&file, pairs),
         body,
-        half_space: file.planes.iter().map(half_space).collect(),
+        half_space,
         render: Rendering::default(),
     };
     Ok(Draft { description, notes })
@@ -46,7 +48,7 @@ fn half_space(plane: &file::Plane) -> HalfSpace {
     HalfSpace::new(plane.point, plane.normal)
 }
 
-fn settings(file: &File) -> Settings {
+fn settings(file: &File, pairs: Vec<FrictionPair>) -> Settings {
     let length = |number| {
         if file.is_absolute {
             Length::Absolute(number)
@@ -64,28 +66,10 @@ fn settings(file: &File) -> Settings {
             coefficient: file.friction,
             static_velocity: length(file.static_velocity),
             lags: file.lags,
-            ..Friction::default()
+            pairs,
         },
         tolerance: length(file.tolerance),
         max_iterations: MAX_ITERATIONS,
         ..Settings::default()
-    }
-}
-
-/// Checks that all friction coefficients are the same.
-fn check_friction(file: &File) -> Result<(), Fault> {
-    let planes = file.planes.iter().map(|plane| (&plane.place, plane.friction));
-    let obstacles = file
-        .obstacles
-        .iter()
-        .map(|obstacle| (&obstacle.place, obstacle.friction));
-    let differs =
-        |(place, friction): (&Place, f64)| (friction != file.friction).then_some((place.clone(), friction));
-    match planes.chain(obstacles).find_map(differs) {
-        None => Ok(()),
-        Some((place, friction)) => {
-            let what = format!("friction {friction} here with `selfFric` {}", file.friction);
-            Err(Problem::unsupported(what, "write the same coefficient in both").at(&place))
-        }
     }
 }

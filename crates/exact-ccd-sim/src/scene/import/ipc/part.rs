@@ -7,12 +7,11 @@ use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Place, Problem};
 use super::super::meshes::Meshes;
-use super::super::pose::Pose;
+use super::super::pose::{Pose, box_center};
 use super::super::selection::of_vertices;
-use super::bodies::center;
 use super::file::{File, Script as Motion};
 use super::held::{self, Piece};
-use super::shape::{RelativeBox, Shape};
+use super::shape::{Dirichlet, RelativeBox, Shape};
 use crate::body::SolidProperties;
 use crate::elasticity::SolidMaterial;
 use crate::load::Force;
@@ -95,13 +94,15 @@ impl<'a> Part<'a> {
         if let Some(place) = moved {
             let [linear, angular] =
                 velocities.map(|velocity| velocity.map_or([0.0; 3], |(_, velocity)| *velocity));
-            let all: Vec<u32> = (0..self.points.len() as u32).collect();
-            self.script(
-                &all,
-                &[Piece::endless(place.clone(), linear, angular)],
-                file,
-                notes,
-            )?;
+            let piece = Piece {
+                place: place.clone(),
+                vertices: (0..self.points.len() as u32).collect(),
+                linear,
+                angular,
+                from: 0.0,
+                until: f64::INFINITY,
+            };
+            self.script(&[piece], file, notes)?;
         }
         self.hold(file, notes)?;
         if let Some((place, [linear, angular])) = &shape.initial {
@@ -135,59 +136,49 @@ impl<'a> Part<'a> {
         moment / volume
     }
 
-    /// Scripts of `DBC`. Those of the same vertices follow each other in time.
+    /// Scripts of `DBC`.
     fn hold(&mut self, file: &File, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
-        let mut groups: Vec<(Vec<u32>, Vec<Piece>)> = Vec::new();
-        for held in &self.shape.dirichlet {
-            let vertices = self.inside(&held.vertices);
-            let [from, until] = file.dirichlet_times;
-            let piece = Piece {
-                place: held.place.clone(),
-                linear: held.linear,
-                angular: held.angular,
-                from: held.from.max(from),
-                until: held.until.min(until),
-            };
-            if vertices.is_empty() || piece.from >= piece.until {
-                notes.push((held.place.clone(), "no vertex is held".to_owned()));
-                continue;
+        let [from, until] = file.dirichlet_times;
+        let piece = |held: &Dirichlet| Piece {
+            place: held.place.clone(),
+            vertices: self.inside(&held.vertices),
+            linear: held.linear,
+            angular: held.angular,
+            from: held.from.max(from).max(0.0),
+            until: held.until.min(until),
+        };
+        let mut pieces: Vec<Piece> = self.shape.dirichlet.iter().map(piece).collect();
+        pieces.retain(|piece| {
+            let acts = !piece.vertices.is_empty() && piece.from < piece.until;
+            if !acts {
+                notes.push((piece.place.clone(), "no vertex is held".to_owned()));
             }
-            if let Some((_, pieces)) = groups.iter_mut().find(|(others, _)| *others == vertices) {
-                pieces.push(piece);
-            } else if groups
-                .iter()
-                .any(|(others, _)| others.iter().any(|other| vertices.contains(other)))
-            {
-                let what = "a vertex in two boxes, of which IPC adds the motions,";
-                return Err(Problem::unsupported(what, "separate the boxes").at(&held.place));
-            } else {
-                groups.push((vertices, vec![piece]));
-            }
-        }
-        for (vertices, pieces) in groups {
-            self.script(&vertices, &pieces, file, notes)?;
-        }
-        Ok(())
+            acts
+        });
+        pieces.sort_by(|a, b| a.from.total_cmp(&b.from));
+        (1..=pieces.len()).try_for_each(|count| self.script(&pieces[..count], file, notes))
     }
 
-    /// Adds the script of some vertices.
+    /// Adds the script of the last of these pieces, of which the others begin before.
     fn script(
         &mut self,
-        vertices: &[u32],
         pieces: &[Piece],
         file: &File,
         notes: &mut Vec<(Place, String)>,
     ) -> Result<(), Fault> {
-        if let Some(piece) = pieces.iter().find(|piece| piece.angular != [0.0; 3]) {
+        let moved = held::moved(pieces)?;
+        let Some(piece) = pieces.last() else {
+            return Ok(());
+        };
+        if piece.turns() {
             let message = "turns about the center that the box of the vertices has at the start; IPC computes \
                            this center anew in each time step";
             notes.push((piece.place.clone(), message.to_owned()));
         }
-        let selection = of_vertices(vertices, &self.points);
-        let center = center(vertices, &self.points);
-        self.body
-            .script
-            .push(held::script(selection, pieces, center, file)?);
+        let selection = of_vertices(&piece.vertices, &self.points);
+        let center = Vector3::from(center(&piece.vertices, &self.points)) + moved;
+        let script = piece.script(selection, center.into(), file);
+        self.body.script.push(script);
         Ok(())
     }
 
@@ -229,6 +220,11 @@ impl<'a> Part<'a> {
             .map(|(vertex, _)| vertex)
             .collect()
     }
+}
+
+/// The center of the box of some vertices of a body.
+fn center(selected: &[u32], points: &[Point]) -> Point {
+    box_center(selected.iter().map(|&vertex| points[vertex as usize]))
 }
 
 /// True for a file of tetrahedra, false for one of triangles.

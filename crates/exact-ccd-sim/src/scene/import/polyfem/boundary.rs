@@ -213,12 +213,14 @@ impl<'a> Conditions<'a> {
     }
 
     /// The initial velocity of a body with an id.
-    pub(super) fn velocity(&self, id: Option<i64>) -> Result<Point, Fault> {
-        let Some(condition) = self.velocities.iter().find(|condition| condition.ids.contain(id)) else {
-            return Ok([0.0; 3]);
-        };
-        condition.is_used.set(true);
-        Ok(condition.value)
+    pub(super) fn velocity(&self, id: i64) -> Point {
+        let mut velocities = self.velocities.iter();
+        velocities
+            .find(|condition| condition.ids.contain(Some(id)))
+            .map_or([0.0; 3], |condition| {
+                condition.is_used.set(true);
+                condition.value
+            })
     }
 
     /// Checks that all conditions apply to something.

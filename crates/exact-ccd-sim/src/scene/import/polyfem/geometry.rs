@@ -15,6 +15,7 @@ use super::material::{self, Material};
 use super::region::Regions;
 use super::surface::Surface;
 use super::transformation::pose;
+use super::volume::Volumes;
 use crate::half_space::HalfSpace;
 use crate::scene::description::BodyDescription;
 use crate::scene::mesh::Mesh;
@@ -119,18 +120,16 @@ impl Geometry {
         let pose = entry
             .get("transformation")
             .map_or(Ok(Pose::IDENTITY), |entry| pose(&entry, &size, notes))?;
-        let id = volume_id(entry)?.filter(|_| !is_obstacle);
-        let solid = if is_obstacle {
-            None
-        } else {
-            Some(material::of_body(id, materials, entry)?)
-        };
         let mut body = BodyDescription {
             mesh: Some(path),
-            solid,
             ..BodyDescription::default()
         };
         pose.apply(&mut body);
+        if !is_obstacle {
+            let volumes = Volumes::parse(entry, &mesh)?;
+            volumes.add_materials(materials, entry, &mut body)?;
+            body.velocity = volumes.velocity(conditions, entry)?;
+        }
         let points: Vec<Point> = mesh.points.iter().map(|&point| body.place(point)).collect();
         self.measure(&mesh, &points);
         let bounds: Aabb = points.iter().copied().collect();
@@ -143,7 +142,6 @@ impl Geometry {
             conditions.move_obstacle(&mut body, regions.as_ref().and_then(|_| surface.single_id()))?;
         } else {
             conditions.apply(&mut body, &surface)?;
-            body.velocity = conditions.velocity(id)?;
         }
         for offset in offsets(entry, kind, &bounds, notes)? {
             let mut copy = body.clone();
@@ -199,21 +197,6 @@ fn check_options(
         advanced.check(&rules, notes)?;
     }
     Ok(())
-}
-
-/// The id of a body, if it is the same for all elements and not that of its mesh file.
-fn volume_id(entry: &Entry<'_>) -> Result<Option<i64>, Fault> {
-    let Some(selection) = entry.get("volume_selection") else {
-        return Ok(None);
-    };
-    let single = selection
-        .get("id")
-        .filter(|_| selection.value.as_object().is_some_and(|keys| keys.len() == 1));
-    let id = single.unwrap_or_else(|| selection.clone());
-    match id.value.as_i64() {
-        Some(id) => Ok(Some(id)),
-        None => Err(selection.unsupported("a material for each element", "write one number")),
-    }
 }
 
 /// The translations of the copies of a mesh.

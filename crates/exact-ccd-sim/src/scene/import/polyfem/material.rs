@@ -1,6 +1,6 @@
 //! Materials.
 
-use super::super::fault::{Fault, Place};
+use super::super::fault::{Fault, Place, Problem};
 use super::NOTHING;
 use super::entry::{Entry, Rule};
 use crate::body::SolidProperties;
@@ -65,26 +65,19 @@ fn material(entry: &Entry<'_>, is_listed: bool, notes: &mut Vec<(Place, String)>
     })
 }
 
-/// The material of a body with an id. A body without one has the id of the elements in its mesh file, which
-/// is that of the material if there is only one.
-pub(super) fn of_body(
-    id: Option<i64>,
-    materials: &[Material],
-    body: &Entry<'_>,
-) -> Result<SolidProperties, Fault> {
-    let has_id = |material: &&Material| match (&material.ids, id) {
-        (None, _) => true,
-        (Some(_), None) => materials.len() == 1,
-        (Some(ids), Some(id)) => ids.contains(&id),
-    };
-    // Of several materials with an id, PolyFEM takes the last one.
+/// The material of the tetrahedra with an id. Of several materials with an id, PolyFEM takes the last one.
+pub(super) fn of_id(id: i64, materials: &[Material], geometry: &Entry<'_>) -> Result<SolidProperties, Fault> {
+    let has_id = |material: &&Material| material.ids.as_ref().is_none_or(|ids| ids.contains(&id));
     let material = materials.iter().rev().find(has_id);
-    let missing = || match id {
-        Some(id) => body.invalid(&format!("a material with the id {id}")),
-        None => body.unsupported(
-            "a material for each element",
-            "give the body an id by `volume_selection`",
-        ),
+    let missing = || {
+        let ids = materials.iter().flat_map(|material| &material.ids).flatten();
+        let known: Vec<String> = ids.map(i64::to_string).collect();
+        let found = format!("tetrahedra with the id {id}, which no material has");
+        let expected = format!(
+            "one of the ids of materials ({}): set it by `volume_selection`, or by physical groups of the mesh",
+            known.join(", ")
+        );
+        Problem::invalid(found, expected).at(&geometry.place())
     };
     material.map(|material| material.properties).ok_or_else(missing)
 }

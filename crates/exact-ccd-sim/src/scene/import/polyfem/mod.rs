@@ -1,9 +1,9 @@
 //! PolyFEM's JSON.
 //!
 //! Source of the format: PolyFEM (github.com/polyfem/polyfem, version of June 2026): `json-specs` for keys
-//! and default values, `GeometryReader.cpp` for the placement of meshes and for obstacles, `Selection.cpp`
-//! for selections, `JSONUtils.cpp` for `common` and for rotations, `RhsAssembler.cpp` for signs, and
-//! `NonlinearElasticVarForm.cpp` for the contact distance.
+//! and default values, `GeometryReader.cpp` for the placement of meshes and for obstacles, `MshReader.cpp`
+//! for the ids of cells in mesh files, `Selection.cpp` for selections, `JSONUtils.cpp` for `common` and for
+//! rotations, `RhsAssembler.cpp` for signs, and `NonlinearElasticVarForm.cpp` for the contact distance.
 
 mod boundary;
 mod entry;
@@ -16,6 +16,7 @@ mod region;
 mod settings;
 mod surface;
 mod transformation;
+mod volume;
 
 use std::path::Path;
 

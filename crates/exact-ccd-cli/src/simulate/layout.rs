@@ -1,0 +1,119 @@
+//! The files and subfolders of the output folder of a simulation.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use exact_ccd_files::read_pvd;
+
+use super::statistics::Row;
+use super::steps;
+use crate::failure::Failure;
+use crate::output::{draft_of, remove_files};
+
+pub(super) const CHECKPOINT: &str = "checkpoint.json";
+pub(super) const STATISTICS: &str = "statistics.csv";
+pub(super) const BODIES: &str = "bodies.csv";
+pub(super) const COLLECTION: &str = "motion.pvd";
+pub(super) const CONTACT_COLLECTION: &str = "contacts.pvd";
+pub(super) const ANIMATION: &str = "motion.png";
+pub(super) const GIF: &str = "motion.gif";
+pub(super) const ENERGIES: &str = "energies.svg";
+pub(super) const DISTANCE: &str = "minimal-distance.svg";
+const FILES: [&str; 9] = [
+    CHECKPOINT,
+    STATISTICS,
+    BODIES,
+    COLLECTION,
+    CONTACT_COLLECTION,
+    ANIMATION,
+    GIF,
+    ENERGIES,
+    DISTANCE,
+];
+
+/// The subfolders, which have one or more files for each time step.
+pub(super) const FRAMES: &str = "frames";
+pub(super) const GRIDS: &str = "vtu";
+pub(super) const CONTACTS: &str = "contacts";
+pub(super) const PATH: &str = "path";
+pub(super) const PICTURES: &str = "pictures";
+
+/// Removes the files of an earlier run. They refer to files in the subfolders, which are removed later.
+pub(super) fn remove_index_files(folder: &Path) -> Result<(), Failure> {
+    for file in FILES.map(|name| folder.join(name)) {
+        match fs::remove_file(&file) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                return Err(Failure::write(&file, error));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// The time steps with files that the collection in a folder lists, up to the last one. If there is no
+/// readable collection, these are all files.
+pub(super) fn frames_until(folder: &Path, last: u64) -> Vec<u64> {
+    let step = |file: &Path| {
+        file.file_name()
+            .and_then(|name| name.to_str())
+            .and_then(steps::step_of)
+    };
+    let mut frames: Vec<u64> = match read_pvd(folder.join(COLLECTION)) {
+        Ok(collection) => collection.iter().filter_map(|(_, file)| step(file)).collect(),
+        Err(_) => {
+            let entries = fs::read_dir(folder.join(GRIDS)).into_iter().flatten().flatten();
+            entries.filter_map(|entry| step(&entry.path())).collect()
+        }
+    };
+    frames.retain(|&step| step <= last);
+    frames.sort_unstable();
+    frames.dedup();
+    frames
+}
+
+/// The first result up to a time step that is missing.
+pub(super) fn missing(folder: &Path, frames: &[u64], rows: &[Row], last: u64) -> Option<String> {
+    let files = frames.iter().flat_map(|&step| {
+        [
+            frame_file(folder, step),
+            grid_file(folder, step),
+            contact_file(folder, step),
+        ]
+    });
+    let file = files.into_iter().find(|file| !file.is_file());
+    let row = (1..=last).zip(rows.iter().map(|row| row.step).chain(std::iter::repeat(0)));
+    let row = row.into_iter().find(|(expected, found)| expected != found);
+    let row = row.map(|(step, _)| {
+        format!(
+            "the row of time step {step} in {}",
+            folder.join(STATISTICS).display()
+        )
+    });
+    file.map(|file| format!("the file {}", file.display())).or(row)
+}
+
+/// The file of the surface at the end of a time step.
+pub(super) fn frame_file(folder: &Path, step: u64) -> PathBuf {
+    folder.join(FRAMES).join(steps::name(step, "ply"))
+}
+
+/// The file of all vertices at the end of a time step.
+pub(super) fn grid_file(folder: &Path, step: u64) -> PathBuf {
+    folder.join(GRIDS).join(steps::name(step, "vtu"))
+}
+
+/// The file of the contacts at the end of a time step.
+pub(super) fn contact_file(folder: &Path, step: u64) -> PathBuf {
+    folder.join(CONTACTS).join(steps::name(step, "vtp"))
+}
+
+/// Removes the files of all time steps after `last`, or of all time steps for `None`, and unfinished files.
+pub(super) fn remove_after(folder: &Path, last: Option<u64>) -> Result<(), Failure> {
+    for inner in [FRAMES, GRIDS, CONTACTS, PATH, PICTURES] {
+        steps::remove_after(&folder.join(inner), last)?;
+    }
+    let is_draft = |name: &str| draft_of(name).is_some_and(|file| FILES.contains(&file));
+    remove_files(folder, is_draft).map_err(|source| Failure::write(folder, source))
+}

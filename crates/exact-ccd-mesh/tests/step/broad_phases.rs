@@ -1,0 +1,69 @@
+//! Broad phases of other crates.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use exact_ccd_mesh::{Boxes, BroadPhase, Bvh, PairSink, Point};
+
+use crate::motions::{falling_sheet, sheet};
+use crate::{motion, report};
+
+/// A broad phase that counts its pairs.
+#[derive(Default)]
+struct Counted(AtomicUsize);
+
+impl BroadPhase for Counted {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        Bvh.between(a, b, &|pairs| {
+            self.0.fetch_add(pairs.len(), Ordering::Relaxed);
+            sink(pairs)
+        })
+    }
+
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        Bvh.within(boxes, &|pairs| {
+            self.0.fetch_add(pairs.len(), Ordering::Relaxed);
+            sink(pairs)
+        })
+    }
+}
+
+/// Coordinates are relative to the other vertices, so that single precision suffices for these.
+#[test]
+fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
+    let pairs = |stray: Point| {
+        let (mut x0, faces) = sheet(40, 0.0);
+        x0.push(stray);
+        let x1: Vec<Point> = x0.iter().map(|[x, y, z]| [*x, *y, z - 0.1]).collect();
+        let motion = motion(x0, x1, faces);
+        let counted = Counted::default();
+        assert!(motion.step().unwrap().is_free(&counted));
+        counted.0.into_inner()
+    };
+    let near = pairs([3.0, 4.0, 50.0]);
+    assert!(near > 10_000);
+    for far in [1e9, -1e30, f64::MAX] {
+        assert!(pairs([far; 3]) < near + near / 10, "{far}");
+    }
+}
+
+/// A broad phase that names primitives that do not exist.
+struct Nonsense;
+
+impl BroadPhase for Nonsense {
+    fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        sink(&[[a.len() as u32, 0], [0, b.len() as u32], [u32::MAX; 2]])
+    }
+
+    fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
+        self.between(boxes, boxes, sink)
+    }
+}
+
+#[test]
+fn nonsense_from_a_broad_phase_is_no_contact() {
+    let motion = falling_sheet();
+    assert!(report(&motion, &Nonsense).is_free());
+    assert!(motion.step().unwrap().is_free(&Nonsense));
+    assert_eq!(motion.step().unwrap().earliest_contact(&Nonsense), None);
+}

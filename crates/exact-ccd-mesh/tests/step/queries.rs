@@ -1,0 +1,36 @@
+//! The queries of pairs of primitives.
+
+use exact_ccd_mesh::{Step, TriangleMesh};
+
+use crate::motions::falling_sheet;
+
+#[test]
+fn primitives_that_a_mesh_does_not_have_have_no_query() {
+    let motion = falling_sheet();
+    let step = motion.step().unwrap();
+    let [vertices, faces, edges] = [
+        motion.mesh.vertex_count(),
+        motion.mesh.faces().len(),
+        motion.mesh.edges().len(),
+    ]
+    .map(|count| count as u32);
+    assert!(step.vertex_face(vertices - 1, faces - 1).is_some());
+    assert_eq!(step.vertex_face(vertices, faces - 1), None);
+    assert_eq!(step.vertex_face(vertices - 1, faces), None);
+    assert!(step.edge_edge(edges - 1, 0).is_some());
+    assert_eq!(step.edge_edge(edges, 0), None);
+    assert_eq!(step.edge_edge(0, u32::MAX), None);
+}
+
+#[test]
+fn a_query_has_its_points_in_the_order_of_its_primitives() {
+    let x0 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]];
+    let x1 = x0.map(|[x, _, _]| [x, 1.0, 0.0]);
+    let mesh = TriangleMesh::new(4, vec![[3, 1, 0], [2, 1, 3]]).unwrap();
+    let step = Step::new(&mesh, &x0, &x1).unwrap();
+    let query = step.vertex_face(2, 0).unwrap();
+    assert_eq!(*query.points(), [x0, x1].map(|x| [x[2], x[3], x[1], x[0]]));
+    // The edges are 01, 12, 03, 13, 23.
+    let query = step.edge_edge(1, 2).unwrap();
+    assert_eq!(*query.points(), [x0, x1].map(|x| [x[1], x[2], x[0], x[3]]));
+}

@@ -1,0 +1,123 @@
+//! The contacts of a step in integer arithmetic.
+
+use exact_ccd::{EdgeEdge, Impact, Kind, Query, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd_mesh::{Motion, Pair, PairCounts, Point};
+
+/// The contacts of a step in integer arithmetic, for every pair without a common vertex.
+#[derive(Default)]
+pub(crate) struct Truth {
+    pub(crate) vertex_face: Vec<[u32; 2]>,
+    pub(crate) edge_edge: Vec<[u32; 2]>,
+    pub(crate) vertex_edge: Vec<[u32; 2]>,
+    pub(crate) vertex_vertex: Vec<[u32; 2]>,
+    pub(crate) colliding: PairCounts,
+    pub(crate) touching: PairCounts,
+    pub(crate) earliest: Option<(Pair, Impact)>,
+}
+
+impl Truth {
+    pub(crate) fn of(motion: &Motion) -> Self {
+        let mut truth = Self::default();
+        let at = |vertices| [&motion.x0, &motion.x1].map(|x| gather(x, vertices));
+        for vertex in 0..motion.x0.len() as u32 {
+            for (face, &[a, b, c]) in (0..).zip(motion.mesh.faces()) {
+                if [a, b, c].contains(&vertex) {
+                    continue;
+                }
+                let [t0, t1] = at([vertex, a, b, c]);
+                if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {
+                    truth.vertex_face.push([vertex, face]);
+                }
+                let pair = Pair::VertexFace { vertex, face };
+                let (colliding, touching) = truth.count(pair, Query::<VertexFace>::new(t0, t1).unwrap());
+                truth.colliding.vertex_face += colliding;
+                truth.touching.vertex_face += touching;
+            }
+        }
+        let edges = motion.mesh.edges();
+        for (b, &[b0, b1]) in (0..).zip(edges) {
+            for (a, &[a0, a1]) in (0..).zip(&edges[..b as usize]) {
+                if [a0, a1].iter().any(|vertex| [b0, b1].contains(vertex)) {
+                    continue;
+                }
+                let [t0, t1] = at([a0, a1, b0, b1]);
+                if boxes_meet([&t0[..2], &t1[..2]], [&t0[2..], &t1[2..]]) {
+                    truth.edge_edge.push([a, b]);
+                }
+                let (colliding, touching) =
+                    truth.count(Pair::EdgeEdge { a, b }, Query::<EdgeEdge>::new(t0, t1).unwrap());
+                truth.colliding.edge_edge += colliding;
+                truth.touching.edge_edge += touching;
+            }
+        }
+        truth.edge_edge.sort_unstable();
+        truth.count_loose(motion);
+        truth
+    }
+
+    /// Counts the pairs of loose vertices with loose edges and with each other.
+    fn count_loose(&mut self, motion: &Motion) {
+        let points: Vec<u32> = motion.mesh.loose_vertices().collect();
+        let rods = motion.mesh.loose_edges();
+        let first_rod = (motion.mesh.edges().len() - rods.len()) as u32;
+        for (i, &p) in points.iter().enumerate() {
+            for (edge, &[a, b]) in (first_rod..).zip(rods) {
+                let [t0, t1] = [&motion.x0, &motion.x1].map(|x| gather(x, [p, a, b]));
+                if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {
+                    self.vertex_edge.push([p, edge]);
+                }
+                let pair = Pair::VertexEdge { vertex: p, edge };
+                let (colliding, touching) = self.count(pair, Query::<VertexEdge>::new(t0, t1).unwrap());
+                self.colliding.vertex_edge += colliding;
+                self.touching.vertex_edge += touching;
+            }
+            for &q in &points[i + 1..] {
+                let [t0, t1] = [&motion.x0, &motion.x1].map(|x| gather(x, [p, q]));
+                if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {
+                    self.vertex_vertex.push([p, q]);
+                }
+                let pair = Pair::VertexVertex { a: p, b: q };
+                let (colliding, touching) = self.count(pair, Query::<VertexVertex>::new(t0, t1).unwrap());
+                self.colliding.vertex_vertex += colliding;
+                self.touching.vertex_vertex += touching;
+            }
+        }
+    }
+
+    /// Counts a pair: 1 if it collides, and 1 if it touches at t = 0. Keeps the earliest contact.
+    fn count<K: Kind>(&mut self, pair: Pair, query: Query<K>) -> (usize, usize) {
+        let Some(time) = exact::contact_times(&query).first() else {
+            return (0, 0);
+        };
+        let impact = query.impact().unwrap();
+        assert_eq!(impact.time, time);
+        let key =
+            |(pair, impact): &(Pair, Impact)| (impact.time.lower().to_bits(), !impact.time.is_exact(), *pair);
+        let earlier = self
+            .earliest
+            .is_none_or(|earliest| key(&(pair, impact)) < key(&earliest));
+        if earlier {
+            self.earliest = Some((pair, impact));
+        }
+        (1, usize::from(time.is_exact() && time.lower() == 0.0))
+    }
+}
+
+fn gather<const N: usize>(x: &[Point], vertices: [u32; N]) -> [Point; N] {
+    vertices.map(|vertex| x[vertex as usize])
+}
+
+/// True if the boxes around two primitives over the step have a common point.
+fn boxes_meet(a: [&[Point]; 2], b: [&[Point]; 2]) -> bool {
+    (0..3).all(|axis| {
+        let interval = |points: [&[Point]; 2]| {
+            let values = points.concat().into_iter().map(|point| point[axis]);
+            (
+                values.clone().fold(f64::INFINITY, f64::min),
+                values.fold(f64::NEG_INFINITY, f64::max),
+            )
+        };
+        let ((a_lower, a_upper), (b_lower, b_upper)) = (interval(a), interval(b));
+        a_lower <= b_upper && b_lower <= a_upper
+    })
+}
