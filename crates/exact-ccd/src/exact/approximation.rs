@@ -15,6 +15,15 @@ pub(super) struct Approximation {
 }
 
 impl Approximation {
+    /// An integer.
+    pub(super) fn exactly(middle: IBig) -> Self {
+        Self {
+            middle,
+            unit: 0,
+            error: None,
+        }
+    }
+
     /// The sign, if the error does not hide it.
     pub(super) fn sign(&self) -> Option<Ordering> {
         self.is_known_to(0).then(|| self.middle.cmp(&IBig::ZERO))
@@ -22,8 +31,13 @@ impl Approximation {
 
     /// Returns true if the error is less than 2⁻ᵏ of the middle.
     pub(super) fn is_known_to(&self, bits: usize) -> bool {
-        self.error
-            .is_none_or(|error| self.middle.bit_len() > error + bits)
+        self.missing(bits) == 0
+    }
+
+    /// The number of bits by which the middle is too short for an error of less than 2⁻ᵏ of it.
+    pub(super) fn missing(&self, bits: usize) -> usize {
+        let needed = |error: usize| (error + bits + 1).saturating_sub(self.middle.bit_len());
+        self.error.map_or(0, needed)
     }
 
     /// The exponent of the least power of two above the magnitude of the middle.

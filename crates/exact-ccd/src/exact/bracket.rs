@@ -18,6 +18,12 @@ pub(crate) struct Bracket {
     bits: usize,
 }
 
+/// The precision of the first guess.
+const FIRST_BITS: usize = 4;
+
+/// The number of bits by which values are more precise than the next guess needs them to be.
+const MARGIN: isize = 20;
+
 /// An end of a bracket: 0, 1, or a ratio a 2ᵏ : 1.
 #[derive(Clone, Debug)]
 struct End {
@@ -29,12 +35,16 @@ struct End {
 impl Bracket {
     /// The bracket of a polynomial that changes its sign once between two times.
     pub(super) fn new(of: Arc<Polynomial>, low: Split, high: Split) -> Self {
-        let bits = 4;
         let [low, high] = [low, high].map(|time| End {
-            value: of.value_at(&time, bits),
+            value: of.value_at(&time, FIRST_BITS),
             time,
         });
-        Self { of, low, high, bits }
+        Self {
+            of,
+            low,
+            high,
+            bits: FIRST_BITS,
+        }
     }
 
     /// A polynomial of which it is the only root in the bracket, a simple one.
@@ -55,32 +65,72 @@ impl Bracket {
         Split::closeness(self.low(), self.high())
     }
 
-    /// Makes the bracket narrower: a cell of a grid if the guess is right, otherwise at most about one half
-    /// of it. The root itself is returned if it is at an end of them.
-    pub(super) fn narrow(&mut self) -> Result<(), Split> {
+    /// Makes the bracket narrower: a cell of a grid if the guess is right, by a factor of about 2ᵏ at most,
+    /// otherwise at most about one half of it. The root itself is returned if it is found.
+    pub(super) fn narrow(&mut self, most: usize) -> Result<(), Split> {
         if self.closeness() == 0 {
-            return self.cut(Split::between(self.low(), self.high()));
+            return self.cut(Split::between(self.low(), self.high()), isize::MAX);
         }
+        let tops = [&self.low, &self.high].map(|end| end.value.top());
+        if tops[0].abs_diff(tops[1]) > 8 {
+            return self.narrow_to_end(tops);
+        }
+        let bits = self.bits.min(most);
         let values = [&self.low.value, &self.high.value];
-        let guess = guess::secant(values, self.low(), self.high(), self.bits);
-        for t in &guess {
-            self.cut(t.clone())?;
-        }
-        if *self.low() == guess[0] && *self.high() == guess[1] {
-            self.bits *= 2;
+        // In a cell, values are less by a factor of about 2⁻ᵇ. The next guess is for 2 b bits of them.
+        let unit = tops[0].max(tops[1]) - 3 * bits as isize - MARGIN;
+        if self.cut_to(guess::secant(values, self.low(), self.high(), bits), unit)? {
+            self.bits = 2 * bits;
         } else {
-            self.cut(Split::between(self.low(), self.high()))?;
-            self.bits = (self.bits / 2).max(2);
+            self.bits = (bits / 2).max(2);
+            self.cut(Split::between(self.low(), self.high()), unit)?;
         }
         Ok(())
     }
 
-    /// Moves one end to a time, unless that is outside the bracket, or returns it if it is the root.
-    fn cut(&mut self, time: Split) -> Result<(), Split> {
+    /// Makes the bracket narrower where the value at one end is less by a factor of about 2⁻ʳ.
+    ///
+    /// The root is near that end: at a distance of about 2⁻ʳ of the width if the polynomial is nearly
+    /// linear, and of 2⁻ʳᐟ² if it has an extremum at the end. If it is farther away, because the extremum is
+    /// flat, the exponent is halved until the distance is large enough.
+    fn narrow_to_end(&mut self, tops: [isize; 2]) -> Result<(), Split> {
+        let ratio = tops[0].abs_diff(tops[1]);
+        let is_near_low = tops[0] < tops[1];
+        let (low, high) = (self.low().clone(), self.high().clone());
+        let at = |halvings| guess::near_end(&low, &high, is_near_low, halvings);
+        let unit = tops[0].min(tops[1]) - 3 * FIRST_BITS as isize - MARGIN;
+        self.bits = FIRST_BITS;
+        let mut reaches = |halvings: usize| {
+            let time = at(halvings);
+            self.cut(time.clone(), unit)?;
+            Ok(time == *if is_near_low { self.high() } else { self.low() })
+        };
+        if reaches(ratio / 2 + 1)? {
+            return reaches(ratio + 2).and_then(|_| reaches(ratio - 2)).map(|_| ());
+        }
+        let mut halvings = ratio / 2 - 1;
+        while !reaches(halvings)? && halvings > 1 {
+            halvings /= 2;
+        }
+        Ok(())
+    }
+
+    /// Moves the ends to those of a cell that are in the bracket, and returns true if the root is between
+    /// them.
+    fn cut_to(&mut self, cell: [Split; 2], unit: isize) -> Result<bool, Split> {
+        for t in &cell {
+            self.cut(t.clone(), unit)?;
+        }
+        Ok(*self.low() >= cell[0] && *self.high() <= cell[1])
+    }
+
+    /// Moves one end to a time, with its value in a unit of at most 2ᵏ, unless the time is outside the
+    /// bracket. It is returned if it is the root.
+    fn cut(&mut self, time: Split, unit: isize) -> Result<(), Split> {
         if time <= *self.low() || time >= *self.high() {
             return Ok(());
         }
-        let value = self.of.value_at(&time, 2 * self.bits);
+        let value = self.of.value_in(&time, unit);
         let end = if value.sign() == Some(Ordering::Equal) {
             return Err(time);
         } else if value.sign() == self.low.value.sign() {
@@ -122,3 +172,6 @@ impl Bracket {
         true
     }
 }
+
+#[cfg(test)]
+mod tests;

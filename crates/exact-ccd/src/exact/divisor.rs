@@ -1,5 +1,6 @@
 //! Greatest common divisors of polynomials.
 
+use alloc::vec;
 use alloc::vec::Vec;
 
 use dashu_int::ops::{Gcd, UnsignedAbs};
@@ -22,25 +23,37 @@ impl Polynomial {
         if self.is_zero() {
             return other;
         }
-        let vanish_at = |index: fn(&[IBig]) -> Option<&IBig>| {
-            [&self, &other]
-                .iter()
-                .all(|p| index(p.coefficients()).is_some_and(IBig::is_zero))
-        };
-        let [at_start, at_end] = [vanish_at(<[IBig]>::first), vanish_at(<[IBig]>::last)];
+        let zeros = [self.end_zeros(), other.end_zeros()];
+        let [start, end] = [0, 1].map(|end: usize| zeros[0][end].min(zeros[1][end]));
         let [a, b] = [&self, &other].map(|p| p.reduced().coefficients().to_vec());
-        let mut common = if are_coprime(&a, &b) {
+        let inner = if are_coprime(&a, &b) {
             [IBig::ONE].into()
         } else {
             euclid(a, b, |_| false).unwrap_or_default()
         };
-        if at_start {
-            common.insert(0, IBig::ZERO);
-        }
-        if at_end {
-            common.push(IBig::ZERO);
-        }
+        let mut common = vec![IBig::ZERO; start];
+        common.extend(inner);
+        common.resize(common.len() + end, IBig::ZERO);
         Self::new(common)
+    }
+
+    /// The quotient by a divisor of this polynomial, times an integer.
+    pub(super) fn over(&self, divisor: &Self) -> Self {
+        let [start, end] = divisor.end_zeros();
+        let inner = |p: &Self| p.coefficients()[start..p.coefficients().len() - end].to_vec();
+        Self::new(quotient(inner(self), &primitive(inner(divisor))))
+    }
+
+    /// The numbers of zeros at both ends of the coefficients, which are factors t and u, of a polynomial that
+    /// is not zero.
+    fn end_zeros(&self) -> [usize; 2] {
+        let is_inner = |c: &IBig| !c.is_zero();
+        let coefficients = self.coefficients();
+        [
+            coefficients.iter().position(is_inner),
+            coefficients.iter().rev().position(is_inner),
+        ]
+        .map(Option::unwrap_or_default)
     }
 
     /// A polynomial with the same roots, all simple, for a polynomial that is [reduced](Self::reduced).

@@ -10,7 +10,7 @@ use super::polynomial::Polynomial;
 use super::split::Split;
 
 /// The least precision, in bits: numbers of two machine words hold products.
-const LEAST_PRECISION: usize = 60;
+pub(super) const LEAST_PRECISION: usize = 60;
 
 impl Polynomial {
     /// The sign of the value at t.
@@ -19,66 +19,48 @@ impl Polynomial {
     }
 
     /// The polynomial in τ at t, known to k bits; at t = 1, the last coefficient.
-    ///
-    /// The precision is doubled until it suffices. It is at most that of the plain integer.
     pub(super) fn value_at(&self, t: &Split, bits: usize) -> Approximation {
-        let mut precision = LEAST_PRECISION + bits;
+        self.value_from(LEAST_PRECISION + bits, t, bits)
+    }
+
+    /// The polynomial in τ at t with a known sign, in a unit of at most 2ᵏ unless it is a plain integer.
+    pub(super) fn value_in(&self, t: &Split, unit: isize) -> Approximation {
+        self.value_from(self.precision_of(unit, t.top()), t, 0)
+    }
+
+    /// The polynomial in τ at t, known to k bits, by a precision that suffices: the given one, or one found
+    /// by doubling it until the sign is known, and then by the bits that are missing. It is at most that of
+    /// the plain integer.
+    fn value_from(&self, mut precision: usize, t: &Split, bits: usize) -> Approximation {
         while t.is_inner_ratio() && precision < self.length_at(t) {
             let value = self.values(t, t, precision);
             if value.is_known_to(bits) {
                 return value;
             }
-            precision *= 2;
+            precision += if value.is_known_to(1) {
+                value.missing(bits) + 2
+            } else {
+                precision
+            };
         }
         self.plain_value(t)
     }
 
-    /// The sign of all values in [low, high], low < high, if it is one that is easily proved: by the signs
-    /// of the coefficients, or by approximations of all values, the last of which takes the slope in the
-    /// interval into account.
-    ///
-    /// Around a number at which the polynomial does not vanish, all values in a narrow bracket have a
-    /// sign: the error of each approximation is then proportional to the width.
-    pub(crate) fn sign_between(&self, low: &Split, high: &Split) -> Option<Ordering> {
-        let closeness = Split::closeness(low, high);
-        if closeness == 0 {
-            return self.sign_everywhere();
-        }
-        let mut precision = LEAST_PRECISION;
-        while precision < closeness {
-            if let Some(sign) = self.values(low, high, precision).sign() {
-                return Some(sign);
-            }
-            precision *= 2;
-        }
-        self.near(low, high, closeness).sign()
+    /// The precision of values in the unit 2ᵏ, for times up to 2ˢ.
+    pub(super) fn precision_of(&self, unit: isize, scale: isize) -> usize {
+        let precision = self.top_at(scale).saturating_sub(unit);
+        usize::try_from(precision)
+            .unwrap_or_default()
+            .max(LEAST_PRECISION)
     }
 
-    /// All values in [low, high] of the polynomial in τ: that at `low`, and the product of the largest
-    /// magnitude of the slope and of the width as its error.
-    fn near(&self, low: &Split, high: &Split, closeness: usize) -> Approximation {
-        let value = self.values(low, low, LEAST_PRECISION + 2 * closeness);
-        let slope = self.slope().values(low, high, LEAST_PRECISION + closeness);
-        let change = slope.bound() + high.top() - closeness as isize - value.unit;
-        Approximation {
-            error: value
-                .error
-                .map(|error| error.max(change.max(0).unsigned_abs()) + 1),
-            ..value
-        }
-    }
-
-    /// The sign of all values in [0, 1], if all coefficients have it or are zero, the first and the last
-    /// not.
-    fn sign_everywhere(&self) -> Option<Ordering> {
-        let sign = |c: &IBig| c.cmp(&IBig::ZERO);
-        let [first, .., last] = self.coefficients() else {
-            return self.coefficients().first().map(sign);
-        };
-        let at_start = sign(first);
-        let agrees = |c: &IBig| sign(c) != at_start.reverse();
-        (at_start.is_ne() && sign(last) == at_start && self.coefficients().iter().all(agrees))
-            .then_some(at_start)
+    /// The exponent of the least power of two above all terms, for times up to 2ˢ.
+    fn top_at(&self, scale: isize) -> isize {
+        let terms = self.coefficients().iter().enumerate();
+        let tops = terms
+            .filter(|(_, c)| !c.is_zero())
+            .map(|(i, c)| c.bit_len() as isize + i as isize * scale);
+        tops.max().unwrap_or_default()
     }
 
     /// All values in [low, high] of the polynomial in τ at a precision of b bits, by Horner's scheme.
@@ -88,13 +70,9 @@ impl Polynomial {
     /// `low` down to b bits, so that it is off by at most δ 2⁻ᵇ, where δ ≤ 1 + 2ᵇ⁻ˢ (high − low). A sum
     /// of j coefficients is at most j 2ᵇ. So a step of Horner's scheme adds at most 2 + n δ to the
     /// error, and all of them at most (n + 1) (2 + n δ) ≤ (n + 1)² (1 + δ).
-    fn values(&self, low: &Split, high: &Split, precision: usize) -> Approximation {
+    pub(super) fn values(&self, low: &Split, high: &Split, precision: usize) -> Approximation {
         let scale = high.top();
-        let tops = self.coefficients().iter().enumerate();
-        let tops = tops
-            .filter(|(_, c)| !c.is_zero())
-            .map(|(i, c)| c.bit_len() as isize + i as isize * scale);
-        let unit = tops.max().unwrap_or_default() - precision as isize;
+        let unit = self.top_at(scale) - precision as isize;
         let length = (scale - low.exponent).max(0).unsigned_abs();
         let digits = length.min(precision);
         let start = &low.elapsed >> (length - digits);
@@ -116,7 +94,13 @@ impl Polynomial {
 
     /// Σ cᵢ aⁱ bⁿ⁻ⁱ 2ᵏⁱ in integers, for the ratio a 2ᵏ : b.
     fn plain_value(&self, t: &Split) -> Approximation {
-        let degree = self.coefficients().len().saturating_sub(1);
+        let [first, .., last] = self.coefficients() else {
+            return Approximation::exactly(self.at_start());
+        };
+        if t.is_end() {
+            return Approximation::exactly(if t.left.is_zero() { last } else { first }.clone());
+        }
+        let degree = self.coefficients().len() - 1;
         let mut middle = IBig::ZERO;
         let mut left = IBig::ONE;
         for (power, coefficient) in self.coefficients().iter().enumerate().rev() {

@@ -15,10 +15,7 @@ impl Split {
             [isize::MIN, above] => Self::ratio(IBig::ONE, (2 * above).min(0) - 3),
             [below, isize::MAX] => Self::ratio(IBig::ONE, (2 * below).max(0) + 3),
             [below, above] if above - below > 3 => Self::ratio(IBig::ONE, (below + above) / 2 - 1),
-            _ => {
-                let ([low, high], exponent) = Self::align(low, high);
-                Self::ratio(low + high, exponent - 1)
-            }
+            _ => Self::on_grid(low, high, &IBig::ONE, 1),
         }
     }
 
@@ -40,9 +37,13 @@ impl Split {
         length - (high - low).bit_len()
     }
 
-    /// low + (high − low) index / 2ᵇ, for the ratios.
+    /// low + (high − low) index / 2ᵇ, for the ratios, rounded down by less than (high − low) / 2ᵇ⁺² to one
+    /// of few digits.
     pub(super) fn on_grid(low: &Self, high: &Self, index: &IBig, bits: usize) -> Self {
         let ([low, high], exponent) = Self::align(low, high);
-        Self::ratio((&low << bits) + (high - low) * index, exponent - bits as isize)
+        let width = high - &low;
+        let dropped = width.bit_len().saturating_sub(3);
+        let digits = ((low << bits) + width * index) >> dropped;
+        Self::ratio(digits, exponent - bits as isize + dropped as isize)
     }
 }

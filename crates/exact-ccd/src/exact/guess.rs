@@ -33,3 +33,13 @@ fn cell(low: &Split, high: &Split, index: IBig, bits: usize) -> [Split; 2] {
     let right = (index + IBig::ONE).min(last);
     [left, right].map(|index| Split::on_grid(low, high, &index, bits))
 }
+
+/// The time at a distance of 2⁻ᵏ of the bracket from one end.
+pub(super) fn near_end(low: &Split, high: &Split, from_low: bool, halvings: usize) -> Split {
+    let index = if from_low {
+        IBig::ONE
+    } else {
+        (IBig::ONE << halvings) - IBig::ONE
+    };
+    Split::on_grid(low, high, &index, halvings)
+}

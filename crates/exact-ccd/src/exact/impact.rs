@@ -20,7 +20,7 @@ impl<K: Kind> Motion<K> {
         // In a bracket narrower than the resolution of the ratios, approximations prove nearly
         // all of their signs.
         let instant = Narrowing::new(instant);
-        instant.narrow_by(64);
+        instant.narrow_to(80);
         let contact = Contact {
             motion: self,
             instant,

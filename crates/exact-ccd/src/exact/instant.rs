@@ -27,22 +27,33 @@ impl Instant {
     ///
     /// It terminates: at a root that is not one of the polynomial, narrow brackets have a sign.
     pub(super) fn narrow_to_sign(&mut self, polynomial: &Polynomial) -> Ordering {
-        let mut is_known_not_to_vanish = false;
+        if let Some(sign) = self.plain_sign(polynomial) {
+            return sign;
+        }
+        if self.is_root_of(polynomial) {
+            return Ordering::Equal;
+        }
+        let slope = polynomial.slope();
         loop {
-            if let Some(sign) = self.plain_sign(polynomial) {
+            // An attempt costs about as much as making the bracket narrower.
+            let last = self.closeness();
+            while self.closeness() <= last.saturating_add(last / 32) && matches!(self, Self::Root(_)) {
+                self.narrow(usize::MAX);
+            }
+            let sign = match self {
+                Self::At(t) => return polynomial.sign_at(t),
+                Self::Root(root) => polynomial.sign_near(&slope, root.low(), root.high()),
+            };
+            if let Some(sign) = sign {
                 return sign;
             }
-            if !is_known_not_to_vanish && self.is_root_of(polynomial) {
-                return Ordering::Equal;
-            }
-            is_known_not_to_vanish = true;
-            self.narrow();
         }
     }
 
     /// The sign of a polynomial at this time, if it is easily proved.
-    fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
+    pub(super) fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
         match self {
+            _ if polynomial.is_zero() => Some(Ordering::Equal),
             Self::At(t) => Some(polynomial.sign_at(t)),
             Self::Root(root) => polynomial.sign_between(root.low(), root.high()),
         }
@@ -56,10 +67,10 @@ impl Instant {
         }
     }
 
-    /// Makes the bracket narrower.
-    pub(super) fn narrow(&mut self) {
+    /// Makes the bracket narrower, by a factor of about 2ᵏ at most.
+    pub(super) fn narrow(&mut self, most: usize) {
         if let Self::Root(root) = self
-            && let Err(t) = root.narrow()
+            && let Err(t) = root.narrow(most)
         {
             *self = Self::At(t);
         }
@@ -73,11 +84,10 @@ impl Instant {
         }
     }
 
-    /// Makes the bracket narrower by a factor of about 2ᵏ.
-    pub(crate) fn narrow_by(&mut self, bits: usize) {
-        let enough = self.closeness().saturating_add(bits);
-        while self.closeness() < enough && matches!(self, Self::Root(_)) {
-            self.narrow();
+    /// Makes the bracket narrower, unless its bounds have this [closeness](Split::closeness).
+    pub(crate) fn narrow_to(&mut self, closeness: usize) {
+        while self.closeness() < closeness {
+            self.narrow(closeness - self.closeness() + 1);
         }
     }
 

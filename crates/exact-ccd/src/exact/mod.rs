@@ -17,6 +17,7 @@ mod gap;
 mod guess;
 mod impact;
 mod instant;
+mod interval_sign;
 mod modular;
 mod motion;
 mod narrowing;

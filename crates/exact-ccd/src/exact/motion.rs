@@ -129,7 +129,7 @@ impl<K: Kind> Motion<K> {
 }
 
 /// A polynomial whose roots are the common roots of all components; zero if these are all zero.
-fn common([x, y, z]: Vector) -> Polynomial {
+pub(super) fn common([x, y, z]: Vector) -> Polynomial {
     x.gcd(y).gcd(z)
 }
 

@@ -21,13 +21,30 @@ impl Narrowing {
         self.0.borrow_mut().narrow_to_sign(polynomial)
     }
 
+    /// The sign of a polynomial at this time, if it is easily proved.
+    pub(crate) fn plain_sign(&self, polynomial: &Polynomial) -> Option<Ordering> {
+        self.0.borrow().plain_sign(polynomial)
+    }
+
+    /// The time with its bracket.
+    pub(crate) fn into_instant(self) -> Instant {
+        self.0.into_inner()
+    }
+
     /// A number not above this time, at most as far from it as the bracket is wide.
     pub(super) fn lower_bound(&self) -> Split {
         self.0.borrow().bounds().0.clone()
     }
 
-    /// Makes the bracket narrower by a factor of at least 2ᵏ.
+    /// Makes the bracket narrower, unless its bounds have this [closeness](Split::closeness).
+    pub(crate) fn narrow_to(&self, closeness: usize) {
+        self.0.borrow_mut().narrow_to(closeness);
+    }
+
+    /// Makes the bracket narrower by a factor of about 2ᵏ.
     pub(crate) fn narrow_by(&self, bits: usize) {
-        self.0.borrow_mut().narrow_by(bits);
+        let mut instant = self.0.borrow_mut();
+        let closeness = instant.closeness().saturating_add(bits);
+        instant.narrow_to(closeness);
     }
 }

@@ -54,7 +54,7 @@ impl Instant {
             } else {
                 &mut *other
             };
-            wider.narrow();
+            wider.narrow(usize::MAX);
         }
     }
 
@@ -70,7 +70,7 @@ impl Instant {
     pub(crate) fn round(&self) -> ContactTime {
         let mut narrow = self.clone();
         // At most a few f64 are then in the bracket, where the comparison takes long.
-        narrow.narrow_by(64);
+        narrow.narrow_to(64);
         let (mut low, mut high) = (0.0f64.to_bits(), 1.0f64.to_bits() + 1);
         let compare = |bits| narrow.compare(&Split::from_unit(f64::from_bits(bits)));
         while high - low > 1 {

@@ -95,6 +95,6 @@ fn simple(polynomial: &Polynomial, [low, high]: [&Split; 2]) -> Instant {
     let bracket = Bracket::new(Arc::new(polynomial.clone()), low.clone(), high.clone());
     let mut root = Instant::Root(bracket);
     // In a narrow bracket, most signs are easily proved.
-    root.narrow_by(16);
+    root.narrow_to(16);
     root
 }

@@ -6,7 +6,7 @@ use dashu_int::IBig;
 
 use super::feature::{Feature, Pair};
 use crate::exact::dyadic::{decompose, to_integers};
-use crate::exact::motion::{Vector, cross, dot, subtract};
+use crate::exact::motion::{Vector, common, cross, dot, subtract};
 use crate::exact::polynomial::Polynomial;
 use crate::kind::{Difference, Kind};
 use crate::query::Query;
@@ -65,40 +65,57 @@ impl Approach {
             let x = self.difference(difference);
             (
                 Pair::Vertices(difference, parameters),
-                dot(&x, &x),
                 Polynomial::constant(IBig::ONE),
+                [dot(&x, &x), Polynomial::constant(IBig::ONE)],
                 Vec::new(),
             )
         });
         let sides = K::FEATURES.sides.iter().map(|side| {
             let [a, b] = side.edge;
             let (x, e) = (self.difference((side.vertex, a)), self.difference((b, a)));
-            let (across, along, squared_length) = (cross(&e, &x), dot(&e, &x), dot(&e, &e));
-            let beyond = &squared_length - &along;
+            let along = dot(&e, &x);
+            let beyond = &dot(&e, &e) - &along;
+            let (length, direction) = factor(e);
+            let across = cross(&direction, &x);
             (
                 Pair::VertexEdge(side),
-                dot(&across, &across),
-                squared_length,
+                length,
+                [dot(&across, &across), dot(&direction, &direction)],
                 [along, beyond].into(),
             )
         });
         let inner = K::FEATURES.inner.map(|_| {
             let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
             let n = cross(&e1, &e2);
-            let volume = dot(&w, &n);
             let guards = K::SIDES.iter().map(|side| {
                 let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
                 let area = dot(&n, &cross(&x, &y));
                 if side.along { area } else { -area }
             });
-            (Pair::Inner, &volume * &volume, dot(&n, &n), guards.collect())
+            let guards = guards.collect();
+            let (length, direction) = factor(n);
+            let volume = dot(&w, &direction);
+            let quotient = [&volume * &volume, dot(&direction, &direction)];
+            (Pair::Inner, length, quotient, guards)
         });
         vertices
             .chain(sides)
             .chain(inner)
-            .map(|(pair, numerator, denominator, guards)| {
-                Feature::new(pair, [numerator, denominator], guards, &self.squared_separation)
+            .map(|(pair, length, quotient, guards)| {
+                Feature::new(pair, length, quotient, guards, &self.squared_separation)
             })
             .collect()
     }
+}
+
+/// A vector as the product of a common factor of its components, which vanishes when it does, and of a
+/// direction, which vanishes at no time unless the vector is always zero.
+fn factor(vector: Vector) -> (Polynomial, Vector) {
+    let length = common(vector.clone());
+    let direction = if length.coefficients().len() == 1 || length.is_zero() {
+        vector
+    } else {
+        vector.map(|component| component.over(&length))
+    };
+    (length, direction)
 }

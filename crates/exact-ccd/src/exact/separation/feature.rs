@@ -24,11 +24,15 @@ pub(super) enum Pair {
 
 /// The squared distance of two features as a quotient of polynomials in t.
 ///
-/// Where the denominator is positive and all guards are at least 0, the quotient is the squared
-/// distance of two points of the primitives. At each time, this holds for a pair of features whose
-/// points are the closest of the primitives.
+/// Where the length is not 0 and all guards are at least 0, the quotient is the squared distance of
+/// two points of the primitives. At each time, this holds for a pair of features whose points are the
+/// closest of the primitives.
 pub(super) struct Feature {
     pub(super) pair: Pair,
+    /// A common factor of the components of the edge, or of the normal. The rest of these, the direction,
+    /// has them in numerator and denominator, so that these are short. The latter is its square, and
+    /// positive.
+    length: Polynomial,
     numerator: Polynomial,
     denominator: Polynomial,
     /// The closest points of the lines or planes lie inside the features exactly if none of these
@@ -40,6 +44,7 @@ pub(super) struct Feature {
 impl Feature {
     pub(super) fn new(
         pair: Pair,
+        length: Polynomial,
         [numerator, denominator]: [Polynomial; 2],
         guards: Vec<Polynomial>,
         squared_separation: &Polynomial,
@@ -47,6 +52,7 @@ impl Feature {
         let excess = &numerator - &(squared_separation * &denominator);
         Self {
             pair,
+            length,
             numerator,
             denominator,
             guards,
@@ -61,7 +67,10 @@ impl Feature {
         let may_cross = !self.excess.is_zero() && !self.guards.iter().any(is_negative);
         let roots = may_cross.then(|| roots_between(&self.excess, [low, high]));
         let roots = roots.into_iter().flatten();
-        roots.filter(|root| self.exists(&Narrowing::new(root)))
+        roots.filter_map(|root| {
+            let instant = Narrowing::new(&root);
+            self.exists(&instant).then(|| instant.into_instant())
+        })
     }
 
     /// Numerator and denominator of the squared distance.
@@ -70,8 +79,18 @@ impl Feature {
     }
 
     /// True if the quotient is the squared distance of two points of the primitives.
+    ///
+    /// A guard that is easily proved to be negative spares the other signs.
     pub(super) fn exists(&self, instant: &Narrowing) -> bool {
-        instant.sign(&self.denominator).is_gt() && self.guards.iter().all(|guard| instant.sign(guard).is_ge())
+        let mut unknown = Vec::new();
+        for guard in &self.guards {
+            match instant.plain_sign(guard) {
+                Some(Ordering::Less) => return false,
+                Some(_) => {}
+                None => unknown.push(guard),
+            }
+        }
+        instant.sign(&self.length).is_ne() && unknown.into_iter().all(|guard| instant.sign(guard).is_ge())
     }
 
     /// True if two points of these features are at most d apart.

@@ -1,0 +1,47 @@
+//! Roots next to an extremum, of any flatness.
+
+use alloc::vec;
+
+use dashu_int::IBig;
+
+use crate::exact::polynomial::Polynomial;
+use crate::exact::roots::roots;
+use crate::exact::split::Split;
+
+/// (t − u)ᵐ a 2ᵐᵏ − (t + u)ᵐ. The roots are near t / u = 1 ± 2¹⁻ᵏ, for a = 1.
+fn flat(power: usize, factor: u32, halvings: usize) -> Polynomial {
+    let power_of = |base: [i32; 2]| {
+        let base = Polynomial::new(base.map(IBig::from).to_vec());
+        (0..power).fold(Polynomial::constant(IBig::ONE), |product, _| &product * &base)
+    };
+    let scaled = &power_of([-1, 1]).shifted(power * halvings) * &Polynomial::constant(factor.into());
+    &scaled - &power_of([1, 1])
+}
+
+#[test]
+fn roots_next_to_an_extremum_are_found_at_any_distance() {
+    for power in 1..=6 {
+        for halvings in [3, 40, 333, 1500] {
+            for factor in [1, 3, 1 << 30] {
+                let polynomial = flat(power, factor, halvings);
+                let found = roots(vec![polynomial.clone()]);
+                assert_eq!(found.len(), 1 + usize::from(power % 2 == 0));
+                for mut root in found {
+                    root.narrow_to(2 * halvings);
+                    let (low, high) = root.bounds();
+                    let signs = [low, high].map(|t| polynomial.sign_at(t));
+                    assert!(
+                        signs[0] != signs[1] || signs[0].is_eq(),
+                        "{power} {halvings} {factor}"
+                    );
+                    let one = Split::ratio(IBig::ONE, 0);
+                    let distance = Split::closeness(low, &one).max(Split::closeness(&one, high));
+                    assert!(
+                        distance + 1 >= halvings,
+                        "{power} {halvings} {factor}: {distance}"
+                    );
+                }
+            }
+        }
+    }
+}
