@@ -207,7 +207,8 @@ impl Candidates {
     fn examine(&self, step: Step<'_>, collector: &impl Collect) -> NarrowPhase {
         // All on threads of the pool: entering it from outside costs a context switch each time.
         rayon::scope(|_| {
-            let narrow_phase = NarrowPhase::of(&step, self.min_distance.clone());
+            let min_distance = self.min_distance.clone().extended_to(step.mesh());
+            let narrow_phase = NarrowPhase::of(&step, min_distance);
             let _ = self.examine_all(step, &narrow_phase, collector);
             narrow_phase
         })

@@ -114,6 +114,22 @@ impl MinDistance {
         self.inner
     }
 
+    /// The same distance in a mesh that may have more vertices, which have the thickness 0.
+    pub(crate) fn extended_to(self, mesh: &TriangleMesh) -> Self {
+        match &self.outer {
+            Outer::Thickness(thickness) if thickness.vertex_count() < mesh.vertex_count() => {
+                let vertices = 0..mesh.vertex_count() as u32;
+                let values: Vec<f64> = vertices.map(|vertex| thickness.of(&[vertex]).get()).collect();
+                let thickness = Thickness::new(&values).expect("each is in range");
+                Self {
+                    outer: Outer::Thickness(thickness.into()),
+                    ..self
+                }
+            }
+            _ => self,
+        }
+    }
+
     /// Checks that each vertex of a mesh has a thickness, if there are any.
     pub(crate) fn check(&self, mesh: &TriangleMesh) -> Result<(), ThicknessCount> {
         match &self.outer {

@@ -112,7 +112,7 @@ impl NarrowPhase {
                     until,
                     |index, collision| found(kept[index], Approach::new(collision, inner)),
                 )
-                .expect("a mesh has the vertices of its primitives");
+                .expect("a mesh has the vertices of its primitives, and each has a thickness");
         }
     }
 

@@ -123,7 +123,7 @@ fn errors_of_rods_and_particles_name_their_field() {
         ),
         (
             vec![line, ROD, "offset = -1.0"],
-            "body[0].offset: the offset is -1, expected a number not below 0",
+            "body[0].offset: the offset is -1, expected a number from 0 to 8.98",
         ),
         (
             vec![line, ROD, BEADS],

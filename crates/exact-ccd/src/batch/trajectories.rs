@@ -133,7 +133,8 @@ impl Trajectories {
     /// within](Query::comes_within) its separation, in order.
     ///
     /// # Errors
-    /// [`VertexOutOfRange`] names the first vertex that does not exist; nothing is found then.
+    /// [`VertexOutOfRange`] names the first vertex that does not exist, or that has no thickness;
+    /// nothing is found then.
     pub fn collisions_within<K: Kind>(
         &self,
         queries: &[K::Vertices],
@@ -157,6 +158,9 @@ impl Trajectories {
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
         self.check::<K>(queries)?;
+        if let Separations::Thickness(thickness) = separations {
+            check::<K>(queries, thickness.vertex_count())?;
+        }
         K::run(Batch {
             instructions: self.instructions,
             rows: &self.rows,
@@ -168,30 +172,33 @@ impl Trajectories {
         Ok(())
     }
 
-    /// Checks that all vertices of queries exist.
     pub(crate) fn check<K: Kind>(&self, queries: &[K::Vertices]) -> Result<(), VertexOutOfRange> {
-        let vertex_count = self.vertex_count();
-        let largest = |vertices: &K::Vertices| vertices.as_ref().iter().fold(0, |most, &v| v.max(most));
-        let largest = queries
-            .iter()
-            .fold(0, |most, vertices| largest(vertices).max(most));
-        if queries.is_empty() || (largest as usize) < vertex_count {
-            return Ok(());
-        }
-        let missing = |vertices: &K::Vertices| {
-            let mut vertices = vertices.as_ref().iter().copied();
-            vertices.find(|&vertex| vertex as usize >= vertex_count)
-        };
-        let mut queries = queries.iter().enumerate();
-        let missing = queries.find_map(|(query, vertices)| Some((query, missing(vertices)?)));
-        missing.map_or(Ok(()), |(query, vertex)| {
-            Err(VertexOutOfRange {
-                query,
-                vertex,
-                vertex_count,
-            })
-        })
+        check::<K>(queries, self.vertex_count())
     }
+}
+
+/// Checks that all vertices of queries are below a number.
+fn check<K: Kind>(queries: &[K::Vertices], vertex_count: usize) -> Result<(), VertexOutOfRange> {
+    let largest = |vertices: &K::Vertices| vertices.as_ref().iter().fold(0, |most, &v| v.max(most));
+    let largest = queries
+        .iter()
+        .fold(0, |most, vertices| largest(vertices).max(most));
+    if queries.is_empty() || (largest as usize) < vertex_count {
+        return Ok(());
+    }
+    let missing = |vertices: &K::Vertices| {
+        let mut vertices = vertices.as_ref().iter().copied();
+        vertices.find(|&vertex| vertex as usize >= vertex_count)
+    };
+    let mut queries = queries.iter().enumerate();
+    let missing = queries.find_map(|(query, vertices)| Some((query, missing(vertices)?)));
+    missing.map_or(Ok(()), |(query, vertex)| {
+        Err(VertexOutOfRange {
+            query,
+            vertex,
+            vertex_count,
+        })
+    })
 }
 
 /// The error that names the first coordinate of a vertex that is not finite.
