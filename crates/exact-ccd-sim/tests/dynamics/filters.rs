@@ -143,7 +143,7 @@ fn no_step_ends_in_contact() {
     }
 }
 
-/// A method without exact times decides contact, not offsets: bodies with offsets could come nearer than these.
+/// Methods without exact times decide contact, not offsets: bodies could come nearer than these.
 #[test]
 fn bodies_with_offsets_need_an_exact_method() {
     let cloth = shapes::cloth([2, 2], [1.0; 2]);
