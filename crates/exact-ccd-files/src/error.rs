@@ -127,8 +127,11 @@ pub enum Fault {
         /// The remedy.
         advice: String,
     },
-    /// Compressed data expand to far more than a mesh does.
-    #[error("the data expand to more than {limit} bytes, expected a mesh; decompress the file first")]
+    /// Data that are compressed or repeated expand to far more than a mesh does.
+    #[error(
+        "the data expand to more than {limit} bytes, expected a mesh; \
+         write the file without compression and without repeated data"
+    )]
     Expansion {
         /// The limit, which follows from the size of the file.
         limit: u64,

@@ -59,7 +59,10 @@ fn data_that_expand_without_bound_are_errors() {
     assert_error(
         "bomb.obj.gz",
         &bomb,
-        &format!("the data expand to more than {limit} bytes, expected a mesh; decompress the file first"),
+        &format!(
+            "the data expand to more than {limit} bytes, expected a mesh; \
+             write the file without compression and without repeated data"
+        ),
     );
 }
 

@@ -19,9 +19,9 @@ pub struct Scripted {
     /// True for each axis along which the script acts. Along the others, vertices with mass move freely, and
     /// vertices of obstacles rest.
     pub axes: [bool; 3],
-    /// The time at which the script begins, in s, from the position which a vertex then has. Before,
-    /// vertices follow the script that began last; without one, they move freely if they have mass, and rest
-    /// otherwise.
+    /// The time at which the script begins, in s, from the position which a vertex then has. A vertex that is
+    /// free is held from the start of the time step on in which the script begins. Before, vertices follow
+    /// the script that began last; without one, they move freely if they have mass, and rest otherwise.
     pub from: f64,
     /// The time from which the script does not act, in s: vertices with mass move freely then, and vertices
     /// of obstacles rest. `None`: the script does not end.
@@ -152,10 +152,10 @@ impl Coordinates {
         [0, 1, 2].map(|axis| self.latest(axis, time).is_some_and(acts))
     }
 
-    /// The coordinates of which a script begins between two times, in s.
-    pub(crate) fn beginning(&self, [before, now]: [f64; 2]) -> Axes {
-        let begins = |script: &Arc<Timed>| script.from >= before;
-        [0, 1, 2].map(|axis| self.latest(axis, now).is_some_and(begins))
+    /// For each coordinate, the time at which its script begins, if that is between two times, in s.
+    pub(crate) fn beginning(&self, [before, now]: [f64; 2]) -> [Option<f64>; 3] {
+        let begin = |axis| self.latest(axis, now).map(|script| script.from);
+        [0, 1, 2].map(|axis| begin(axis).filter(|from| *from >= before))
     }
 
     /// The position at `time` of a vertex that no force moves, by the scripts that began last before

@@ -159,7 +159,7 @@ impl Simulation {
         );
         let mut lagged = self.kept_stiffness(&scheme);
         let held = system.held(moment);
-        let origins = system.origins(&self.state.origins, &positions, [before, moment]);
+        let origins = system.origins(&self.state.origins, &positions, end(part - 1), [before, moment]);
         let target = |vertex: usize| {
             system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
         };

@@ -74,6 +74,24 @@ fn a_falling_particle_is_caught() {
     }
 }
 
+/// A time between two time steps: the first motion lasts until then, and the second one begins there.
+#[test]
+fn a_script_that_begins_within_a_time_step_continues_the_earlier_one() {
+    let scripts = [
+        up(1.0, None).on([0, 1, 2]),
+        up(-2.0, None).on([0]).from(0.105),
+        up(1.0, None).on([1]).from(0.0333),
+        Script::Fixed.on([2]).from(0.1999),
+    ];
+    let mut simulation = simulation(&[particles()], &scripts, Settings::default());
+    let start = simulation.state().positions.clone();
+    steps(&mut simulation, 20);
+    for (vertex, height) in [0.105 - 2.0 * (0.2 - 0.105), 0.2, 0.1999].into_iter().enumerate() {
+        let [x, y, z] = start[vertex];
+        assert_near(simulation.state().positions[vertex], [x, y + height, z]);
+    }
+}
+
 /// Of the scripts of a coordinate, the one that began last counts, wherever it is in the list. An obstacle
 /// rests before and between its scripts.
 #[test]

@@ -24,6 +24,10 @@ fn errors_name_the_pointer() {
             "the file: found no key `geometry`, expected this key",
         ),
         (
+            json!({ "geometry": { "mesh": "floor.obj", "volume_selection": null } }),
+            "/geometry/mesh: found \"floor.obj\", expected a mesh of tetrahedra, or `\"is_obstacle\": true`",
+        ),
+        (
             json!({ "contact": { "enabled": false } }),
             "the file: exact-ccd has no counterpart of bodies that pass through each other",
         ),

@@ -29,9 +29,8 @@ pub(super) enum Pair {
 /// closest of the primitives.
 pub(super) struct Feature {
     pub(super) pair: Pair,
-    /// A common factor of the components of the edge, or of the normal. The rest of these, the direction,
-    /// has them in numerator and denominator, so that these are short. The latter is its square, and
-    /// positive.
+    /// λ, a common factor of the components of the edge, or of the normal. Numerator and denominator are
+    /// those of the vector divided by λ; the denominator is its square.
     length: Polynomial,
     numerator: Polynomial,
     denominator: Polynomial,

@@ -110,10 +110,10 @@ impl Geometry {
     ) -> Result<(), Fault> {
         let is_obstacle = entry.flag("is_obstacle")?;
         check_options(entry, is_obstacle, notes)?;
-        let path = entry.need("mesh")?;
+        let named = entry.need("mesh")?;
         let found = meshes
-            .find(path.text()?)
-            .map_err(|problem| problem.at(&path.place()));
+            .find(named.text()?)
+            .map_err(|problem| problem.at(&named.place()));
         let (path, mesh): (_, Rc<Mesh>) = found?;
         let whole: Aabb = mesh.points.iter().copied().collect();
         let size = Vector3::from(whole.upper) - Vector3::from(whole.lower);
@@ -126,6 +126,9 @@ impl Geometry {
         };
         pose.apply(&mut body);
         if !is_obstacle {
+            if mesh.tetrahedra.is_empty() {
+                return Err(named.invalid("a mesh of tetrahedra, or `\"is_obstacle\": true`"));
+            }
             let volumes = Volumes::parse(entry, &mesh)?;
             volumes.add_materials(materials, entry, &mut body)?;
             body.velocity = volumes.velocity(conditions, entry)?;
