@@ -8,6 +8,7 @@ import { type MarkColours } from "../colours";
 import { type Point } from "../page";
 import { add, cross, length, mix, subtract, times, unit } from "../vector";
 import { disc } from "./disc";
+import { squareOf } from "./planes";
 
 /** Points at both ends of a step. */
 export interface Moving {
@@ -17,7 +18,8 @@ export interface Moving {
 
 /** Two primitives that are marked, in units of the page. */
 export interface Marked {
-  /** The vertices of both primitives, and the corners of the faces around them. */
+  /** The vertices of both primitives, and the corners of the faces around them. A half space has none: it is marked by
+   * a square of its boundary. */
   primitives: (Moving & { around: Moving })[];
   /** The points that touch, or are closest; none for primitives that do not touch. */
   closest: [Point, Point] | null;
@@ -30,8 +32,8 @@ export class Marks {
   /** Materials are kept: a new one would be compiled again. */
   private readonly materials = new Map<string, Material>();
 
-  /** Draws marks at time t, in place of the ones before. */
-  draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
+  /** Draws marks at time t, in place of the ones before. Marks of points alone have the size `alone`. */
+  draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours, alone: number): void {
     this.clear();
     const origin = closest?.[0] ?? primitives[0].start[0];
     this.group.position.set(...origin);
@@ -39,13 +41,18 @@ export class Marks {
     const sides = [colours.first, colours.second];
     const at = ({ start, end }: Moving): Point[] => start.map((vertex, i) => local(mix(vertex, end[i], t)));
     const corners = primitives.map(at);
-    const size = Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))));
+    const size = sizeOf(corners) || sizeOf(primitives.map(({ around }) => at(around))) || alone;
     primitives.forEach(({ start, end, around }, side) => {
       const own = corners[side];
       if (paths) {
         this.lines(start.flatMap((vertex, i) => [local(vertex), local(end[i])]), colours.path, 2, size);
         this.points(start.map(local), colours.path, 5);
         this.points(end.map(local), colours.path, 9);
+      }
+      if (own.length === 0 && normal !== null && closest !== null) {
+        const [a, b, c, d] = squareOf(local(closest[side]), normal, size);
+        this.faces([a, b, c, a, c, d], sides[side], 0.4);
+        this.lines([a, b, b, c, c, d, d, a], sides[side], 3);
       }
       this.faces(at(around), sides[side], 0.22);
       if (own.length === 3) this.faces(own, sides[side], 0.5);
@@ -116,6 +123,11 @@ export class Marks {
     const wing = times(0.08 * length(tip), side);
     this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
   }
+}
+
+/** The greatest distance of a corner from the first one of its primitive. */
+function sizeOf(corners: Point[][]): number {
+  return Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))), 0);
 }
 
 function geometryOf(points: Point[]): BufferGeometry {

@@ -58,6 +58,39 @@ export function contactPose(
     }),
   );
   const best = towards.reduce((a, b) => (value(b) > value(a) ? b : a));
-  const size = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))), 1e-4 * radius);
+  const extent = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))));
+  // Points alone have no extent.
+  const size = extent > 1e-9 * radius ? Math.max(extent, 1e-4 * radius) : 0.15 * radius;
   return { target: point, position: add(point, times(distanceFor(size, fraction), best)) };
+}
+
+/** The least angle between the view and the direction upwards, in radians. */
+const STEEPEST = 0.02;
+
+/** The pose after a turn around its target: to the right around the axis upwards, and upwards, in radians. */
+export function turned({ target, position }: Pose, up: Point, right: number, above: number): Pose {
+  const away = subtract(position, target);
+  const distance = length(away);
+  const height = Math.asin(Math.min(Math.max(dot(away, up) / distance, -1), 1));
+  const level = unit(subtract(away, times(dot(away, up), up)), unit(cross(up, [up[1], up[2], up[0]]), [1, 0, 0]));
+  const side = cross(up, level);
+  const most = Math.PI / 2 - STEEPEST;
+  const angle = Math.min(Math.max(height + above, -most), most);
+  const towards = add(times(Math.cos(right), level), times(Math.sin(right), side));
+  const turnedAway = add(times(distance * Math.cos(angle), towards), times(distance * Math.sin(angle), up));
+  return { target, position: add(target, turnedAway) };
+}
+
+/** The pose moved across the view, to the right and upwards, in units of the distance of its target. */
+export function moved({ target, position }: Pose, up: Point, right: number, above: number): Pose {
+  const away = subtract(position, target);
+  const side = unit(cross(up, away), [1, 0, 0]);
+  const head = unit(cross(away, side), up);
+  const by = times(length(away), add(times(right, side), times(above, head)));
+  return { target: add(target, by), position: add(position, by) };
+}
+
+/** The pose nearer to its target by a factor. */
+export function magnified({ target, position }: Pose, factor: number): Pose {
+  return { target, position: add(target, times(1 / factor, subtract(position, target))) };
 }

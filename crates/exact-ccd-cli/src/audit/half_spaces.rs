@@ -11,7 +11,7 @@ use crate::contacts::ContactRecord;
 
 /// A half space on the command line: a point of its boundary, then the normal, which points outward.
 #[derive(Clone, Debug)]
-pub(super) struct HalfSpaceArgument(HalfSpace);
+pub(super) struct HalfSpaceArgument(pub(super) HalfSpace);
 
 impl FromStr for HalfSpaceArgument {
     type Err = String;
@@ -43,24 +43,31 @@ pub(super) struct HalfSpaces<'a> {
 }
 
 impl HalfSpaces<'_> {
-    /// The vertices of a frame that are not apart from a half space, decided exactly, in the order of the
-    /// half spaces.
+    /// The vertices of a frame that are not apart from a half space, each after the number of the half space,
+    /// decided exactly, in the order of the half spaces.
     ///
     /// The signed distance of a vertex in linear motion is linear in time: the vertex is apart in a whole
     /// step if and only if it is apart at both ends. So the first contact is in the step before such a frame.
-    pub(super) fn touching(&self, index: usize, frame: &Frame) -> Vec<ContactRecord> {
+    pub(super) fn touching(&self, frame: &Frame) -> Vec<(u32, u32)> {
         let d = self.min_distance.get();
         let mut found = Vec::new();
-        for (number, HalfSpaceArgument(half_space)) in self.half_spaces.iter().enumerate() {
-            for vertex in self.vertices.iter().cloned().flatten() {
+        for (number, HalfSpaceArgument(half_space)) in (0..).zip(self.half_spaces) {
+            let vertices = self.vertices.iter().cloned().flatten();
+            let touching = vertices.filter(|&vertex| {
                 let position = frame.positions[vertex as usize];
-                if !half_space.is_apart(position, d) {
-                    let normal = half_space.plane().normal.into();
-                    let record = ContactRecord::of_half_space(vertex, position, number as u32, normal, d);
-                    found.push(record.in_frame(index));
-                }
-            }
+                !half_space.is_apart(position, d)
+            });
+            found.extend(touching.map(|vertex| (number, vertex)));
         }
         found
+    }
+
+    /// The record of a vertex of the frame `index` that is not apart from the half space of this number.
+    pub(super) fn record(&self, index: usize, frame: &Frame, number: u32, vertex: u32) -> ContactRecord {
+        let HalfSpaceArgument(half_space) = &self.half_spaces[number as usize];
+        let position = frame.positions[vertex as usize];
+        let normal = half_space.plane().normal.into();
+        let d = self.min_distance.get();
+        ContactRecord::of_half_space(vertex, position, number, normal, d).in_frame(index)
     }
 }

@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 
 use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
+use exact_ccd_sim::HalfSpace;
 
 use crate::contacts::{ContactList, ListFile};
 use crate::distances::{Distances, kept};
@@ -111,7 +112,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     )?;
     scene.check_contents(arguments.min_distance != Separation::default())?;
     let mut read = clock.elapsed();
-    let mut recording = arguments.view.recording(&arguments.frames).with_ids(scene.ids());
+    let planes: Vec<HalfSpace> = arguments.half_space.iter().map(|given| given.0.clone()).collect();
+    let mut recording = arguments.view.recording(&arguments.frames, &scene, &planes);
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
     let half_spaces = HalfSpaces {
@@ -146,7 +148,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 .iter()
                 .map(|violation| record(&moved, violation))
                 .collect();
-            records.extend(half_spaces.touching(index, last));
+            for (number, vertex) in half_spaces.touching(last) {
+                recording.half_space_contact(vertex, number)?;
+                records.push(half_spaces.record(index, last, number, vertex));
+            }
             let records: Vec<_> = records
                 .into_iter()
                 .map(|record| record.in_file(scene.ids()))
@@ -195,7 +200,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         report.to_string()
     };
     print(&text)?;
-    recording.finish(&report.to_string())?;
+    recording.finish(&report.verdict(), &report.to_string())?;
     Ok(ExitCode::from(u8::from(!report.collision_free)))
 }
 

@@ -144,11 +144,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.write_contacts(&problem, &start, &mut detector)?;
     arguments.view.step(
         &arguments.files,
-        &problem.motion,
+        (&scene, &problem.motion),
         &start,
-        &problem.ids,
         &mut detector,
-        &output.to_string(),
+        (&output.verdict(), &output.to_string()),
     )?;
     Ok(ExitCode::from(u8::from(!output.collision_free)))
 }

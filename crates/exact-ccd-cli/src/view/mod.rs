@@ -1,51 +1,79 @@
 //! The pages of `--view`: HTML files that show motions and their contacts.
 
+mod history;
 mod query;
 mod recording;
+mod setup;
+mod up;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{BroadPhase, Detector, Intersection, Motion};
+use exact_ccd_mesh::{BroadPhase, Detector, Intersection, Motion, Point};
+use exact_ccd_sim::scene::Rendering;
+use exact_ccd_sim::{HalfSpace, Simulation};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
 use crate::output::replace_file;
+use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
+use setup::Setup;
+use up::Up;
 
-/// The option `--view`.
+/// The options `--view` and `--view-up`.
 #[derive(clap::Args)]
 pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
     #[arg(long, value_name = "FILE.html")]
     view: Option<PathBuf>,
+    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a simulation,
+    /// `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
+    #[arg(long, value_name = "AXIS", requires = "view", allow_hyphen_values = true)]
+    view_up: Option<Up>,
 }
 
 impl View {
     /// Writes the page of a step, if there is to be one: the intersections at its start, all contacts that
-    /// the detector finds, and the answer that was printed.
+    /// the detector finds, and the answer that was printed, of which one line is the verdict.
     pub(crate) fn step<B: BroadPhase>(
         &self,
         files: &[PathBuf],
-        motion: &Motion,
+        (scene, motion): (&Scene, &Motion),
         start: &[Intersection],
-        ids: &FileIds,
         detector: &mut Detector<B>,
-        answer: &str,
+        (verdict, answer): (&str, &str),
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
         let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
         let page = Page::of_step(title(files), motion.step()?, start, &contacts)?;
-        let page = page.with_ids(ids.vertices.clone(), ids.faces.clone());
-        write(file, &page.with_summary(lines(answer)))
+        let setup = Setup::of_scene(scene, Vec::new()).with_up(self.up());
+        write(file, &with_answer(setup.add_to(page), verdict, answer))
     }
 
-    /// The recording of a motion, which does nothing if there is to be no page of it.
-    pub(crate) fn recording(&self, files: &[PathBuf]) -> Recording {
-        Recording::new(self.view.clone(), title(files))
+    /// The recording of frames from files, which does nothing if there is to be no page of them.
+    pub(crate) fn recording(&self, files: &[PathBuf], scene: &Scene, half_spaces: &[HalfSpace]) -> Recording {
+        let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.up());
+        Recording::new(self.view.clone(), title(files), setup)
     }
+
+    /// The recording of a simulation, which does nothing if there is to be no page of it.
+    pub(crate) fn simulation(&self, file: &Path, simulation: &Simulation, rendering: &Rendering) -> Recording {
+        let upwards = rendering.upwards(simulation.settings().gravity);
+        let setup = || Setup::of_simulation(simulation).with_up(self.up().or(Some(upwards)));
+        Recording::new(self.view.clone(), name(file), setup)
+    }
+
+    fn up(&self) -> Option<Point> {
+        self.view_up.map(|Up(up)| up)
+    }
+}
+
+/// The page with the answer that was printed, of which one line is the verdict.
+fn with_answer(page: Page, verdict: &str, answer: &str) -> Page {
+    let others = lines(answer).filter(|line| line != verdict);
+    page.with_summary(others).with_verdict(verdict)
 }
 
 fn write(file: &Path, page: &Page) -> Result<(), Failure> {
