@@ -307,9 +307,9 @@ describe("the page of a simulation", () => {
     expect(await text(page, "#verdict")).toBe("all 3 time steps converged");
     expect(await text(page, "#summary")).toContain("1.118 m across");
     expect(await page.locator(".body").count()).toBeGreaterThan(0);
-    expect(await page.locator(".label.name").allInnerTexts()).toEqual(await page.locator(".body span").allInnerTexts());
-    await page.keyboard.press("n");
     expect(await page.locator(".label.name").count()).toBe(0);
+    await page.keyboard.press("n");
+    expect(await page.locator(".label.name").allInnerTexts()).toEqual(await page.locator(".body span").allInnerTexts());
     await page.locator(".body input").first().press(" ");
     await drawn(page);
   });

@@ -20,6 +20,9 @@ import { type Change, type State, Store } from "./state";
 /** Meshes up to this number of faces open with the edges of their faces. */
 const FEW_FACES = 60_000;
 
+/** The names of bodies to which the scene gives none. They are in the scene on demand only. */
+const NUMBERED = /^body-\d+$/;
+
 /** The opacity of a mesh with contacts, so that they are visible inside of it. */
 const CLEAR = 0.4;
 
@@ -79,9 +82,10 @@ export class Viewer {
       contact: earliest === undefined ? null : 0,
       moment: earliest === undefined ? { frame: 0, t: 0 } : { frame: earliest.frame, t: earliest.time },
       playing: false,
-      opacity: earliest === undefined && page.query === null ? 1 : CLEAR,
+      opacity: page.faces === 0 || (earliest === undefined && page.query === null) ? 1 : CLEAR,
       wireframe: page.faces <= FEW_FACES,
       hidden: new Set(),
+      names: page.bodies.length > 1 && page.bodies.some(({ name }) => !NUMBERED.test(name)),
     });
     await this.stage.near(this.store.state, true);
     byId("message", HTMLElement).hidden = true;
@@ -115,6 +119,7 @@ export class Viewer {
     const isAlone = page.contacts.length === 0 && page.query === null;
     byId("parts", HTMLDetailsElement).hidden = page.bodies.length + page.halfSpaces.length === 0;
     byId("parts", HTMLDetailsElement).open = isAlone;
+    byId("parts-title", HTMLElement).textContent = page.bodies.length > 0 ? "Bodies" : "Half spaces";
     byId("near", HTMLElement).hidden = byId("paths", HTMLElement).hidden = isAlone;
     byId("names", HTMLElement).hidden = page.bodies.length === 0;
     showSummary(byId("verdict", HTMLElement), byId("summary", HTMLElement), page, parts.count);

@@ -26,7 +26,11 @@ impl ShownHalfSpace {
             .map(|axis| self.normal[axis] * (x[axis] - self.point[axis]))
             .sum();
         let foot = [0, 1, 2].map(|axis| x[axis] - height * self.normal[axis]);
-        if foot.iter().all(|x| x.is_finite()) { foot } else { x }
+        if foot.iter().all(|x| x.is_finite()) {
+            foot
+        } else {
+            x
+        }
     }
 }
 

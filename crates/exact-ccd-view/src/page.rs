@@ -280,9 +280,8 @@ impl Page {
     pub fn add_half_space_contact(&mut self, vertex: u32, half_space: u32) -> Result<(), PageError> {
         let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
         let known = self.half_spaces.get(half_space as usize);
-        let shown = known.and_then(|known| {
-            ShownContact::in_half_space(frame, &self.last[1], vertex, half_space, known)
-        });
+        let shown = known
+            .and_then(|known| ShownContact::in_half_space(frame, &self.last[1], vertex, half_space, known));
         self.push(shown.ok_or(PageError::NoSuchHalfSpace { vertex, half_space })?);
         Ok(())
     }

@@ -59,7 +59,7 @@ export class QueryPanel {
     return [
       new Plot({
         title: "Coplanarity cubic",
-        unit: "relative unit",
+        unit: "relative",
         times,
         curves: [{ name: "", values: times.map((t) => bernstein(cubic, t)) }],
         level: 0,
@@ -69,7 +69,7 @@ export class QueryPanel {
       }),
       new Plot({
         title: "Distance of the primitives",
-        unit: "unit of the points",
+        unit: "length",
         times: timesOf(query.distances.length),
         curves: [{ name: "", values: query.distances }],
         level: query.separation,

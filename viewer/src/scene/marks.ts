@@ -50,8 +50,8 @@ export class Marks {
         this.points(end.map(local), colours.path, 9);
       }
       if (own.length === 0 && normal !== null && closest !== null) {
-        const [a, b, c, d] = squareOf(local(closest[side]), normal, size);
-        this.faces([a, b, c, a, c, d], sides[side], 0.4);
+        const [a, b, c, d] = squareOf(local(closest[side]), normal, 0.35 * size);
+        this.faces([a, b, c, a, c, d], sides[side], 0.3);
         this.lines([a, b, b, c, c, d, d, a], sides[side], 3);
       }
       this.faces(at(around), sides[side], 0.22);
@@ -59,7 +59,9 @@ export class Marks {
       if (own.length > 1) this.lines(own.flatMap((vertex, i) => [vertex, own[(i + 1) % own.length]]), sides[side], 4);
       this.points(own, sides[side], 15);
     });
-    if (normal !== null && size > 0) this.arrow(times(0.45 * size, normal), colours.normal);
+    // The normal of a half space begins at its boundary, and that of another contact at the contact point.
+    const foot = corners[1].length === 0 && closest !== null ? local(closest[1]) : ([0, 0, 0] as const);
+    if (normal !== null && size > 0) this.arrow(foot, times(0.45 * size, normal), colours.normal);
     if (closest !== null) {
       const [first, second] = closest.map(local);
       this.lines([first, second], colours.contact, 3);
@@ -117,11 +119,11 @@ export class Marks {
     return known as M;
   }
 
-  private arrow(tip: Point, color: string): void {
-    const side = unit(cross(tip, Math.abs(tip[0]) < 0.7 * length(tip) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
-    const back = times(0.82, tip);
-    const wing = times(0.08 * length(tip), side);
-    this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
+  private arrow(foot: Point, along: Point, color: string): void {
+    const side = unit(cross(along, Math.abs(along[0]) < 0.7 * length(along) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
+    const [tip, back] = [add(foot, along), add(foot, times(0.82, along))];
+    const wing = times(0.08 * length(along), side);
+    this.lines([foot, tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
   }
 }
 

@@ -26,6 +26,9 @@ export function overview(centre: Point, radius: number, up: Point): Pose {
 /** The angle between the contact plane and the view of the camera. */
 const ELEVATION = (40 / 180) * Math.PI;
 
+/** The preference for a view from above, to that from outside. */
+const ABOVE = 1.1;
+
 /** The number of directions around the normal, on each side of the plane, among which the camera has the best. */
 const DIRECTIONS = 12;
 
@@ -45,7 +48,7 @@ export function contactPose(
   up: Point,
   fraction: number,
 ): Pose {
-  const outwards = unit(add(unit(subtract(point, centre), up), times(0.5, up)), up);
+  const outwards = unit(add(unit(subtract(point, centre), up), times(ABOVE, up)), up);
   const n = unit(normal ?? outwards, up);
   const x = unit(cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
   const y = cross(n, x);

@@ -17,7 +17,7 @@ attribute vec2 radii;
   float span = length(axis);
   axis = span > 0.0 ? axis / span : vec3(0.0, 0.0, 1.0);
   vec3 side = normalize(cross(axis, abs(axis.x) < 0.7 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
-  vec3 objectNormal = side * position.x + cross(axis, side) * position.z;`,
+  vec3 objectNormal = side * position.x + cross(side, axis) * position.z;`,
     "#include <begin_vertex>": `float along = position.y + 0.5;
   vec3 middle = mix(first, second, along);
   float away = -(modelViewMatrix * vec4(middle, 1.0)).z;

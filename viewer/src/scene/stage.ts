@@ -6,7 +6,7 @@ import { type Frames, type Moment, vertexAt } from "../frames";
 import { type Page, type Point, type Primitive } from "../page";
 import { type Shown } from "../source";
 import { type Change, type State } from "../state";
-import { mix } from "../vector";
+import { mix, subtract } from "../vector";
 import { disc } from "./disc";
 import { type Label, type Labels } from "./labels";
 import { type Marked, type Moving, Marks } from "./marks";
@@ -127,14 +127,18 @@ export class Stage {
     const { time, frame } = page.contacts[contact];
     const ends = await frames.ends({ frame, t: time });
     const { primitives, closest, normal } = marked(this.shown, page.contacts[contact], ends);
-    const at = primitives.flatMap(({ start, end }) => {
-      const now = start.map((vertex, i) => mix(vertex, end[i], time));
-      return page.query !== null && this.showsPaths ? [...now, ...start, ...end] : now;
+    const isHalfSpace = page.contacts[contact].primitives[1].kind === "half-space";
+    const at = primitives.flatMap(({ start, end, around }) => {
+      const now = ({ start, end }: Moving): Point[] => start.map((vertex, i) => mix(vertex, end[i], time));
+      if (isHalfSpace) return [...now({ start, end }), ...now(around), ...(closest ?? [])];
+      return page.query !== null && this.showsPaths ? [...now({ start, end }), ...start, ...end] : now({ start, end });
     });
     const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
     const { up, query } = page;
-    const fraction = query === null ? AMONG_OTHERS : ALONE;
-    this.view.go(contactPose(place, normal, at, this.middle, this.radius, up, fraction), atOnce);
+    const fraction = query === null && !isHalfSpace ? AMONG_OTHERS : ALONE;
+    // A half space is seen from its outer side, and a mesh from outside.
+    const inside = isHalfSpace && normal !== null ? subtract(place, normal) : this.middle;
+    this.view.go(contactPose(place, normal, at, inside, this.radius, up, fraction), atOnce);
   }
 
   /** Draws a changed state. */

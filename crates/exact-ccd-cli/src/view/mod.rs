@@ -59,7 +59,12 @@ impl View {
     }
 
     /// The recording of a simulation, which does nothing if there is to be no page of it.
-    pub(crate) fn simulation(&self, file: &Path, simulation: &Simulation, rendering: &Rendering) -> Recording {
+    pub(crate) fn simulation(
+        &self,
+        file: &Path,
+        simulation: &Simulation,
+        rendering: &Rendering,
+    ) -> Recording {
         let upwards = rendering.upwards(simulation.settings().gravity);
         let setup = || Setup::of_simulation(simulation).with_up(self.up().or(Some(upwards)));
         Recording::new(self.view.clone(), name(file), setup)

@@ -27,11 +27,7 @@ impl Recording {
     /// The recording for a page in a file; `setup` is not called if there is to be none.
     pub(super) fn new(file: Option<PathBuf>, title: String, setup: impl FnOnce() -> Setup) -> Self {
         Self {
-            setup: if file.is_some() {
-                setup()
-            } else {
-                Setup::default()
-            },
+            setup: if file.is_some() { setup() } else { Setup::default() },
             file,
             title,
             page: None,

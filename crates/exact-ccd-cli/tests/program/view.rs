@@ -202,14 +202,31 @@ fn the_scene_has_a_direction_upwards() {
 fn a_direction_upwards_is_an_axis_or_three_numbers() {
     let folder = fall(1.0, -1.0);
     for bad in ["w", "0,0,0", "1,2", "nan,0,0"] {
-        let run = folder.run(&["step", "start.ply", "end.ply", "--view", "page.html", "--view-up", bad]);
+        let run = folder.run(&[
+            "step",
+            "start.ply",
+            "end.ply",
+            "--view",
+            "page.html",
+            "--view-up",
+            bad,
+        ]);
         assert_eq!(run.status, 2, "{bad}: {run:?}");
         assert!(
-            run.stderr.contains("expected x, y, z, -x, -y, -z, or three numbers"),
+            run.stderr
+                .contains("expected x, y, z, -x, -y, -z, or three numbers"),
             "{run:?}"
         );
     }
-    folder.run(&["step", "start.ply", "end.ply", "--view", "page.html", "--view-up", "y"]);
+    folder.run(&[
+        "step",
+        "start.ply",
+        "end.ply",
+        "--view",
+        "page.html",
+        "--view-up",
+        "y",
+    ]);
     assert_eq!(data(&folder, "page.html")["up"], json!([0.0, 1.0, 0.0]));
 }
 
@@ -219,13 +236,24 @@ fn a_simulation_has_its_bodies_and_charts() {
     let folder = Folder::new();
     let floor = "[[half-space]]\nname = \"floor\"\nnormal = [0.0, 2.0, 0.0]\npoint = [0.0, -1.0, 0.0]\n[[body]]\nname = \"cube\"\n";
     folder.write("scene.toml", simulate::SCENE.replacen("[[body]]\n", floor, 1));
-    let run = folder.run(&["simulate", "scene.toml", "--steps", "3", "--view", "page.html", "--json"]);
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--steps",
+        "3",
+        "--view",
+        "page.html",
+        "--json",
+    ]);
     assert_eq!(run.status, 0, "{run:?}");
     let page = data(&folder, "page.html");
     assert_eq!(page["verdict"], "all 3 time steps converged");
     assert_eq!(
         page["summary"],
-        json!(["0.866 m across; contact distance 0.002 m", "3 time steps of 0.02 s"])
+        json!([
+            "0.866 m across; contact distance 0.002 m",
+            "3 time steps of 0.02 s"
+        ])
     );
     assert_eq!(
         page["bodies"],
@@ -265,10 +293,7 @@ fn a_simulation_has_its_bodies_and_charts() {
 fn an_audit_has_the_vertices_in_half_spaces() {
     let folder = Folder::new();
     for (name, height) in [("0.obj", 1.0), ("1.obj", 0.5), ("2.obj", -0.25), ("3.obj", -0.5)] {
-        folder.write(
-            name,
-            format!("v 0 0 {height}\nv 1 0 2\nv 0 1 2\nf 1 2 3\n"),
-        );
+        folder.write(name, format!("v 0 0 {height}\nv 1 0 2\nv 0 1 2\nf 1 2 3\n"));
     }
     let frames = ["audit", "0.obj", "1.obj", "2.obj", "3.obj"];
     for (options, count) in [(&[][..], 1), (&["--all", "all.csv"][..], 2)] {
@@ -300,7 +325,14 @@ fn an_audit_has_the_vertices_in_half_spaces() {
 fn the_verdict_is_no_note() {
     let folder = fall(2.0, 1.0);
     folder.write("floor.obj", "v 0 0 -9\nv 1 0 -9\nv 0 1 -9\nf 1 2 3\n");
-    let parts = ["--with", "floor.obj", "--min-distance", "1e-3", "--view", "page.html"];
+    let parts = [
+        "--with",
+        "floor.obj",
+        "--min-distance",
+        "1e-3",
+        "--view",
+        "page.html",
+    ];
     for command in ["step", "audit"] {
         let run = folder.run(&[&[command, "start.ply", "end.ply"][..], &parts].concat());
         assert_eq!(run.status, 0, "{run:?}");
@@ -312,7 +344,10 @@ fn the_verdict_is_no_note() {
             .iter()
             .map(|line| line.as_str().unwrap())
             .collect();
-        assert!(summary[0].starts_with("part start: vertices 0 to "), "{summary:?}");
+        assert!(
+            summary[0].starts_with("part start: vertices 0 to "),
+            "{summary:?}"
+        );
         assert!(!summary.contains(&"free of contact"), "{summary:?}");
         let names: Vec<&Value> = [0, 1].map(|body: usize| &page["bodies"][body]["name"]).into();
         assert_eq!(names, ["start", "floor"]);
@@ -327,7 +362,10 @@ fn an_intersection_at_the_start_is_the_verdict() {
     assert_eq!(run.status, 1);
     let page = data(&folder, "page.html");
     let verdict = page["verdict"].as_str().unwrap();
-    assert!(verdict.starts_with("the mesh passes through itself at t = 0: "), "{verdict}");
+    assert!(
+        verdict.starts_with("the mesh passes through itself at t = 0: "),
+        "{verdict}"
+    );
     assert_eq!(run.stdout.lines().nth(1), Some(verdict));
 }
 
