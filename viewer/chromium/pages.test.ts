@@ -21,25 +21,32 @@ afterAll(async () => {
   rmSync(folder, { recursive: true });
 });
 
-/** The number of pixels of the colour of contact points in the middle of the scene. */
-async function yellowInTheMiddle(page: Page): Promise<number> {
-  const box = await page.locator("#scene").boundingBox();
-  if (box === null) throw new Error("the scene is not visible");
-  const side = 20;
-  const [x, y] = [box.x + (box.width - side) / 2, box.y + (box.height - side) / 2];
-  const picture = await page.screenshot({ clip: { x, y, width: side, height: side } });
-  return page.evaluate(async (base64) => {
+/** The pixels of a part of the window: red, green, blue and opacity of each. */
+async function pixels(page: Page, clip: { x: number; y: number; width: number; height: number }): Promise<number[][]> {
+  const picture = await page.screenshot({ clip });
+  const data = await page.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
     const bitmap = await createImageBitmap(new Blob([bytes]));
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = canvas.getContext("2d");
     if (context === null) throw new Error("no canvas");
     context.drawImage(bitmap, 0, 0);
-    const { data } = context.getImageData(0, 0, bitmap.width, bitmap.height);
-    let count = 0;
-    for (let i = 0; i < data.length; i += 4) if (data[i] > 200 && data[i + 1] > 180 && data[i + 2] < 110) count++;
-    return count;
+    return [...context.getImageData(0, 0, bitmap.width, bitmap.height).data];
   }, picture.toString("base64"));
+  return Array.from({ length: data.length / 4 }, (_, i) => data.slice(4 * i, 4 * i + 4));
+}
+
+/** A rectangle in the middle of the scene. */
+async function middle(page: Page, width: number, height: number): Promise<{ x: number; y: number; width: number; height: number }> {
+  const box = await page.locator("#scene").boundingBox();
+  if (box === null) throw new Error("the scene is not visible");
+  return { x: box.x + (box.width - width) / 2, y: box.y + (box.height - height) / 2, width, height };
+}
+
+/** The number of pixels of the colour of contact points in the middle of the scene. */
+async function yellowInTheMiddle(page: Page): Promise<number> {
+  const found = await pixels(page, await middle(page, 20, 20));
+  return found.filter(([r, g, b]) => r > 200 && g > 180 && b < 110).length;
 }
 
 const text = (page: Page, selector: string): Promise<string> => page.locator(selector).innerText();
@@ -252,6 +259,36 @@ describe("a half space", () => {
     await page.locator("#parts summary").click();
     expect(await text(page, "#bodies")).toContain("half space 0");
     expect(problems).toEqual([]);
+  });
+});
+
+describe("the scene", () => {
+  const opened = async (name: string, contents: string): Promise<Page> => {
+    const file = join(folder, `${name}.html`);
+    run(["audit", write(`${name}.obj`, contents), "--view", file]);
+    const { page, problems } = await open(browser, file);
+    expect(problems).toEqual([]);
+    // Without the edges of the faces.
+    await page.keyboard.press("e");
+    await drawn(page);
+    return page;
+  };
+  const isDrawn = ([r, g, b]: number[]): boolean => Math.min(r, g, b) < 235;
+
+  it("has rods that are wider than a line", async () => {
+    const page = await opened("rods", "v 0 0 0\nv 1 0 0\nv 2 0 0\nl 1 2 3\n");
+    const column = await pixels(page, await middle(page, 1, 300));
+    expect(column.filter(isDrawn).length).toBeGreaterThanOrEqual(3);
+  });
+
+  it("has back sides that are darker than front sides", async () => {
+    const brightness = async (name: string, face: string): Promise<number> => {
+      const page = await opened(name, `v 0 0 0\nv 1 0 0\nv 0 1 0\n${face}\n`);
+      const found = (await pixels(page, await middle(page, 40, 40))).filter(isDrawn);
+      expect(found.length).toBeGreaterThan(100);
+      return found.reduce((sum, [r, g, b]) => sum + r + g + b, 0) / found.length;
+    };
+    expect(await brightness("back", "f 1 3 2")).toBeLessThan(0.9 * (await brightness("front", "f 1 2 3")));
   });
 });
 

@@ -3,11 +3,11 @@
 import { type BufferGeometry, DoubleSide, Group, Mesh, MeshLambertMaterial } from "three";
 import { BETWEEN, patched, type Uniforms } from "./moving";
 
-/** Back sides are darker, and half as colourful. */
+/** Back sides have 0.42 of the light of front sides, and half of their colour. */
 const BACK_SIDES = `#include <color_fragment>
   if (!gl_FrontFacing) {
     float grey = dot(diffuseColor.rgb, vec3(0.2126, 0.7152, 0.0722));
-    diffuseColor.rgb = 0.5 * mix(diffuseColor.rgb, vec3(grey), 0.5);
+    diffuseColor.rgb = 0.42 * mix(diffuseColor.rgb, vec3(grey), 0.5);
   }`;
 
 /** The opacity of what is behind other faces, of that of the nearest ones. */
