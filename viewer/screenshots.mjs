@@ -15,11 +15,11 @@ const browser = await launch();
 /**
  * @param {string} name the name of the picture, and of the page
  * @param {string[]} options the command, without --view
- * @param {{ scheme?: "light" | "dark", input?: string, keys?: string[], slider?: string }} [how]
+ * @param {{ scheme?: "light" | "dark", input?: string, keys?: string[], slider?: string, cwd?: string }} [how]
  */
-async function picture(name, options, { scheme = "light", input = "", keys = [], slider } = {}) {
+async function picture(name, options, { scheme = "light", input = "", keys = [], slider, cwd = ROOT } = {}) {
   const file = join(folder, `${name}.html`);
-  run([...options, "--view", file], input);
+  run([...options, "--view", file], input, cwd);
   const { page, problems } = await open(browser, file, scheme);
   if (problems.length > 0) throw new Error(`${name}: ${problems.join("; ")}`);
   if (slider !== undefined) await page.locator("#slider").fill(slider);
@@ -51,7 +51,7 @@ await picture("simulation", ["simulate", scene, "--steps", "14"], { slider: "13.
 
 // A ring that sinks into a floor: the vertices of its lowest part, frame by frame.
 const frames = [0.45, 0.3, 0.15, 0].map((height, i) => {
-  const file = join(folder, `ring-${i}.obj`);
+  const file = `ring-${i}.obj`;
   const [count, sides] = [40, 16];
   const lines = [];
   for (let a = 0; a < count; a++) {
@@ -68,11 +68,11 @@ const frames = [0.45, 0.3, 0.15, 0].map((height, i) => {
       lines.push(`f ${vertex(a, b)} ${vertex(a + 1, b)} ${vertex(a + 1, b + 1)} ${vertex(a, b + 1)}`);
     }
   }
-  writeFileSync(file, `${lines.join("\n")}\n`);
+  writeFileSync(join(folder, file), `${lines.join("\n")}\n`);
   return file;
 });
-const all = join(folder, "all.csv");
-await picture("half-space", ["audit", ...frames, "--half-space", "0,0,-0.2,0,0,1", "--all", all], { scheme: "dark", keys: ["f"] });
+const audit = ["audit", ...frames, "--half-space", "0,0,-0.16,0,0,1", "--all", "all.csv"];
+await picture("half-space", audit, { scheme: "dark", keys: ["f"], cwd: folder });
 
 /**
  * @param {string} file the picture
