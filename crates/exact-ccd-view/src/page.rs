@@ -170,8 +170,8 @@ impl Page {
         Self { bodies, ..self }
     }
 
-    /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the unit
-    /// of the positions. Those that are too thin to be seen are drawn a few pixels wide.
+    /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the
+    /// unit of the positions. Those that are too thin to be seen are drawn a few pixels wide.
     #[must_use]
     pub fn with_radii(self, radii: &[f64]) -> Self {
         let radii = radii.iter().map(|&radius| self.units.convert_length(radius));
@@ -275,8 +275,8 @@ impl Page {
     /// Adds a vertex that is not apart from the half space of this number in the last frame.
     ///
     /// # Errors
-    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchHalfSpace`] if the vertex is not of this
-    /// mesh, or the half space not of this page.
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchHalfSpace`] if the vertex is not of
+    /// this mesh, or the half space not of this page.
     pub fn add_half_space_contact(&mut self, vertex: u32, half_space: u32) -> Result<(), PageError> {
         let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
         let known = self.half_spaces.get(half_space as usize);

@@ -28,8 +28,8 @@ pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
     #[arg(long, value_name = "FILE.html")]
     view: Option<PathBuf>,
-    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a simulation,
-    /// `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
+    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a
+    /// simulation, `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
     #[arg(long, value_name = "AXIS", requires = "view", allow_hyphen_values = true)]
     view_up: Option<Up>,
 }
