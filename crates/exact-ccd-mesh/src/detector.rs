@@ -18,8 +18,8 @@ use crate::step::{Step, StepError};
 
 /// Finds contact in successive steps of one mesh.
 ///
-/// A mesh that an edge pierces at the start of a step is no contact of the step, and the step may be free: see
-/// [`with_start_check`](Self::with_start_check).
+/// An edge that passes through a face at the start of a step is no contact of the step, which may be free:
+/// see [`with_start_check`](Self::with_start_check).
 ///
 /// The detector shares the mesh and borrows nothing, so that a simulator can own both. No answer
 /// depends on earlier steps. The detector keeps the memory of boxes and trajectories from step to
@@ -97,8 +97,8 @@ impl<B: BroadPhase> Detector<B> {
     /// passes through a face there, as [`crossings`](crate::crossings) defines it, among the pairs that can
     /// collide. Primitives that merely touch are contacts at t = 0, as always. The check is a pass over the
     /// mesh at rest. No pass is made if `x0` is, bit for bit, the start of the step before, or the end of the
-    /// last step that was found free, such as the positions of a [`free_step`](Self::free_step); with a
-    /// predicate of [`with_can_collide`](Self::with_can_collide), only the first, because it may leave out the
+    /// last step that was found free, such as the positions of a [`free_step`](Self::free_step). With a
+    /// predicate of [`with_can_collide`](Self::with_can_collide), only the first holds: it may leave out the
     /// pairs through which an edge comes to cross a face.
     ///
     /// ```
@@ -138,7 +138,7 @@ impl<B: BroadPhase> Detector<B> {
     /// Replaces the pairs that can collide.
     pub fn set_can_collide(&mut self, can_collide: CanCollide) {
         self.search.set_can_collide(can_collide);
-        // What is known about positions holds for the pairs before.
+        // Positions were checked for the pairs before.
         if let Some(start_check) = &mut self.start_check {
             start_check.forget();
         }

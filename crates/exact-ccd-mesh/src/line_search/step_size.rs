@@ -43,8 +43,8 @@ pub enum LineSearch<'a> {
 /// bisection returns a step that is smaller by up to its tolerance. A larger step may be free, too: its
 /// rounded positions are others.
 ///
-/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact, and the
-/// size is 1: [`crossings`](crate::crossings) finds such edges, and
+/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact, and
+/// the size is 1: [`crossings`](crate::crossings) finds such edges, and
 /// [`Detector::with_start_check`](crate::Detector::with_start_check) begins every search with that test.
 ///
 /// # Errors
