@@ -62,10 +62,10 @@ impl<'a> Zip<'a> {
             let length = usize::try_from(most).map_or(data.len(), |most| most.min(data.len()));
             return Ok(data[..length].to_vec());
         }
-        let mut beginning = Vec::new();
         self.budget.work(MEMBER).map_err(|fault| fault.at(Place::File))?;
         let mut beginning = Vec::new();
-        let read = DeflateDecoder::new(data).take(most).read_to_end(&mut beginning);
+        let mut decoder = DeflateDecoder::new(data).take(most);
+        let read = decoder.read_to_end(&mut beginning);
         read.map_err(|_| invalid("data compressed by deflate").at(Place::File))?;
         Ok(beginning)
     }
