@@ -33,6 +33,7 @@ mod fields;
 mod json;
 mod kind;
 mod list;
+mod long_lines;
 mod queries;
 mod query_kind;
 mod rational;

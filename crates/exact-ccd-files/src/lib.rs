@@ -59,8 +59,9 @@ pub use format::Format;
 pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
-    FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame, parse_tet_groups,
-    parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups, read_tet_mesh,
+    FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
+    parse_tet_groups, parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups,
+    read_tet_mesh,
 };
 pub use unsupported::Unsupported;
 pub use write::{

@@ -114,7 +114,9 @@ impl Budget {
     pub(super) fn read_all(&self, reader: impl Read, name: &str, most: u64) -> Result<Vec<u8>, Fault> {
         let mut data = Vec::new();
         let left = self.limit().saturating_sub(self.expanded.get());
-        let read = reader.take(left.min(most).saturating_add(1)).read_to_end(&mut data);
+        let read = reader
+            .take(left.min(most).saturating_add(1))
+            .read_to_end(&mut data);
         read.map_err(|error| {
             Fault::expected(
                 format!("data compressed by {name}"),

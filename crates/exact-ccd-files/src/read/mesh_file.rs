@@ -64,11 +64,7 @@ impl MeshFile {
     ///
     /// # Errors
     /// [`ParseError`] names the place and what was expected there.
-    pub fn parse(
-        bytes: &[u8],
-        format: Format,
-        options: impl Into<ReadOptions>,
-    ) -> Result<Self, ParseError> {
+    pub fn parse(bytes: &[u8], format: Format, options: impl Into<ReadOptions>) -> Result<Self, ParseError> {
         let options = options.into();
         parse_bytes(bytes, options.max_size, |bytes, budget| {
             Self::assembled(assemble(bytes, format, None, budget)?, options.polygons)

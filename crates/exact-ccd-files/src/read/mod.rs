@@ -9,6 +9,8 @@ mod file;
 mod frame;
 mod gltf;
 mod group;
+#[cfg(test)]
+mod hostile;
 mod mesh_file;
 mod motion;
 mod msh;

@@ -181,9 +181,14 @@ impl<'a> Statements<'a> {
             if name.is_empty() {
                 return None;
             }
-            let kinds = [&self.faces, &self.polylines, &self.points].into_iter().enumerate();
+            let kinds = [&self.faces, &self.polylines, &self.points]
+                .into_iter()
+                .enumerate();
             let corners = kinds.flat_map(|(kind, elements)| elements.corners(begin.before[kind]..end[kind]));
-            Some(Group::named(name, corners.map(|&index| (index - 1) as u32).collect()))
+            Some(Group::named(
+                name,
+                corners.map(|&index| (index - 1) as u32).collect(),
+            ))
         };
         self.groups.iter().zip(ends).filter_map(group).collect()
     }

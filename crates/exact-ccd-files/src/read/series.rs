@@ -81,7 +81,7 @@ fn check_times(entries: &[(f64, String)]) -> Result<(), ParseError> {
 }
 
 /// The entries of `{"files": [{"name": "0.vtu", "time": 0}, …]}`.
-fn parse_series(bytes: &[u8], budget: &Budget) -> Result<List<String>, ParseError> {
+pub(super) fn parse_series(bytes: &[u8], budget: &Budget) -> Result<List<String>, ParseError> {
     budget.step(bytes.len() as u64);
     let series: Value = serde_json::from_slice(bytes).map_err(|error| {
         let place = Place::Line(error.line());

@@ -158,9 +158,9 @@ fn directory(file: &[u8], budget: &Budget) -> Result<(u64, u64), ParseError> {
     let first = file.len().saturating_sub(END + COMMENT);
     let is_end = |&at: &usize| {
         let record = &file[at..];
-        let comment = record.get(20..END).map_or(0, |length| {
-            usize::from(length[0]) | usize::from(length[1]) << 8
-        });
+        let comment = record
+            .get(20..END)
+            .map_or(0, |length| usize::from(length[0]) | usize::from(length[1]) << 8);
         record.starts_with(b"PK\x05\x06") && record.len() == END + comment
     };
     budget.step((file.len() - first) as u64);
@@ -174,11 +174,16 @@ fn directory(file: &[u8], budget: &Budget) -> Result<(u64, u64), ParseError> {
         return Ok((offset, count.into()));
     }
     // The numbers are in another record. Its place is in a record of 20 bytes before the end.
-    let Some(locator) = at.checked_sub(20).filter(|&at| file[at..].starts_with(b"PK\x06\x07")) else {
+    let Some(locator) = at
+        .checked_sub(20)
+        .filter(|&at| file[at..].starts_with(b"PK\x06\x07"))
+    else {
         return Ok((offset, count.into()));
     };
     let record = eight(&mut Bytes::new(file, locator + 8, budget))?;
-    let record = usize::try_from(record).ok().filter(|&record| record <= file.len());
+    let record = usize::try_from(record)
+        .ok()
+        .filter(|&record| record <= file.len());
     let record = record.ok_or_else(|| invalid("its end").at(Place::Byte(locator)))?;
     let mut bytes = Bytes::new(file, record, budget);
     signature(&mut bytes, *b"PK\x06\x06")?;
@@ -198,7 +203,10 @@ fn zip64(extra: &[u8]) -> impl Iterator<Item = u64> {
         Some((u16::from_le_bytes([a, b]), data))
     });
     let data = field.find(|(tag, _)| *tag == 1).map_or(&[][..], |(_, data)| data);
-    data.as_chunks::<8>().0.iter().map(|&number| u64::from_le_bytes(number))
+    data.as_chunks::<8>()
+        .0
+        .iter()
+        .map(|&number| u64::from_le_bytes(number))
 }
 
 fn signature(bytes: &mut Bytes, expected: [u8; 4]) -> Result<(), ParseError> {
@@ -212,7 +220,9 @@ fn signature(bytes: &mut Bytes, expected: [u8; 4]) -> Result<(), ParseError> {
 }
 
 fn number(bytes: &mut Bytes) -> Result<u16, ParseError> {
-    Ok(u16::from_le_bytes(bytes.array(|| "a number of two bytes".to_owned())?))
+    Ok(u16::from_le_bytes(
+        bytes.array(|| "a number of two bytes".to_owned())?,
+    ))
 }
 
 fn long(bytes: &mut Bytes) -> Result<u64, ParseError> {
@@ -221,7 +231,9 @@ fn long(bytes: &mut Bytes) -> Result<u64, ParseError> {
 }
 
 fn eight(bytes: &mut Bytes) -> Result<u64, ParseError> {
-    Ok(u64::from_le_bytes(bytes.array(|| "a number of eight bytes".to_owned())?))
+    Ok(u64::from_le_bytes(
+        bytes.array(|| "a number of eight bytes".to_owned())?,
+    ))
 }
 
 fn invalid(missing: &str) -> Fault {

@@ -71,7 +71,9 @@ impl Accessors<'_> {
         if accessor.sparse.is_some() {
             return Err(wrong(index, "no sparse data"));
         }
-        let view = accessor.buffer_view.ok_or_else(|| wrong(index, "a buffer view"))?;
+        let view = accessor
+            .buffer_view
+            .ok_or_else(|| wrong(index, "a buffer view"))?;
         let view = at(&self.document.buffer_views, view, "bufferView")?;
         let buffer = self.buffers.get(view.buffer)?;
         let missing = || wrong(index, "data within its buffer view");
@@ -85,9 +87,7 @@ impl Accessors<'_> {
         let count = usize::try_from(accessor.count).map_err(|_| missing())?;
         let end = match count.checked_sub(1) {
             None => Some(0),
-            Some(last) => last
-                .checked_mul(stride)
-                .and_then(|start| start.checked_add(size)),
+            Some(last) => last.checked_mul(stride).and_then(|start| start.checked_add(size)),
         };
         let data = end.and_then(|end| data.get(..end)).ok_or_else(missing)?;
         // The last piece may be shorter than the others, and has one element, too.

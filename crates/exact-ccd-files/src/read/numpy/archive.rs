@@ -53,11 +53,7 @@ impl<'a> Archive<'a> {
             arrays.push(Entry { index, name, header });
         }
         budget.hold::<Entry>(arrays.len());
-        Ok(Self {
-            zip,
-            budget,
-            arrays,
-        })
+        Ok(Self { zip, budget, arrays })
     }
 
     /// Reads an array of the archive.
