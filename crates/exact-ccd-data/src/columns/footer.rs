@@ -5,6 +5,7 @@
 //!
 //! Apache Parquet, *File Format* and `parquet.thrift`; Apache Thrift, *Compact Protocol Encoding*.
 
+use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{ChunkReader, Length};
 
 use super::guard::GuardedFile;
@@ -14,17 +15,24 @@ const DEPTH: usize = 32;
 /// The length of the metadata and the mark `PAR1` at the end.
 const END: u64 = 8;
 
-/// The problem with the metadata of a file, if there is one.
-pub(super) fn check(file: &GuardedFile) -> Result<(), String> {
-    let missing = || "the file ends without metadata".to_owned();
-    let start = file.len().checked_sub(END).ok_or_else(missing)?;
-    let end = file.get_bytes(start, END as usize).map_err(|_| missing())?;
+/// Checks the metadata of a file.
+///
+/// # Errors
+/// If the file cannot be read, or its metadata are not as stated above.
+pub(super) fn check(file: &GuardedFile) -> Result<()> {
+    let wrong = |problem: &str| Err(ParquetError::General(problem.to_owned()));
+    let Some(start) = file.len().checked_sub(END) else {
+        return wrong("the file is too short for metadata");
+    };
+    let end = file.get_bytes(start, END as usize)?;
     let Some((&length, b"PAR1")) = end.split_first_chunk::<4>() else {
-        return Err("the file does not end in PAR1".to_owned());
+        return wrong("the file does not end in PAR1");
     };
     let length = u32::from_le_bytes(length);
-    let start = start.checked_sub(length.into()).ok_or_else(missing)?;
-    let metadata = file.get_bytes(start, length as usize).map_err(|_| missing())?;
+    let Some(start) = start.checked_sub(length.into()) else {
+        return wrong("the metadata are longer than the file");
+    };
+    let metadata = file.get_bytes(start, length as usize)?;
     let mut schema = None;
     let read = Thrift { rest: &metadata }.fields(&mut |thrift, field, kind| match (field, kind) {
         (2, LIST) => {
@@ -35,8 +43,8 @@ pub(super) fn check(file: &GuardedFile) -> Result<(), String> {
     });
     match (read, schema) {
         (Some(()), Some(children)) if is_tree(&children) => Ok(()),
-        (Some(()), Some(_)) => Err(format!("its columns are not one tree of at most {DEPTH} levels")),
-        _ => Err("its metadata are damaged".to_owned()),
+        (Some(()), Some(_)) => wrong("the columns are not one tree of few levels"),
+        _ => wrong("the metadata are damaged"),
     }
 }
 

@@ -24,26 +24,24 @@ fn most(file_size: u64) -> u64 {
     file_size.saturating_mul(RATIO).saturating_add(ALLOWANCE)
 }
 
-/// The problem with the numbers that the metadata announce, if there is one: the columns overlap, so that the
-/// same bytes are read several times, or the queries, which have this number of coordinates, are far larger
-/// than the file.
-pub(super) fn check_size(
-    file: &GuardedFile,
-    metadata: &ParquetMetaData,
-    coordinates: usize,
-) -> std::result::Result<(), String> {
+/// Checks the numbers that the metadata announce.
+///
+/// # Errors
+/// If the columns overlap, so that the same bytes are read several times, or the queries, which have this
+/// number of coordinates, are far larger than the file.
+pub(super) fn check_size(file: &GuardedFile, metadata: &ParquetMetaData, coordinates: usize) -> Result<()> {
     let size = file.len();
     let rows = metadata.file_metadata().num_rows().unsigned_abs();
     let bytes = rows.saturating_mul((coordinates * size_of::<f64>()) as u64);
     if bytes > most(size) {
-        return Err(format!(
+        return Err(ParquetError::General(format!(
             "its {rows} queries take {bytes} bytes, more than {RATIO} times the size of the file"
-        ));
+        )));
     }
     let columns = metadata.row_groups().iter().flat_map(RowGroupMetaData::columns);
     let sizes = columns.map(|column| column.compressed_size().unsigned_abs());
     if sizes.fold(0, u64::saturating_add) > size {
-        return Err("its columns overlap".to_owned());
+        return Err(ParquetError::General("its columns overlap".to_owned()));
     }
     Ok(())
 }

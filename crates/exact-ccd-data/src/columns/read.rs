@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::vec;
 
+use parquet::errors::ParquetError;
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 
 use super::coordinates;
@@ -47,10 +48,9 @@ impl<K: QueryKind> ColumnReader<K> {
     pub fn open(path: &Path) -> Result<Self, DataError> {
         let file = File::open(path).map_err(|source| DataError::io(path, source))?;
         let file = Arc::new(GuardedFile(file));
-        let wrong = |problem: String| DataError::columns(path, ColumnProblem::parquet(problem));
+        let wrong = |error: ParquetError| DataError::columns(path, ColumnProblem::from(error));
         footer::check(&file).map_err(wrong)?;
-        let metadata = catch(|| ParquetMetaDataReader::new().parse_and_finish(&*file))
-            .map_err(|error| DataError::columns(path, ColumnProblem::from(error)))?;
+        let metadata = catch(|| ParquetMetaDataReader::new().parse_and_finish(&*file)).map_err(wrong)?;
         check_size(&file, &metadata, coordinates::<K>()).map_err(wrong)?;
         let leaves = Leaves::find(&metadata).map_err(|problem| DataError::columns(path, problem))?;
         Ok(Self {
