@@ -3,7 +3,8 @@
 //! Most queries of a batch cost a fraction of [`collides`]. The first filters work on vectors, with
 //! the widest [`Instructions`] of the processor, and each passes on only those queries that it does
 //! not settle. The rest is decided like single queries. The answers are those of [`collides`], on
-//! any processor: the same operations in the same order, each rounded as IEEE 754 defines.
+//! any processor, because each filter proves its answers. With any [`Instructions`], the operations are the
+//! same in the same order, each rounded as IEEE 754 defines.
 //!
 //! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
 //! ([`Queries`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times and

@@ -8,17 +8,21 @@ use crate::filter::{UNIT, certain_sign};
 use crate::point::Point;
 use crate::query::NonFinite;
 
-/// The sign of the volume of the tetrahedron a b c d, exactly: that of (b − a) · ((c − a) × (d − a)).
+/// The side of the plane through a, b and c on which d lies, exactly: the sign of (a − d) · ((b − d) × (c − d)),
+/// as Shewchuk's predicate of this name has it (Adaptive precision floating-point arithmetic and fast robust
+/// geometric predicates, 1997).
 ///
-/// It is `Greater` if a, b and c turn counterclockwise as seen from d, `Less` if they turn
-/// clockwise, and `Equal` if all four points lie in one plane.
+/// It is `Less` if a, b and c turn counterclockwise as seen from d, `Greater` if they turn clockwise, and
+/// `Equal` if all four points lie in one plane. So it is `Less` for a tetrahedron of positive volume
+/// (b − a) · ((c − a) × (d − a)) / 6.
 ///
 /// ```
 /// use core::cmp::Ordering;
 /// use exact_ccd::predicates::orient3d;
 ///
-/// let tetrahedron = [[0.0; 3], [1e-120, 0.0, 0.0], [0.0, 1e-120, 0.0], [0.0, 0.0, 1e-120]];
-/// assert_eq!(orient3d(tetrahedron)?, Ordering::Greater);
+/// let [a, b, c] = [[0.0; 3], [1e-120, 0.0, 0.0], [0.0, 1e-120, 0.0]];
+/// let above = [0.0, 0.0, 1e-120];
+/// assert_eq!(orient3d([a, b, c, above])?, Ordering::Less);
 /// # Ok::<(), exact_ccd::NonFinite>(())
 /// ```
 ///
@@ -26,10 +30,10 @@ use crate::query::NonFinite;
 /// [`NonFinite`] names the first coordinate that is infinite or not a number.
 pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
     NonFinite::check(&points)?;
-    Ok(sign_of_volume(&points))
+    Ok(sign_of_volume(&points).reverse())
 }
 
-/// [`orient3d`] of points that are finite.
+/// The sign of (b − a) · ((c − a) × (d − a)), of points that are finite.
 ///
 /// The filter: the differences are rounded once, and the operations on them make it n = 8
 /// roundings. The underflow in a product is at most 2⁻¹⁰⁷⁵, which only a coordinate of b − a can

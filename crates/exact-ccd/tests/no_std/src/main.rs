@@ -128,7 +128,7 @@ const EXPECTED: Answers = Answers {
     parallel: None,
     batch: [true, false],
     array: [true, false],
-    orientation: Ordering::Less,
+    orientation: Ordering::Greater,
     intersects: true,
     first_within: [1, 1],
 };
