@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 
 use super::determinant::{determinant, permanent, sign_in_integers, sign_of_determinant};
-use crate::environment::flushes_subnormals;
+use crate::environment;
 use crate::filter::{UNIT, certain_sign};
 use crate::point::Point;
 use crate::query::NonFinite;
@@ -42,7 +42,7 @@ pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
 pub(crate) fn sign_of_volume(points: &[Point; 4]) -> Ordering {
     const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
     let [a, b, c, d] = points;
-    if flushes_subnormals() {
+    if !environment::is_default() {
         return sign_in_integers([b, c, d, a]);
     }
     let from_a = |p: &Point| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];

@@ -9,7 +9,7 @@ use core::f64::consts::SQRT_2;
 use fearless_simd::prelude::*;
 use fearless_simd::{f64x8, mask64x8};
 
-use super::row::{PLACES, Row};
+use crate::batch::row::{PLACES, Row};
 use crate::filter::UNIT;
 use crate::kind::Kind;
 

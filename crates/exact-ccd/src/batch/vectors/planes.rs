@@ -4,7 +4,7 @@
 use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
 
-use super::row::Row;
+use crate::batch::row::Row;
 use crate::filter::{Cubic, Points, Screened, screen_planes};
 use crate::kind::Kind;
 
