@@ -60,6 +60,7 @@ mod method;
 mod min_distance;
 mod motion;
 mod narrow_phase;
+mod other_ends;
 mod overlaps;
 mod pair;
 mod pair_kind;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use exact_ccd::separation::{Separation, Separations, Thickness};
 
 use crate::mesh::TriangleMesh;
+use crate::pair_kind::PairKind;
 
 /// The distance that the primitives of a mesh keep from each other: one for all pairs, or by the
 /// thickness of the vertices. The default is 0, which is contact.
@@ -99,13 +100,24 @@ impl MinDistance {
         Self { inner: None, ..self }
     }
 
-    /// The distance for pairs that start beyond it.
+    /// The distances for pairs that start beyond them, but for those of [`between`](Self::between) that are 0.
     #[must_use]
     pub fn separations(&self) -> Separations<'_> {
         match &self.outer {
             Outer::Uniform(d) => Separations::Uniform(*d),
             Outer::Thickness(thickness) => Separations::Thickness(thickness),
         }
+    }
+
+    /// The distance of a pair that starts beyond it, given by its vertices: 0 for a vertex and an edge that
+    /// another edge of the mesh [connects](PairKind::are_connected).
+    #[must_use]
+    pub fn between<K: PairKind>(&self, mesh: &TriangleMesh, vertices: &K::Vertices) -> Separation {
+        if K::are_connected(mesh, vertices) {
+            return Separation::default();
+        }
+        let (a, b) = vertices.as_ref().split_at(K::FIRST);
+        self.separations().between(a, b)
     }
 
     /// The inner distance, if there is one.
