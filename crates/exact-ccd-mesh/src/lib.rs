@@ -51,6 +51,7 @@ mod contact;
 mod contact_points;
 mod culled_search;
 mod detector;
+mod disjoint_sets;
 mod frame;
 mod intersections;
 mod line_search;
