@@ -2,8 +2,8 @@
 
 /// Disjoint sets of vertices, each a tree: union by size, and paths that are halved as they are walked.
 ///
-/// Any sequence of m unions and searches takes O((m + n) α(n)) steps, α the inverse of Ackermann's function: R.
-/// E. Tarjan and J. van Leeuwen, *Worst-case Analysis of Set Union Algorithms*, 1984.
+/// Any sequence of m unions and searches takes O((m + n) α(n)) steps, α the inverse of Ackermann's
+/// function: R. E. Tarjan and J. van Leeuwen, *Worst-case Analysis of Set Union Algorithms*, 1984.
 #[derive(Debug)]
 pub(crate) struct DisjointSets {
     /// The vertex above each vertex in its tree, itself for a root.
@@ -66,7 +66,8 @@ mod tests {
 
     const COUNT: u32 = 1 << 16;
 
-    /// The number of steps per vertex of some unions, each followed by a search for a vertex that may be deep.
+    /// The number of steps per vertex of some unions, each followed by a search for a vertex that may be
+    /// deep.
     fn steps(unions: impl Iterator<Item = ([u32; 2], u32)>) -> f64 {
         let mut sets = DisjointSets::new(COUNT as usize);
         let mut count = COUNT;

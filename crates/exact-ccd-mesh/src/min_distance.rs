@@ -13,8 +13,10 @@ use crate::pair_kind::PairKind;
 /// Two primitives *touch* if their distance is at most the minimum distance of the pair, and all that
 /// is said about contact holds for this. The distance is taken exactly; with
 /// [thicknesses](Self::thickness), that of a pair is the sum of those of both primitives, rounded up.
-/// Primitives that share a vertex do not form a pair. So the minimum distance should be smaller than
-/// the edges of the mesh: primitives that are two edges apart along the surface come near each other too.
+/// Primitives that share a vertex do not form a pair, and a vertex and an edge that another edge connects
+/// touch at distance 0 only, whatever the minimum distance: see [`Pair`](crate::Pair). The minimum distance
+/// should be smaller than the edges of the mesh: primitives that are two edges apart along the surface come
+/// near each other too.
 ///
 /// ```
 /// use exact_ccd::separation::Separation;
@@ -100,7 +102,8 @@ impl MinDistance {
         Self { inner: None, ..self }
     }
 
-    /// The distances for pairs that start beyond them, but for those of [`between`](Self::between) that are 0.
+    /// The distances for pairs that start beyond them, but for those of [`between`](Self::between) that are
+    /// 0.
     #[must_use]
     pub fn separations(&self) -> Separations<'_> {
         match &self.outer {

@@ -8,9 +8,9 @@ use crate::by_kind::PairCounts;
 /// `docs/pairs.md` of the repository lists all that is no pair, and so never in contact.
 ///
 /// Only primitives [that take part](crate::CanCollide::among) form pairs. Among these, an edge is *loose*
-/// if it belongs to no face, and a vertex if it has no edge. Two primitives are *apart* if they have no common
-/// vertex. A vertex and an edge that are apart are *connected* if another edge leads from the vertex to an end
-/// of the edge.
+/// if it belongs to no face, and a vertex if it has no edge. Two primitives are *apart* if they have no
+/// common vertex. A vertex and an edge that are apart are *connected* if another edge leads from the vertex
+/// to an end of the edge.
 ///
 /// # All contacts
 ///
@@ -30,8 +30,8 @@ use crate::by_kind::PairCounts;
 /// - p belongs to no edge, and e or q to no face: the loose vertex p and the loose edge e, or an edge
 ///   of q, or the loose vertex q;
 /// - p has edges, none of them is apart from e, and e is loose: p and e. An edge of p leads to an end of e,
-///   so they are connected: the end of a rod and the edge before the last, or the corner of a triangle of rods
-///   and the opposite edge;
+///   so they are connected: the end of a rod and the edge before the last, or the corner of a triangle of
+///   rods and the opposite edge;
 /// - q belongs to a loose edge e without p: p and e, as above, or an edge of p and e. The same with p and q
 ///   exchanged.
 ///
@@ -45,10 +45,10 @@ use crate::by_kind::PairCounts;
 /// # All distances
 ///
 /// Within a distance d above 0, the same holds, except for the pairs that are connected. They touch at
-/// distance 0 only, whatever d. The distance of a vertex p and an edge e is at most the length of the edge that
-/// connects them. So a rod of edges not longer than d would touch itself at rest, whatever its motion, and
-/// d says nothing about a fold. Pairs of e and p in contact at distance 0 keep the rod from passing through
-/// itself. So there are two more cases for distances, and both are compared for contact:
+/// distance 0 only, whatever d. The distance of a vertex p and an edge e is at most the length of the edge
+/// that connects them. So a rod of edges not longer than d would touch itself at rest, whatever its motion,
+/// and d says nothing about a fold. Pairs of e and p in contact at distance 0 keep the rod from passing
+/// through itself. So there are two more cases for distances, and both are compared for contact:
 ///
 /// - p against e, if p has edges, none of them is apart from e, and e is loose;
 /// - p against q, if both have edges, no edge of p is apart from one of q, and all faces of either contain

@@ -24,9 +24,9 @@ pub trait PairKind: Kind + Send + Sync {
     /// Returns true if the two primitives have no vertex in common.
     fn are_apart(vertices: &Self::Vertices) -> bool;
 
-    /// Returns true if the primitives are a vertex and an edge, and another edge of the mesh connects them, as
-    /// the last edge of a rod connects its end with the edge before. They touch at distance 0 only, whatever
-    /// the minimum distance: see [`Pair`].
+    /// Returns true if the primitives are a vertex and an edge, and another edge of the mesh connects them,
+    /// as the last edge of a rod connects its end with the edge before. They touch at distance 0 only,
+    /// whatever the minimum distance: see [`Pair`].
     fn are_connected(_mesh: &TriangleMesh, _vertices: &Self::Vertices) -> bool {
         false
     }
@@ -40,8 +40,8 @@ pub(crate) enum PrimitiveSet {
     Edges,
     /// The vertices of no edge. The corner of a face whose three corners are one vertex is among them.
     LooseVertices,
-    /// The loose vertices, and those all of whose edges may have a vertex in common with a loose edge of which
-    /// they are no end: the ends of rods, and the corners of triangles of rods.
+    /// The loose vertices, and those all of whose edges may have a vertex in common with a loose edge of
+    /// which they are no end: the ends of rods, and the corners of triangles of rods.
     Ends,
     /// The edges of no face.
     LooseEdges,

@@ -1,4 +1,5 @@
-//! Rods that fold through themselves, and rods, points and faces against a loop over everything they consist of.
+//! Rods that fold through themselves, and rods, points and faces against a loop over everything they
+//! consist of.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

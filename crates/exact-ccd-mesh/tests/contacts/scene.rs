@@ -99,9 +99,9 @@ impl Scene {
         self.pairs_among(|_| true)
     }
 
-    /// All pairs without a common vertex among the primitives whose vertices take part. A vertex and an edge are
-    /// one if no face that takes part has the edge, and no edge of the vertex is apart from it; two vertices,
-    /// if neither has an edge.
+    /// All pairs without a common vertex among the primitives whose vertices take part. A vertex and an
+    /// edge are one if no face that takes part has the edge, and no edge of the vertex is apart from it;
+    /// two vertices, if neither has an edge.
     pub(crate) fn pairs_among(&self, takes_part: impl Fn(u32) -> bool) -> Candidates {
         let mesh = &self.mesh;
         let is_in = |vertices: &[u32]| vertices.iter().all(|&vertex| takes_part(vertex));

@@ -28,10 +28,10 @@ impl Collisions {
     /// that of surfaces without thickness.
     ///
     /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
-    /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two edges
-    /// is loose, each end of one and the other edge are a pair of their own, and so is the end of a rod with the
-    /// edge before the last. With
-    /// [weights](Surface::weights), the sum is that of the convergent formulation.
+    /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two
+    /// edges is loose, each end of one and the other edge are a pair of their own, and so is the end of a
+    /// rod with the edge before the last. With [weights](Surface::weights), the sum is that of the
+    /// convergent formulation.
     ///
     /// # Panics
     /// If a vertex of a pair has no position.
@@ -296,8 +296,8 @@ impl Near<'_> {
     }
 }
 
-/// The pairs of an end and the other edge of all pairs of edges of which one is loose, by their vertices. Each
-/// occurs once.
+/// The pairs of an end and the other edge of all pairs of edges of which one is loose, by their vertices.
+/// Each occurs once.
 fn ends_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]> {
     let mesh = surface.mesh;
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
