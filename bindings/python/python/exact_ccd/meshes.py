@@ -82,7 +82,8 @@ class FreeStep(NamedTuple):
 class Mesh:
     """The connectivity of a triangle mesh, with rods and points, and the pairs that can collide.
 
-    Primitives that share a vertex always touch, and are never examined.
+    Primitives that share a vertex always touch, and are never examined; `docs/pairs.md` of the repository
+    lists all pairs that are never a contact.
 
     Parameters
     ----------
