@@ -157,7 +157,10 @@ fn convert<K: QueryKind + 'static>(
 
 /// The queries of a scene.
 fn scene<K: DataKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
-    check_folder(&folder.join("frames"), "the frames of a scene of the published data sets")?;
+    check_folder(
+        &folder.join("frames"),
+        "the frames of a scene of the published data sets",
+    )?;
     let scene = Scene::new(folder.to_owned());
     let motion = scene.motion()?;
     let records = scene.records(&motion.step()?)?;

@@ -112,7 +112,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         progress::queries()
     };
     let (method, d) = (&arguments.method, arguments.min_distance);
-    query_files::check(&arguments.files, |file| check_file(file, "a query file, CSV or Parquet"))?;
+    query_files::check(&arguments.files, |file| {
+        check_file(file, "a query file, CSV or Parquet")
+    })?;
     let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
     method.check(kind, d)?;
     let tally = during(bar, |progress| match kind {

@@ -23,10 +23,7 @@ pub(crate) fn seventh(roots: bool) -> Seventh {
 }
 
 /// Checks all files but standard input.
-pub(crate) fn check(
-    files: &[PathBuf],
-    check: impl Fn(&Path) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+pub(crate) fn check(files: &[PathBuf], check: impl Fn(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
     let mut files = files.iter().filter(|file| !is_dash(file));
     files.try_for_each(|file| check(file))
 }

@@ -321,13 +321,25 @@ fn zeros_of_parameters_are_positive() {
         };
         let start = [a0, a1, b0, b1].map(reflect);
         let end = [raised(a0), raised(a1), b0, b1].map(reflect);
-        for order in [[0, 1, 2, 3], [1, 0, 2, 3], [0, 1, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]] {
+        for order in [
+            [0, 1, 2, 3],
+            [1, 0, 2, 3],
+            [0, 1, 3, 2],
+            [2, 3, 0, 1],
+            [3, 2, 1, 0],
+        ] {
             let [start, end] = [start, end].map(|points| order.map(|i: usize| points[i]));
             let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
             let is_end = |u: f64| u == 0.0 || u == 1.0;
-            assert!(impact.parameters.into_iter().any(is_end), "{flip} {order:?} {impact:?}");
+            assert!(
+                impact.parameters.into_iter().any(is_end),
+                "{flip} {order:?} {impact:?}"
+            );
             let is_positive = |u: f64| u.is_sign_positive();
-            assert!(impact.parameters.into_iter().all(is_positive), "{flip} {order:?} {impact:?}");
+            assert!(
+                impact.parameters.into_iter().all(is_positive),
+                "{flip} {order:?} {impact:?}"
+            );
         }
     }
 }

@@ -115,7 +115,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
     let vertices = scene.moving_vertices();
-    let half_spaces = arguments.half_spaces.around(vertices, arguments.min_distance, None);
+    let half_spaces = arguments
+        .half_spaces
+        .around(vertices, arguments.min_distance, None);
     let (count, mut examined) = (scene.frame_count(), 0);
     during(progress::frames(count), |progress| {
         for index in 0..count {
@@ -130,7 +132,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 continue;
             };
             timed(&mut write, || {
-                violations.iter().try_for_each(|violation| recording.violation(violation))
+                violations
+                    .iter()
+                    .try_for_each(|violation| recording.violation(violation))
             })?;
             let start = before.as_ref().unwrap_or(&last.positions);
             let moved = Moved { index, start, last };
@@ -150,7 +154,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 progress(1);
                 continue;
             }
-            timed(&mut write, || found.add(&scene, &moved, records, arguments.out.as_deref()))?;
+            timed(&mut write, || {
+                found.add(&scene, &moved, records, arguments.out.as_deref())
+            })?;
             if arguments.all.is_none() {
                 break;
             }

@@ -255,8 +255,8 @@ fn unsigned_zero(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x }
 }
 
-/// The first point of an edge, from its first end on, that a face contains, rounded: the place of a vertex that
-/// moves along the edge, at its time of impact. `None` if they do not meet.
+/// The first point of an edge, from its first end on, that a face contains, rounded: the place of a vertex
+/// that moves along the edge, at its time of impact. `None` if they do not meet.
 fn first_common_point([start, end]: [Point; 2], [a, b, c]: [Point; 3]) -> Option<Point> {
     let [from, to] = [[start, a, b, c], [end, a, b, c]];
     let impact = Query::<VertexFace>::new(from, to).ok()?.impact()?;

@@ -16,7 +16,10 @@ pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 impl Frames {
     /// All frames in a file: of a mesh, of arrays, or of a list of files.
     pub(super) fn of_file(file: &Path, polygons: Polygons) -> Result<Self, Failure> {
-        check_file(file, "a mesh file; `exact-ccd audit` examines the frames in a folder")?;
+        check_file(
+            file,
+            "a mesh file; `exact-ccd audit` examines the frames in a folder",
+        )?;
         let sequence = Arc::new(FrameSequence::open(file, polygons)?);
         if sequence.is_empty() {
             return Err(Failure::NoFrames(file.to_owned()));

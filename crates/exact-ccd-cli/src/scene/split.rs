@@ -6,11 +6,11 @@ use super::options::SceneOptions;
 use crate::contacts::ContactRecord;
 use crate::notes::Notes;
 
-/// Adds a note that names `--weld`, if the primitives of a contact have vertices that are in the same place in
-/// all of these frames.
+/// Adds a note that names `--weld`, if the primitives of a contact have vertices that are in the same place
+/// in all of these frames.
 ///
-/// The contact is the one that is reported: a search for all pairs that touch would take much longer than that
-/// for the first one.
+/// The contact is the one that is reported: a search for all pairs that touch would take much longer than
+/// that for the first one.
 pub(crate) fn note_split_vertices(
     contact: &ContactRecord,
     frames: &[&[Point]],

@@ -172,7 +172,9 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     if simulation.state().step == 0 {
         let system = simulation.system();
         let warnings = simulation.warnings();
-        warnings.iter().for_each(|warning| warn(&warning.with_names(system)));
+        warnings
+            .iter()
+            .for_each(|warning| warn(&warning.with_names(system)));
     }
     let text_of_page = line::of_scene(&simulation, steps, true);
     let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));

@@ -48,9 +48,18 @@ fn the_first_time_in_a_half_space_is_exact() {
         let report = report(&folder, &half_space);
         let contact = &report["contact"];
         assert_eq!(report["toi"], json!(lower), "{height}");
-        assert_eq!(contact["time"], json!({"lower": lower, "upper": upper}), "{height}");
         assert_eq!(
-            json!([contact["kind"], contact["ids"], contact["vertices"], contact["normal"]]),
+            contact["time"],
+            json!({"lower": lower, "upper": upper}),
+            "{height}"
+        );
+        assert_eq!(
+            json!([
+                contact["kind"],
+                contact["ids"],
+                contact["vertices"],
+                contact["normal"]
+            ]),
             json!(["vh", [0, 0], [[0], []], [0.0, 0.0, 1.0]])
         );
         assert_eq!(contact["distance"], json!({"lower": distance, "upper": distance}));
@@ -63,8 +72,14 @@ fn the_first_time_in_a_half_space_is_exact() {
         );
     }
     let above = report(&folder, &["--half-space", "0,0,-1.0000000000000002,0,0,1"]);
-    assert_eq!(json!([above["collision_free"], above["toi"]]), json!([true, null]));
-    assert_eq!(above["half_spaces"], json!({"touching_at_start": 0, "colliding": 0}));
+    assert_eq!(
+        json!([above["collision_free"], above["toi"]]),
+        json!([true, null])
+    );
+    assert_eq!(
+        above["half_spaces"],
+        json!({"touching_at_start": 0, "colliding": 0})
+    );
     assert_eq!(report(&folder, &[]).get("half_spaces"), None);
 }
 
@@ -78,17 +93,33 @@ fn every_form_of_the_answer_has_the_half_spaces() {
         "  at (0.25, 0.25, 0.5), normal (0, 0, 1); ids count from 0\n",
         "half spaces: 1 vertices in contact, 0 touching at t = 0\n",
     ];
-    assert!(run.stdout.contains(&format!("{first}{place}")) && run.stdout.contains(counts), "{run:?}");
-    assert!(run.stdout.contains(" half spaces, ") && run.status == 1, "{run:?}");
+    assert!(
+        run.stdout.contains(&format!("{first}{place}")) && run.stdout.contains(counts),
+        "{run:?}"
+    );
+    assert!(
+        run.stdout.contains(" half spaces, ") && run.status == 1,
+        "{run:?}"
+    );
     let run = step(&folder, &[&half_space[..], &["--any"]].concat());
     assert!(run.stdout.contains("contact\n") && run.status == 1, "{run:?}");
     let run = step(&folder, &[&half_space[..], &["--toi"]].concat());
     assert!(run.stdout.contains(first) && run.status == 1, "{run:?}");
     // The same vertices as an obstacle may be where they are.
-    let run = step(&folder, &[&half_space[..], &["--with", "wall=end.ply", "--ignore", "start:wall"]].concat());
+    let run = step(
+        &folder,
+        &[
+            &half_space[..],
+            &["--with", "wall=end.ply", "--ignore", "start:wall"],
+        ]
+        .concat(),
+    );
     assert!(run.stdout.contains(counts), "{run:?}");
     let bad = step(&folder, &["--half-space", "0,0,0"]);
-    assert!(bad.status == 2 && bad.stderr.contains("expected six numbers"), "{bad:?}");
+    assert!(
+        bad.status == 2 && bad.stderr.contains("expected six numbers"),
+        "{bad:?}"
+    );
 }
 
 /// Half spaces and the mesh itself, in the order of times.
@@ -97,24 +128,39 @@ fn the_list_has_the_contacts_of_both() {
     // The tip, vertex 4, falls from 1 to −1 through a square at 0, and touches the square at t = 0.5.
     let folder = fall(1.0, -1.0);
     let planes = ["--half-space", "0,0,0.5,0,0,1", "--half-space", "0,0,-0.5,0,0,1"];
-    let run = step(&folder, &[&planes[..], &["--all", "all.jsonl", "--out", "out"]].concat());
+    let run = step(
+        &folder,
+        &[&planes[..], &["--all", "all.jsonl", "--out", "out"]].concat(),
+    );
     assert_eq!(run.status, 1, "{run:?}");
     let list = folder.read("all.jsonl");
-    let records: Vec<Value> = list.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let records: Vec<Value> = list
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
     let schema = Schema::of_reports();
     records.iter().for_each(|record| schema.assert("contact", record));
-    let lower: Vec<f64> = records.iter().map(|record| record["time"]["lower"].as_f64().unwrap()).collect();
+    let lower: Vec<f64> = records
+        .iter()
+        .map(|record| record["time"]["lower"].as_f64().unwrap())
+        .collect();
     assert!(lower.is_sorted(), "{lower:?}");
     // The four corners of the square are in the first half space at rest; vertices come in their order.
     let of = |half_space: u32| -> Vec<Value> {
         let is_of = |record: &&Value| record["kind"] == "vh" && record["ids"][1] == half_space;
         let times = records.iter().filter(is_of);
-        times.map(|record| json!([record["ids"][0], record["time"]["lower"]])).collect()
+        times
+            .map(|record| json!([record["ids"][0], record["time"]["lower"]]))
+            .collect()
     };
     let corners = [0, 1, 2, 3].map(|vertex| json!([vertex, 0.0]));
     assert_eq!(of(0), [&corners[..], &[json!([4, 0.25])]].concat());
     assert_eq!(of(1), [json!([4, 0.75])]);
-    assert!(records.iter().any(|record| record["kind"] == "vf" && record["time"]["lower"] == 0.5));
+    assert!(
+        records
+            .iter()
+            .any(|record| record["kind"] == "vf" && record["time"]["lower"] == 0.5)
+    );
     let impact = exact_ccd_files::read_frame(folder.path("out/impact.vtu")).unwrap();
     assert_eq!(impact.positions[4], [0.75, 0.5, 1.0]);
 }
@@ -123,10 +169,20 @@ fn the_list_has_the_contacts_of_both() {
 fn vertices_that_start_within_the_distance_have_the_inner_one() {
     let folder = tip();
     // The tip starts 1 above the plane, and comes within 0.25 of it at t = 0.25.
-    let options = ["--half-space", "0,0,1,0,0,1", "--min-distance", "1", "--inner-distance", "0.25"];
+    let options = [
+        "--half-space",
+        "0,0,1,0,0,1",
+        "--min-distance",
+        "1",
+        "--inner-distance",
+        "0.25",
+    ];
     let report = report(&folder, &options);
     assert_eq!(report["toi"], json!(0.25));
-    assert_eq!(report["half_spaces"], json!({"touching_at_start": 1, "colliding": 1}));
+    assert_eq!(
+        report["half_spaces"],
+        json!({"touching_at_start": 1, "colliding": 1})
+    );
 }
 
 #[test]

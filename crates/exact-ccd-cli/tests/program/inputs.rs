@@ -20,7 +20,10 @@ fn folder() -> Folder {
 fn assert_error(folder: &Folder, arguments: &[&str], expected: &str) {
     let run = folder.run(arguments);
     let error = run.error();
-    assert!(error.starts_with(expected), "{arguments:?}: {error}\nexpected {expected}");
+    assert!(
+        error.starts_with(expected),
+        "{arguments:?}: {error}\nexpected {expected}"
+    );
 }
 
 #[test]
@@ -30,18 +33,39 @@ fn a_missing_input_is_named_with_what_it_should_be() {
     let remedy = ": check the name, and the folder in which the program runs";
     for (arguments, expected) in [
         (&["audit", "no"][..], "a mesh file, or a folder or a list of them"),
-        (&["audit", "start.ply", "no"], "a mesh file, or a folder or a list of them"),
-        (&["audit", "start.ply", "--with", "no"], "a mesh file, or a folder or a list of them"),
-        (&["step", "no", "end.ply"], "a mesh file; `exact-ccd audit` examines the frames in a folder"),
-        (&["step", "start.ply", "no"], "a mesh file; `exact-ccd audit` examines the frames in a folder"),
+        (
+            &["audit", "start.ply", "no"],
+            "a mesh file, or a folder or a list of them",
+        ),
+        (
+            &["audit", "start.ply", "--with", "no"],
+            "a mesh file, or a folder or a list of them",
+        ),
+        (
+            &["step", "no", "end.ply"],
+            "a mesh file; `exact-ccd audit` examines the frames in a folder",
+        ),
+        (
+            &["step", "start.ply", "no"],
+            "a mesh file; `exact-ccd audit` examines the frames in a folder",
+        ),
         (&["queries", "no"], "a query file, CSV or Parquet"),
         (&["queries", "--kind", "vf", "no"], "a query file, CSV or Parquet"),
-        (&["convert", "no", "-o", "out.csv"], "a query file, CSV or Parquet, or the folder of a scene"),
+        (
+            &["convert", "no", "-o", "out.csv"],
+            "a query file, CSV or Parquet, or the folder of a scene",
+        ),
         (&["round", "no"], "a mesh file, or a query file with --kind"),
-        (&["round", "--kind", "vf", "no"], "a mesh file, or a query file with --kind"),
+        (
+            &["round", "--kind", "vf", "no"],
+            "a mesh file, or a query file with --kind",
+        ),
         (&["bench", "no"], "a folder of data sets"),
         (&["import", "no"], "a scene of IPC or of PolyFEM"),
-        (&["simulate", "no"], "a scene in TOML, or one of IPC or of PolyFEM"),
+        (
+            &["simulate", "no"],
+            "a scene in TOML, or one of IPC or of PolyFEM",
+        ),
     ] {
         assert_error(&folder, arguments, &format!("no: {missing} {expected}{remedy}"));
     }
@@ -61,8 +85,16 @@ fn a_folder_in_place_of_a_file_is_named() {
     ] {
         assert_error(&folder, arguments, "empty: this is a folder, expected ");
     }
-    assert_error(&folder, &["bench", "text.txt"], "text.txt: this is no folder, expected a folder of data sets");
-    assert_error(&folder, &["audit", "empty"], "empty: expected meshes of one format");
+    assert_error(
+        &folder,
+        &["bench", "text.txt"],
+        "text.txt: this is no folder, expected a folder of data sets",
+    );
+    assert_error(
+        &folder,
+        &["audit", "empty"],
+        "empty: expected meshes of one format",
+    );
     assert_error(
         &folder,
         &["convert", "--kind", "vf", "empty", "-o", "out.csv"],
@@ -72,7 +104,11 @@ fn a_folder_in_place_of_a_file_is_named() {
 
 #[test]
 fn a_folder_of_data_sets_without_queries_is_an_error() {
-    assert_error(&folder(), &["bench", "data"], "data: expected folders `edge-edge` or `vertex-face` with");
+    assert_error(
+        &folder(),
+        &["bench", "data"],
+        "data: expected folders `edge-edge` or `vertex-face` with",
+    );
 }
 
 #[test]
@@ -92,9 +128,21 @@ fn outputs_without_a_place_are_named_with_a_remedy() {
     for (option, file, remedy) in [
         ("--all", "no/all.csv", "make its folder first"),
         ("--view", "no/page.html", "make its folder first"),
-        ("--all", "folder.csv", "name a file, as there is a folder of this name"),
-        ("--view", "empty", "name a file, as there is a folder of this name"),
-        ("--out", "text.txt", "name another folder, as there is a file of this name"),
+        (
+            "--all",
+            "folder.csv",
+            "name a file, as there is a folder of this name",
+        ),
+        (
+            "--view",
+            "empty",
+            "name a file, as there is a folder of this name",
+        ),
+        (
+            "--out",
+            "text.txt",
+            "name another folder, as there is a file of this name",
+        ),
     ] {
         for command in ["step", "audit"] {
             let run = folder.run(&[command, "start.ply", "end.ply", option, file]);

@@ -283,7 +283,10 @@ fn an_intersection_has_the_point_where_the_edge_meets_the_face() {
     let row: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
     assert_eq!((row[1], &row[11..14]), ("ef", &["0.8125", "0.5", "0"][..]));
     let text = folder.run(&["step", "start.ply", "end.ply"]).stdout;
-    assert!(text.contains("\n  at (0.8125, 0.5, 0); ids count from 0\n"), "{text}");
+    assert!(
+        text.contains("\n  at (0.8125, 0.5, 0); ids count from 0\n"),
+        "{text}"
+    );
 }
 
 /// Edges in the plane of a face, too: the point is on both, up to rounding.
@@ -302,7 +305,8 @@ fn an_edge_in_the_plane_of_a_face_has_a_common_point() {
         for record in at_rest {
             let point: [f64; 3] = serde_json::from_value(record["point"].clone()).unwrap();
             let vertices: [Vec<usize>; 2] = serde_json::from_value(record["vertices"].clone()).unwrap();
-            let [edge, face] = vertices.map(|ids| ids.into_iter().map(|id| positions[id]).collect::<Vec<_>>());
+            let [edge, face] =
+                vertices.map(|ids| ids.into_iter().map(|id| positions[id]).collect::<Vec<_>>());
             // Twice the area of the triangle a b point.
             let area = |a: [f64; 3], b: [f64; 3]| {
                 (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])

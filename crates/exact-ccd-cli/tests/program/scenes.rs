@@ -317,7 +317,11 @@ fn the_note_is_about_the_reported_pair() {
     // Two faces with a seam, and a triangle far away whose tip touches the second one of two others.
     let mesh = |height: f64, apart: f64| {
         let mut positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        positions.extend([[0.0, 1.0 + apart, 0.0], [1.0 + apart, 0.0, 0.0], [1.0 + apart, 1.0 + apart, 0.0]]);
+        positions.extend([
+            [0.0, 1.0 + apart, 0.0],
+            [1.0 + apart, 0.0, 0.0],
+            [1.0 + apart, 1.0 + apart, 0.0],
+        ]);
         let far = tip_above_square(height);
         positions.extend(far.positions.iter().map(|[x, y, z]| [x + 9.0, *y, *z]));
         let mut faces = vec![[0, 1, 2], [4, 5, 3]];
@@ -329,10 +333,16 @@ fn the_note_is_about_the_reported_pair() {
     folder.write("apart.obj", mesh(1.0, 0.5));
     for option in [&[][..], &["--toi"]] {
         let run = folder.run(&[&["step", "start.obj", "end.obj"], option].concat());
-        assert!(run.stdout.contains("contact at t = 0: vertex 1 and face 1 "), "{run:?}");
+        assert!(
+            run.stdout.contains("contact at t = 0: vertex 1 and face 1 "),
+            "{run:?}"
+        );
         assert!(note(&run).contains("--weld"), "{run:?}");
         let run = folder.run(&[&["step", "start.obj", "apart.obj"], option].concat());
-        assert!(run.stdout.contains("contact at t = 0: vertex 1 and face 1 "), "{run:?}");
+        assert!(
+            run.stdout.contains("contact at t = 0: vertex 1 and face 1 "),
+            "{run:?}"
+        );
         assert_eq!(run.stderr, "", "{run:?}");
     }
 }

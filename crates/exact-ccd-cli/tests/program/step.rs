@@ -170,7 +170,11 @@ fn the_seconds_are_those_of_all_phases() {
         let run = folder.run(&[&["step", "start.ply", "end.ply"], options].concat());
         let line = run.stdout.lines().last().unwrap();
         let has = |name: &str| line.contains(name);
-        assert_eq!([has(" listing, "), has(" writing, ")], [files.contains(&"list"); 2], "{line}");
+        assert_eq!(
+            [has(" listing, "), has(" writing, ")],
+            [files.contains(&"list"); 2],
+            "{line}"
+        );
     }
 }
 

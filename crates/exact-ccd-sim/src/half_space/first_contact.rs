@@ -12,8 +12,9 @@ use super::side::integer;
 const UNIT: usize = 1074;
 
 impl HalfSpace {
-    /// The first time t in [0, 1] at which x₀ + t (x₁ − x₀) is at most `offset` ≥ 0 outside of the half space,
-    /// exactly: the adjacent f64 between which t lies, or the same one twice. `None` if there is no such time.
+    /// The first time t in [0, 1] at which x₀ + t (x₁ − x₀) is at most `offset` ≥ 0 outside of the half
+    /// space, exactly: the adjacent f64 between which t lies, or the same one twice. `None` if there is no
+    /// such time.
     ///
     /// The motion is that of the numbers as they are, without rounding. If a number is not finite, the answer
     /// is 0, as the vertex is then not [apart](Self::is_apart) at the start.
@@ -162,7 +163,11 @@ mod tests {
                 let is_before = first.is_none_or(|[lower, upper]| t < lower || t == lower && lower < upper);
                 // A vertex that leaves is not apart at the start, and then is: only the first time counts.
                 if first != Some([0.0; 2]) {
-                    assert_eq!(half_space.is_apart(at(t), offset), is_before, "{half_space:?} {x1:?} {t}");
+                    assert_eq!(
+                        half_space.is_apart(at(t), offset),
+                        is_before,
+                        "{half_space:?} {x1:?} {t}"
+                    );
                 } else if eighth == 0 {
                     assert!(!half_space.is_apart(at(0.0), offset));
                 }
@@ -183,6 +188,9 @@ mod tests {
         assert_eq!(first(f64::MAX, -tiny), Some([1f64.next_down(), 1.0]));
         assert_eq!(first(tiny, -f64::MAX), Some([0.0, tiny]));
         assert_eq!(first(f64::NAN, 1.0), Some([0.0; 2]));
-        assert_eq!((first(1.0, 0.0), first(0.0, 1.0)), (Some([1.0; 2]), Some([0.0; 2])));
+        assert_eq!(
+            (first(1.0, 0.0), first(0.0, 1.0)),
+            (Some([1.0; 2]), Some([0.0; 2]))
+        );
     }
 }

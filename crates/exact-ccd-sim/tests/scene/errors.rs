@@ -366,7 +366,8 @@ fn settings_of_pictures_are_checked() {
     }
 }
 
-/// A body with a name is named in the path of a field and in messages about two bodies; others have their number.
+/// A body with a name is named in the path of a field and in messages about two bodies; others have their
+/// number.
 #[test]
 fn errors_have_the_names_of_bodies() {
     let named = SCENE.replace("[[body]]\n", "[[body]]\nname = \"part\"\n");
@@ -375,10 +376,22 @@ fn errors_have_the_names_of_bodies() {
         parse(&named.replacen(from, to, 1)).err().unwrap()
     };
     for (from, to, expected) in [
-        ("density = 300.0", "density = 0.0", "body `part`, shell.density: the density is 0"),
-        ("young = 1e6", "young = \"stiff\"", "body `part`, solid.young: invalid type"),
+        (
+            "density = 300.0",
+            "density = 0.0",
+            "body `part`, shell.density: the density is 0",
+        ),
+        (
+            "young = 1e6",
+            "young = \"stiff\"",
+            "body `part`, solid.young: invalid type",
+        ),
         ("velocity = [", "speed = [", "body `part`, speed: unknown field"),
-        ("motion = \"fixed\"", "motion = \"fixed\"\naxes = []", "body `part`, script[1].axes: "),
+        (
+            "motion = \"fixed\"",
+            "motion = \"fixed\"\naxes = []",
+            "body `part`, script[1].axes: ",
+        ),
         (
             "translate = [0.0, 0.0, 3.0]",
             "translate = [0.0, nan, 3.0]",
@@ -403,7 +416,9 @@ fn errors_have_the_names_of_bodies() {
     let vertical = parse(&format!("{named}{vertical}")).err().unwrap();
     assert!(vertical.contains("half-space `ground`, normal: "), "{vertical}");
     // An empty name is none.
-    let unnamed = named.replace("name = \"part\"", "name = \"\"").replace("density = 300.0", "density = 0.0");
+    let unnamed = named
+        .replace("name = \"part\"", "name = \"\"")
+        .replace("density = 300.0", "density = 0.0");
     let unnamed = parse(&unnamed).err().unwrap();
     assert!(unnamed.contains("body[1].shell.density: "), "{unnamed}");
 }

@@ -91,7 +91,9 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
     };
     let text = std::fs::read_to_string(file).map_err(|error| {
         let problem = match error.kind() {
-            io::ErrorKind::InvalidData => Problem::invalid("bytes that are no text in UTF-8", "the text of a scene"),
+            io::ErrorKind::InvalidData => {
+                Problem::invalid("bytes that are no text in UTF-8", "the text of a scene")
+            }
             _ => Problem::File(error.to_string()),
         };
         problem.at(&Place::Pointer(String::new())).in_file(file)
