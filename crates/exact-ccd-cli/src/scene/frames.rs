@@ -7,6 +7,7 @@ use std::sync::Arc;
 use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
 
 use crate::failure::Failure;
+use crate::inputs::{check_file, check_path};
 use crate::notes::Notes;
 
 /// Frames in the order of time, each the one of a file or one of several in a file.
@@ -15,6 +16,10 @@ pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 impl Frames {
     /// All frames in a file: of a mesh, of arrays, or of a list of files.
     pub(super) fn of_file(file: &Path, options: ReadOptions) -> Result<Self, Failure> {
+        check_file(
+            file,
+            "a mesh file; `exact-ccd audit` examines the frames in a folder",
+        )?;
         let sequence = Arc::new(FrameSequence::open(file, options)?);
         if sequence.is_empty() {
             return Err(Failure::NoFrames(file.to_owned()));
@@ -52,6 +57,9 @@ impl Frames {
         options: ReadOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
+        for path in paths {
+            check_path(path, "a mesh file, or a folder or a list of them")?;
+        }
         let order = FrameOrder::of_row(paths.to_vec());
         let is_row = !as_given && paths.len() > 1;
         if is_row {

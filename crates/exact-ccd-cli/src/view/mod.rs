@@ -7,7 +7,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{BroadPhase, Detector, Intersection, Motion};
+use exact_ccd_mesh::{Contact, Intersection, Motion};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
@@ -24,20 +24,24 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// Writes the page of a step, if there is to be one: the intersections at its start, all contacts that
-    /// the detector finds, and the answer that was printed.
-    pub(crate) fn step<B: BroadPhase>(
+    /// The file of the page, if there is to be one.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.view.as_deref()
+    }
+
+    /// Writes the page of a step, if there is to be one: the intersections at its start, all contacts, and
+    /// the answer that is printed.
+    pub(crate) fn step(
         &self,
         files: &[PathBuf],
         motion: &Motion,
         start: &[Intersection],
         ids: &FileIds,
-        detector: &mut Detector<B>,
+        contacts: &[Contact],
         answer: &str,
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
-        let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
-        let page = Page::of_step(title(files), motion.step()?, start, &contacts)?;
+        let page = Page::of_step(title(files), motion.step()?, start, contacts)?;
         let page = page.with_ids(ids.vertices.clone(), ids.faces.clone());
         write(file, &page.with_summary(lines(answer)))
     }
