@@ -12,6 +12,7 @@ use exact_ccd_data::DataKind;
 use exact_ccd_methods::UnknownMethod;
 
 use crate::failure::Failure;
+use crate::inputs::check_folder;
 use crate::output::print;
 use crate::progress::{self, during};
 
@@ -76,6 +77,7 @@ fn budget(text: &str) -> Result<f64, String> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    check_folder(&arguments.folder, "a folder of data sets")?;
     let sources = Source::all(&arguments.folder)?;
     if sources.is_empty() {
         return Err(Failure::NoDataSet(arguments.folder.clone()));
@@ -111,6 +113,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Ok::<_, Failure>(())
     })?;
+    if report.tables.is_empty() {
+        return Err(Failure::NoDataSet(arguments.folder.clone()));
+    }
     if arguments.json {
         print(&serde_json::to_string(&report).map_err(std::io::Error::from)?)?;
     }

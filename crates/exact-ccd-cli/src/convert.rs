@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::failure::Failure;
+use crate::inputs::{check_folder, check_path};
 use crate::kind::Kind;
 use crate::min_distance;
 use crate::notes::Notes;
@@ -93,6 +94,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if arguments.json && query_files::is_dash(&arguments.output) {
         return Err(Failure::TwoAnswers);
     }
+    query_files::check(&arguments.inputs, |input| {
+        check_path(input, "a query file, CSV or Parquet, or the folder of a scene")
+    })?;
     let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
     let report = during(progress::queries(), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
@@ -153,6 +157,10 @@ fn convert<K: QueryKind + 'static>(
 
 /// The queries of a scene.
 fn scene<K: DataKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
+    check_folder(
+        &folder.join("frames"),
+        "the frames of a scene of the published data sets",
+    )?;
     let scene = Scene::new(folder.to_owned());
     let motion = scene.motion()?;
     let records = scene.records(&motion.step()?)?;

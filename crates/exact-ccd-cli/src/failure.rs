@@ -13,11 +13,14 @@ use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 use exact_ccd_view::PageError;
 
+use crate::inputs::InputError;
 use crate::kind::Kind;
 
 /// The reason why the program has no answer.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
+    #[error(transparent)]
+    Input(#[from] InputError),
     #[error(transparent)]
     Data(#[from] DataError),
     #[error(transparent)]
@@ -143,10 +146,26 @@ pub(crate) enum Failure {
     Log { file: PathBuf, source: csv::Error },
     #[error("cannot start the threads: {0}")]
     Threads(#[from] rayon::ThreadPoolBuildError),
-    #[error("cannot write {}: {source}", file.display())]
+    #[error("cannot write {}: {source}{}", file.display(), remedy(source))]
     Write { file: PathBuf, source: io::Error },
     #[error("cannot write the answer: {0}")]
     Output(#[from] io::Error),
+}
+
+/// The end of a message about a file that cannot be written: an instruction.
+fn remedy(source: &io::Error) -> &'static str {
+    match source.kind() {
+        io::ErrorKind::NotFound => "; make its folder first",
+        io::ErrorKind::IsADirectory => "; name a file, as there is a folder of this name",
+        io::ErrorKind::AlreadyExists | io::ErrorKind::NotADirectory => {
+            "; name another folder, as there is a file of this name"
+        }
+        io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+            "; name a folder in which files may be written"
+        }
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "; the disk is full",
+        _ => "",
+    }
 }
 
 /// The message for a number of frames that a step cannot have.

@@ -37,7 +37,7 @@ pub(crate) fn write(folder: &Path, step: Step<'_>, ids: &FileIds, list: &Contact
             _ => {}
         },
     }
-    let places = list.places(step);
+    let places = list.places();
     let arrays = [
         ("time", PointArray::Reals(&places.times)),
         ("normal", PointArray::Vectors(&places.normals)),

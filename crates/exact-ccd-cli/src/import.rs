@@ -7,6 +7,7 @@ use std::process::ExitCode;
 use exact_ccd_sim::scene::{Imported, SceneError, import};
 
 use crate::failure::Failure;
+use crate::inputs::check_file;
 use crate::output::{print, write_file};
 use crate::simulate::note;
 
@@ -34,6 +35,7 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    check_file(&arguments.scene, "a scene of IPC or of PolyFEM")?;
     let imported = import(&arguments.scene, arguments.meshes.as_deref()).map_err(SceneError::from)?;
     let Some(imported) = imported else {
         return Err(Failure::NotForeign(arguments.scene.clone()));

@@ -9,8 +9,10 @@ mod contacts;
 mod convert;
 mod distances;
 mod failure;
+mod half_spaces;
 mod impact_files;
 mod import;
+mod inputs;
 mod kind;
 mod method;
 mod min_distance;
@@ -39,7 +41,7 @@ use failure::Failure;
 
 /// Exact continuous collision detection: do moving triangles touch, and when first?
 #[derive(Parser)]
-#[command(version, max_term_width = 100)]
+#[command(name = "exact-ccd", version, max_term_width = 100)]
 struct Program {
     /// Number of threads [default: number of cores]
     #[arg(long, global = true, value_name = "N", value_parser = value_parser!(u16).range(1..=1024))]

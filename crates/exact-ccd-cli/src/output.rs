@@ -17,6 +17,26 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
         .or_else(Failure::unless_closed_pipe)
 }
 
+/// Checks that a file can be written in its folder, before it is computed.
+pub(crate) fn check_place(file: &Path) -> Result<(), Failure> {
+    let failed = |source| Failure::write(file, source);
+    if file.is_dir() {
+        return Err(failed(io::ErrorKind::IsADirectory.into()));
+    }
+    match file.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        Some(folder) => fs::metadata(folder).map(|_| ()).map_err(failed),
+        None => Ok(()),
+    }
+}
+
+/// Checks that no file is in the place of a folder, before its contents are computed.
+pub(crate) fn check_folder_place(folder: &Path) -> Result<(), Failure> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(Failure::write(folder, io::ErrorKind::NotADirectory.into()));
+    }
+    Ok(())
+}
+
 /// Makes a folder, with those around it.
 pub(crate) fn make_folder(folder: &Path) -> Result<(), Failure> {
     fs::create_dir_all(folder).map_err(|source| Failure::write(folder, source))

@@ -14,6 +14,7 @@ use rayon::prelude::*;
 
 use crate::answer_rows::AnswerRows;
 use crate::failure::Failure;
+use crate::inputs::check_file;
 use crate::kind::Kind;
 use crate::method::{Answer, Method};
 use crate::min_distance;
@@ -111,6 +112,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         progress::queries()
     };
     let (method, d) = (&arguments.method, arguments.min_distance);
+    query_files::check(&arguments.files, |file| {
+        check_file(file, "a query file, CSV or Parquet")
+    })?;
     let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
     method.check(kind, d)?;
     let tally = during(bar, |progress| match kind {

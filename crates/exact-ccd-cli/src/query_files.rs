@@ -1,7 +1,7 @@
 //! Query files, in rows or in columns, and queries on standard input.
 
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataError, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample,
@@ -20,6 +20,12 @@ pub(crate) type Records<K> = Box<dyn Iterator<Item = Result<Record<K>, Failure>>
 /// The meaning of the seventh column, which depends on `--roots`.
 pub(crate) fn seventh(roots: bool) -> Seventh {
     if roots { Seventh::Count } else { Seventh::Contact }
+}
+
+/// Checks all files but standard input.
+pub(crate) fn check(files: &[PathBuf], check: impl Fn(&Path) -> Result<(), Failure>) -> Result<(), Failure> {
+    let mut files = files.iter().filter(|file| !is_dash(file));
+    files.try_for_each(|file| check(file))
 }
 
 /// The queries in a file; - is standard input.

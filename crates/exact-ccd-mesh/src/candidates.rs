@@ -28,6 +28,9 @@ use crate::step::Step;
 /// The exact decisions are about contact, or about the [minimum
 /// distance](CandidateOptions::min_distance) of the options. Those of other methods are about contact.
 ///
+/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+/// [`crossings`](crate::crossings) finds such edges.
+///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
 /// mesh does not have are no contacts.
 ///
@@ -114,7 +117,7 @@ impl Candidates {
         &self.pairs.edge_edge
     }
 
-    /// Pairs of a loose vertex and a loose edge, sorted.
+    /// Pairs of a vertex and a loose edge that no pair of edges covers, sorted: see [`Pair`].
     #[must_use]
     pub fn vertex_edge(&self) -> &[[u32; 2]] {
         &self.pairs.vertex_edge

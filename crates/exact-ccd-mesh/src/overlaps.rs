@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex, environment};
 use rayon::prelude::*;
 
 use crate::aabb::{Aabb, meet};
@@ -65,15 +65,15 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     ) -> Self {
         let [x0, x1] = step.positions();
         let ends = x0.par_iter().zip(x1);
-        let bare: Vec<[Aabb; T]> = ends.map(|(&a, &b)| of_vertex(a, b)).collect();
+        let bare: Vec<[Aabb; T]> = ends.map(|(&a, &b)| of_vertex(a, b).map(whole)).collect();
         let faces = around(&bare, step.mesh().faces(), &margin);
         let edges = around(&bare, step.mesh().edges(), &margin);
         let vertices = inflated(bare, &margin);
         let mut boxes = StepBoxes::new(margin);
         boxes.place::<VertexFace>(&step, can_collide, 1.0);
         boxes.place::<EdgeEdge>(&step, can_collide, 1.0);
-        // Those of loose vertices, too.
         boxes.place::<VertexEdge>(&step, can_collide, 1.0);
+        boxes.place::<VertexVertex>(&step, can_collide, 1.0);
         Self {
             step,
             can_collide,
@@ -98,7 +98,7 @@ impl<'a, const T: usize> Overlaps<'a, T> {
         receiver: &impl Receive,
     ) -> ControlFlow<()> {
         let sink = |pairs: &[_]| receiver.receive::<K>(self.among::<K>(pairs));
-        self.boxes.pairs::<K>(broad_phase, &sink)
+        self.boxes.pairs::<K>(self.step.mesh(), broad_phase, None, &sink)
     }
 
     /// The pairs that can collide and whose boxes meet in double precision.
@@ -121,10 +121,20 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     /// The boxes of a set, by the indices of the primitives in the mesh.
     fn of_set(&self, set: PrimitiveSet) -> &[[Aabb; T]] {
         match set {
-            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices => &self.vertices,
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => &self.vertices,
             PrimitiveSet::Faces => &self.faces,
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => &self.edges,
         }
+    }
+}
+
+/// A union of boxes that lacks none of their points. Where comparisons read subnormal numbers as zero, the
+/// union may lack those.
+fn whole(union: Aabb) -> Aabb {
+    if environment::is_default() {
+        union
+    } else {
+        union.inflated(f64::MIN_POSITIVE)
     }
 }
 
@@ -137,7 +147,7 @@ fn around<const T: usize, const N: usize>(
     let around = |vertices: &[u32; N]| -> [Aabb; T] {
         core::array::from_fn(|time| {
             let boxes = vertices.iter().map(|&vertex| &bare[vertex as usize][time]);
-            boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb))
+            whole(boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb)))
         })
     };
     let primitives = primitives.par_iter();

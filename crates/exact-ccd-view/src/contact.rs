@@ -165,19 +165,20 @@ impl ShownContact {
         })
     }
 
-    /// A vertex that is not apart from the half space of this number, in the frame with this number; `None`
-    /// if the vertex has no position.
+    /// A vertex that is not apart from the half space of this number, at a time of the step from the frame with
+    /// this number; `None` if the vertex has no position.
     pub(crate) fn in_half_space(
-        frame: usize,
-        positions: &[Point],
+        (frame, time): (usize, f64),
+        positions: [&[Point]; 2],
         vertex: u32,
         number: u32,
         half_space: &ShownHalfSpace,
     ) -> Option<Self> {
-        let position = *positions.get(vertex as usize)?;
+        let [start, end] = positions.map(|positions| positions.get(vertex as usize).copied());
+        let position = mix(start?, end?, time);
         Some(Self {
             frame,
-            time: 0.0,
+            time,
             primitives: [
                 Primitive::new(Some(vertex), &[vertex]),
                 Primitive::half_space(number),

@@ -272,16 +272,28 @@ impl Page {
         Ok(())
     }
 
-    /// Adds a vertex that is not apart from the half space of this number in the last frame.
+    /// Adds a vertex that touches the half space of this number at a time of the step that leads to the last
+    /// frame; or without a time, one that is not apart from it in the last frame.
     ///
     /// # Errors
     /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchHalfSpace`] if the vertex is not of
     /// this mesh, or the half space not of this page.
-    pub fn add_half_space_contact(&mut self, vertex: u32, half_space: u32) -> Result<(), PageError> {
+    pub fn add_half_space_contact(
+        &mut self,
+        vertex: u32,
+        half_space: u32,
+        time: Option<f64>,
+    ) -> Result<(), PageError> {
         let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
+        let [before, last] = &self.last;
+        let (frame, start, time) = match time {
+            Some(time) if frame > 0 => (frame - 1, before, time),
+            _ => (frame, last, 0.0),
+        };
         let known = self.half_spaces.get(half_space as usize);
-        let shown = known
-            .and_then(|known| ShownContact::in_half_space(frame, &self.last[1], vertex, half_space, known));
+        let shown = known.and_then(|known| {
+            ShownContact::in_half_space((frame, time), [start, last], vertex, half_space, known)
+        });
         self.push(shown.ok_or(PageError::NoSuchHalfSpace { vertex, half_space })?);
         Ok(())
     }

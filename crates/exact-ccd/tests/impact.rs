@@ -306,3 +306,40 @@ fn no_contact_no_impact() {
     assert_eq!(query.impact(), None);
     assert_eq!(exact::impact(&query), None);
 }
+
+/// An end of one edge moves through the plane y = 0 along the other edge: its parameter is 0 or 1, and a zero
+/// has no sign.
+#[test]
+fn zeros_of_parameters_are_positive() {
+    let (a0, a1) = ([1.0, 0.0, -1.0], [1e-5, 0.0, 0.0]);
+    let (b0, b1) = ([0.1, 0.0, 0.1], [1e-5, -0.7, 0.0]);
+    let raised = |[x, y, z]: Point| [x, y, z + 0.25];
+    for flip in 0..8 {
+        let reflect = |[x, y, z]: Point| {
+            let sign = |bit: u8| if flip >> bit & 1 == 0 { 1.0 } else { -1.0 };
+            [sign(0) * x, sign(1) * y, sign(2) * z]
+        };
+        let start = [a0, a1, b0, b1].map(reflect);
+        let end = [raised(a0), raised(a1), b0, b1].map(reflect);
+        for order in [
+            [0, 1, 2, 3],
+            [1, 0, 2, 3],
+            [0, 1, 3, 2],
+            [2, 3, 0, 1],
+            [3, 2, 1, 0],
+        ] {
+            let [start, end] = [start, end].map(|points| order.map(|i: usize| points[i]));
+            let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
+            let is_end = |u: f64| u == 0.0 || u == 1.0;
+            assert!(
+                impact.parameters.into_iter().any(is_end),
+                "{flip} {order:?} {impact:?}"
+            );
+            let is_positive = |u: f64| u.is_sign_positive();
+            assert!(
+                impact.parameters.into_iter().all(is_positive),
+                "{flip} {order:?} {impact:?}"
+            );
+        }
+    }
+}

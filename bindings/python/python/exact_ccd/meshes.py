@@ -82,7 +82,8 @@ class FreeStep(NamedTuple):
 class Mesh:
     """The connectivity of a triangle mesh, with rods and points, and the pairs that can collide.
 
-    Primitives that share a vertex always touch, and are never examined.
+    Primitives that share a vertex always touch, and are never examined; `docs/pairs.md` of the repository
+    lists all pairs that are never a contact.
 
     Parameters
     ----------
@@ -258,9 +259,9 @@ class Detector:
     def free_step(self, x0: ArrayLike, x1: ArrayLike, keep: float = 0.9) -> FreeStep:
         """Return a step towards `x1` that is certified to be free of contact.
 
-        Its size is `keep` times the time of impact, above 0 and at most 1. The positions there are
-        rounded, and the step to the rounded positions is decided exactly; if it is not free, the size is
-        reduced by units in its last place until it is.
+        Its size is 1 if the full step is free, otherwise the time of impact times `keep`, a number above 0
+        and at most 1. The positions there are rounded, and the step to the rounded positions is decided
+        exactly; if it is not free, the size is reduced by units in its last place until it is, or is 0.
         """
         size, positions, contact, touching = self._native.free_step(*self._ends(x0, x1), keep)
         return FreeStep(size, positions, first(contact), PairCounts(*touching))

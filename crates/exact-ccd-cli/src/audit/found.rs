@@ -66,7 +66,7 @@ pub(super) fn record(moved: &Moved<'_>, violation: &Violation) -> ContactRecord 
     let mesh = &moved.last.mesh;
     match violation {
         Violation::Intersection { frame, intersection } => {
-            ContactRecord::of_intersection(mesh, *intersection).in_frame(*frame)
+            ContactRecord::of_intersection(mesh, &moved.last.positions, *intersection).in_frame(*frame)
         }
         Violation::Contact { frame, contact } => {
             let positions = [moved.start, &moved.last.positions];

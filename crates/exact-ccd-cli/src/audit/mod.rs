@@ -2,7 +2,6 @@
 
 mod every;
 mod found;
-mod half_spaces;
 mod report;
 
 use std::path::PathBuf;
@@ -11,21 +10,20 @@ use std::time::{Duration, Instant};
 
 use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
-use exact_ccd_sim::HalfSpace;
 
 use crate::contacts::{ContactList, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::half_spaces::HalfSpaceOption;
 use crate::impact_files;
 use crate::min_distance;
 use crate::notes::Notes;
-use crate::output::print;
+use crate::output::{check_folder_place, check_place, print};
 use crate::progress::{self, during};
 use crate::scene::{Scene, SceneOptions, note_split_vertices};
 use crate::view::View;
 use every::EveryViolation;
 use found::{Found, Moved, record};
-use half_spaces::{HalfSpaceArgument, HalfSpaces};
 use report::{Report, Seconds, Totals};
 
 /// Does a mesh touch itself in a sequence of frames?
@@ -59,10 +57,8 @@ pub(crate) struct Arguments {
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
     #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
     min_distance: Separation,
-    /// A half space that no vertex of a part that moves may touch, nor come within the minimum distance
-    /// of; may be repeated: a point of its boundary, then its outward normal, of any length.
-    #[arg(long, value_name = "X,Y,Z,NX,NY,NZ", allow_hyphen_values = true)]
-    half_space: Vec<HalfSpaceArgument>,
+    #[command(flatten)]
+    half_spaces: HalfSpaceOption,
     /// Go on after the first violation: examine every frame at rest and every step, and list all
     /// intersections and contacts in a file that ends in .csv, .jsonl (JSON lines) or .parquet.
     /// docs/reports.md has its columns.
@@ -102,6 +98,7 @@ impl Examination {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    arguments.check_outputs()?;
     let clock = Instant::now();
     let mut notes = Notes::default();
     let mut scene = Scene::of_sequence(
@@ -110,24 +107,24 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         &arguments.scene,
         &mut notes,
     )?;
-    scene.check_contents(arguments.min_distance != Separation::default())?;
-    let mut read = clock.elapsed();
-    let planes: Vec<HalfSpace> = arguments.half_space.iter().map(|given| given.0.clone()).collect();
-    let mut recording = arguments.view.recording(&arguments.frames, &scene, &planes);
+    scene.check_contents(
+        arguments.min_distance != Separation::default() || arguments.half_spaces.is_given(),
+    )?;
+    let (mut read, mut write) = (clock.elapsed(), Duration::ZERO);
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
-    let half_spaces = HalfSpaces {
-        half_spaces: &arguments.half_space,
-        min_distance: arguments.min_distance,
-        vertices: scene.moving_vertices(),
-    };
+    let vertices = scene.moving_vertices();
+    let half_spaces = arguments
+        .half_spaces
+        .around(vertices, arguments.min_distance, None);
+    let mut recording = arguments
+        .view
+        .recording(&arguments.frames, &scene, half_spaces.all());
     let (count, mut examined) = (scene.frame_count(), 0);
     during(progress::frames(count), |progress| {
         for index in 0..count {
-            let start = Instant::now();
-            let frame = scene.read(index)?;
-            read += start.elapsed();
-            recording.add(&scene.frame_name(index), &frame)?;
+            let frame = timed(&mut read, || scene.read(index))?;
+            timed(&mut write, || recording.add(&scene.frame_name(index), &frame))?;
             let before = examination.last().map(|last| last.positions.clone());
             let violations = examination
                 .examine(frame)
@@ -136,22 +133,26 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let Some(last) = examination.last() else {
                 continue;
             };
-            for violation in &violations {
-                recording.violation(violation)?;
-            }
-            if index == 0 && !violations.is_empty() {
-                note_at_rest(last, &violations, &arguments.scene, &mut notes);
-            }
+            timed(&mut write, || {
+                violations
+                    .iter()
+                    .try_for_each(|violation| recording.violation(violation))
+            })?;
             let start = before.as_ref().unwrap_or(&last.positions);
             let moved = Moved { index, start, last };
             let mut records: Vec<_> = violations
                 .iter()
                 .map(|violation| record(&moved, violation))
                 .collect();
-            for (number, vertex) in half_spaces.touching(last) {
-                recording.half_space_contact(vertex, number)?;
-                records.push(half_spaces.record(index, last, number, vertex));
+            if let Some(first) = records.first().filter(|_| index == 0) {
+                note_split_vertices(first, &[&last.positions], &arguments.scene, &mut notes);
             }
+            let in_half_spaces = half_spaces.touching(index, last);
+            timed(&mut write, || {
+                let mut found = in_half_spaces.iter().filter_map(ContactRecord::in_half_space);
+                found.try_for_each(|(vertex, number)| recording.half_space_contact(vertex, number))
+            })?;
+            records.extend(in_half_spaces);
             let records: Vec<_> = records
                 .into_iter()
                 .map(|record| record.in_file(scene.ids()))
@@ -160,7 +161,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 progress(1);
                 continue;
             }
-            found.add(&scene, &moved, records, arguments.out.as_deref())?;
+            timed(&mut write, || {
+                found.add(&scene, &moved, records, arguments.out.as_deref())
+            })?;
             if arguments.all.is_none() {
                 break;
             }
@@ -168,18 +171,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
         Ok::<_, Failure>(())
     })?;
-    let total = clock.elapsed();
-    if let Some(file) = &arguments.all {
-        found.list.write(file)?;
-    }
-    if let (Some(folder), Some(last)) = (&arguments.out, examination.last())
-        && found.first.is_none()
-    {
-        let rest = Step::new(&last.mesh, &last.positions, &last.positions)?;
-        impact_files::write(folder, rest, scene.ids(), &ContactList::default())?;
-    }
-    let seconds = |duration: Duration| duration.as_secs_f64();
-    let report = Report {
+    let mut report = Report {
         summary: scene.summary(),
         notes,
         distances: Distances::new(arguments.min_distance, None),
@@ -187,24 +179,57 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         frames: count,
         examined,
         violations: arguments.all.is_some().then(|| Totals::of(&found.list)),
-        violation: found.first,
-        seconds: Seconds {
-            read: seconds(read),
-            examine: seconds(total - read),
-            total: seconds(total),
-        },
+        violation: found.first.clone(),
+        seconds: Seconds::default(),
     };
+    timed(&mut write, || {
+        arguments.write(&scene, &found, examination.last())?;
+        recording.finish(&report.verdict(), &report.to_string())
+    })?;
+    let write = arguments.has_files().then_some(write);
+    report.seconds = Seconds::new(read, write, clock.elapsed());
     let text = if arguments.json {
         report.to_json()
     } else {
         report.to_string()
     };
     print(&text)?;
-    recording.finish(&report.verdict(), &report.to_string())?;
     Ok(ExitCode::from(u8::from(!report.collision_free)))
 }
 
+/// Runs `work`, and adds its duration to a sum.
+fn timed<T>(sum: &mut Duration, work: impl FnOnce() -> T) -> T {
+    let clock = Instant::now();
+    let result = work();
+    *sum += clock.elapsed();
+    result
+}
+
 impl Arguments {
+    fn has_files(&self) -> bool {
+        self.all.is_some() || self.out.is_some() || self.view.file().is_some()
+    }
+
+    /// Checks the places of the files before anything is computed.
+    fn check_outputs(&self) -> Result<(), Failure> {
+        let list = self.all.iter().map(ListFile::path);
+        list.chain(self.view.file()).try_for_each(check_place)?;
+        self.out.as_deref().map_or(Ok(()), check_folder_place)
+    }
+
+    /// Writes the list of violations, and the files for ParaView if there is no violation: those of the first
+    /// one are written when it is found.
+    fn write(&self, scene: &Scene, found: &Found, last: Option<&Frame>) -> Result<(), Failure> {
+        if let Some(file) = &self.all {
+            found.list.write(file)?;
+        }
+        if let (Some(folder), Some(last), None) = (&self.out, last, &found.first) {
+            let rest = Step::new(&last.mesh, &last.positions, &last.positions)?;
+            impact_files::write(folder, rest, scene.ids(), &ContactList::default())?;
+        }
+        Ok(())
+    }
+
     fn examination(&self, scene: &Scene) -> Examination {
         let min_distance = kept(self.min_distance, None);
         if self.all.is_some() {
@@ -216,23 +241,4 @@ impl Arguments {
             Examination::First(Box::new(audit.with_can_collide(scene.can_collide())))
         }
     }
-}
-
-/// Adds a note, if all that touches in the first frame are split vertices.
-fn note_at_rest(frame: &Frame, violations: &[Violation], options: &SceneOptions, notes: &mut Notes) {
-    let (mut contacts, mut intersections) = (Vec::new(), Vec::new());
-    for violation in violations {
-        match violation {
-            Violation::Intersection { intersection, .. } => intersections.push(*intersection),
-            Violation::Contact { contact, .. } => contacts.push(*contact),
-        }
-    }
-    note_split_vertices(
-        &frame.mesh,
-        &frame.positions,
-        &contacts,
-        &intersections,
-        options,
-        notes,
-    );
 }

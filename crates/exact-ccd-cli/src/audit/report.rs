@@ -1,6 +1,7 @@
 //! The output of `exact-ccd audit`.
 
 use std::fmt;
+use std::time::Duration;
 
 use serde::Serialize;
 
@@ -39,7 +40,7 @@ pub(super) struct Totals {
 }
 
 /// The first violation, and the files of the frames to which it belongs.
-#[derive(Serialize)]
+#[derive(Clone, Serialize)]
 pub(super) struct ReportedViolation {
     frame: usize,
     file: String,
@@ -48,12 +49,28 @@ pub(super) struct ReportedViolation {
     contact: ContactRecord,
 }
 
-/// The durations.
-#[derive(Serialize)]
+/// The durations of the phases, in s, and their sum. Without files to write, that of writing is absent.
+#[derive(Default, Serialize)]
 pub(super) struct Seconds {
-    pub(super) read: f64,
-    pub(super) examine: f64,
-    pub(super) total: f64,
+    read: f64,
+    examine: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    write: Option<f64>,
+    total: f64,
+}
+
+impl Seconds {
+    /// The examination is all that is neither reading nor writing.
+    pub(super) fn new(read: Duration, write: Option<Duration>, total: Duration) -> Self {
+        let examine = total.saturating_sub(read + write.unwrap_or_default());
+        let seconds = |duration: Duration| duration.as_secs_f64();
+        Self {
+            read: seconds(read),
+            examine: seconds(examine),
+            write: write.map(seconds),
+            total: seconds(total),
+        }
+    }
 }
 
 impl Report {
@@ -110,12 +127,18 @@ impl fmt::Display for Report {
                 "violations: {count}, in {frames} of the frames or in the steps after them"
             )?;
         }
-        let Seconds { read, examine, total } = self.seconds;
+        let Seconds {
+            read,
+            examine,
+            write,
+            total,
+        } = self.seconds;
         writeln!(f, "frames: {} of {} examined", self.examined, self.frames)?;
-        write!(
-            f,
-            "seconds: {read:.3} reading, {examine:.3} examining, {total:.3} in total"
-        )
+        write!(f, "seconds: {read:.3} reading, {examine:.3} examining, ")?;
+        if let Some(write) = write {
+            write!(f, "{write:.3} writing, ")?;
+        }
+        write!(f, "{total:.3} in total")
     }
 }
 
@@ -129,10 +152,7 @@ impl fmt::Display for ReportedViolation {
         } = self;
         match next {
             _ if contact.is_intersection() => {
-                return write!(
-                    f,
-                    "intersection in frame {frame} ({file}): {contact}; ids count from 0"
-                );
+                write!(f, "intersection in frame {frame} ({file}): {contact}")?;
             }
             None => write!(f, "contact in frame {frame} ({file}): {contact}")?,
             Some(next) => {

@@ -1,7 +1,7 @@
 //! Lists of all contacts, in files.
 
 use std::io::{self, BufWriter, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::cells::{COLUMNS, row};
@@ -22,6 +22,12 @@ enum Format {
     Csv,
     JsonLines,
     Parquet,
+}
+
+impl ListFile {
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
 }
 
 impl FromStr for ListFile {

@@ -7,4 +7,4 @@ mod places;
 mod record;
 
 pub(crate) use list::{ContactList, ListFile};
-pub(crate) use record::ContactRecord;
+pub(crate) use record::{ContactRecord, HalfSpaceContact};

@@ -1,7 +1,6 @@
 //! Contacts as points with data.
 
 use exact_ccd::Point;
-use exact_ccd_mesh::Step;
 
 use super::list::ContactList;
 
@@ -19,22 +18,11 @@ pub(crate) struct Places {
 }
 
 impl ContactList {
-    /// The points of the contacts in a step. An intersection is at the middle of its edge.
-    pub(crate) fn places(&self, step: Step<'_>) -> Places {
-        let [x0, _] = step.positions();
+    /// The points of the contacts.
+    pub(crate) fn places(&self) -> Places {
         let mut places = Places::default();
         for record in &self.0 {
-            let [first, _] = &record.mesh_vertices;
-            let count = first.len() as f64;
-            let middle = |axis: usize| {
-                first
-                    .iter()
-                    .map(|&vertex| x0[vertex as usize][axis] / count)
-                    .sum()
-            };
-            places
-                .points
-                .push(record.point.unwrap_or_else(|| [0, 1, 2].map(middle)));
+            places.points.push(record.point.unwrap_or_default());
             places.times.push(record.time.lower);
             places.normals.push(record.normal.unwrap_or_default());
             places.kinds.push(record.kind as i64);

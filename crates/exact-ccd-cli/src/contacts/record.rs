@@ -1,8 +1,9 @@
 //! One contact or intersection, as reports have it.
 
+use std::cmp::Ordering;
 use std::fmt;
 
-use exact_ccd::Point;
+use exact_ccd::{Point, Query, VertexFace};
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
 use serde::Serialize;
@@ -27,7 +28,7 @@ pub(crate) struct ContactRecord {
     pub(super) mesh_vertices: [Vec<u32>; 2],
     /// Bounds of the first time of contact.
     pub(super) time: TimeBounds,
-    /// The place on the first primitive; none for an intersection.
+    /// The place on the first primitive.
     pub(super) point: Option<Point>,
     pub(super) normal: Option<Point>,
     pub(super) parameters: Option<[f64; 2]>,
@@ -46,6 +47,21 @@ pub(crate) enum RecordKind {
     Vv,
     Ef,
     Vh,
+}
+
+/// A vertex that touches a half space.
+pub(crate) struct HalfSpaceContact {
+    pub(crate) vertex: u32,
+    /// The number of the half space.
+    pub(crate) half_space: u32,
+    /// The adjacent f64 between which the first time lies, or the same one twice.
+    pub(crate) time: [f64; 2],
+    /// The place of the vertex then.
+    pub(crate) point: Point,
+    /// The unit normal of the half space.
+    pub(crate) normal: Point,
+    /// Bounds of the distance then.
+    pub(crate) distance: [f64; 2],
 }
 
 /// The adjacent f64 between which a time lies, or the same one twice.
@@ -100,10 +116,9 @@ impl ContactRecord {
                 lower: impact.time.lower(),
                 upper: impact.time.upper(),
             },
-            point: points.map(|[point, _]| point),
-            // Without the sign of a zero, which means nothing here.
-            normal: impact.normal.map(|normal| normal.map(|x| x + 0.0)),
-            parameters: Some(impact.parameters),
+            point: points.map(|[point, _]| point.map(unsigned_zero)),
+            normal: impact.normal.map(|normal| normal.map(unsigned_zero)),
+            parameters: Some(impact.parameters.map(unsigned_zero)),
             distance: contact.distance.into(),
             vertices: [first.to_vec(), second.to_vec()],
             mesh_vertices: [first.to_vec(), second.to_vec()],
@@ -111,12 +126,18 @@ impl ContactRecord {
     }
 
     /// An edge that meets a face at rest.
-    pub(crate) fn of_intersection(mesh: &TriangleMesh, intersection: Intersection) -> Self {
+    pub(crate) fn of_intersection(
+        mesh: &TriangleMesh,
+        positions: &[Point],
+        intersection: Intersection,
+    ) -> Self {
         let Intersection { edge, face } = intersection;
         let vertices = [
             mesh.edges()[edge as usize].to_vec(),
             mesh.faces()[face as usize].to_vec(),
         ];
+        let ends = mesh.edges()[edge as usize].map(|vertex| positions[vertex as usize]);
+        let corners = mesh.faces()[face as usize].map(|vertex| positions[vertex as usize]);
         Self {
             frame: None,
             kind: RecordKind::Ef,
@@ -127,28 +148,46 @@ impl ContactRecord {
                 lower: 0.0,
                 upper: 0.0,
             },
-            point: None,
+            point: first_common_point(ends, corners).map(|point| point.map(unsigned_zero)),
             normal: None,
             parameters: None,
             distance: Reached::default(),
         }
     }
 
-    /// A vertex at rest that is at most `d` outside of a half space.
-    pub(crate) fn of_half_space(vertex: u32, position: Point, number: u32, normal: Point, d: f64) -> Self {
-        let (lower, upper) = (0.0, 0.0);
+    /// A vertex that touches a half space.
+    pub(crate) fn of_half_space(contact: HalfSpaceContact) -> Self {
+        let vertex = contact.vertex;
+        let ([lower, upper], [least, most]) = (contact.time, contact.distance);
         Self {
             frame: None,
             kind: RecordKind::Vh,
-            ids: [Some(vertex), Some(number)],
+            ids: [Some(vertex), Some(contact.half_space)],
             mesh_vertices: [vec![vertex], Vec::new()],
             vertices: [vec![vertex], Vec::new()],
             time: TimeBounds { lower, upper },
-            point: Some(position),
-            normal: Some(normal),
+            point: Some(contact.point.map(unsigned_zero)),
+            normal: Some(contact.normal.map(unsigned_zero)),
             parameters: None,
-            distance: Reached { lower, upper: d },
+            distance: Reached {
+                lower: least,
+                upper: most,
+            },
         }
+    }
+
+    /// The vertex in the mesh and the number of the half space, if it is one of these two.
+    pub(crate) fn in_half_space(&self) -> Option<(u32, u32)> {
+        let is_such = self.kind == RecordKind::Vh;
+        let vertex = self.mesh_vertices[0].first();
+        vertex.copied().zip(self.ids[1]).filter(|_| is_such)
+    }
+
+    /// The order of the first times. Times between the same two adjacent f64 are equal.
+    pub(crate) fn compare_times(&self, other: &Self) -> Ordering {
+        let [a, b] = [self.time, other.time];
+        let lower = a.lower.total_cmp(&b.lower);
+        lower.then(a.upper.total_cmp(&b.upper))
     }
 
     /// The same record with the ids of the file in place of those of the mesh. Edges have no ids in files.
@@ -183,12 +222,18 @@ impl ContactRecord {
         self.time.lower
     }
 
+    /// Returns true if the primitives have vertices that are in the same place in all of these frames.
+    pub(crate) fn has_common_place(&self, frames: &[&[Point]]) -> bool {
+        let [first, second] = &self.mesh_vertices;
+        let coincide = |v: u32, w: u32| frames.iter().all(|frame| frame[v as usize] == frame[w as usize]);
+        first.iter().any(|&v| second.iter().any(|&w| coincide(v, w)))
+    }
+
     pub(crate) fn is_intersection(&self) -> bool {
         self.kind == RecordKind::Ef
     }
 
-    /// The place of the contact, its normal and its parameters, as a line of text; empty for an
-    /// intersection.
+    /// The place of the contact, its normal and its parameters, as a line of text.
     pub(crate) fn place(&self) -> String {
         let [Some(point), normal] = [self.point, self.normal] else {
             return String::new();
@@ -210,6 +255,20 @@ impl ContactRecord {
         }
         text + "; ids count from 0\n"
     }
+}
+
+/// A number without the sign of a zero, which means nothing in a place or a direction.
+fn unsigned_zero(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x }
+}
+
+/// The first point of an edge, from its first end on, that a face contains, rounded: the place of a vertex
+/// that moves along the edge, at its time of impact. `None` if they do not meet.
+fn first_common_point([start, end]: [Point; 2], [a, b, c]: [Point; 3]) -> Option<Point> {
+    let [from, to] = [[start, a, b, c], [end, a, b, c]];
+    let impact = Query::<VertexFace>::new(from, to).ok()?.impact()?;
+    let points = contact_points([&[0], &[1, 2, 3]], [&from, &to], &impact);
+    points.map(|[point, _]| point)
 }
 
 /// The two primitives, with their vertices.

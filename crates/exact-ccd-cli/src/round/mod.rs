@@ -15,8 +15,10 @@ use exact_ccd::{Axis, EdgeEdge, VertexFace};
 use exact_ccd_mesh::Aabb;
 
 use crate::failure::Failure;
+use crate::inputs::check_file;
 use crate::output::{print, write_file};
 use crate::progress::{self, during};
+use crate::query_files;
 
 /// Queries or meshes shifted and rounded, so that differences of coordinates are exact
 ///
@@ -74,6 +76,9 @@ enum Kind {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    query_files::check(&arguments.inputs, |input| {
+        check_file(input, "a mesh file, or a query file with --kind")
+    })?;
     let report = during(progress::stage("rounding"), |_| match arguments.kind {
         None => meshes::round(arguments),
         Some(Kind::Vf) => queries::round::<VertexFace>(arguments),

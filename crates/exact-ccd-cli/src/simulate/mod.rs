@@ -30,6 +30,7 @@ use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{Simulation, SimulationError, System};
 
 use crate::failure::Failure;
+use crate::inputs::check_file;
 use crate::output::print;
 use crate::progress::{self, during};
 use crate::view::View;
@@ -134,6 +135,7 @@ fn ccd_help() -> String {
 /// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
 /// Ctrl-C can be handled.
 pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
+    check_file(&arguments.scene, "a scene in TOML, or one of IPC or of PolyFEM")?;
     if let Some(name) = &arguments.ccd {
         filters::check(name)?;
     }
@@ -168,7 +170,11 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         print(&scene_line)?;
     }
     if simulation.state().step == 0 {
-        simulation.warnings().iter().for_each(|warning| warn(warning));
+        let system = simulation.system();
+        let warnings = simulation.warnings();
+        warnings
+            .iter()
+            .for_each(|warning| warn(&warning.with_names(system)));
     }
     let text_of_page = format!(
         "{}\n{}",

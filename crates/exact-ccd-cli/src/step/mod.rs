@@ -6,7 +6,6 @@ mod text;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 
 use clap::value_parser;
 use exact_ccd::separation::Separation;
@@ -19,28 +18,31 @@ use exact_ccd_mesh::{
 use crate::contacts::{ContactList, ContactRecord, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
+use crate::half_spaces::{HalfSpaceCounts, HalfSpaceOption, HalfSpaces};
 use crate::impact_files;
 use crate::min_distance;
 use crate::notes::Notes;
-use crate::output::print;
+use crate::output::{check_folder_place, check_place, print};
 use crate::progress::{self, during};
 use crate::scene::{Scene, SceneOptions, note_split_vertices};
 use crate::timed::Timed;
-use crate::view::View;
+use crate::view::{ShownStep, View};
 use report::{Answer, Output, Report, Start};
-use seconds::Seconds;
+use seconds::{Laps, Phases};
 
 /// Is the step from one mesh to another free of contact?
 ///
 /// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to
 /// where it is in END at t = 1. Contact is a common point of a vertex and a face, or of two edges,
-/// that have no vertex in common. Vertices and edges without a face take part too.
+/// that have no vertex in common. Vertices and edges without a face take part too: loose vertices, of
+/// no edge, are compared with loose edges and with each other.
 ///
 /// A mesh that passes through itself at t = 0 is reported as well: the first pair of an edge and a
 /// face that meet.
 ///
-/// With --min-distance D, primitives at most D apart are in contact. The pairs are then those above,
-/// and loose vertices against loose edges and against each other.
+/// With --min-distance D, primitives at most D apart are in contact. The pairs are the same.
+///
+/// With --half-space, a vertex is in contact with a half space when it is in it, or at most D outside.
 ///
 /// The time of impact is the earliest contact time, rounded down to f64: until then the step is
 /// free of contact for certain. All ids count from 0. Exit status: 0 free, 1 contact or intersection
@@ -78,6 +80,8 @@ pub(crate) struct Arguments {
         allow_hyphen_values = true
     )]
     inner_distance: Option<Separation>,
+    #[command(flatten)]
+    half_spaces: HalfSpaceOption,
     /// List the intersections at t = 0 and all contacts of the step, sorted by time, in a file that
     /// ends in .csv, .jsonl (JSON lines) or .parquet. docs/reports.md has its columns.
     #[arg(long, value_name = "FILE")]
@@ -99,56 +103,76 @@ pub(crate) struct Arguments {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    let clock = Instant::now();
+    arguments.check_outputs()?;
+    let (mut clock, mut phases) = (Laps::begin(), Phases::default());
     let mut notes = Notes::default();
     let (scene, motion) = during(progress::stage("reading"), |_| arguments.read(&mut notes))?;
-    let read = clock.elapsed();
+    let Arguments {
+        min_distance,
+        inner_distance,
+        ..
+    } = *arguments;
     let problem = Problem {
         can_collide: scene.can_collide(),
-        distance: kept(arguments.min_distance, arguments.inner_distance),
+        distance: kept(min_distance, inner_distance),
+        half_spaces: arguments
+            .half_spaces
+            .around(scene.moving_vertices(), min_distance, inner_distance),
         broad_phase: Timed::new(Bvh),
         ids: scene.ids().clone(),
         motion,
     };
-
-    let clock = Instant::now();
-    let start = arguments.start(&problem)?;
-    let start_check = clock.elapsed();
-
     let mut detector = problem.detector()?;
-    let mut answers = (0..arguments.repeat)
-        .map(|_| arguments.answer(&problem, &mut detector, [read, start_check]))
-        .collect::<Result<Vec<Answer>, Failure>>()?;
-    answers.sort_by(|a, b| a.seconds().total_cmp(&b.seconds()));
-    let answer = answers.swap_remove(answers.len() / 2);
+    phases.read = clock.lap();
 
-    let Motion { mesh, x0, x1 } = &problem.motion;
-    if answer.may_touch_at_start() || !start.is_empty() {
-        let touching = detector.contacts(x0, x1, 0.0)?;
-        note_split_vertices(mesh, x0, &touching, &start, &arguments.scene, &mut notes);
+    let start = arguments.start(&problem)?;
+    phases.start = clock.lap();
+
+    let in_half_spaces = problem.in_half_spaces();
+    phases.half_spaces = in_half_spaces.as_ref().map(|_| clock.lap());
+    let (in_half_spaces, half_space_counts) = in_half_spaces.unzip();
+    let in_half_spaces = in_half_spaces.unwrap_or_default();
+
+    let mut runs = Vec::new();
+    for _ in 0..arguments.repeat {
+        let answer = arguments.answer(&problem, &in_half_spaces, &mut detector)?;
+        runs.push((clock.lap(), problem.broad_phase.take_time_in_sinks(), answer));
     }
-    let output = Output {
+    runs.sort_by_key(|(duration, ..)| *duration);
+    let (search, narrow, answer) = runs.swap_remove(runs.len() / 2);
+    (phases.search, phases.narrow) = (search, narrow);
+
+    let checked = (!arguments.no_start_check).then(|| Start::new(&problem.motion, &problem.ids, &start));
+    let crossing = checked.as_ref().and_then(|start| start.first.as_ref());
+    if let Some(first) = crossing.or(answer.contact().filter(|contact| contact.toi() == 0.0)) {
+        let Motion { x0, x1, .. } = &problem.motion;
+        note_split_vertices(first, &[x0, x1], &arguments.scene, &mut notes);
+    }
+    let mut output = Output {
         summary: scene.summary(),
         notes,
-        distances: Distances::new(arguments.min_distance, arguments.inner_distance),
+        distances: Distances::new(min_distance, inner_distance),
         collision_free: answer.is_free() && start.is_empty(),
-        start: (!arguments.no_start_check).then(|| Start::new(mesh, &problem.ids, &start)),
+        start: checked,
         answer,
+        half_spaces: half_space_counts,
+        seconds: phases.into(),
     };
-    let text = if arguments.json {
+    if arguments.has_files() {
+        let contacts = during(progress::stage("listing all contacts"), |_| {
+            let Motion { x0, x1, .. } = &problem.motion;
+            detector.contacts(x0, x1, 1.0)
+        })?;
+        phases.list = Some(clock.lap());
+        arguments.write((&scene, &problem), &start, &contacts, in_half_spaces, &output)?;
+        phases.write = Some(clock.lap());
+        output.seconds = phases.into();
+    }
+    print(&if arguments.json {
         output.to_json()
     } else {
         output.to_string()
-    };
-    print(&text)?;
-    arguments.write_contacts(&problem, &start, &mut detector)?;
-    arguments.view.step(
-        &arguments.files,
-        (&scene, &problem.motion),
-        &start,
-        &mut detector,
-        (&output.verdict(), &output.to_string()),
-    )?;
+    })?;
     Ok(ExitCode::from(u8::from(!output.collision_free)))
 }
 
@@ -158,6 +182,7 @@ struct Problem {
     ids: FileIds,
     can_collide: CanCollide,
     distance: MinDistance,
+    half_spaces: HalfSpaces,
     broad_phase: Timed<Bvh>,
 }
 
@@ -167,15 +192,42 @@ impl Problem {
         let detector = detector.with_can_collide(self.can_collide.clone());
         Ok(detector.with_min_distance(self.distance.clone())?)
     }
+
+    /// The contacts with half spaces, if there are half spaces, and their numbers.
+    fn in_half_spaces(&self) -> Option<(Vec<ContactRecord>, HalfSpaceCounts)> {
+        if self.half_spaces.is_empty() {
+            return None;
+        }
+        let (records, counts) = self.half_spaces.in_step(&self.motion);
+        let records = records.into_iter().map(|record| record.in_file(&self.ids));
+        Some((records.collect(), counts))
+    }
+
+    fn record(&self, contact: &Contact) -> ContactRecord {
+        let Motion { mesh, x0, x1 } = &self.motion;
+        ContactRecord::of_contact(mesh, [x0, x1], contact).in_file(&self.ids)
+    }
 }
 
 impl Arguments {
     fn read(&self, notes: &mut Notes) -> Result<(Scene, Motion), Failure> {
         let mut scene = Scene::of_pairs(&self.files, &self.scene, notes)?;
-        scene.check_contents(self.min_distance != Separation::default())?;
+        scene.check_contents(self.min_distance != Separation::default() || self.half_spaces.is_given())?;
         let (start, end) = (scene.read(0)?, scene.read(1)?);
         let motion = Motion::new(start, end).map_err(|error| scene.mismatch(1, error))?;
         Ok((scene, motion))
+    }
+
+    /// Returns true if all contacts are written to files.
+    fn has_files(&self) -> bool {
+        self.all.is_some() || self.out.is_some() || self.view.file().is_some()
+    }
+
+    /// Checks the places of the files before anything is computed.
+    fn check_outputs(&self) -> Result<(), Failure> {
+        let list = self.all.iter().map(ListFile::path);
+        list.chain(self.view.file()).try_for_each(check_place)?;
+        self.out.as_deref().map_or(Ok(()), check_folder_place)
     }
 
     /// The intersections at the start, unless they are not searched for.
@@ -189,66 +241,74 @@ impl Arguments {
         Ok(found.map_err(StepError::from)?)
     }
 
+    /// The answer, from the contacts of the mesh and those with half spaces, the earliest first.
     fn answer(
         &self,
         problem: &Problem,
+        in_half_spaces: &[ContactRecord],
         detector: &mut Detector<&Timed<Bvh>>,
-        [read, start]: [Duration; 2],
     ) -> Result<Answer, Failure> {
-        let Problem {
-            motion,
-            ids,
-            broad_phase,
-            ..
-        } = problem;
-        let Motion { x0, x1, .. } = motion;
-        let clock = Instant::now();
-        let seconds = || Seconds::new(read, start, clock.elapsed(), broad_phase.take_time_in_sinks());
+        let Motion { x0, x1, .. } = &problem.motion;
         let stage = progress::stage("searching for contact");
-        Ok(if self.any {
-            let is_free = during(stage, |_| detector.is_free(x0, x1))?;
-            Answer::free(is_free, seconds())
+        let (earliest, report) = if self.any {
+            let is_free = during(stage, |_| detector.is_free(x0, x1))? && in_half_spaces.is_empty();
+            return Ok(Answer::Free { is_free });
         } else if self.toi {
-            let earliest = during(stage, |_| detector.earliest_contact(x0, x1))?;
-            Answer::Report(Box::new(Report::earliest(motion, ids, earliest, seconds())))
+            (during(stage, |_| detector.earliest_contact(x0, x1))?, None)
         } else {
             let options = CandidateOptions::default()
                 .with_min_distance(problem.distance.clone())
                 .with_can_collide(problem.can_collide.clone());
             let report = during(progress::pairs(), |progress| {
-                StepReport::with_options(motion.step()?, broad_phase, &options, progress)
-                    .map_err(Failure::from)
+                let step = problem.motion.step()?;
+                let report = StepReport::with_options(step, &problem.broad_phase, &options, progress);
+                report.map_err(Failure::from)
             })?;
-            Answer::Report(Box::new(Report::new(motion, ids, &report, seconds())))
-        })
+            (report.earliest, Some(report))
+        };
+        let record = earliest.map(|contact| problem.record(&contact));
+        // Of contacts at the same time, those of the mesh are first.
+        let first = record.into_iter().chain(in_half_spaces.first().cloned());
+        let first = first.min_by(ContactRecord::compare_times);
+        Ok(Answer::Report(Box::new(Report::new(first, report.as_ref()))))
     }
 
     /// Writes the files that have all contacts.
-    fn write_contacts(
+    fn write(
         &self,
-        problem: &Problem,
+        (scene, problem): (&Scene, &Problem),
         start: &[Intersection],
-        detector: &mut Detector<&Timed<Bvh>>,
+        contacts: &[Contact],
+        in_half_spaces: Vec<ContactRecord>,
+        output: &Output,
     ) -> Result<(), Failure> {
-        if self.all.is_none() && self.out.is_none() {
-            return Ok(());
-        }
         let Problem { motion, ids, .. } = problem;
-        let Motion { mesh, x0, x1 } = motion;
-        let contacts: Vec<Contact> = detector.contacts(x0, x1, 1.0)?;
-        let at_start = start
-            .iter()
-            .map(|&found| ContactRecord::of_intersection(mesh, found).in_file(ids));
-        let in_step = contacts
-            .iter()
-            .map(|found| ContactRecord::of_contact(mesh, [x0, x1], found).in_file(ids));
-        let list = ContactList(at_start.chain(in_step).collect());
+        let of_start = |&found: &Intersection| {
+            ContactRecord::of_intersection(&motion.mesh, &motion.x0, found).in_file(ids)
+        };
+        let at_start = start.iter().map(of_start);
+        let in_step = contacts.iter().map(|contact| problem.record(contact));
+        let mut records: Vec<_> = at_start.chain(in_step).chain(in_half_spaces).collect();
+        records.sort_by(ContactRecord::compare_times);
+        let list = ContactList(records);
         if let Some(file) = &self.all {
             list.write(file)?;
         }
         if let Some(folder) = &self.out {
             impact_files::write(folder, motion.step()?, ids, &list)?;
         }
-        Ok(())
+        let shown = ShownStep {
+            motion,
+            start,
+            contacts,
+            half_spaces: problem.half_spaces.all(),
+            in_half_spaces: &list
+                .0
+                .iter()
+                .filter(|record| record.in_half_space().is_some())
+                .collect::<Vec<_>>(),
+        };
+        let (verdict, answer) = (output.verdict(), output.to_string());
+        self.view.step(&self.files, scene, &shown, (&verdict, &answer))
     }
 }

@@ -1,12 +1,13 @@
 //! The output of `exact-ccd step`, in the shape of the JSON object.
 
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Contact, Intersection, Motion, PairCounts, StepReport, TriangleMesh};
+use exact_ccd_mesh::{Intersection, Motion, PairCounts, StepReport};
 use serde::Serialize;
 
 use super::seconds::Seconds;
 use crate::contacts::ContactRecord;
 use crate::distances::Distances;
+use crate::half_spaces::HalfSpaceCounts;
 use crate::notes::Notes;
 use crate::scene::Summary;
 
@@ -24,6 +25,10 @@ pub(super) struct Output {
     pub(super) start: Option<Start>,
     #[serde(flatten)]
     pub(super) answer: Answer,
+    /// The vertices that touch half spaces, if there are half spaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) half_spaces: Option<HalfSpaceCounts>,
+    pub(super) seconds: Seconds,
 }
 
 /// The places where the mesh passes through itself at the start.
@@ -41,7 +46,6 @@ pub(super) enum Answer {
     Free {
         #[serde(skip)]
         is_free: bool,
-        seconds: Seconds,
     },
     /// The earliest contact.
     Report(Box<Report>),
@@ -54,7 +58,6 @@ pub(super) struct Report {
     pub(super) contact: Option<ContactRecord>,
     #[serde(flatten)]
     pub(super) counts: Option<Counted>,
-    pub(super) seconds: Seconds,
 }
 
 /// The counts, if all candidates have been examined.
@@ -80,72 +83,44 @@ impl Output {
 }
 
 impl Start {
-    pub(super) fn new(mesh: &TriangleMesh, ids: &FileIds, found: &[Intersection]) -> Self {
+    pub(super) fn new(motion: &Motion, ids: &FileIds, found: &[Intersection]) -> Self {
+        let Motion { mesh, x0, .. } = motion;
         let first = found.first();
         Self {
             intersections: found.len(),
-            first: first.map(|&first| ContactRecord::of_intersection(mesh, first).in_file(ids)),
+            first: first.map(|&first| ContactRecord::of_intersection(mesh, x0, first).in_file(ids)),
         }
     }
 }
 
 impl Answer {
-    pub(super) fn free(is_free: bool, seconds: Seconds) -> Self {
-        Self::Free { is_free, seconds }
+    /// The earliest contact, if it has been searched for.
+    pub(super) fn contact(&self) -> Option<&ContactRecord> {
+        match self {
+            Self::Free { .. } => None,
+            Self::Report(report) => report.contact.as_ref(),
+        }
     }
 
     pub(super) fn is_free(&self) -> bool {
         match self {
-            Self::Free { is_free, .. } => *is_free,
+            Self::Free { is_free } => *is_free,
             Self::Report(report) => report.contact.is_none(),
-        }
-    }
-
-    /// Returns false if there is no contact at the start for certain.
-    pub(super) fn may_touch_at_start(&self) -> bool {
-        match self {
-            Self::Free { is_free, .. } => !is_free,
-            Self::Report(report) => report.toi == Some(0.0),
-        }
-    }
-
-    /// The total duration, including reading.
-    pub(super) fn seconds(&self) -> f64 {
-        match self {
-            Self::Free { seconds, .. } => seconds.total,
-            Self::Report(report) => report.seconds.total,
         }
     }
 }
 
 impl Report {
-    /// The report of all contacts.
-    pub(super) fn new(motion: &Motion, ids: &FileIds, contacts: &StepReport, seconds: Seconds) -> Self {
+    /// The report of the earliest contact, with the counts of all contacts if they are known.
+    pub(super) fn new(earliest: Option<ContactRecord>, contacts: Option<&StepReport>) -> Self {
         Self {
-            counts: Some(Counted {
+            toi: earliest.as_ref().map(ContactRecord::toi),
+            contact: earliest,
+            counts: contacts.map(|contacts| Counted {
                 touching_at_start: contacts.touching.total(),
                 candidates: contacts.candidates.into(),
                 colliding: contacts.colliding.into(),
             }),
-            ..Self::earliest(motion, ids, contacts.earliest, seconds)
-        }
-    }
-
-    /// The report of the earliest contact only.
-    pub(super) fn earliest(
-        motion: &Motion,
-        ids: &FileIds,
-        earliest: Option<Contact>,
-        seconds: Seconds,
-    ) -> Self {
-        let Motion { mesh, x0, x1 } = motion;
-        let contact =
-            earliest.map(|contact| ContactRecord::of_contact(mesh, [x0, x1], &contact).in_file(ids));
-        Self {
-            toi: contact.as_ref().map(ContactRecord::toi),
-            contact,
-            counts: None,
-            seconds,
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::report::{Answer, Counted, Counts, Output, Report, Start};
+use crate::half_spaces::HalfSpaceCounts;
 use crate::shortest::shortest;
 
 impl Output {
@@ -35,29 +36,38 @@ impl fmt::Display for Output {
             "free of contact"
         };
         match &self.answer {
-            Answer::Free { is_free, seconds } => {
-                writeln!(f, "{}", if *is_free { free } else { "contact" })?;
-                seconds.fmt(f)
-            }
+            Answer::Free { is_free } => writeln!(f, "{}", if *is_free { free } else { "contact" })?,
             Answer::Report(report) => {
                 if report.contact.is_none() {
                     writeln!(f, "{free}")?;
                 }
-                report.fmt(f)
+                report.fmt(f)?;
             }
         }
+        if let Some(counts) = &self.half_spaces {
+            let HalfSpaceCounts {
+                colliding,
+                touching_at_start,
+            } = counts;
+            writeln!(
+                f,
+                "half spaces: {colliding} vertices in contact, {touching_at_start} touching at t = 0"
+            )?;
+        }
+        self.seconds.fmt(f)
     }
 }
 
-/// A line about the first intersection, if there is one.
+/// The first intersection and its place, if there is one.
 impl fmt::Display for Start {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(first) = &self.first else { return Ok(()) };
         write!(f, "the mesh passes through itself at t = 0: {first}")?;
         match self.intersections {
-            1 => writeln!(f, "; ids count from 0"),
-            count => writeln!(f, ", the first of {count} pairs; ids count from 0"),
+            1 => writeln!(f)?,
+            count => writeln!(f, ", the first of {count} pairs")?,
         }
+        f.write_str(&first.place())
     }
 }
 
@@ -77,7 +87,7 @@ impl fmt::Display for Report {
             writeln!(f, "candidates: {candidates}")?;
             writeln!(f, "touching at t = 0: {touching_at_start} pairs")?;
         }
-        self.seconds.fmt(f)
+        Ok(())
     }
 }
 

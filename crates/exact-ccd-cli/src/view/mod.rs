@@ -4,12 +4,13 @@ mod history;
 mod query;
 mod recording;
 mod setup;
+mod step;
 mod up;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{BroadPhase, Detector, Intersection, Motion, Point};
+use exact_ccd_mesh::{Contact, Intersection, Motion, Point};
 use exact_ccd_sim::scene::Rendering;
 use exact_ccd_sim::{HalfSpace, Simulation};
 use exact_ccd_view::Page;
@@ -20,6 +21,7 @@ use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
 use setup::Setup;
+pub(crate) use step::ShownStep;
 use up::Up;
 
 /// The options `--view` and `--view-up`.
@@ -35,21 +37,26 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// Writes the page of a step, if there is to be one: the intersections at its start, all contacts that
-    /// the detector finds, and the answer that was printed, of which one line is the verdict.
-    pub(crate) fn step<B: BroadPhase>(
+    /// The file of the page, if there is to be one.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        self.view.as_deref()
+    }
+
+    /// Writes the page of a step, if there is to be one, with the answer that is printed, of which one line is
+    /// the verdict.
+    pub(crate) fn step(
         &self,
         files: &[PathBuf],
-        (scene, motion): (&Scene, &Motion),
-        start: &[Intersection],
-        detector: &mut Detector<B>,
+        scene: &Scene,
+        step: &ShownStep<'_>,
         (verdict, answer): (&str, &str),
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
-        let contacts = detector.contacts(&motion.x0, &motion.x1, 1.0)?;
-        let page = Page::of_step(title(files), motion.step()?, start, &contacts)?;
-        let setup = Setup::of_scene(scene, Vec::new()).with_up(self.up());
-        write(file, &with_answer(setup.add_to(page), verdict, answer))
+        let setup = Setup::of_scene(scene, step.half_spaces.to_vec()).with_up(self.up());
+        write(
+            file,
+            &with_answer(step.page(title(files), setup)?, verdict, answer),
+        )
     }
 
     /// The recording of frames from files, which does nothing if there is to be no page of them.

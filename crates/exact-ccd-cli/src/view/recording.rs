@@ -83,7 +83,7 @@ impl Recording {
     /// Adds a vertex that is not apart from the half space of this number in the last frame.
     pub(crate) fn half_space_contact(&mut self, vertex: u32, half_space: u32) -> Result<(), Failure> {
         let Some(page) = &mut self.page else { return Ok(()) };
-        Ok(page.add_half_space_contact(vertex, half_space)?)
+        Ok(page.add_half_space_contact(vertex, half_space, None)?)
     }
 
     /// Writes the page, with the answer that was printed, of which one line is the verdict.

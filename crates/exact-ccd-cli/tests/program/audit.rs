@@ -153,10 +153,29 @@ fn json_names_the_violation() {
         "frame": 0, "file": "3.ply", "next": null,
         "contact": {
             "frame": 0, "kind": "ef", "ids": [5, 1], "vertices": [[4, 5], [2, 1, 3]], "time": zero,
-            "point": null, "normal": null, "parameters": null, "distance": zero,
+            "point": [0.75 + 0.25 / 2.0, 0.5, 0.0], "normal": null, "parameters": null, "distance": zero,
         },
     }});
     assert_eq!(report(&["3.ply"]), (1, intersection));
+}
+
+#[test]
+fn the_seconds_have_the_writing_of_files() {
+    let folder = heights(&[3.0, 1.0, -2.0]);
+    for (options, phases) in [
+        (&[][..], &["examine", "read"][..]),
+        (&["--all", "all.csv"], &["examine", "read", "write"]),
+        (&["--out", "out"], &["examine", "read", "write"]),
+        (&["--view", "page.html"], &["examine", "read", "write"]),
+    ] {
+        let run = folder.run(&[&["audit", "--json", "0.ply", "1.ply", "2.ply"], options].concat());
+        let report: Value = serde_json::from_str(&run.stdout).unwrap();
+        let mut seconds = report["seconds"].as_object().unwrap().clone();
+        let total = seconds.remove("total").unwrap().as_f64().unwrap();
+        let sum: f64 = seconds.values().map(|value| value.as_f64().unwrap()).sum();
+        assert!((total - sum).abs() < 1e-9, "{run:?}");
+        assert_eq!(seconds.keys().collect::<Vec<_>>(), phases, "{options:?}");
+    }
 }
 
 #[test]

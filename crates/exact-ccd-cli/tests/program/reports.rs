@@ -56,6 +56,8 @@ fn every_report_has_its_schema() {
             &["--no-start-check"],
             &["--min-distance", "0.125", "--inner-distance", "0"],
             &["--with", "end.ply"],
+            &["--half-space", "0,0,0.25,0,0,1", "--any"],
+            &["--all", "all.csv", "--view", "page.html"],
         ] {
             let run = folder.run(&[&["step", "start.ply", "end.ply", "--json"], options].concat());
             schema.assert("step", &json_of(&run));
@@ -253,6 +255,70 @@ fn a_list_has_the_intersections_at_the_start() {
     assert!(!moving.is_empty());
 }
 
+/// The point on the segment from a to b at height 0.
+fn at_height_0(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let s = a[2] / (a[2] - b[2]);
+    [0, 1, 2].map(|axis| a[axis] + s * (b[axis] - a[axis]))
+}
+
+#[test]
+fn an_intersection_has_the_point_where_the_edge_meets_the_face() {
+    let folder = fall(-0.5, 1.0);
+    let Frame { mesh, positions } = tip_above_square(-0.5);
+    folder.run(&["step", "start.ply", "end.ply", "--all", "all.jsonl"]);
+    folder.run(&["step", "start.ply", "end.ply", "--all", "all.csv"]);
+    folder.run(&["audit", "start.ply", "--all", "audit.jsonl"]);
+    for list in ["all.jsonl", "audit.jsonl"] {
+        let found = lines(&folder, list);
+        let at_rest: Vec<_> = found.iter().filter(|record| record["kind"] == "ef").collect();
+        assert!(!at_rest.is_empty());
+        for record in at_rest {
+            let edge = mesh.edges()[record["ids"][0].as_u64().unwrap() as usize];
+            let [a, b] = edge.map(|vertex| positions[vertex as usize]);
+            // All numbers are dyadic: the point is not rounded.
+            assert_eq!(record["point"], json!(at_height_0(a, b)));
+        }
+    }
+    let csv = folder.read("all.csv");
+    let row: Vec<&str> = csv.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!((row[1], &row[11..14]), ("ef", &["0.8125", "0.5", "0"][..]));
+    let text = folder.run(&["step", "start.ply", "end.ply"]).stdout;
+    assert!(
+        text.contains("\n  at (0.8125, 0.5, 0); ids count from 0\n"),
+        "{text}"
+    );
+}
+
+/// Edges in the plane of a face, too: the point is on both, up to rounding.
+#[test]
+fn an_edge_in_the_plane_of_a_face_has_a_common_point() {
+    let triangle = |x: f64, y: f64| [[x, y, 0.0], [x + 4.0, y + 0.25, 0.0], [x + 0.5, y + 3.0, 0.0]];
+    for (x, y) in [(0.5, 0.75), (-1.0, 0.3), (1.0, -2.0), (0.1, 0.1)] {
+        let folder = Folder::new();
+        let positions = [triangle(0.0, 0.0), triangle(x, y)].concat();
+        let frame = Frame::new(positions.clone(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
+        folder.write("flat.ply", ply(&frame));
+        folder.run(&["audit", "flat.ply", "--all", "all.jsonl"]);
+        let found = lines(&folder, "all.jsonl");
+        let at_rest: Vec<_> = found.iter().filter(|record| record["kind"] == "ef").collect();
+        assert!(at_rest.len() >= 2, "{found:?}");
+        for record in at_rest {
+            let point: [f64; 3] = serde_json::from_value(record["point"].clone()).unwrap();
+            let vertices: [Vec<usize>; 2] = serde_json::from_value(record["vertices"].clone()).unwrap();
+            let [edge, face] =
+                vertices.map(|ids| ids.into_iter().map(|id| positions[id]).collect::<Vec<_>>());
+            // Twice the area of the triangle a b point.
+            let area = |a: [f64; 3], b: [f64; 3]| {
+                (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])
+            };
+            assert!(area(edge[0], edge[1]).abs() < 1e-12, "{record}");
+            for side in 0..3 {
+                assert!(area(face[side], face[(side + 1) % 3]) > -1e-12, "{record}");
+            }
+        }
+    }
+}
+
 #[test]
 fn an_audit_lists_every_bad_frame_and_pair() {
     let folder = Folder::new();
@@ -386,7 +452,7 @@ fn an_intersection_is_written_at_rest() {
         folder.run(&[command, &["--out", "out"]].concat());
         let (mesh, points) = impact(&folder);
         assert_eq!(mesh, tip_above_square(-1.0));
-        // The middle of the first side of the tip.
+        // The first side of the tip meets the square in its middle.
         assert_eq!(points[0], [0.875, 0.5, 0.0]);
     }
 }

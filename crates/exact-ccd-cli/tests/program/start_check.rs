@@ -56,7 +56,7 @@ fn a_rod_through_a_box_is_reported_with_its_first_edge_and_face() {
     let ([a, b], [c, d, e]) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
     let first = format!(
         "the mesh passes through itself at t = 0: edge {edge} (vertices {a}, {b}) and face {face} \
-         (vertices {c}, {d}, {e}), the first of {} pairs; ids count from 0\n",
+         (vertices {c}, {d}, {e}), the first of {} pairs\n",
         found.len()
     );
     for (options, rest) in [

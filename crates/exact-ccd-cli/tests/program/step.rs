@@ -142,6 +142,42 @@ fn the_report_of_a_decision_has_no_counts() {
     assert_eq!(both.status, 2);
 }
 
+/// Each phase has its duration, and the total is their sum: nothing is done beside them. Files have theirs.
+#[test]
+fn the_seconds_are_those_of_all_phases() {
+    let folder = fall(0.0, -2.0);
+    let phases = ["broad", "narrow", "read", "start"];
+    for (options, files) in [
+        (&[][..], &[][..]),
+        (&["--toi"], &[]),
+        (&["--any"], &[]),
+        (&["--any", "--half-space", "0,0,0,0,0,1"], &["half_spaces"]),
+        (&["--toi", "--all", "all.csv"], &["list", "write"]),
+        (&["--any", "--view", "page.html"], &["list", "write"]),
+        (&["--out", "out", "--repeat", "3"], &["list", "write"]),
+    ] {
+        let run = folder.run(&[&["step", "start.ply", "end.ply", "--json"], options].concat());
+        let report: Value = serde_json::from_str(&run.stdout).unwrap();
+        let mut seconds = report["seconds"].as_object().unwrap().clone();
+        let total = seconds.remove("total").unwrap().as_f64().unwrap();
+        let sum: f64 = seconds.values().map(|value| value.as_f64().unwrap()).sum();
+        assert!((total - sum).abs() < 1e-9, "{run:?}");
+        let mut names: Vec<&str> = seconds.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        let mut expected = [&phases[..], files].concat();
+        expected.sort_unstable();
+        assert_eq!(names, expected, "{options:?}");
+        let run = folder.run(&[&["step", "start.ply", "end.ply"], options].concat());
+        let line = run.stdout.lines().last().unwrap();
+        let has = |name: &str| line.contains(name);
+        assert_eq!(
+            [has(" listing, "), has(" writing, ")],
+            [files.contains(&"list"); 2],
+            "{line}"
+        );
+    }
+}
+
 #[test]
 fn two_edges_are_named_with_their_ends() {
     let folder = Folder::new();

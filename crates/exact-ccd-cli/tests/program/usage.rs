@@ -52,6 +52,15 @@ fn wrong_usage_has_status_2() {
 }
 
 #[test]
+fn the_version_has_the_name_of_the_program() {
+    for option in ["--version", "-V"] {
+        let run = Folder::new().run(&[option]);
+        let expected = format!("exact-ccd {}\n", env!("CARGO_PKG_VERSION"));
+        assert_eq!((run.status, run.stdout), (0, expected));
+    }
+}
+
+#[test]
 fn help_documents_the_exit_status() {
     for command in ["step", "audit", "queries", "round", "convert"] {
         let run = Folder::new().run(&[command, "--help"]);

@@ -1,5 +1,6 @@
 //! Half spaces as obstacles: grounds and walls without a mesh.
 
+mod first_contact;
 mod side;
 
 use exact_ccd_mesh::{Aabb, Point};

@@ -86,10 +86,14 @@ fn mesh(described: &BodyDescription, folder: &Path) -> Result<Mesh, (&'static st
             let path = folder.join(path);
             if !path.is_file() {
                 let file = path.display();
-                let message = format!(
-                    "the file {file} does not exist: mesh files are read from the folder of the scene, \
-                     or from that of `--meshes`"
-                );
+                let message = if path.is_dir() {
+                    format!("{file} is a folder, expected a mesh file")
+                } else {
+                    format!(
+                        "the file {file} does not exist: mesh files are read from the folder of the scene, \
+                         or from that of `--meshes`"
+                    )
+                };
                 return Err(("mesh", message));
             }
             Mesh::read(&path).map_err(|message| ("mesh", message))

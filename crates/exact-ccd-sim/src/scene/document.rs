@@ -29,8 +29,8 @@ pub enum SceneError {
         file: PathBuf,
         /// The line, from 1.
         line: usize,
-        /// The path of the field, such as `body[1].solid.young`, or `the file` for the file as a whole.
-        /// Bodies and scripts are counted from 0.
+        /// The path of the field, such as ``body `sheet`, shell.young``, or `body[1].shell.young` for a body
+        /// without a name, or `the file` for the file as a whole. Bodies and scripts are counted from 0.
         field: String,
         /// The value that was found and the values that are allowed.
         message: String,
@@ -69,10 +69,6 @@ impl Document<'_> {
         let table = DeTable::parse(self.text);
         let mut value: Option<&DeValue<'_>> = None;
         for (depth, &key) in path.iter().enumerate() {
-            match key {
-                Key::Name(key) => push(&mut name, key),
-                Key::Index(index) => name += &format!("[{index}]"),
-            }
             let next = match (key, value, &table) {
                 (Key::Name(key), None, Ok(table)) if depth == 0 => table.get_ref().get(key),
                 (Key::Name(key), Some(DeValue::Table(table)), _) => table.get(key),
@@ -83,6 +79,10 @@ impl Document<'_> {
                 byte = next.span().start;
                 next.get_ref()
             });
+            match key {
+                Key::Name(key) => push(&mut name, key),
+                Key::Index(index) => push_entry(&mut name, index, value),
+            }
         }
         self.error(byte, name, message)
     }
@@ -102,11 +102,26 @@ impl Document<'_> {
     }
 }
 
-fn push(name: &mut String, key: &str) {
-    if !name.is_empty() {
-        name.push('.');
+/// Appends a key to a path.
+fn push(path: &mut String, key: &str) {
+    if path.ends_with('`') {
+        path.push_str(", ");
+    } else if !path.is_empty() {
+        path.push('.');
     }
-    name.push_str(key);
+    path.push_str(key);
+}
+
+/// Appends the entry of an array to a path: its name, or else its place.
+fn push_entry(path: &mut String, index: usize, entry: Option<&DeValue<'_>>) {
+    let name = match entry {
+        Some(DeValue::Table(table)) => table.get("name").map(|name| name.get_ref()),
+        _ => None,
+    };
+    match name {
+        Some(DeValue::String(name)) if !name.is_empty() => *path += &format!(" `{name}`"),
+        _ => *path += &format!("[{index}]"),
+    }
 }
 
 /// Appends the path from a table to the value at a byte.
@@ -128,7 +143,7 @@ fn in_value(value: &DeValue<'_>, byte: usize, name: &mut String) {
                 .iter()
                 .position(|value| contains(value.get_ref(), value.span(), byte));
             if let Some((index, value)) = place.and_then(|index| Some((index, array.get(index)?))) {
-                *name += &format!("[{index}]");
+                push_entry(name, index, Some(value.get_ref()));
                 in_value(value.get_ref(), byte, name);
             }
         }

@@ -60,9 +60,15 @@ impl Scene {
             let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
             return Ok(Self { notes, ..scene });
         }
-        let text = std::fs::read_to_string(file).map_err(|source| SceneError::Io {
+        let bytes = std::fs::read(file).map_err(|source| SceneError::Io {
             file: file.to_owned(),
             source,
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let valid = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(&error.as_bytes()[..valid]);
+            let message = "found bytes that are no text in UTF-8, expected a scene in TOML";
+            Document { file, text: &text }.error_at(valid, |_| message.to_owned())
         })?;
         Self::parse(&text, file, meshes, filter_by_name)
     }
@@ -180,7 +186,7 @@ impl Scene {
         // A simulation checks the settings, of which the number of steps needs a positive time step.
         scene
             .simulation()
-            .map_err(|error| of_simulation(&document, &bodies, &error))?;
+            .map_err(|error| of_simulation(&document, &description, &bodies, &error))?;
         scene.steps = steps(&document, duration, scene.settings.time_step)?;
         Ok(scene)
     }

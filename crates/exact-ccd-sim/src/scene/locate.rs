@@ -9,7 +9,7 @@ use super::document::{Document, Key, SceneError};
 use crate::body::Body;
 use crate::half_space::HalfSpaceError;
 use crate::simulation::{Primitive, SimulationError};
-use crate::system::{System, SystemError};
+use crate::system::{System, SystemError, designation};
 
 use Key::{Index, Name};
 
@@ -88,7 +88,12 @@ fn without_body(body: usize, error: &SystemError) -> String {
 }
 
 /// The error of a simulation, at the setting or at the second of two touching bodies.
-pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &SimulationError) -> SceneError {
+pub(super) fn of_simulation(
+    document: &Document<'_>,
+    description: &Description,
+    bodies: &[Body],
+    error: &SimulationError,
+) -> SceneError {
     let field = match error {
         SimulationError::Start { primitives, near } => {
             let what = ["intersect or touch at the start", "a positive"];
@@ -108,8 +113,11 @@ pub(super) fn of_simulation(document: &Document<'_>, bodies: &[Body], error: &Si
             near,
         } => {
             let body = body_of(&System::ranges(bodies), *vertex);
+            let described = description.half_space.get(*half_space);
+            let name = described.map_or("", |described| &described.name);
+            let half_space = designation("half-space", *half_space, name);
             let message = format!(
-                "a vertex at {near:?} touches half-space[{half_space}] at the start, or is inside of it, \
+                "a vertex at {near:?} touches {half_space} at the start, or is inside of it, \
                  expected a positive distance above the offset of the body"
             );
             return document.error_of(&[Name("body"), Index(body)], &message);
@@ -151,8 +159,9 @@ fn of_start(
         let body = body_of(&ranges, vertex);
         (body, primitive.map(|vertex| vertex - ranges[body].start))
     });
+    let [of_a, of_b] = [a, b].map(|body| designation("body", body, &bodies[body].name));
     let message = format!(
-        "{second} of body[{b}] and {first} of body[{a}] {what}, near {near:?}, \
+        "{second} of {of_b} and {first} of {of_a} {what}, near {near:?}, \
          expected {expected} distance between them"
     );
     document.error_of(&[Name("body"), Index(b)], &message)

@@ -6,6 +6,7 @@ use exact_ccd_mesh::Step;
 
 use super::Simulation;
 use crate::contact::Collisions;
+use crate::system::{System, designation};
 
 /// The largest contact distance without a warning, relative to the diagonal of the smallest body.
 const COARSE: f64 = 0.1;
@@ -36,32 +37,44 @@ pub enum Warning {
     },
 }
 
-impl fmt::Display for Warning {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Warning {
+    /// The text of the warning with the names of the bodies of a system in place of their numbers.
+    #[must_use]
+    pub fn with_names(&self, system: &System) -> String {
+        self.text(|body| system.body_designation(body))
+    }
+
+    fn text(&self, designation: impl Fn(usize) -> String) -> String {
         match *self {
-            Self::ContactDistance { distance, body, size } => write!(
-                f,
-                "the contact distance, {distance:.3e} m, is more than a tenth of the size of body[{body}], \
-                 {size:.3e} m: surfaces stay visibly apart; set a smaller `contact-distance`"
+            Self::ContactDistance { distance, body, size } => format!(
+                "the contact distance, {distance:.3e} m, is more than a tenth of the size of {}, \
+                 {size:.3e} m: surfaces stay visibly apart; set a smaller `contact-distance`",
+                designation(body)
             ),
             Self::Near {
                 bodies: (a, b),
                 gap,
                 distance,
             } => {
-                match b {
-                    None => write!(f, "body[{a}] and a half space")?,
-                    Some(b) if b == a => write!(f, "two parts of body[{a}]")?,
-                    Some(b) => write!(f, "body[{a}] and body[{b}]")?,
-                }
-                write!(f, " start {gap:.3e} m apart, ")?;
-                write!(
-                    f,
-                    "less than the contact distance, {distance:.3e} m: the barrier pushes them apart; \
-                     set a smaller `contact-distance`, or place them farther apart"
+                let of_a = designation(a);
+                let both = match b {
+                    None => format!("{of_a} and a half space"),
+                    Some(b) if b == a => format!("two parts of {of_a}"),
+                    Some(b) => format!("{of_a} and {}", designation(b)),
+                };
+                format!(
+                    "{both} start {gap:.3e} m apart, less than the contact distance, {distance:.3e} m: \
+                     the barrier pushes them apart; set a smaller `contact-distance`, or place them farther apart"
                 )
             }
         }
+    }
+}
+
+/// The text with the numbers of bodies.
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text(|body| designation("body", body, "")))
     }
 }
 

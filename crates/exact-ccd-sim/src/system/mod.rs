@@ -30,6 +30,7 @@ use parts::Parts;
 
 pub use error::SystemError;
 pub use fingerprint::Fingerprint;
+pub(crate) use names::designation;
 
 /// The vertices, masses, elements and scripts of a scene.
 #[derive(Clone, Debug)]

@@ -6,7 +6,21 @@ use std::ops::Range;
 use super::System;
 use crate::contact::Collision;
 
+/// A body or a half space in messages: by its name, or else by its place in the scene file.
+pub(crate) fn designation(what: &str, index: usize, name: &str) -> String {
+    match name {
+        "" => format!("{what}[{index}]"),
+        name => format!("{what} `{name}`"),
+    }
+}
+
 impl System {
+    /// A body in messages.
+    pub(crate) fn body_designation(&self, body: usize) -> String {
+        let name = self.names.get(body).map_or("", String::as_str);
+        designation("body", body, name)
+    }
+
     /// The name of each body, or `body-N` for the Nth body if it has none.
     #[must_use]
     pub fn body_names(&self) -> Vec<String> {

@@ -70,6 +70,12 @@ fn warnings_name_the_bodies() {
         near.to_string()
             .starts_with("body[0] and body[1] start 1.000e-2 m apart, less than ")
     );
+    let named = [cube(0.01).named("cube"), floor.clone()];
+    let text = near.with_names(&System::new(&named, &[]).unwrap());
+    assert!(
+        text.starts_with("body `cube` and body[1] start 1.000e-2 m apart, less than "),
+        "{text}"
+    );
     let [
         Warning::ContactDistance { body: 0, size, .. },
         Warning::Near { .. },

@@ -365,3 +365,73 @@ fn settings_of_pictures_are_checked() {
         assert!(error.contains(&format!("render.{field}: ")), "{error}");
     }
 }
+
+/// A body with a name is named in the path of a field and in messages about two bodies; others have their
+/// number.
+#[test]
+fn errors_have_the_names_of_bodies() {
+    let named = SCENE.replace("[[body]]\n", "[[body]]\nname = \"part\"\n");
+    let error = |from: &str, to: &str| {
+        assert!(named.contains(from), "{from}");
+        parse(&named.replacen(from, to, 1)).err().unwrap()
+    };
+    for (from, to, expected) in [
+        (
+            "density = 300.0",
+            "density = 0.0",
+            "body `part`, shell.density: the density is 0",
+        ),
+        (
+            "young = 1e6",
+            "young = \"stiff\"",
+            "body `part`, solid.young: invalid type",
+        ),
+        ("velocity = [", "speed = [", "body `part`, speed: unknown field"),
+        (
+            "motion = \"fixed\"",
+            "motion = \"fixed\"\naxes = []",
+            "body `part`, script[1].axes: ",
+        ),
+        (
+            "translate = [0.0, 0.0, 3.0]",
+            "translate = [0.0, nan, 3.0]",
+            "body `part`, translate: the translation is",
+        ),
+    ] {
+        let error = error(from, to);
+        assert!(error.contains(expected), "{error}\nexpected {expected}");
+    }
+    let meeting = error("translate = [0.0, 0.0, 3.0]", "translate = [0.2, 0.1, 0.6]");
+    assert!(
+        meeting.contains(" of body `part` and ") && meeting.contains(" of body `part` intersect or touch"),
+        "{meeting}"
+    );
+    let ground = "\n[[half-space]]\nname = \"ground\"\nnormal = [0.0, 1.0, 0.0]\npoint = [0.0, 9.0, 0.0]\n";
+    let grounded = parse(&format!("{named}{ground}")).err().unwrap();
+    assert!(
+        grounded.contains("body `part`: a vertex at ") && grounded.contains(" touches half-space `ground` "),
+        "{grounded}"
+    );
+    let vertical = ground.replace("[0.0, 1.0, 0.0]", "[0.0, 0.0, 0.0]");
+    let vertical = parse(&format!("{named}{vertical}")).err().unwrap();
+    assert!(vertical.contains("half-space `ground`, normal: "), "{vertical}");
+    // An empty name is none.
+    let unnamed = named
+        .replace("name = \"part\"", "name = \"\"")
+        .replace("density = 300.0", "density = 0.0");
+    let unnamed = parse(&unnamed).err().unwrap();
+    assert!(unnamed.contains("body[1].shell.density: "), "{unnamed}");
+}
+
+#[test]
+fn a_folder_in_place_of_a_mesh_is_named() {
+    let folder = env!("CARGO_MANIFEST_DIR");
+    let error = error_with(
+        "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
+        &format!("mesh = {folder:?}"),
+    );
+    assert!(
+        error.ends_with(&format!("{folder} is a folder, expected a mesh file")),
+        "{error}"
+    );
+}

@@ -172,13 +172,13 @@ fn a_vertex_in_a_half_space_is_a_contact_of_the_last_frame() {
     let mut page = Page::new("frames", mesh(), &START.iter().copied().collect())
         .with_ids((10..16).collect(), vec![None, None])
         .with_half_space("floor", [0.0, 0.0, 2.0], [0.0, 0.0, 4.0]);
-    assert_eq!(page.add_half_space_contact(3, 0), Err(PageError::NoFrame));
+    assert_eq!(page.add_half_space_contact(3, 0, None), Err(PageError::NoFrame));
     page.add_frame("a", &START).unwrap();
     page.add_frame("b", &START).unwrap();
-    page.add_half_space_contact(3, 0).unwrap();
+    page.add_half_space_contact(3, 0, None).unwrap();
     for (vertex, half_space) in [(6, 0), (3, 1)] {
         let error = Err(PageError::NoSuchHalfSpace { vertex, half_space });
-        assert_eq!(page.add_half_space_contact(vertex, half_space), error);
+        assert_eq!(page.add_half_space_contact(vertex, half_space, None), error);
     }
     let json = Html::of(&page).json();
     let normal = serde_json::json!([0.0, 0.0, 1.0]);
@@ -197,6 +197,16 @@ fn a_vertex_in_a_half_space_is_a_contact_of_the_last_frame() {
         serde_json::json!([[1.0, 1.0, 1.0], [1.0, 1.0, 2.0]])
     );
     assert_eq!(contact["normal"], normal);
+
+    // In a step, the vertex is where it is at the time.
+    page.add_frame("c", &moved(4.0)).unwrap();
+    page.add_half_space_contact(3, 0, Some(0.25)).unwrap();
+    let contact = &Html::of(&page).json()["contacts"][1];
+    assert_eq!((&contact["frame"], &contact["time"]), (&1.into(), &0.25.into()));
+    assert_eq!(
+        contact["closest"],
+        serde_json::json!([[1.0, 1.0, 2.0], [1.0, 1.0, 2.0]])
+    );
 }
 
 /// Half spaces of any size: what has no direction is left out, and no point is infinite.
@@ -209,8 +219,8 @@ fn extreme_half_spaces() {
         .with_half_space("", [-f64::MAX; 3], [5e-324, 0.0, 0.0]);
     let mut page = page;
     page.add_frame("", &[[f64::MAX; 3]; 6]).unwrap();
-    page.add_half_space_contact(0, 0).unwrap();
-    page.add_half_space_contact(0, 1).unwrap();
+    page.add_half_space_contact(0, 0, None).unwrap();
+    page.add_half_space_contact(0, 1, None).unwrap();
     let json = Html::of(&page).json();
     assert_eq!(json["halfSpaces"].as_array().unwrap().len(), 2);
     for number in [0, 1] {

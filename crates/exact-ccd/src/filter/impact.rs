@@ -43,8 +43,9 @@ pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> O
         if !is_small(error, magnitude(axis) - normal[axis].error) {
             return None;
         }
-        // The exact parameter is in [0, 1].
-        *parameter = if side.along { ratio } else { -ratio }.clamp(0.0, 1.0);
+        // The exact parameter is in [0, 1]. Its zero is positive.
+        let ratio = if side.along { ratio } else { -ratio };
+        *parameter = if ratio > 0.0 { ratio.min(1.0) } else { 0.0 };
     }
     Some((parameters, direction))
 }

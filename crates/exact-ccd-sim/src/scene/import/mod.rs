@@ -11,6 +11,7 @@ mod pose;
 mod selection;
 mod text;
 
+use std::io;
 use std::path::{Path, PathBuf};
 
 pub use fault::{ImportError, Place, Problem};
@@ -88,10 +89,14 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
     let Some(program) = Program::of(file) else {
         return Ok(None);
     };
-    let text = std::fs::read_to_string(file).map_err(|error| ImportError {
-        file: file.to_owned(),
-        place: Place::Pointer(String::new()),
-        problem: Problem::File(error.to_string()),
+    let text = std::fs::read_to_string(file).map_err(|error| {
+        let problem = match error.kind() {
+            io::ErrorKind::InvalidData => {
+                Problem::invalid("bytes that are no text in UTF-8", "the text of a scene")
+            }
+            _ => Problem::File(error.to_string()),
+        };
+        problem.at(&Place::Pointer(String::new())).in_file(file)
     })?;
     let mut meshes = Meshes::new(file, meshes);
     let draft = match program {

@@ -1,0 +1,177 @@
+//! Inputs that are not there, or are something else, and outputs that cannot be written: each error names the
+//! file and has an instruction.
+
+use crate::folder::Folder;
+use crate::meshes::fall;
+use crate::simulate;
+
+/// A step, an empty folder, a text, and bytes that are no text.
+fn folder() -> Folder {
+    let folder = fall(1.0, -1.0);
+    std::fs::create_dir(folder.path("empty")).unwrap();
+    std::fs::create_dir_all(folder.path("data/vertex-face")).unwrap();
+    folder.write("text.txt", "text\n");
+    folder.write("bytes.toml", [0xff, 0xfe, 0x00]);
+    folder.write("scene.toml", simulate::SCENE);
+    folder
+}
+
+#[track_caller]
+fn assert_error(folder: &Folder, arguments: &[&str], expected: &str) {
+    let run = folder.run(arguments);
+    let error = run.error();
+    assert!(
+        error.starts_with(expected),
+        "{arguments:?}: {error}\nexpected {expected}"
+    );
+}
+
+#[test]
+fn a_missing_input_is_named_with_what_it_should_be() {
+    let folder = folder();
+    let missing = "no such file or folder, expected";
+    let remedy = ": check the name, and the folder in which the program runs";
+    for (arguments, expected) in [
+        (&["audit", "no"][..], "a mesh file, or a folder or a list of them"),
+        (
+            &["audit", "start.ply", "no"],
+            "a mesh file, or a folder or a list of them",
+        ),
+        (
+            &["audit", "start.ply", "--with", "no"],
+            "a mesh file, or a folder or a list of them",
+        ),
+        (
+            &["step", "no", "end.ply"],
+            "a mesh file; `exact-ccd audit` examines the frames in a folder",
+        ),
+        (
+            &["step", "start.ply", "no"],
+            "a mesh file; `exact-ccd audit` examines the frames in a folder",
+        ),
+        (&["queries", "no"], "a query file, CSV or Parquet"),
+        (&["queries", "--kind", "vf", "no"], "a query file, CSV or Parquet"),
+        (
+            &["convert", "no", "-o", "out.csv"],
+            "a query file, CSV or Parquet, or the folder of a scene",
+        ),
+        (&["round", "no"], "a mesh file, or a query file with --kind"),
+        (
+            &["round", "--kind", "vf", "no"],
+            "a mesh file, or a query file with --kind",
+        ),
+        (&["bench", "no"], "a folder of data sets"),
+        (&["import", "no"], "a scene of IPC or of PolyFEM"),
+        (
+            &["simulate", "no"],
+            "a scene in TOML, or one of IPC or of PolyFEM",
+        ),
+    ] {
+        assert_error(&folder, arguments, &format!("no: {missing} {expected}{remedy}"));
+    }
+}
+
+#[test]
+fn a_folder_in_place_of_a_file_is_named() {
+    let folder = folder();
+    for arguments in [
+        &["step", "empty", "end.ply"][..],
+        &["step", "start.ply", "empty"],
+        &["queries", "empty"],
+        &["queries", "--kind", "vf", "empty"],
+        &["round", "empty"],
+        &["import", "empty"],
+        &["simulate", "empty"],
+    ] {
+        assert_error(&folder, arguments, "empty: this is a folder, expected ");
+    }
+    assert_error(
+        &folder,
+        &["bench", "text.txt"],
+        "text.txt: this is no folder, expected a folder of data sets",
+    );
+    assert_error(
+        &folder,
+        &["audit", "empty"],
+        "empty: expected meshes of one format",
+    );
+    assert_error(
+        &folder,
+        &["convert", "--kind", "vf", "empty", "-o", "out.csv"],
+        "empty/frames: no such file or folder, expected the frames of a scene of the published data sets",
+    );
+}
+
+#[test]
+fn a_folder_of_data_sets_without_queries_is_an_error() {
+    assert_error(
+        &folder(),
+        &["bench", "data"],
+        "data: expected folders `edge-edge` or `vertex-face` with",
+    );
+}
+
+#[test]
+fn bytes_in_place_of_a_scene_are_named() {
+    assert_error(
+        &folder(),
+        &["simulate", "bytes.toml"],
+        "bytes.toml, line 1, the file: found bytes that are no text in UTF-8, expected a scene in TOML",
+    );
+}
+
+/// An output without a place is found before anything is computed, so that nothing is printed.
+#[test]
+fn outputs_without_a_place_are_named_with_a_remedy() {
+    let folder = folder();
+    std::fs::create_dir(folder.path("folder.csv")).unwrap();
+    for (option, file, remedy) in [
+        ("--all", "no/all.csv", "make its folder first"),
+        ("--view", "no/page.html", "make its folder first"),
+        (
+            "--all",
+            "folder.csv",
+            "name a file, as there is a folder of this name",
+        ),
+        (
+            "--view",
+            "empty",
+            "name a file, as there is a folder of this name",
+        ),
+        (
+            "--out",
+            "text.txt",
+            "name another folder, as there is a file of this name",
+        ),
+    ] {
+        for command in ["step", "audit"] {
+            let run = folder.run(&[command, "start.ply", "end.ply", option, file]);
+            let error = run.error();
+            assert!(error.starts_with(&format!("cannot write {file}: ")), "{error}");
+            assert!(error.ends_with(remedy), "{error}");
+            assert_eq!(run.stdout, "");
+        }
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_without_permission_is_named() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let folder = folder();
+    let file = folder.path("start.ply");
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0)).unwrap();
+    let expected = if std::fs::File::open(&file).is_ok() {
+        // The superuser may read it.
+        ""
+    } else {
+        "start.ply: reading is not permitted, expected a mesh file"
+    };
+    let run = folder.run(&["step", "start.ply", "end.ply"]);
+    if expected.is_empty() {
+        assert_eq!(run.status, 1, "{run:?}");
+    } else {
+        assert!(run.error().starts_with(expected), "{run:?}");
+    }
+}
