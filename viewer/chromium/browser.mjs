@@ -37,10 +37,11 @@ export function launch() {
  * The standard output of `exact-ccd`, which may find contact.
  * @param {string[]} options
  * @param {string} [input] the standard input
+ * @param {string} [cwd] the folder in which it runs
  */
-export function run(options, input = "") {
+export function run(options, input = "", cwd = ROOT) {
   if (!existsSync(PROGRAM)) throw new Error(`${PROGRAM} is missing: run \`cargo build\`, or set EXACT_CCD`);
-  const { status, stdout, stderr } = spawnSync(PROGRAM, options, { cwd: ROOT, encoding: "utf8", input });
+  const { status, stdout, stderr } = spawnSync(PROGRAM, options, { cwd, encoding: "utf8", input });
   if (status !== 0 && status !== 1) throw new Error(`exact-ccd ${options.join(" ")}: ${stderr}`);
   return stdout;
 }

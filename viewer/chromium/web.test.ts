@@ -89,7 +89,7 @@ describe.skipIf(!existsSync(WEB_PAGE))(`the page with the kernel in it (scripts/
   afterAll(() => browser.close());
 
   it("opens with an answer", async () => {
-    expect(await text("#summary")).toContain("contact at t = 0.39999999999999997");
+    expect(await text("#verdict")).toContain("contact at t = 0.39999999999999997");
     expect(await text("#exact")).toBe("t = 0.39999999999999997");
     expect(await text("#difference")).toContain("agrees");
     expect(await page.locator(".plot .accepted").count()).toBeGreaterThan(0);
@@ -144,7 +144,7 @@ describe.skipIf(!existsSync(WEB_PAGE))(`the page with the kernel in it (scripts/
     await field("z of p at t = 1").press("Shift+ArrowDown");
     await shows("#exact", "t = 0.49999999999999994");
     await field("distance").fill("0.5");
-    await shows("#summary", "within 0.5 at t = 0.2");
+    await shows("#verdict", "within 0.5 at t = 0.2");
     await field("distance").fill("0");
     await shows("#exact", "t = 0.49999999999999994");
   });

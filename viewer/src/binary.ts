@@ -24,8 +24,9 @@ export function joinPlanes(planes: Uint8Array): Uint32Array<ArrayBuffer> {
   return words;
 }
 
-/** The words of a block. */
+/** The words of a block; none, if the page has no such block. */
 export async function decodeWords(text: string): Promise<Uint32Array<ArrayBuffer>> {
+  if (text === "") return new Uint32Array();
   return joinPlanes(await inflate(fromBase64(text)));
 }
 

@@ -2,10 +2,11 @@
 
 export type Point = readonly [number, number, number];
 
-/** A vertex, an edge or a face of the mesh. */
+/** A vertex, an edge or a face of the mesh, or a half space, which has no vertices. */
 export interface Primitive {
-  kind: "vertex" | "edge" | "face";
-  /** Its id in the file, or of an edge in the mesh, from 0; none for those of a query and sides of solids. */
+  kind: "vertex" | "edge" | "face" | "half-space";
+  /** Its id in the file, or of an edge in the mesh, from 0; none for those of a query and sides of solids. Of a half
+   * space, its place in the list of them. */
   id: number | null;
   /** Its vertices in the mesh of the page, from 0. */
   vertices: number[];
@@ -26,7 +27,42 @@ export interface Contact {
   distance: number;
   /** The unit normal, from the second primitive towards the first. */
   normal: Point | null;
+  /** None for contacts of a frame at rest. */
   parameters: [number, number] | null;
+}
+
+/** A part of the mesh with a name: the vertices from `start` to `end`, without the latter. */
+export interface Body {
+  name: string;
+  kind: string;
+  vertices: { start: number; end: number };
+}
+
+/** All points x with n · (x − p) ≤ 0, for a point p of the boundary and its unit normal n. */
+export interface HalfSpace {
+  name: string;
+  point: Point;
+  normal: Point;
+}
+
+/** A quantity over time: a value for each frame, or none. */
+export interface Curve {
+  name: string;
+  values: (number | null)[];
+}
+
+/** Quantities with the same unit. */
+export interface Chart {
+  title: string;
+  unit: string;
+  logarithmic: boolean;
+  curves: Curve[];
+}
+
+/** Charts over time; `times` are those of all frames, in s. */
+export interface History {
+  times: number[];
+  charts: Chart[];
 }
 
 /** Two primitives in motion, with the answers about them. */
@@ -54,8 +90,10 @@ export interface Frame {
 
 /** All of a page but the mesh and its positions. */
 export interface Page {
-  format: 1;
+  format: 2;
   title: string;
+  /** The line of the answer; empty for the first line of the summary. */
+  verdict: string;
   /** Lines about the answer. */
   summary: string[];
   up: Point;
@@ -66,6 +104,10 @@ export interface Page {
   /** Positions of the mesh are centre + scale · (x, y, z). */
   centre: Point;
   scale: number;
+  /** Empty, if the connected parts have no names. */
+  bodies: Body[];
+  halfSpaces: HalfSpace[];
+  history: History | null;
   frames: Frame[];
   contacts: Contact[];
   /** The number of all contacts, of which the earliest are listed. */
@@ -76,8 +118,8 @@ export interface Page {
 /** The page in the JSON text, or an error if another version of the program wrote it. */
 export function parsePage(text: string): Page {
   const page = JSON.parse(text) as Page;
-  if (page.format !== 1) {
-    throw new Error(`the data of this page has format ${String(page.format)}, expected 1`);
+  if (page.format !== 2) {
+    throw new Error(`the data of this page has format ${String(page.format)}, expected 2`);
   }
   // The program writes the number of a frame; its index is less if frames were left out.
   const indices = new Map(page.frames.map(({ number }, index) => [number, index]));

@@ -1,4 +1,6 @@
-/** The connected parts of a mesh. */
+/** The parts of a mesh: its bodies, or what is connected. */
+
+import { type Body } from "./page";
 
 export interface Parts {
   count: number;
@@ -45,13 +47,22 @@ export function looseVertices(vertexCount: number, faces: Uint32Array, edges: Ui
   return Uint32Array.from({ length: vertexCount }, (_, vertex) => vertex).filter((vertex) => used[vertex] === 0);
 }
 
-/** The corners of the faces with all of these vertices and one more: those around a vertex or an edge. */
-export function facesAround(faces: Uint32Array, vertices: number[]): number[] {
-  const corners: number[] = [];
-  if (vertices.length > 2) return corners;
-  for (let i = 0; i < faces.length; i += 3) {
-    const [a, b, c] = [faces[i], faces[i + 1], faces[i + 2]];
-    if (vertices.every((vertex) => vertex === a || vertex === b || vertex === c)) corners.push(a, b, c);
+/** What has a colour of its own, with the colour of each vertex by its place in the palette: the bodies, or else the
+ * connected parts. Loose vertices are one part: particles have no use for a colour each. */
+export function groupsOf(parts: Parts, bodies: Body[], points: Uint32Array): Parts {
+  const of = new Uint32Array(parts.of.length);
+  if (bodies.length > 0) {
+    bodies.forEach(({ vertices: { start, end } }, body) => of.fill(body, start, end));
+    return { count: bodies.length, of };
   }
-  return corners;
+  const isLoose = new Uint8Array(of.length);
+  for (const vertex of points) isLoose[vertex] = 1;
+  const groups = new Map<number, number>();
+  for (let vertex = 0; vertex < of.length; vertex++) {
+    const part = isLoose[vertex] === 1 ? -1 : parts.of[vertex];
+    const group = groups.get(part) ?? groups.size;
+    groups.set(part, group);
+    of[vertex] = group;
+  }
+  return { count: groups.size, of };
 }

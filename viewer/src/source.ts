@@ -3,7 +3,8 @@
 import { decodeElements, decodeFloats } from "./binary";
 import { Frames } from "./frames";
 import { type Page, parsePage } from "./page";
-import { looseVertices, type Parts, partsOf } from "./parts";
+import { Incidence } from "./incidence";
+import { groupsOf, looseVertices, type Parts, partsOf } from "./parts";
 import { type Elements } from "./scene/mesh";
 
 /** The text of an id. */
@@ -15,21 +16,27 @@ export interface Shown {
   frames: Frames;
   elements: Elements;
   parts: Parts;
+  /** What has a colour of its own. */
+  groups: Parts;
+  incidence: Incidence;
   /** The place of a contact on the scale of times, from 0 for the earliest to 1 for the latest. */
   place: (contact: number) => number;
 }
 
 export async function read(source: Source): Promise<Shown> {
   const page = parsePage(source("page"));
-  const [faces, edges, first] = await Promise.all([
+  const [faces, edges, radii, first] = await Promise.all([
     decodeElements(source("faces"), 3),
     decodeElements(source("edges"), 2),
+    decodeFloats(source("radii")),
     decodeFloats(source("frame-0")),
   ]);
   const frames = new Frames(page, first, (frame) => decodeFloats(source(`frame-${frame}`)));
   const points = looseVertices(page.vertices, faces, edges) as Uint32Array<ArrayBuffer>;
   const parts = partsOf(page.vertices, faces, edges);
-  return { page, frames, elements: { faces, edges, points }, parts, place: placesOf(page) };
+  const groups = groupsOf(parts, page.bodies, points);
+  const incidence = new Incidence(page.vertices, faces);
+  return { page, frames, elements: { faces, edges, points, radii }, parts, groups, incidence, place: placesOf(page) };
 }
 
 function placesOf({ contacts }: Page): (contact: number) => number {

@@ -14,6 +14,10 @@ export interface State {
   wireframe: boolean;
   paths: boolean;
   labels: boolean;
+  /** The names of bodies are in the scene. */
+  names: boolean;
+  /** The bodies that are not drawn. */
+  hidden: ReadonlySet<number>;
 }
 
 export type Change = Partial<State>;

@@ -1,6 +1,6 @@
 /** The texts of contacts and moments. */
 
-import { type Contact, type Page, type Primitive } from "./page";
+import { type Body, type Contact, type Page, type Primitive } from "./page";
 import { type Moment } from "./frames";
 
 /** Seven significant digits. */
@@ -9,15 +9,31 @@ export function short(number: number): string {
   return Number(number.toPrecision(7)).toString();
 }
 
-export function primitiveText({ kind, id, labels }: Primitive): string {
-  const name = id === null ? kind : `${kind} ${id}`;
-  return kind === "vertex" ? name : `${name} (vertices ${labels.join(", ")})`;
+/** The name of a primitive with its vertices, and the body or the half space that it is of, if that has a name. */
+export function primitiveText({ kind, id, vertices, labels }: Primitive, page: Page): string {
+  const what = kind.replace("-", " ");
+  const name = id === null ? what : `${what} ${id}`;
+  const text = labels.length > 1 ? `${name} (vertices ${labels.join(", ")})` : name;
+  const owner = kind === "half-space" ? page.halfSpaces[id ?? 0]?.name : bodyOf(page, vertices[0])?.name;
+  return owner ? `${text} of ${owner}` : text;
 }
 
-/** The time of a contact, with the frames between which it is if there are more than two. */
-export function timeText(page: Page, { frame, time }: Contact): string {
+/** The body of a vertex. */
+export function bodyOf({ bodies }: Page, vertex: number): Body | undefined {
+  return bodies.find(({ vertices: { start, end } }) => start <= vertex && vertex < end);
+}
+
+/** The time of a contact, with the frames between which it is if there are more than two, or the frame if it is at
+ * rest in one. */
+export function timeText(page: Page, { frame, time, parameters }: Contact): string {
+  if (parameters === null && page.query === null && page.frames.length !== 2) return restText(page, frame);
   if (page.frames.length === 2) return `t = ${frame + time}`;
   return `${stepText(page, frame)}t = ${time}`;
+}
+
+function restText({ frames }: Page, frame: number): string {
+  const { number, label } = frames[frame];
+  return `frame ${number}: ${label}`;
 }
 
 function stepText(page: Page, frame: number): string {

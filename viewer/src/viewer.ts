@@ -5,11 +5,14 @@ import { type Moment, momentAt } from "./frames";
 import { listen } from "./keys";
 import { type Page } from "./page";
 import { showFacts, showLegend, showSummary } from "./panel/details";
+import { BodyList } from "./panel/bodies";
+import { HistoryPanel } from "./panel/history";
 import { ContactList } from "./panel/list";
 import { Slider } from "./panel/slider";
 import { play } from "./player";
 import { QueryPanel } from "./query/panel";
 import { Labels } from "./scene/labels";
+import { magnified, moved, turned } from "./scene/pose";
 import { Stage } from "./scene/stage";
 import { type Shown } from "./source";
 import { type Change, type State, Store } from "./state";
@@ -17,8 +20,14 @@ import { type Change, type State, Store } from "./state";
 /** Meshes up to this number of faces open with the edges of their faces. */
 const FEW_FACES = 60_000;
 
+/** The names of bodies to which the scene gives none. They are in the scene on demand only. */
+const NUMBERED = /^body-\d+$/;
+
 /** The opacity of a mesh with contacts, so that they are visible inside of it. */
 const CLEAR = 0.4;
+
+/** The steps of the camera by keys: an angle in radians, a fraction of the distance, a factor. */
+const [TURN, SHIFT, NEARER] = [Math.PI / 24, 0.06, 1.15];
 
 export class Viewer {
   readonly stage: Stage;
@@ -27,6 +36,8 @@ export class Viewer {
   private readonly list: ContactList;
   private readonly slider: Slider;
   private readonly query: QueryPanel;
+  private readonly bodies: BodyList;
+  private readonly history: HistoryPanel;
 
   constructor() {
     const dark = window.matchMedia("(prefers-color-scheme: dark)").matches;
@@ -39,12 +50,17 @@ export class Viewer {
       wireframe: true,
       paths: true,
       labels: true,
+      names: true,
+      hidden: new Set(),
     });
     const choose = (moment: Moment): void => this.store.set({ moment, playing: false });
     this.stage = new Stage(byId("scene", HTMLCanvasElement), new Labels(byId("labels", HTMLElement)));
     this.slider = new Slider(byId("slider", HTMLInputElement), byId("ticks", HTMLCanvasElement), byId("moment", HTMLElement), choose);
     this.list = new ContactList(byId("scroller", HTMLElement), byId("rows", HTMLElement), (contact) => this.select(contact));
     this.query = new QueryPanel(byId("plots", HTMLElement), byId("image", HTMLCanvasElement), (t) => choose({ frame: 0, t }));
+    const fit = (body: number): void => this.stage.fitBody(this.store.state, body);
+    this.bodies = new BodyList(byId("bodies", HTMLElement), fit, (hidden) => this.store.set({ hidden }));
+    this.history = new HistoryPanel(byId("history", HTMLElement), choose);
     const filter = byId("filter", HTMLInputElement);
     filter.addEventListener("input", () => this.list.filter(filter.value));
     this.store.observe((state, change) => this.draw(state, change));
@@ -66,8 +82,10 @@ export class Viewer {
       contact: earliest === undefined ? null : 0,
       moment: earliest === undefined ? { frame: 0, t: 0 } : { frame: earliest.frame, t: earliest.time },
       playing: false,
-      opacity: earliest === undefined && page.query === null ? 1 : CLEAR,
+      opacity: page.faces === 0 || (earliest === undefined && page.query === null) ? 1 : CLEAR,
       wireframe: page.faces <= FEW_FACES,
+      hidden: new Set(),
+      names: page.bodies.length > 1 && page.bodies.some(({ name }) => !NUMBERED.test(name)),
     });
     await this.stage.near(this.store.state, true);
     byId("message", HTMLElement).hidden = true;
@@ -94,9 +112,17 @@ export class Viewer {
     this.slider.show(page, place);
     this.list.show(page, place);
     this.query.show(page.query);
+    this.bodies.show(page);
+    this.history.show(page);
     byId("filter", HTMLInputElement).value = "";
     byId("query", HTMLElement).hidden = page.query === null;
-    showSummary(byId("summary", HTMLElement), page, parts.count);
+    const isAlone = page.contacts.length === 0 && page.query === null;
+    byId("parts", HTMLDetailsElement).hidden = page.bodies.length + page.halfSpaces.length === 0;
+    byId("parts", HTMLDetailsElement).open = isAlone;
+    byId("parts-title", HTMLElement).textContent = page.bodies.length > 0 ? "Bodies" : "Half spaces";
+    byId("near", HTMLElement).hidden = byId("paths", HTMLElement).hidden = isAlone;
+    byId("names", HTMLElement).hidden = page.bodies.length === 0;
+    showSummary(byId("verdict", HTMLElement), byId("summary", HTMLElement), page, parts.count);
     showLegend(byId("legend", HTMLElement), page);
     byId("title", HTMLElement).textContent = page.title;
     const [listed, total] = [page.contacts.length, page.contactCount];
@@ -111,6 +137,7 @@ export class Viewer {
     void this.stage.update(state, change);
     this.slider.move(state.moment);
     this.query.update(state);
+    this.history.move(state.moment);
     document.documentElement.dataset["theme"] = state.theme;
     byId("opacity", HTMLInputElement).value = String(state.opacity);
     byId("play", HTMLButtonElement).textContent = state.playing ? "❚❚" : "▶";
@@ -119,6 +146,7 @@ export class Viewer {
     };
     press("wires", state.wireframe);
     press("paths", state.paths);
+    press("names", state.names);
     if (change.contact === undefined) return;
     this.list.select(state.contact);
     const chosen = state.contact === null ? undefined : page.contacts[state.contact];
@@ -141,7 +169,7 @@ export class Viewer {
       const { frame, t } = store.state.moment;
       store.set({ moment: momentAt(frame + t + by, this.page?.frames.length ?? 0), playing: false });
     };
-    const toggle = (name: "playing" | "wireframe" | "paths" | "labels") => (): void =>
+    const toggle = (name: "playing" | "wireframe" | "paths" | "labels" | "names") => (): void =>
       store.set({ [name]: !store.state[name] });
     const theme = (): void => store.set({ theme: store.state.theme === "dark" ? "light" : "dark" });
     const opacity = (): void => store.set({ opacity: store.state.opacity >= 1 ? 0.15 : Math.min(store.state.opacity + 0.25, 1) });
@@ -149,6 +177,13 @@ export class Viewer {
     const fit = (): void => this.stage.fit();
     const keys = byId("keys", HTMLDialogElement);
     const help = (): void => keys.showModal();
+    const turn = (right: number, above: number) => (): void => {
+      this.stage.view.move((pose, up) => turned(pose, up, right * TURN, above * TURN));
+    };
+    const shift = (right: number, above: number) => (): void => {
+      this.stage.view.move((pose, up) => moved(pose, up, right * SHIFT, above * SHIFT));
+    };
+    const magnify = (factor: number) => (): void => this.stage.view.move((pose) => magnified(pose, factor));
     const next = (): void => this.select(this.list.neighbour(1));
     const previous = (): void => this.select(this.list.neighbour(-1));
     listen({
@@ -164,8 +199,21 @@ export class Viewer {
       i: () => this.select(store.state.contact),
       c: near,
       f: fit,
+      a: turn(-1, 0),
+      d: turn(1, 0),
+      w: turn(0, 1),
+      s: turn(0, -1),
+      A: shift(-1, 0),
+      D: shift(1, 0),
+      W: shift(0, 1),
+      S: shift(0, -1),
+      "+": magnify(NEARER),
+      "=": magnify(NEARER),
+      "-": magnify(1 / NEARER),
+      u: () => this.stage.turnUp(),
       o: opacity,
-      w: toggle("wireframe"),
+      e: toggle("wireframe"),
+      n: toggle("names"),
       p: toggle("paths"),
       l: toggle("labels"),
       t: theme,
@@ -178,6 +226,8 @@ export class Viewer {
     click("near", near);
     click("wires", toggle("wireframe"));
     click("paths", toggle("paths"));
+    click("names", toggle("names"));
+    click("up", () => this.stage.turnUp());
     click("theme", theme);
     click("help", help);
     const level = byId("opacity", HTMLInputElement);

@@ -1,11 +1,14 @@
 import { describe, expect, it } from "vitest";
 import { Frames, momentAt, vertexAt } from "../src/frames";
 import { type Page } from "../src/page";
-import { facesAround, looseVertices, partsOf } from "../src/parts";
+import { Incidence } from "../src/incidence";
+import { momentOf, timeOf } from "../src/panel/history";
+import { groupsOf, looseVertices, partsOf } from "../src/parts";
 
 const page = (count: number): Page => ({
-  format: 1,
+  format: 2,
   title: "",
+  verdict: "",
   summary: [],
   up: [0, 0, 1],
   vertices: 1,
@@ -13,6 +16,9 @@ const page = (count: number): Page => ({
   edges: 0,
   centre: [10, 20, 30],
   scale: 2,
+  bodies: [],
+  halfSpaces: [],
+  history: null,
   frames: Array.from({ length: count }, (_, number) => ({ number, label: "" })),
   contacts: [],
   contactCount: 0,
@@ -73,11 +79,74 @@ describe("parts", () => {
   it("may be loose vertices", () => {
     expect([...looseVertices(6, Uint32Array.of(0, 1, 2), Uint32Array.of(4, 1))]).toEqual([3, 5]);
   });
-  it("have faces around a vertex and around an edge", () => {
-    const faces = Uint32Array.of(0, 1, 2, 2, 1, 3, 3, 4, 5);
-    expect(facesAround(faces, [1])).toEqual([0, 1, 2, 2, 1, 3]);
-    expect(facesAround(faces, [2, 1])).toEqual([0, 1, 2, 2, 1, 3]);
-    expect(facesAround(faces, [0, 3])).toEqual([]);
-    expect(facesAround(faces, [0, 1, 2])).toEqual([]);
+  it("have a colour each, but loose vertices one for all", () => {
+    const [faces, edges] = [Uint32Array.of(1, 2, 3), Uint32Array.of(4, 5)];
+    const parts = partsOf(9, faces, edges);
+    const points = looseVertices(9, faces, edges);
+    expect([...groupsOf(parts, [], points).of]).toEqual([0, 1, 1, 1, 2, 2, 0, 0, 0]);
+    const body = (name: string, start: number, end: number) => ({ name, kind: "", vertices: { start, end } });
+    const bodies = groupsOf(parts, [body("a", 0, 4), body("b", 4, 9)], points);
+    expect(bodies.count).toBe(2);
+    expect([...bodies.of]).toEqual([0, 0, 0, 0, 1, 1, 1, 1, 1]);
+  });
+});
+
+describe("the faces around primitives", () => {
+  const faces = Uint32Array.of(0, 1, 2, 2, 1, 3, 3, 4, 5);
+  it("have all vertices of them and one more", () => {
+    const incidence = new Incidence(7, faces);
+    expect(incidence.around([1])).toEqual([0, 1, 2, 2, 1, 3]);
+    expect(incidence.around([2, 1])).toEqual([0, 1, 2, 2, 1, 3]);
+    expect(incidence.around([0, 3])).toEqual([]);
+    expect(incidence.around([0, 1, 2])).toEqual([]);
+    expect(incidence.around([6])).toEqual([]);
+    expect(incidence.around([])).toEqual([]);
+  });
+
+  it("are found in one scan of all faces, whatever the number of pictures", () => {
+    // A strip of faces, whose corners are counted when they are read.
+    const count = 1000;
+    const strip = Uint32Array.from({ length: 3 * count }, (_, i) => Math.floor(i / 3) + (i % 3));
+    let reads = 0;
+    const counted = new Proxy(strip, {
+      get(target, key) {
+        if (typeof key === "string" && /^\d+$/.test(key)) reads++;
+        const value: unknown = Reflect.get(target, key, target);
+        if (typeof value !== "function") return value;
+        // A method reads as many corners as it returns.
+        return (...values: number[]): unknown => {
+          const result: unknown = (value as (...values: number[]) => unknown).apply(target, values);
+          reads += result instanceof Uint32Array ? result.length : strip.length;
+          return result;
+        };
+      },
+    });
+    const incidence = new Incidence(count + 2, counted);
+    const pictures = 200;
+    for (let i = 0; i < pictures; i++) {
+      expect(incidence.around([500])).toHaveLength(9);
+      expect(incidence.around([500, 501])).toHaveLength(6);
+    }
+    expect(reads).toBeLessThanOrEqual(strip.length + 2 * 9 * pictures);
+  });
+});
+
+describe("the time of a simulation", () => {
+  // Frames were left out: the numbers of those that remain are 0, 2 and 3.
+  const motion: Page = {
+    ...page(3),
+    frames: [0, 2, 3].map((number) => ({ number, label: "" })),
+    history: { times: [1, 1.5, 2, 4], charts: [] },
+  };
+  it("is between those of the frames", () => {
+    expect(timeOf(motion, { frame: 0, t: 0 })).toBe(1);
+    expect(timeOf(motion, { frame: 0, t: 0.5 })).toBe(1.5);
+    expect(timeOf(motion, { frame: 1, t: 0.25 })).toBe(2.5);
+    expect(timeOf(motion, { frame: 1, t: 1 })).toBe(4);
+  });
+  it("is that of a moment", () => {
+    for (const time of [1, 1.25, 2, 3, 4]) expect(timeOf(motion, momentOf(motion, time))).toBeCloseTo(time, 12);
+    expect(momentOf(motion, 0)).toEqual({ frame: 0, t: 0 });
+    expect(momentOf(motion, 9)).toEqual({ frame: 1, t: 1 });
   });
 });

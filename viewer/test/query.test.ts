@@ -2,7 +2,8 @@ import { describe, expect, it } from "vitest";
 import { type Point, type Query } from "../src/page";
 import { bernstein, cubicOf, rootsOf } from "../src/query/cubic";
 import { DomainImage } from "../src/query/image";
-import { rangeOf, ticksOf, tickText } from "../src/query/plot";
+import { lastBefore } from "../src/panel/plot";
+import { decadesOf, linearTicks, rangeOf, ticksOf, tickText } from "../src/panel/scale";
 
 const query = (kind: Query["kind"], start: Point[], end: Point[]): Query => ({
   kind,
@@ -86,7 +87,20 @@ describe("plots", () => {
     expect(ticksOf([3, null, -2])).toEqual([0, -2, 3]);
     expect(ticksOf([0, 0])).toEqual([0]);
   });
+  it("have powers of ten around all positive values", () => {
+    expect(decadesOf([null, 0, 2e-5, 3e-3])).toEqual([-5, -2]);
+    expect(decadesOf([1e-3])).toEqual([-3, -2]);
+    expect(decadesOf([null, 0])).toEqual([-1, 1]);
+  });
+  it("have round times", () => {
+    expect(linearTicks(0, 1)).toEqual([0, 0.25, 0.5, 0.75, 1]);
+    expect(linearTicks(0, 0.48)).toEqual([0, 0.2, 0.4]);
+    expect(linearTicks(3, 12)).toEqual([5, 7.5, 10]);
+  });
+  it("have the value of the last time that has passed", () => {
+    expect([-1, 0, 0.9, 1, 5].map((t) => lastBefore([0, 1, 2], t))).toEqual([-1, 0, 0, 1, 2]);
+  });
   it("write small and large numbers with exponents", () => {
-    expect([0, 0.25, 1e-5, -123456].map(tickText)).toEqual(["0", "0.25", "1.0e-5", "-1.2e+5"]);
+    expect([0, 0.25, 1e-5, -123456].map(tickText)).toEqual(["0", "0.25", "1e-5", "-1.23e5"]);
   });
 });

@@ -1,6 +1,8 @@
 import { describe, expect, it } from "vitest";
-import { type Contact, type Page, parsePage } from "../src/page";
-import { facts } from "../src/panel/details";
+import { type Contact, type Page, parsePage, type Primitive } from "../src/page";
+import { answerOf, facts } from "../src/panel/details";
+import { vertexName } from "../src/scene/stage";
+import { takes } from "../src/keys";
 import { contactIds, momentText, primitiveText, short, timeText } from "../src/text";
 
 const contact: Contact = {
@@ -20,8 +22,9 @@ const contact: Contact = {
 };
 
 const page = (numbers: number[]): Page => ({
-  format: 1,
+  format: 2,
   title: "",
+  verdict: "",
   summary: [],
   up: [0, 0, 1],
   vertices: 10,
@@ -29,6 +32,9 @@ const page = (numbers: number[]): Page => ({
   edges: 0,
   centre: [0, 0, 0],
   scale: 1,
+  bodies: [],
+  halfSpaces: [],
+  history: null,
   frames: numbers.map((number) => ({ number, label: `${number} s` })),
   contacts: [contact],
   contactCount: 1,
@@ -37,8 +43,31 @@ const page = (numbers: number[]): Page => ({
 
 describe("texts", () => {
   it("of primitives have their vertices", () => {
-    expect(contact.primitives.map(primitiveText)).toEqual(["vertex 7", "face 3 (vertices 1, 2, 9)"]);
-    expect(primitiveText({ kind: "edge", id: null, vertices: [0, 1], labels: [0, 1] })).toBe("edge (vertices 0, 1)");
+    const texts = (of: Page): string[] => contact.primitives.map((primitive) => primitiveText(primitive, of));
+    expect(texts(page([0, 1]))).toEqual(["vertex 7", "face 3 (vertices 1, 2, 9)"]);
+    const edge: Primitive = { kind: "edge", id: null, vertices: [0, 1], labels: [0, 1] };
+    expect(primitiveText(edge, page([0, 1]))).toBe("edge (vertices 0, 1)");
+    const bodies = [
+      { name: "ground", kind: "obstacle", vertices: { start: 0, end: 4 } },
+      { name: "cloth", kind: "", vertices: { start: 4, end: 9 } },
+    ];
+    expect(texts({ ...page([0, 1]), bodies })).toEqual(["vertex 7 of cloth", "face 3 (vertices 1, 2, 9) of ground"]);
+  });
+  it("of half spaces have their numbers and names", () => {
+    const halfSpace: Primitive = { kind: "half-space", id: 0, vertices: [], labels: [] };
+    const halfSpaces = [{ name: "", point: [0, 0, 0] as const, normal: [0, 0, 1] as const }];
+    expect(primitiveText(halfSpace, { ...page([0]), halfSpaces })).toBe("half space 0");
+    expect(primitiveText(halfSpace, { ...page([0]), halfSpaces: [{ ...halfSpaces[0], name: "floor" }] })).toBe("half space 0 of floor");
+  });
+  it("of a contact at rest name its frame", () => {
+    const rest: Contact = { ...contact, frame: 2, time: 0, parameters: null };
+    expect(timeText(page([0, 4, 5]), rest)).toBe("frame 5: 5 s");
+    expect(timeText(page([0, 1]), { ...rest, frame: 0 })).toBe("t = 0");
+  });
+  it("in the scene are the ids of the file, as in the list", () => {
+    const [vertex, face] = contact.primitives;
+    expect(vertexName(page([0, 1]), vertex, 0)).toBe("7");
+    expect([0, 1, 2].map((i) => vertexName(page([0, 1]), face, i))).toEqual(["1", "2", "9"]);
   });
   it("of contact times have all digits, and the frames if there are more than two", () => {
     expect(timeText(page([0, 1]), { ...contact, frame: 0 })).toBe("t = 0.123456789012345");
@@ -71,6 +100,28 @@ describe("the data of a page", () => {
     expect(read.contacts[0].frame).toBe(1);
   });
   it("must have the format of this program", () => {
-    expect(() => parsePage('{"format": 2}')).toThrow("format 2, expected 1");
+    expect(() => parsePage('{"format": 1}')).toThrow("format 1, expected 2");
+  });
+  it("has the verdict as its headline, or else the first line", () => {
+    const summary = ["a note", "another one"];
+    expect(answerOf({ ...page([0]), summary, verdict: "free of contact" })).toEqual(["free of contact", summary]);
+    expect(answerOf({ ...page([0]), summary })).toEqual(["a note", ["another one"]]);
+  });
+});
+
+describe("keys", () => {
+  const slider = (id: string) => ({ tagName: "INPUT", type: "range", id });
+  it("that move a slider are its own", () => {
+    for (const key of ["ArrowLeft", "ArrowDown", "Home", "PageUp"]) expect(takes(slider("opacity"), key)).toBe(true);
+    for (const key of ["a", " ", "?"]) expect(takes(slider("opacity"), key)).toBe(false);
+    expect(takes(slider("slider"), "ArrowLeft")).toBe(false);
+    expect(takes(slider("slider"), "Home")).toBe(true);
+  });
+  it("are those of the page elsewhere, but not in a field for text", () => {
+    expect(takes({ tagName: "CANVAS", id: "scene" }, "ArrowLeft")).toBe(false);
+    expect(takes({ tagName: "INPUT", type: "search" }, "a")).toBe(true);
+    expect(takes({ tagName: "BUTTON" }, " ")).toBe(true);
+    expect(takes({ tagName: "BUTTON" }, "a")).toBe(false);
+    expect(takes({ tagName: "INPUT", type: "checkbox" }, " ")).toBe(true);
   });
 });

@@ -90,6 +90,11 @@ impl HalfSpaces {
         self.half_spaces.is_empty()
     }
 
+    /// The half spaces, in the order of their numbers.
+    pub(crate) fn all(&self) -> &[HalfSpace] {
+        &self.half_spaces
+    }
+
     /// The vertices of a frame that are not apart from a half space, decided exactly, in the order of the
     /// half spaces.
     ///

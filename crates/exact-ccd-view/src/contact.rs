@@ -4,6 +4,8 @@ use exact_ccd::Impact;
 use exact_ccd_mesh::{Contact, Intersection, Point, TriangleMesh, contact_points};
 use serde::Serialize;
 
+use crate::half_space::ShownHalfSpace;
+
 /// Two primitives that touch, in the shape of the JSON object.
 #[derive(Clone, Debug, Serialize)]
 pub(crate) struct ShownContact {
@@ -51,6 +53,16 @@ impl Primitive {
             id,
             vertices,
             labels,
+        }
+    }
+
+    /// The half space of this number, which has no vertices.
+    fn half_space(number: u32) -> Self {
+        Self {
+            kind: "half-space",
+            id: Some(number),
+            vertices: Vec::new(),
+            labels: Vec::new(),
         }
     }
 
@@ -149,6 +161,31 @@ impl ShownContact {
             closest: [mix(start, end, place); 2],
             distance: 0.0,
             normal: (length.is_normal()).then(|| normal.map(|x| x / length)),
+            parameters: None,
+        })
+    }
+
+    /// A vertex that is not apart from the half space of this number, at a time of the step between two frames,
+    /// the first of which has this number; `None` if the vertex has no position.
+    pub(crate) fn in_half_space(
+        frame: usize,
+        time: f64,
+        positions: [&[Point]; 2],
+        vertex: u32,
+        (number, half_space): (u32, &ShownHalfSpace),
+    ) -> Option<Self> {
+        let [start, end] = positions.map(|positions| positions.get(vertex as usize).copied());
+        let position = mix(start?, end?, time);
+        Some(Self {
+            frame,
+            time,
+            primitives: [
+                Primitive::new(Some(vertex), &[vertex]),
+                Primitive::half_space(number),
+            ],
+            closest: [position, half_space.foot(position)],
+            distance: 0.0,
+            normal: Some(half_space.normal),
             parameters: None,
         })
     }

@@ -7,7 +7,10 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 use serde::Serialize;
 
 use crate::block;
+use crate::body::Body;
 use crate::contact::ShownContact;
+use crate::half_space::ShownHalfSpace;
+use crate::history::History;
 use crate::query::ShownQuery;
 
 /// The program that draws the page, built from `viewer/`.
@@ -17,7 +20,7 @@ const VIEWER: &str = include_str!("../assets/viewer.html");
 const PLACE: &str = "<!-- data -->";
 
 /// The format of the data, which the program checks.
-pub(crate) const FORMAT: u32 = 1;
+pub(crate) const FORMAT: u32 = 2;
 
 /// The data of a page, in the shape of the JSON object.
 #[derive(Serialize)]
@@ -25,6 +28,8 @@ pub(crate) const FORMAT: u32 = 1;
 pub(crate) struct Document<'a> {
     pub(crate) format: u32,
     pub(crate) title: &'a str,
+    /// The line of the answer, which is the headline. Empty for the first line of the summary.
+    pub(crate) verdict: &'a str,
     pub(crate) summary: &'a [String],
     pub(crate) up: Point,
     pub(crate) vertices: usize,
@@ -32,6 +37,12 @@ pub(crate) struct Document<'a> {
     pub(crate) edges: usize,
     pub(crate) centre: Point,
     pub(crate) scale: f64,
+    pub(crate) bodies: &'a [Body],
+    pub(crate) half_spaces: &'a [ShownHalfSpace],
+    pub(crate) history: Option<&'a History>,
+    /// The radii of rods and loose vertices at each vertex, in units of the page; written as a block.
+    #[serde(skip)]
+    pub(crate) radii: &'a [f32],
     pub(crate) frames: &'a [ShownFrame],
     pub(crate) contacts: &'a [ShownContact],
     pub(crate) contact_count: usize,
@@ -72,7 +83,8 @@ impl Document<'_> {
         let json = json.replace('<', "\\u003c");
         let faces = block::encode_elements(mesh.faces());
         let edges = block::encode_elements(mesh.loose_edges());
-        let mesh = [(JSON, json), ("faces", faces), ("edges", edges)];
+        let radii = block::encode_floats(self.radii.iter().copied());
+        let mesh = [(JSON, json), ("faces", faces), ("edges", edges), ("radii", radii)];
         let mesh = mesh.map(|(id, text)| (id.into(), text.into()));
         let frames = self.frames.iter().enumerate();
         let frames = frames.map(|(index, frame)| (format!("frame-{index}").into(), (&*frame.block).into()));

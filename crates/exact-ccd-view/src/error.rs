@@ -29,4 +29,15 @@ pub enum PageError {
         /// The primitives.
         intersection: Intersection,
     },
+    /// A vertex or a half space of a contact between them is not on the page.
+    #[error(
+        "the page has no vertex {vertex} or no half space {half_space}, expected a vertex of the mesh and the number \
+         of a half space that was added before"
+    )]
+    NoSuchHalfSpace {
+        /// The vertex.
+        vertex: u32,
+        /// The number of the half space, from 0.
+        half_space: u32,
+    },
 }

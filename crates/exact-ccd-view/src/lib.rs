@@ -24,14 +24,19 @@
 //! the f64 of the answer.
 
 mod block;
+mod body;
 mod contact;
 mod document;
 mod error;
+mod half_space;
+mod history;
 mod page;
 mod query;
 mod units;
 
+pub use body::Body;
 pub use error::PageError;
+pub use history::{Chart, Curve, History};
 pub use page::{MOST_CONTACTS, Page};
 pub use query::PageKind;
 

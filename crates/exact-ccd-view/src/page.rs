@@ -8,9 +8,12 @@ use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
 use crate::block;
+use crate::body::Body;
 use crate::contact::{Labels, ShownContact};
 use crate::document::{self, Document, ShownFrame};
 use crate::error::PageError;
+use crate::half_space::{self, ShownHalfSpace};
+use crate::history::History;
 use crate::query::{self, PageKind, ShownQuery};
 use crate::units::Units;
 
@@ -32,7 +35,12 @@ pub struct Page {
     units: Units,
     up: Point,
     title: String,
+    verdict: String,
     summary: Vec<String>,
+    bodies: Vec<Body>,
+    half_spaces: Vec<ShownHalfSpace>,
+    history: Option<History>,
+    radii: Vec<f32>,
     frames: Vec<ShownFrame>,
     /// The number of all frames, of which some may have been left out.
     frame_count: usize,
@@ -59,7 +67,12 @@ impl Page {
             units: Units::of(bounds),
             up: [0.0, 0.0, 1.0],
             title: title.into(),
+            verdict: String::new(),
             summary: Vec::new(),
+            bodies: Vec::new(),
+            half_spaces: Vec::new(),
+            history: None,
+            radii: Vec::new(),
             frames: Vec::new(),
             frame_count: 0,
             most_text: MOST_TEXT,
@@ -117,12 +130,20 @@ impl Page {
             }
         }
         let query = ShownQuery::new(query, separation);
-        page.summary = query.summary();
+        page.verdict = query.verdict();
+        page.summary = vec![query.decided_by()];
         page.query = Some(query);
         page
     }
 
-    /// The same page with lines about the answer under its title.
+    /// The same page with the line of the answer as its headline, in place of the first line of the summary.
+    #[must_use]
+    pub fn with_verdict(self, verdict: impl Into<String>) -> Self {
+        let verdict = verdict.into();
+        Self { verdict, ..self }
+    }
+
+    /// The same page with lines about the answer under its headline.
     #[must_use]
     pub fn with_summary(self, lines: impl IntoIterator<Item = String>) -> Self {
         let summary = lines.into_iter().collect();
@@ -141,13 +162,47 @@ impl Page {
         Self { labels, ..self }
     }
 
-    /// The same page with another direction upwards; it is the z axis by default.
+    /// The same page with bodies: each has a name and a colour of its own. Without bodies, these are the
+    /// connected parts of the mesh, without names.
+    #[must_use]
+    pub fn with_bodies(self, bodies: impl IntoIterator<Item = Body>) -> Self {
+        let bodies = bodies.into_iter().collect();
+        Self { bodies, ..self }
+    }
+
+    /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the unit
+    /// of the positions. Those that are too thin to be seen are drawn a few pixels wide.
+    #[must_use]
+    pub fn with_radii(self, radii: &[f64]) -> Self {
+        let radii = radii.iter().map(|&radius| self.units.convert_length(radius));
+        let radii = radii.collect();
+        Self { radii, ..self }
+    }
+
+    /// The same page with charts over the time of the motion.
+    #[must_use]
+    pub fn with_history(self, history: History) -> Self {
+        let history = Some(history);
+        Self { history, ..self }
+    }
+
+    /// The same page with a further half space: all x with n · (x − p) ≤ 0, for a point p of its boundary and
+    /// the normal n. Its number is that of the half spaces before it.
+    ///
+    /// A half space whose normal is zero, or with a coordinate that is not finite, is ignored.
+    #[must_use]
+    pub fn with_half_space(mut self, name: impl Into<String>, point: Point, normal: Point) -> Self {
+        self.half_spaces
+            .extend(ShownHalfSpace::new(name.into(), point, normal));
+        self
+    }
+
+    /// The same page with another direction upwards, of any length; it is the z axis by default.
     ///
     /// A direction that is zero or not finite is ignored.
     #[must_use]
     pub fn with_up(self, up: Point) -> Self {
-        let is_direction = up.iter().all(|x| x.is_finite()) && up.iter().any(|&x| x != 0.0);
-        let up = if is_direction { up } else { self.up };
+        let up = half_space::unit(up).unwrap_or(self.up);
         Self { up, ..self }
     }
 
@@ -217,6 +272,33 @@ impl Page {
         Ok(())
     }
 
+    /// Adds a vertex that is not apart from the half space of this number: at a time in [0, 1] of the step from
+    /// the last frame but one to the last, or, without a time, in the last frame.
+    ///
+    /// # Errors
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchHalfSpace`] if the vertex is not of this
+    /// mesh, or the half space not of this page.
+    pub fn add_half_space_contact(
+        &mut self,
+        vertex: u32,
+        half_space: u32,
+        time: Option<f64>,
+    ) -> Result<(), PageError> {
+        let last = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
+        let [before, at_last] = &self.last;
+        let (frame, positions) = match time {
+            Some(_) if last > 0 => (last - 1, [&before[..], at_last]),
+            _ => (last, [&at_last[..]; 2]),
+        };
+        let known = self.half_spaces.get(half_space as usize);
+        let shown = known.and_then(|known| {
+            let time = time.unwrap_or(0.0);
+            ShownContact::in_half_space(frame, time, positions, vertex, (half_space, known))
+        });
+        self.push(shown.ok_or(PageError::NoSuchHalfSpace { vertex, half_space })?);
+        Ok(())
+    }
+
     /// Leaves out every second frame, but not the first, the last two, and those of contacts.
     fn leave_out(&mut self) {
         let count = self.frames.len();
@@ -264,7 +346,12 @@ impl Page {
         Document {
             format: document::FORMAT,
             title: &self.title,
+            verdict: &self.verdict,
             summary: &self.summary,
+            bodies: &self.bodies,
+            half_spaces: &self.half_spaces,
+            history: self.history.as_ref(),
+            radii: &self.radii,
             up: self.up,
             vertices: self.first.len(),
             faces: self.mesh.faces().len(),

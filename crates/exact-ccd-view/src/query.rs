@@ -92,8 +92,8 @@ impl ShownQuery {
         }
     }
 
-    /// Lines about the answer.
-    pub(crate) fn summary(&self) -> Vec<String> {
+    /// The line of the answer.
+    pub(crate) fn verdict(&self) -> String {
         let touching = if self.separation > 0.0 {
             format!("within {}", self.separation)
         } else {
@@ -104,13 +104,17 @@ impl ShownQuery {
             .iter()
             .map(|&[start, end]| interval(start, end))
             .collect();
-        let answer = match &times[..] {
+        match &times[..] {
             [] if self.separation > 0.0 => format!("never {touching}"),
             [] => "free of contact".to_owned(),
             [time] => format!("{touching} at t = {time}"),
             _ => format!("{touching} at {} times: t = {}", times.len(), times.join(", ")),
-        };
-        vec![answer, format!("decided by the stage {}", self.stage)]
+        }
+    }
+
+    /// The line about the stage that decided.
+    pub(crate) fn decided_by(&self) -> String {
+        format!("decided by the stage {}", self.stage)
     }
 }
 

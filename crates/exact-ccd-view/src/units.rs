@@ -26,6 +26,11 @@ impl Units {
         }
     }
 
+    /// A length in these units.
+    pub(crate) fn convert_length(&self, length: f64) -> f32 {
+        (length / self.scale).clamp(0.0, MOST) as f32
+    }
+
     /// A position in these units. Coordinates far outside of the box are moved to its surroundings.
     pub(crate) fn convert(&self, position: Point) -> [f32; 3] {
         [0, 1, 2].map(|axis| {

@@ -2,18 +2,23 @@
 
 import { css, MARKS, viridis } from "../colours";
 import { type Contact, type Page, type Point } from "../page";
-import { primitiveText, timeText } from "../text";
+import { primitiveText, short, timeText } from "../text";
+import { dot, subtract } from "../vector";
 
 /** The facts about a contact, as terms and descriptions. */
 export function facts(page: Page, contact: Contact): [string, string, string][] {
   const [first, second] = contact.primitives;
   const list: [string, string, string][] = [
     ["time", timeText(page, contact), ""],
-    ["first", primitiveText(first), "first"],
-    ["second", primitiveText(second), "second"],
+    ["first", primitiveText(first, page), "first"],
+    ["second", primitiveText(second, page), "second"],
     ["point", pointText(contact.closest[0]), ""],
     ["normal", contact.normal === null ? "none: they rest on each other, or slide" : pointText(contact.normal), ""],
   ];
+  if (second.kind === "half-space") {
+    const height = dot(contact.normal ?? [0, 0, 0], subtract(...contact.closest));
+    list.splice(4, 0, [height > 0 ? "height" : "depth", `about ${short(Math.abs(height))}`, ""]);
+  }
   if (contact.distance > 0) list.splice(1, 0, ["distance", String(contact.distance), ""]);
   if (contact.parameters !== null) list.push(["u, v", contact.parameters.join(", "), ""]);
   return list;
@@ -34,13 +39,21 @@ export function showFacts(list: HTMLElement, page: Page, contact: Contact): void
   list.replaceChildren(...elements);
 }
 
-export function showSummary(parent: HTMLElement, page: Page, partCount: number): void {
+/** The headline of the answer, and the lines under it. */
+export function answerOf({ verdict, summary }: Page): [string, string[]] {
+  return verdict === "" ? [summary[0] ?? "", summary.slice(1)] : [verdict, summary];
+}
+
+export function showSummary(headline: HTMLElement, parent: HTMLElement, page: Page, partCount: number): void {
   const count = (number: number, name: string): string => `${number} ${name}${number === 1 ? "" : "s"}`;
   const { vertices, faces, edges } = page;
   const mesh = [vertices === 1 ? "1 vertex" : `${vertices} vertices`, count(faces, "face")];
   if (edges > 0) mesh.push(count(edges, "loose edge"));
   mesh.push(count(partCount, "part"));
-  const lines = page.query === null ? [...page.summary, mesh.join(", ")] : page.summary;
+  const [verdict, others] = answerOf(page);
+  headline.textContent = verdict;
+  headline.hidden = verdict === "";
+  const lines = page.query === null ? [...others, mesh.join(", ")] : others;
   parent.replaceChildren(
     ...lines.map((text) => {
       const line = document.createElement("p");
@@ -64,7 +77,7 @@ export function showLegend(parent: HTMLElement, page: Page): void {
   parent.replaceChildren();
   if (marked === null) return;
   const stops = [0, 0.25, 0.5, 0.75, 1].map((x) => css(viridis(x))).join(", ");
-  const [first, second] = marked.primitives.map(({ kind }) => kind);
+  const [first, second] = marked.primitives.map(({ kind }) => kind.replace("-", " "));
   parent.append(
     row("", "var(--first)", first === second ? `first ${first}` : first),
     row("", "var(--second)", first === second ? `second ${second}` : second),

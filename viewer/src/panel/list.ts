@@ -86,7 +86,7 @@ export class ContactList {
     };
     const time = line("time", timeText(page, contact));
     time.style.setProperty("--colour", css(viridis(this.place(index))));
-    const [first, second] = contact.primitives.map(primitiveText);
+    const [first, second] = contact.primitives.map((primitive) => primitiveText(primitive, page));
     element.append(time, line("first", first), line("second", second));
     element.title = `${timeText(page, contact)}: ${first} and ${second}`;
     element.addEventListener("click", () => this.choose(index));

@@ -10,7 +10,7 @@ import { type State } from "../state";
 import { length } from "../vector";
 import { bernstein, cubicOf, rootsOf } from "./cubic";
 import { DomainImage } from "./image";
-import { Plot } from "./plot";
+import { Plot } from "../panel/plot";
 
 /** A root of the cubic this near to a contact time is the same one. */
 const SAME = 1e-6;
@@ -35,7 +35,7 @@ export class QueryPanel {
 
   show(query: Query | null): void {
     this.plots = query === null ? [] : this.plotsOf(query);
-    this.parent.replaceChildren(...this.plots.map((plot) => plot.svg));
+    this.parent.replaceChildren(...this.plots.map((plot) => plot.element));
     this.image = query === null ? null : new DomainImage(query);
     if (this.image === null) return;
     put(this.sides, this.image.sides(16));
@@ -53,32 +53,36 @@ export class QueryPanel {
     const meets = query.separation === 0;
     const isIn = (root: number, [start, end]: [number, number]): boolean => root > start - SAME && root < end + SAME;
     const others = rootsOf(cubic).filter((root) => !meets || !query.times.some((interval) => isIn(root, interval)));
-    const values = Array.from({ length: SAMPLES + 1 }, (_, i) => bernstein(cubic, i / SAMPLES));
+    const timesOf = (count: number): number[] => Array.from({ length: count }, (_, i) => i / (count - 1));
+    const times = timesOf(SAMPLES + 1);
+    const axis = { time: "time t", logarithmic: false, choose };
     return [
       new Plot({
         title: "Coplanarity cubic",
         unit: "relative",
-        values,
+        times,
+        curves: [{ name: "", values: times.map((t) => bernstein(cubic, t)) }],
         level: 0,
         marks: [...others.map((t) => ({ t, accepted: false })), ...(meets ? accepted : [])],
         intervals: meets ? query.times : [],
-        choose,
+        ...axis,
       }),
       new Plot({
         title: "Distance of the primitives",
         unit: "length",
-        values: query.distances,
+        times: timesOf(query.distances.length),
+        curves: [{ name: "", values: query.distances }],
         level: query.separation,
         marks: accepted,
         intervals: query.times,
-        choose,
+        ...axis,
       }),
     ];
   }
 
   private open(radius: number): View {
     const view = new View(this.canvas);
-    view.setSpace([0, 0, 1], 4);
+    view.setSpace([0, 0, 1], 4, 4);
     const sides = new MeshBasicMaterial({ color: "#888888", side: DoubleSide, transparent: true, opacity: 0.22, depthWrite: false });
     for (const object of [new Mesh(this.sides, sides), new LineSegments(this.edges, this.outline), new Mesh(this.slice, this.area)]) {
       object.frustumCulled = false;

@@ -17,6 +17,20 @@ export function disc(): Texture {
   });
 }
 
+/** A ball with light from the upper left, multiplied by the colour of a point. */
+export function ball(): Texture {
+  return drawn("ball", (context) => {
+    const light = context.createRadialGradient(23, 21, 2, 32, 32, 31);
+    for (const [place, colour] of [[0, "#fff"], [0.45, "#dcdcdc"], [0.85, "#8a8a8a"], [1, "#3c3c3c"]] as const) {
+      light.addColorStop(place, colour);
+    }
+    context.beginPath();
+    context.arc(32, 32, 31, 0, 2 * Math.PI);
+    context.fillStyle = light;
+    context.fill();
+  });
+}
+
 /** A white ring with dark rims. */
 export function ring(): Texture {
   return drawn("ring", (context) => {

@@ -6,8 +6,8 @@ import { type Point } from "../page";
 export interface Label {
   at: Point;
   text: string;
-  /** The class of its element. */
-  kind: "first" | "second";
+  /** The class of its element. Names are at their points, others beside them. */
+  kind: "first" | "second" | "name";
 }
 
 /** The room for a label, and its distance from its point, in pixels. */
@@ -39,7 +39,8 @@ export class Labels {
       return new Vector3(((x + 1) / 2) * width, ((1 - y) / 2) * height, z);
     };
     const places = this.shown.map(({ at }) => onScreen(at));
-    const mean = places.reduce((sum, place) => sum.add(place), new Vector3()).divideScalar(places.length || 1);
+    const vertices = places.filter((_, i) => this.shown[i].kind !== "name");
+    const mean = vertices.reduce((sum, place) => sum.add(place), new Vector3()).divideScalar(vertices.length || 1);
     const middle = this.middle === null ? mean : onScreen(this.middle);
     const taken: [number, number][] = [];
     this.shown.forEach(({ element, kind }, i) => {
@@ -48,8 +49,9 @@ export class Labels {
       const distance = Math.hypot(dx, dy);
       // A vertex at the middle has its label above, or below for the second primitive.
       const direction = distance < 12 ? [0, kind === "first" ? -1 : 1] : [dx / distance, dy / distance];
-      const x = place.x + AWAY * direction[0];
-      let y = place.y + AWAY * direction[1];
+      const away = kind === "name" ? 0 : AWAY;
+      const x = place.x + away * direction[0];
+      let y = place.y + away * direction[1];
       while (taken.some(([x1, y1]) => Math.abs(x - x1) < WIDTH && Math.abs(y - y1) < HEIGHT)) {
         y += (direction[1] < 0 ? -0.5 : 0.5) * HEIGHT;
       }

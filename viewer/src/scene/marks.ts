@@ -8,6 +8,7 @@ import { type MarkColours } from "../colours";
 import { type Point } from "../page";
 import { add, cross, length, mix, subtract, times, unit } from "../vector";
 import { disc } from "./disc";
+import { squareOf } from "./planes";
 
 /** Points at both ends of a step. */
 export interface Moving {
@@ -17,7 +18,8 @@ export interface Moving {
 
 /** Two primitives that are marked, in units of the page. */
 export interface Marked {
-  /** The vertices of both primitives, and the corners of the faces around them. */
+  /** The vertices of both primitives, and the corners of the faces around them. A half space has none: it is marked by
+   * a square of its boundary. */
   primitives: (Moving & { around: Moving })[];
   /** The points that touch, or are closest; none for primitives that do not touch. */
   closest: [Point, Point] | null;
@@ -30,8 +32,8 @@ export class Marks {
   /** Materials are kept: a new one would be compiled again. */
   private readonly materials = new Map<string, Material>();
 
-  /** Draws marks at time t, in place of the ones before. */
-  draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours): void {
+  /** Draws marks at time t, in place of the ones before. Marks of points alone have the size `alone`. */
+  draw({ primitives, closest, normal }: Marked, t: number, paths: boolean, colours: MarkColours, alone: number): void {
     this.clear();
     const origin = closest?.[0] ?? primitives[0].start[0];
     this.group.position.set(...origin);
@@ -39,7 +41,7 @@ export class Marks {
     const sides = [colours.first, colours.second];
     const at = ({ start, end }: Moving): Point[] => start.map((vertex, i) => local(mix(vertex, end[i], t)));
     const corners = primitives.map(at);
-    const size = Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))));
+    const size = sizeOf(corners) || sizeOf(primitives.map(({ around }) => at(around))) || alone;
     primitives.forEach(({ start, end, around }, side) => {
       const own = corners[side];
       if (paths) {
@@ -47,12 +49,19 @@ export class Marks {
         this.points(start.map(local), colours.path, 5);
         this.points(end.map(local), colours.path, 9);
       }
+      if (own.length === 0 && normal !== null && closest !== null) {
+        const [a, b, c, d] = squareOf(local(closest[side]), normal, 0.35 * size);
+        this.faces([a, b, c, a, c, d], sides[side], 0.3);
+        this.lines([a, b, b, c, c, d, d, a], sides[side], 3);
+      }
       this.faces(at(around), sides[side], 0.22);
       if (own.length === 3) this.faces(own, sides[side], 0.5);
       if (own.length > 1) this.lines(own.flatMap((vertex, i) => [vertex, own[(i + 1) % own.length]]), sides[side], 4);
       this.points(own, sides[side], 15);
     });
-    if (normal !== null && size > 0) this.arrow(times(0.45 * size, normal), colours.normal);
+    // The normal of a half space begins at its boundary, and that of another contact at the contact point.
+    const foot = corners[1].length === 0 && closest !== null ? local(closest[1]) : ([0, 0, 0] as const);
+    if (normal !== null && size > 0) this.arrow(foot, times(0.45 * size, normal), colours.normal);
     if (closest !== null) {
       const [first, second] = closest.map(local);
       this.lines([first, second], colours.contact, 3);
@@ -110,12 +119,17 @@ export class Marks {
     return known as M;
   }
 
-  private arrow(tip: Point, color: string): void {
-    const side = unit(cross(tip, Math.abs(tip[0]) < 0.7 * length(tip) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
-    const back = times(0.82, tip);
-    const wing = times(0.08 * length(tip), side);
-    this.lines([[0, 0, 0], tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
+  private arrow(foot: Point, along: Point, color: string): void {
+    const side = unit(cross(along, Math.abs(along[0]) < 0.7 * length(along) ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
+    const [tip, back] = [add(foot, along), add(foot, times(0.82, along))];
+    const wing = times(0.08 * length(along), side);
+    this.lines([foot, tip, tip, add(back, wing), tip, subtract(back, wing)], color, 3, 0, false);
   }
+}
+
+/** The greatest distance of a corner from the first one of its primitive. */
+function sizeOf(corners: Point[][]): number {
+  return Math.max(...corners.flatMap((own) => own.map((vertex) => length(subtract(vertex, own[0])))), 0);
 }
 
 function geometryOf(points: Point[]): BufferGeometry {

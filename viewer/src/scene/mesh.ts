@@ -1,138 +1,153 @@
 /** The mesh of a step: its vertices move on the graphics card. */
 
-import {
-  BufferAttribute,
-  BufferGeometry,
-  Color,
-  DoubleSide,
-  Group,
-  LineBasicMaterial,
-  LineSegments,
-  type Material,
-  Mesh,
-  MeshLambertMaterial,
-  Points,
-  PointsMaterial,
-  Sphere,
-  Vector3,
-} from "three";
+import { BufferAttribute, BufferGeometry, Color, Group, LineBasicMaterial, LineSegments, Sphere, Vector3 } from "three";
 import { PARTS } from "../colours";
 import { type Parts } from "../parts";
-import { disc } from "./disc";
+import { Balls } from "./balls";
+import { BETWEEN, patched, uniforms } from "./moving";
+import { Rods, THIN } from "./rods";
+import { Surface } from "./surface";
 
 export interface Elements {
   faces: Uint32Array<ArrayBuffer>;
   edges: Uint32Array<ArrayBuffer>;
   points: Uint32Array<ArrayBuffer>;
+  /** The radius of rods and points at each vertex; empty for the least ones that are visible. */
+  radii: Float32Array<ArrayBuffer>;
 }
 
 type Positions = Float32Array<ArrayBuffer>;
 
-const NONE = new Uint32Array();
+/** The least radius of a particle, in pixels. */
+const SMALL = 4;
+
+/** The radius of a joint of rods, in those of the rods: it fills the gap in a bend, and is hidden in a straight rod. */
+const JOINT = 0.85;
+
+const NONE = { faces: new Uint32Array(), edges: new Uint32Array(), points: new Uint32Array(), radii: new Float32Array() };
 
 export class MovingMesh {
   readonly group = new Group();
-  private readonly time = { value: 0 };
-  private elements: Elements = { faces: NONE, edges: NONE, points: NONE };
+  /** Shared by all materials of the mesh. */
+  readonly uniforms = uniforms();
+  private elements: Elements = NONE;
+  private groups: Parts = { count: 0, of: new Uint32Array() };
+  private colours = new Uint8Array();
   private position = new BufferAttribute(new Float32Array(), 3);
   private next = this.position;
+  private ends: [Positions, Positions] = [new Float32Array(), new Float32Array()];
   // Materials are kept: a new one would be compiled again.
-  private readonly surface = new Mesh(
-    new BufferGeometry(),
-    this.moving(new MeshLambertMaterial({ vertexColors: true, flatShading: true, side: DoubleSide })),
-  );
-  private readonly rods = new LineSegments(new BufferGeometry(), this.moving(new LineBasicMaterial({ vertexColors: true })));
-  private readonly points = new Points(
-    new BufferGeometry(),
-    this.moving(
-      new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.5 }),
-    ),
-  );
+  private readonly surface = new Surface(new BufferGeometry(), this.uniforms);
+  private readonly rods = new Rods(this.uniforms);
+  private readonly joints = new Balls(JOINT * THIN, JOINT, this.uniforms);
+  private readonly points = new Balls(SMALL, 1, this.uniforms);
   private readonly wires = new LineSegments(
     new BufferGeometry(),
-    this.moving(new LineBasicMaterial({ transparent: true, opacity: 0.18, depthWrite: false })),
+    patched(new LineBasicMaterial({ transparent: true, depthWrite: false }), this.uniforms, BETWEEN),
   );
+  private hidden: ReadonlySet<number> = new Set();
+  private isShown = false;
+  /** The faces that are shown, and the state of their edges. */
+  private faces: Uint32Array<ArrayBuffer> = NONE.faces;
   private hasWires = false;
+  private showsWires = false;
+
+  constructor() {
+    this.wires.renderOrder = 4;
+  }
 
   /** Shows another mesh, at rest. */
-  show(elements: Elements, parts: Parts, first: Positions): void {
-    this.elements = elements;
+  show(elements: Elements, groups: Parts, first: Positions): void {
+    [this.elements, this.groups] = [elements, groups];
     this.position = new BufferAttribute(first.slice(), 3);
     this.next = new BufferAttribute(first.slice(), 3);
-    const colour = new BufferAttribute(coloursOf(parts), 3, true);
+    this.ends = [first, first];
+    this.colours = coloursOf(groups);
+    this.isShown = false;
+    this.hide(new Set());
+  }
+
+  /** Leaves out the elements of these groups. */
+  hide(hidden: ReadonlySet<number>): void {
+    if (hidden.size === 0 && this.hidden.size === 0 && this.isShown) return;
+    [this.hidden, this.isShown] = [hidden, true];
+    const { of } = this.groups;
+    const shown = (elements: Uint32Array<ArrayBuffer>, size: number): Uint32Array<ArrayBuffer> =>
+      hidden.size === 0 ? elements : elements.filter((_, i) => !hidden.has(of[elements[i - (i % size)]]));
+    const { radii } = this.elements;
+    const [faces, edges, points] = [shown(this.elements.faces, 3), shown(this.elements.edges, 2), shown(this.elements.points, 1)];
+    this.faces = faces;
     this.group.clear();
-    const all = [[this.surface, elements.faces], [this.rods, elements.edges], [this.points, elements.points]] as const;
-    for (const [object, indices] of all) {
-      object.geometry.dispose();
-      object.geometry = this.geometry(indices);
-      object.geometry.setAttribute("color", colour);
-      // Nothing is compiled for what is not there.
-      if (indices.length > 0) this.group.add(object);
+    // Nothing is compiled for what is not there.
+    if (faces.length > 0) {
+      this.surface.show(this.geometry(faces, true));
+      this.group.add(this.surface.group);
     }
+    if (edges.length > 0) {
+      this.rods.show(edges, this.colours, radii);
+      this.rods.setEnds(this.ends);
+      this.group.add(this.rods.mesh);
+    }
+    const joints = Uint32Array.from(new Set(edges));
+    for (const [balls, vertices] of [[this.joints, joints], [this.points, points]] as const) {
+      if (vertices.length === 0) continue;
+      balls.points.geometry.dispose();
+      balls.points.geometry = this.geometry(vertices, true);
+      const radius = radii.length > 0 ? radii : new Float32Array(of.length);
+      balls.points.geometry.setAttribute("radius", new BufferAttribute(radius, 1));
+      this.group.add(balls.points);
+    }
+    this.wires.geometry.dispose();
     this.hasWires = false;
+    this.setWires(this.showsWires, null);
   }
 
   /** Positions at both ends of the step. */
-  setEnds([start, end]: [Positions, Positions]): void {
-    for (const [attribute, positions] of [[this.position, start], [this.next, end]] as const) {
+  setEnds(ends: [Positions, Positions]): void {
+    this.ends = ends;
+    for (const [attribute, positions] of [[this.position, ends[0]], [this.next, ends[1]]] as const) {
       if (sameStart(attribute.array as Positions, positions)) continue;
       (attribute.array as Positions).set(positions);
       attribute.needsUpdate = true;
     }
+    this.rods.setEnds(ends);
   }
 
   setTime(t: number): void {
-    this.time.value = t;
+    this.uniforms.stepTime.value = t;
   }
 
   setOpacity(opacity: number): void {
-    const { material } = this.surface;
-    material.transparent = opacity < 1;
-    material.opacity = opacity;
-    // Behind transparent faces, everything is visible.
-    material.depthWrite = opacity >= 1;
-    material.polygonOffset = true;
-    material.polygonOffsetFactor = 1;
-    material.polygonOffsetUnits = 1;
-    for (const other of [this.rods.material, this.points.material]) {
-      other.transparent = opacity < 1;
-      other.opacity = Math.sqrt(opacity);
+    this.surface.setOpacity(opacity);
+    for (const { material } of [this.rods.mesh, this.joints.points, this.points.points]) {
+      material.transparent = opacity < 1;
+      material.opacity = Math.sqrt(opacity);
     }
-    this.surface.visible = opacity > 0;
+    this.wires.material.opacity = 0.35 * Math.max(opacity, 0.5);
   }
 
-  /** Draws the edges of the faces, or does not. Their list is made on first use. */
-  setWires(visible: boolean, colour: string): void {
-    if (visible && !this.hasWires) {
-      this.wires.geometry.dispose();
-      this.wires.geometry = this.geometry(edgesOf(this.elements.faces));
+  /** Draws the edges of the faces in this colour, or in the one before, or does not. Their list is made on first
+   * use. */
+  setWires(visible: boolean, colour: string | null): void {
+    this.showsWires = visible;
+    if (visible && !this.hasWires && this.faces.length > 0) {
+      this.wires.geometry = this.geometry(edgesOf(this.faces), false);
       this.group.add(this.wires);
       this.hasWires = true;
     }
-    this.wires.visible = visible;
-    this.wires.material.color.set(colour);
+    this.wires.visible = visible && this.hasWires;
+    if (colour !== null) this.wires.material.color.set(colour);
   }
 
-  private geometry(indices: Uint32Array<ArrayBuffer>): BufferGeometry {
+  private geometry(indices: Uint32Array<ArrayBuffer>, hasColour: boolean): BufferGeometry {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", this.position);
     geometry.setAttribute("next", this.next);
+    if (hasColour) geometry.setAttribute("color", new BufferAttribute(this.colours, 3, true));
     geometry.setIndex(new BufferAttribute(indices, 1));
     // Nothing is left out for being outside the view, which depends on the time.
     geometry.boundingSphere = new Sphere(new Vector3(), Infinity);
     return geometry;
-  }
-
-  /** A material whose vertices are between `position` and `next`. */
-  private moving<M extends Material>(material: M): M {
-    material.onBeforeCompile = (shader) => {
-      shader.uniforms["stepTime"] = this.time;
-      const begin = "vec3 transformed = mix(position, next, stepTime);";
-      shader.vertexShader =
-        "attribute vec3 next;\nuniform float stepTime;\n" +
-        shader.vertexShader.replace("#include <begin_vertex>", begin);
-    };
-    return material;
   }
 }
 
@@ -141,12 +156,12 @@ function sameStart(a: Positions, b: Positions): boolean {
   return true;
 }
 
-/** A colour for each vertex, the same for a part. */
-function coloursOf({ of }: Parts): Uint8Array {
+/** A colour for each vertex, the same for a group. */
+function coloursOf({ of }: Parts): Uint8Array<ArrayBuffer> {
   // Vertex colours are in linear light.
   const palette = PARTS.map((name) => new Color(name).toArray().map((x) => Math.round(255 * x)));
   const colours = new Uint8Array(3 * of.length);
-  of.forEach((part, vertex) => colours.set(palette[part % palette.length], 3 * vertex));
+  of.forEach((group, vertex) => colours.set(palette[group % palette.length], 3 * vertex));
   return colours;
 }
 

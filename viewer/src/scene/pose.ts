@@ -26,6 +26,9 @@ export function overview(centre: Point, radius: number, up: Point): Pose {
 /** The angle between the contact plane and the view of the camera. */
 const ELEVATION = (40 / 180) * Math.PI;
 
+/** The preference for a view from above, to that from outside. */
+const ABOVE = 1.1;
+
 /** The number of directions around the normal, on each side of the plane, among which the camera has the best. */
 const DIRECTIONS = 12;
 
@@ -45,7 +48,7 @@ export function contactPose(
   up: Point,
   fraction: number,
 ): Pose {
-  const outwards = unit(add(unit(subtract(point, centre), up), times(0.5, up)), up);
+  const outwards = unit(add(unit(subtract(point, centre), up), times(ABOVE, up)), up);
   const n = unit(normal ?? outwards, up);
   const x = unit(cross(n, Math.abs(n[0]) < 0.7 ? [1, 0, 0] : [0, 1, 0]), [1, 0, 0]);
   const y = cross(n, x);
@@ -58,6 +61,39 @@ export function contactPose(
     }),
   );
   const best = towards.reduce((a, b) => (value(b) > value(a) ? b : a));
-  const size = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))), 1e-4 * radius);
+  const extent = Math.max(...vertices.map((vertex) => length(subtract(vertex, point))));
+  // Points alone have no extent.
+  const size = extent > 1e-9 * radius ? Math.max(extent, 1e-4 * radius) : 0.15 * radius;
   return { target: point, position: add(point, times(distanceFor(size, fraction), best)) };
+}
+
+/** The least angle between the view and the direction upwards, in radians. */
+const STEEPEST = 0.02;
+
+/** The pose after a turn around its target: to the right around the axis upwards, and upwards, in radians. */
+export function turned({ target, position }: Pose, up: Point, right: number, above: number): Pose {
+  const away = subtract(position, target);
+  const distance = length(away);
+  const height = Math.asin(Math.min(Math.max(dot(away, up) / distance, -1), 1));
+  const level = unit(subtract(away, times(dot(away, up), up)), unit(cross(up, [up[1], up[2], up[0]]), [1, 0, 0]));
+  const side = cross(up, level);
+  const most = Math.PI / 2 - STEEPEST;
+  const angle = Math.min(Math.max(height + above, -most), most);
+  const towards = add(times(Math.cos(right), level), times(Math.sin(right), side));
+  const turnedAway = add(times(distance * Math.cos(angle), towards), times(distance * Math.sin(angle), up));
+  return { target, position: add(target, turnedAway) };
+}
+
+/** The pose moved across the view, to the right and upwards, in units of the distance of its target. */
+export function moved({ target, position }: Pose, up: Point, right: number, above: number): Pose {
+  const away = subtract(position, target);
+  const side = unit(cross(up, away), [1, 0, 0]);
+  const head = unit(cross(away, side), up);
+  const by = times(length(away), add(times(right, side), times(above, head)));
+  return { target: add(target, by), position: add(position, by) };
+}
+
+/** The pose nearer to its target by a factor. */
+export function magnified({ target, position }: Pose, factor: number): Pose {
+  return { target, position: add(target, times(1 / factor, subtract(position, target))) };
 }

@@ -4,14 +4,15 @@ import { BufferAttribute, BufferGeometry, Points, PointsMaterial } from "three";
 import { MARKS, viridis } from "../colours";
 import { type Frames, type Moment, vertexAt } from "../frames";
 import { type Page, type Point, type Primitive } from "../page";
-import { facesAround } from "../parts";
 import { type Shown } from "../source";
 import { type Change, type State } from "../state";
-import { mix } from "../vector";
+import { mix, subtract } from "../vector";
 import { disc } from "./disc";
 import { type Label, type Labels } from "./labels";
 import { type Marked, type Moving, Marks } from "./marks";
 import { MovingMesh } from "./mesh";
+import { namesOf } from "./names";
+import { type Plane, Planes } from "./planes";
 import { contactPose, overview } from "./pose";
 import { View } from "./view";
 
@@ -33,6 +34,7 @@ export class Stage {
   showsPaths = false;
   private readonly mesh = new MovingMesh();
   private readonly marks = new Marks();
+  private readonly planes = new Planes();
   private readonly places: Points<BufferGeometry, PointsMaterial>;
   private shown: Shown | null = null;
   private middle: Point = [0, 0, 0];
@@ -44,8 +46,9 @@ export class Stage {
     canvas: HTMLCanvasElement,
     private readonly labels: Labels,
   ) {
-    this.view = new View(canvas, (width, height) => labels.place(this.view.camera, width, height));
+    this.view = new View(canvas, (width, height) => labels.place(this.view.camera, width, height), this.mesh.uniforms);
     this.view.add(this.mesh.group);
+    this.view.add(this.planes.group);
     const material = new PointsMaterial({ vertexColors: true, size: 7, sizeAttenuation: false, map: disc(), alphaTest: 0.4 });
     this.places = new Points(new BufferGeometry(), material);
     this.places.frustumCulled = false;
@@ -60,18 +63,16 @@ export class Stage {
 
   /** Shows other data. The camera stays where it is in the world. */
   show(shown: Shown): void {
-    const { page, frames, elements, parts } = shown;
+    const { page, frames, elements, groups } = shown;
     const before = this.shown?.frames;
     this.shown = shown;
-    [this.middle, this.radius] = ballAround(frames.first);
-    this.view.setSpace(page.up, Math.hypot(...this.middle) + 2 * this.radius);
+    this.setEnds([frames.first, frames.first], page);
     if (before !== undefined) {
       const moved = (point: Point): Point => frames.toPage(before.toWorld(point));
       const { target, position } = this.view.pose;
       this.view.go({ target: moved(target), position: moved(position) }, true);
     }
-    this.mesh.show(elements, parts, frames.first);
-    this.ends = [frames.first, frames.first];
+    this.mesh.show(elements, groups, frames.first);
     this.frame = -1;
     // A single contact has marks of its own.
     this.places.visible = page.contacts.length > 1;
@@ -79,10 +80,44 @@ export class Stage {
     this.places.geometry = placesOf(shown);
   }
 
+  /** Positions at both ends of the step, which are the space of the view. */
+  private setEnds(ends: Ends, page: Page): void {
+    this.ends = ends;
+    [this.middle, this.radius] = ballAround(...ends);
+    this.view.setSpace(page.up, Math.hypot(...this.middle) + 2 * this.radius, this.radius);
+    const frames = this.shown?.frames;
+    const planes = page.halfSpaces.map(({ point, normal }): Plane => ({ point: frames?.toPage(point) ?? point, normal }));
+    this.planes.draw(planes, this.middle, this.radius);
+  }
+
   /** The camera on everything. */
   fit(atOnce = false): void {
     if (this.shown === null) return;
     this.view.go(overview(this.middle, this.radius, this.shown.page.up), atOnce);
+  }
+
+  /** Makes the next axis the direction upwards, and moves the camera to see everything: z, y, x, and those again. */
+  turnUp(): void {
+    if (this.shown === null) return;
+    const { page } = this.shown;
+    const most = [0, 1, 2].reduce((a, b) => (Math.abs(page.up[b]) > Math.abs(page.up[a]) ? b : a));
+    const axes: Point[] = [[0, 0, 1], [1, 0, 0], [0, 1, 0]];
+    page.up = axes[most];
+    this.setEnds(this.ends, page);
+    this.fit(true);
+  }
+
+  /** The camera on a body. */
+  fitBody({ moment }: State, body: number): void {
+    if (this.shown === null) return;
+    const { page } = this.shown;
+    const { start, end } = page.bodies[body].vertices;
+    const own = Float32Array.from({ length: 3 * (end - start) }, (_, i) => {
+      const [from, to] = this.ends.map((positions) => positions[3 * start + i]);
+      return (1 - moment.t) * from + moment.t * to;
+    });
+    const [middle, radius] = ballAround(own);
+    this.view.go(overview(middle, Math.max(radius, 0.02 * this.radius), page.up), false);
   }
 
   /** The camera on the selected contact. */
@@ -92,14 +127,18 @@ export class Stage {
     const { time, frame } = page.contacts[contact];
     const ends = await frames.ends({ frame, t: time });
     const { primitives, closest, normal } = marked(this.shown, page.contacts[contact], ends);
-    const at = primitives.flatMap(({ start, end }) => {
-      const now = start.map((vertex, i) => mix(vertex, end[i], time));
-      return page.query !== null && this.showsPaths ? [...now, ...start, ...end] : now;
+    const isHalfSpace = page.contacts[contact].primitives[1].kind === "half-space";
+    const at = primitives.flatMap(({ start, end, around }) => {
+      const now = ({ start, end }: Moving): Point[] => start.map((vertex, i) => mix(vertex, end[i], time));
+      if (isHalfSpace) return [...now({ start, end }), ...now(around), ...(closest ?? [])];
+      return page.query !== null && this.showsPaths ? [...now({ start, end }), ...start, ...end] : now({ start, end });
     });
     const place = closest === null ? this.middle : mix(closest[0], closest[1], 0.5);
     const { up, query } = page;
-    const fraction = query === null ? AMONG_OTHERS : ALONE;
-    this.view.go(contactPose(place, normal, at, this.middle, this.radius, up, fraction), atOnce);
+    const fraction = query === null && !isHalfSpace ? AMONG_OTHERS : ALONE;
+    // A half space is seen from its outer side, and a mesh from outside.
+    const inside = isHalfSpace && normal !== null ? subtract(place, normal) : this.middle;
+    this.view.go(contactPose(place, normal, at, inside, this.radius, up, fraction), atOnce);
   }
 
   /** Draws a changed state. */
@@ -111,12 +150,13 @@ export class Stage {
       const ends = await shown.frames.ends(moment);
       if (shown !== this.shown) return;
       // A later change overtakes this one.
-      this.ends = ends;
+      this.setEnds(ends, shown.page);
       this.frame = moment.frame;
       this.mesh.setEnds(ends);
     }
     this.mesh.setTime(moment.t);
     this.places.geometry.setDrawRange(0, countUntil(shown.page, moment));
+    if (change.hidden !== undefined) this.mesh.hide(state.hidden);
     if (change.opacity !== undefined) this.mesh.setOpacity(state.opacity);
     if (change.theme !== undefined) this.view.setBackground(MARKS[theme].background);
     if (change.wireframe !== undefined || change.theme !== undefined) {
@@ -126,28 +166,29 @@ export class Stage {
     this.view.request();
   }
 
-  private drawMarks(shown: Shown, { contact, moment, theme, paths, labels }: State): void {
+  private drawMarks(shown: Shown, { contact, moment, theme, paths, labels, names, hidden }: State): void {
     const { page } = shown;
     const pair = (contact === null ? null : page.contacts[contact]) ?? page.query;
+    const bodies = names ? namesOf(page, this.ends, moment.t, hidden) : [];
     if (pair === null) {
       this.marks.clear();
-      this.labels.set([], null);
+      this.labels.set(bodies, null);
       return;
     }
     const of = marked(shown, pair, this.ends);
-    this.marks.draw(of, moment.t, paths, MARKS[theme]);
-    this.labels.set(labels ? labelsOf(page, pair, of, moment.t) : [], of.closest?.[0] ?? null);
+    this.marks.draw(of, moment.t, paths, MARKS[theme], 0.1 * this.radius);
+    const own = labels ? labelsOf(page, pair, of, moment.t) : [];
+    this.labels.set([...own, ...bodies], of.closest?.[0] ?? null);
   }
 }
 
-function marked({ frames, elements }: Shown, pair: Pair, ends: Ends): Marked {
+function marked({ frames, incidence }: Shown, pair: Pair, ends: Ends): Marked {
   const at = (vertices: number[], t: number): Point[] => vertices.map((vertex) => vertexAt(vertex, ends, t));
   const moving = (vertices: number[]): Moving => ({ start: at(vertices, 0), end: at(vertices, 1) });
-  const around = ({ vertices }: Primitive): number[] => facesAround(elements.faces, vertices);
   return {
-    primitives: pair.primitives.map((primitive) => ({
-      ...moving(primitive.vertices),
-      around: moving(around(primitive)),
+    primitives: pair.primitives.map(({ vertices }) => ({
+      ...moving(vertices),
+      around: moving(incidence.around(vertices)),
     })),
     closest: pair.closest === undefined ? null : [frames.toPage(pair.closest[0]), frames.toPage(pair.closest[1])],
     normal: pair.normal ?? null,
@@ -155,11 +196,11 @@ function marked({ frames, elements }: Shown, pair: Pair, ends: Ends): Marked {
 }
 
 function labelsOf(page: Page, { primitives }: Pair, of: Marked, t: number): Label[] {
-  return primitives.flatMap(({ vertices }, side) => {
+  return primitives.flatMap((primitive, side) => {
     const { start, end } = of.primitives[side];
-    return vertices.map((vertex, i): Label => {
+    return primitive.vertices.map((_, i): Label => {
       const at = mix(start[i], end[i], t);
-      return { at, text: vertexName(page, vertex), kind: side === 0 ? "first" : "second" };
+      return { at, text: vertexName(page, primitive, i), kind: side === 0 ? "first" : "second" };
     });
   });
 }
@@ -188,21 +229,23 @@ export const POINT_NAMES = {
   "vertex-vertex": ["p", "p", "q", "q"],
 };
 
-/** The name of a vertex in the scene. */
-function vertexName({ query }: Page, vertex: number): string {
-  return query === null ? String(vertex) : POINT_NAMES[query.kind][vertex];
+/** The name of a vertex of a primitive: its id in the file, as in the list of contacts. */
+export function vertexName({ query }: Page, { vertices, labels }: Primitive, i: number): string {
+  return query === null ? String(labels[i]) : POINT_NAMES[query.kind][vertices[i]];
 }
 
 /** The middle of the box around positions, and the radius of a ball around them. */
-function ballAround(positions: Float32Array): [Point, number] {
+function ballAround(...all: Float32Array[]): [Point, number] {
   const lower = [Infinity, Infinity, Infinity];
   const upper = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const axis = i % 3;
-    lower[axis] = Math.min(lower[axis], positions[i]);
-    upper[axis] = Math.max(upper[axis], positions[i]);
+  for (const positions of all) {
+    for (let i = 0; i < positions.length; i++) {
+      const [axis, x] = [i % 3, positions[i]];
+      if (x < lower[axis]) lower[axis] = x;
+      if (x > upper[axis]) upper[axis] = x;
+    }
   }
-  if (positions.length === 0) return [[0, 0, 0], 1];
+  if (lower[0] > upper[0]) return [[0, 0, 0], 1];
   const along = (axis: number): number => (lower[axis] + upper[axis]) / 2;
   const radius = Math.hypot(...lower.map((low, axis) => (upper[axis] - low) / 2));
   return [[along(0), along(1), along(2)], radius > 0 ? radius : 1];

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
-use crate::contacts::{ContactList, ListFile};
+use crate::contacts::{ContactList, ContactRecord, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
 use crate::half_spaces::HalfSpaceOption;
@@ -111,13 +111,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         arguments.min_distance != Separation::default() || arguments.half_spaces.is_given(),
     )?;
     let (mut read, mut write) = (clock.elapsed(), Duration::ZERO);
-    let mut recording = arguments.view.recording(&arguments.frames).with_ids(scene.ids());
     let mut examination = arguments.examination(&scene);
     let mut found = Found::default();
     let vertices = scene.moving_vertices();
     let half_spaces = arguments
         .half_spaces
         .around(vertices, arguments.min_distance, None);
+    let mut recording = arguments
+        .view
+        .recording(&arguments.frames, &scene, half_spaces.all());
     let (count, mut examined) = (scene.frame_count(), 0);
     during(progress::frames(count), |progress| {
         for index in 0..count {
@@ -146,6 +148,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                 note_split_vertices(first, &[&last.positions], &arguments.scene, &mut notes);
             }
             records.extend(half_spaces.touching(index, last));
+            for [vertex, number] in records.iter().filter_map(ContactRecord::vertex_in_half_space) {
+                timed(&mut write, || recording.half_space_contact(vertex, number))?;
+            }
             let records: Vec<_> = records
                 .into_iter()
                 .map(|record| record.in_file(scene.ids()))
@@ -177,7 +182,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     };
     timed(&mut write, || {
         arguments.write(&scene, &found, examination.last())?;
-        recording.finish(&report.to_string())
+        recording.finish(&report.verdict(), &report.to_string())
     })?;
     let write = arguments.has_files().then_some(write);
     report.seconds = Seconds::new(read, write, clock.elapsed());

@@ -77,6 +77,15 @@ impl Report {
     pub(super) fn to_json(&self) -> String {
         serde_json::to_string(self).expect("numbers and names only")
     }
+
+    /// The line of the text that has the answer.
+    pub(super) fn verdict(&self) -> String {
+        let line = match &self.violation {
+            None => "free of contact".to_owned(),
+            Some(violation) => violation.to_string(),
+        };
+        line.lines().next().unwrap_or_default().to_owned()
+    }
 }
 
 impl Totals {

@@ -176,6 +176,12 @@ impl ContactRecord {
         }
     }
 
+    /// The vertex in the mesh and the number of the half space, if it is a contact with one.
+    pub(crate) fn vertex_in_half_space(&self) -> Option<[u32; 2]> {
+        let number = self.ids[1].filter(|_| self.kind == RecordKind::Vh)?;
+        Some([*self.mesh_vertices[0].first()?, number])
+    }
+
     /// The order of the first times. Times between the same two adjacent f64 are equal.
     pub(crate) fn compare_times(&self, other: &Self) -> Ordering {
         let [a, b] = [self.time, other.time];

@@ -13,6 +13,7 @@ use std::path::PathBuf;
 
 use exact_ccd_files::{Contents, FileIds, Polygons, ReadOptions};
 use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
+use exact_ccd_view::Body;
 
 use crate::failure::Failure;
 use crate::notes::Notes;
@@ -154,6 +155,13 @@ impl Scene {
     pub(crate) fn moving_vertices(&self) -> Vec<Range<u32>> {
         let moving = self.parts.iter().filter(|part| !part.is_obstacle);
         moving.map(|part| part.vertices.clone()).collect()
+    }
+
+    /// The named bodies of the scene, for pages: its parts, or the groups of a part where each vertex is in one.
+    /// None, if all is one part without groups.
+    pub(crate) fn bodies(&self) -> Vec<Body> {
+        let bodies: Vec<Body> = self.parts.iter().flat_map(Part::bodies).collect();
+        if bodies.len() > 1 { bodies } else { Vec::new() }
     }
 
     /// The ids of vertices and faces in their files, for reports.

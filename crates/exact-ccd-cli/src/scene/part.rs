@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd_files::{Contents, FileIds, Group, MeshFile, ReadMotionError};
 use exact_ccd_mesh::{Frame, MotionError, TriangleMesh, Welding};
+use exact_ccd_view::Body;
 
 use super::Frames;
 use crate::failure::Failure;
@@ -132,6 +133,29 @@ impl Part {
     pub(super) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
         let [start, end] = self.frames.files([index.saturating_sub(1), index]);
         Failure::Motion(ReadMotionError::Motion { start, end, source })
+    }
+
+    /// The groups of the part as bodies, if each is a range of vertices and they cover the part in their order;
+    /// or else the part.
+    pub(super) fn bodies(&self) -> Vec<Body> {
+        let (first, end) = (self.vertices.start, self.vertices.end);
+        let kind = if self.is_obstacle { "obstacle" } else { "" };
+        let mut bodies: Vec<Body> = Vec::new();
+        for group in &self.groups {
+            let start = bodies.last().map_or(first, |body| body.vertices.end);
+            let mut vertices = group.vertices.clone();
+            vertices.sort_unstable();
+            vertices.dedup();
+            let after = start + vertices.len() as u32;
+            if vertices.is_empty() || !vertices.iter().map(|vertex| first + vertex).eq(start..after) {
+                return vec![Body::new(&self.name, kind, first..end)];
+            }
+            bodies.push(Body::new(&group.name, kind, start..after));
+        }
+        if bodies.last().is_none_or(|body| body.vertices.end != end) {
+            return vec![Body::new(&self.name, kind, first..end)];
+        }
+        bodies
     }
 
     /// Sets the vertices of the part in the scene.

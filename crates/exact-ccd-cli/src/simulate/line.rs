@@ -5,48 +5,70 @@ use std::fmt::Write;
 use exact_ccd_sim::{Simulation, Statistics, System};
 
 use super::queries::Counts;
+use crate::shortest::significant;
 
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> String {
-    let (system, settings) = (simulation.system(), simulation.settings());
-    let done = simulation.state().step;
+    let system = simulation.system();
     let mut line = format!(
-        "{} vertices, {} faces, {}{:.3e} m across; contact distance {:.2e} m; ",
+        "{} vertices, {} faces, {}{}; {}",
         system.start().len(),
         system.surface().faces().len(),
         rods_and_particles(system),
-        system.size(),
-        settings.contact_distance.meters(system.size()),
+        lengths(simulation),
+        time_steps(simulation, steps)
     );
-    let time_step = settings.time_step;
-    let plural = if steps == 1 { "" } else { "s" };
-    // Writing to a string does not fail.
-    let _ = match done {
-        0 => write!(line, "{steps} time step{plural} of {time_step} s"),
-        _ if done + 1 == steps => write!(line, "time step {steps} of {time_step} s"),
-        _ if done < steps => write!(line, "time steps {} to {steps} of {time_step} s", done + 1),
-        _ => write!(
-            line,
-            "nothing to do: the results have time step {done}, the last step is {steps}"
-        ),
-    };
     if !is_saved {
         line += "; without --out, nothing is saved";
     }
     line
 }
 
+/// The size of the scene and the contact distance.
+pub(super) fn lengths(simulation: &Simulation) -> String {
+    let size = simulation.system().size();
+    let distance = simulation.settings().contact_distance.meters(size);
+    format!(
+        "{} m across; contact distance {} m",
+        significant(size, 4),
+        significant(distance, 3)
+    )
+}
+
+/// The time steps from the present one to the last one.
+pub(super) fn time_steps(simulation: &Simulation, steps: u64) -> String {
+    let done = simulation.state().step;
+    let time_step = simulation.settings().time_step;
+    let plural = if steps == 1 { "" } else { "s" };
+    match done {
+        0 => format!("{steps} time step{plural} of {time_step} s"),
+        _ if done + 1 == steps => format!("time step {steps} of {time_step} s"),
+        _ if done < steps => format!("time steps {} to {steps} of {time_step} s", done + 1),
+        _ => format!("nothing to do: the results have time step {done}, the last step is {steps}"),
+    }
+}
+
 /// The warning that time steps did not converge, if there were any among this number of steps.
 pub(super) fn of_unconverged(unconverged: &[u64], steps: u64) -> Option<String> {
-    let first = unconverged.first()?;
-    let text = match unconverged.len() {
-        1 => format!("time step {first} did not converge"),
-        count => format!("{count} of {steps} time steps did not converge, the first is {first}"),
-    };
+    unconverged.first()?;
+    let text = of_convergence(unconverged, steps);
     Some(format!(
         "{text}: there, the motion is free of contact, but not accurate; \
          set a smaller `time-step`, a larger `max-iterations`, or `max-substeps`"
     ))
+}
+
+/// The time steps that did not converge, among this number of steps.
+pub(super) fn of_convergence(unconverged: &[u64], steps: u64) -> String {
+    match unconverged {
+        [] if steps == 1 => "the time step converged".to_owned(),
+        [] => format!("all {steps} time steps converged"),
+        [only] => format!("time step {only} did not converge"),
+        [first, ..] => {
+            let count = unconverged.len();
+            format!("{count} of {steps} time steps did not converge, the first is {first}")
+        }
+    }
 }
 
 /// The numbers of rod edges and particles, where there are any.

@@ -176,9 +176,15 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             .iter()
             .for_each(|warning| warn(&warning.with_names(system)));
     }
-    let text_of_page = line::of_scene(&simulation, steps, true);
-    let mut recording = arguments.view.recording(std::slice::from_ref(&arguments.scene));
-    recording.add_state(&simulation)?;
+    let text_of_page = format!(
+        "{}\n{}",
+        line::lengths(&simulation),
+        line::time_steps(&simulation, steps)
+    );
+    let mut recording = arguments
+        .view
+        .simulation(&arguments.scene, &simulation, &scene.rendering);
+    recording.add_state(&simulation, None)?;
     let mut pictures = match folder.as_ref().filter(|_| arguments.render) {
         None => None,
         Some(folder) => Some(Pictures::begin(folder, &simulation, scene.rendering)?),
@@ -204,7 +210,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             if let Some(queries) = &mut queries {
                 queries.add(statistics.step)?;
             }
-            recording.add_state(&simulation)?;
+            recording.add_state(&simulation, Some(&statistics))?;
             if let Some(folder) = &mut folder {
                 let is_last = statistics.step == steps || arguments.strict && !statistics.converged;
                 folder.add(&simulation, &statistics, path, is_last)?;
@@ -243,7 +249,10 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         return Ok(ExitCode::from(interrupt::STATUS));
     }
     ended?;
-    recording.finish(&text_of_page)?;
+    let distance = simulation.settings().contact_distance;
+    let distance = distance.meters(simulation.system().size());
+    let verdict = line::of_convergence(&unconverged, remaining);
+    recording.finish_simulation(&verdict, &text_of_page, distance)?;
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         warn(&warning);
     }
@@ -256,9 +265,8 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         })?;
     }
     if let (Some(folder), Some(pictures)) = (&folder, pictures) {
-        let distance = simulation.settings().contact_distance;
         let name = arguments.scene.file_stem().unwrap_or_default().to_string_lossy();
-        plots::draw(folder, &name, distance.meters(simulation.system().size()))?;
+        plots::draw(folder, &name, distance)?;
         pictures.finish(folder)?;
     }
     Ok(ExitCode::SUCCESS)

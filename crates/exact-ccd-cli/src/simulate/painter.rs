@@ -106,16 +106,10 @@ fn with_boundary(mut frame: Frame, half_space: &HalfSpace, bounds: &Aabb) -> Res
     Ok(frame)
 }
 
-/// The upward direction and the direction towards the viewer. If they are not given, upward is opposite to
-/// gravity, or along y without gravity, and the viewer is slightly above the horizon.
+/// The upward direction and the direction towards the viewer, who is slightly above the horizon if the
+/// direction is not given.
 fn directions(rendering: &Rendering, gravity: Point) -> [Point; 2] {
-    let falls = gravity.iter().any(|&g| g != 0.0);
-    let against = if falls {
-        gravity.map(|g| -g)
-    } else {
-        [0.0, 1.0, 0.0]
-    };
-    let up = rendering.up.unwrap_or(against);
+    let up = rendering.upwards(gravity);
     let vertical = (0..3).fold(0, |most: usize, axis| {
         if up[axis].abs() > up[most].abs() {
             axis

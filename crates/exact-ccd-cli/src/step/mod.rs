@@ -26,7 +26,7 @@ use crate::output::{check_folder_place, check_place, print};
 use crate::progress::{self, during};
 use crate::scene::{Scene, SceneOptions, note_split_vertices};
 use crate::timed::Timed;
-use crate::view::View;
+use crate::view::{ShownStep, View};
 use report::{Answer, Output, Report, Start};
 use seconds::{Laps, Phases};
 
@@ -164,7 +164,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             detector.contacts(x0, x1, 1.0)
         })?;
         phases.list = Some(clock.lap());
-        arguments.write(&problem, &start, &contacts, in_half_spaces, &output)?;
+        arguments.write((&scene, &problem), &start, &contacts, in_half_spaces, &output)?;
         phases.write = Some(clock.lap());
         output.seconds = phases.into();
     }
@@ -276,7 +276,7 @@ impl Arguments {
     /// Writes the files that have all contacts.
     fn write(
         &self,
-        problem: &Problem,
+        (scene, problem): (&Scene, &Problem),
         start: &[Intersection],
         contacts: &[Contact],
         in_half_spaces: Vec<ContactRecord>,
@@ -288,6 +288,16 @@ impl Arguments {
         };
         let at_start = start.iter().map(of_start);
         let in_step = contacts.iter().map(|contact| problem.record(contact));
+        let shown = ShownStep {
+            scene,
+            motion,
+            start,
+            half_spaces: problem.half_spaces.all(),
+            contacts,
+            in_half_spaces: &in_half_spaces,
+        };
+        let answer = (&*output.verdict(), &*output.to_string());
+        self.view.step(&self.files, &shown, answer)?;
         let mut records: Vec<_> = at_start.chain(in_step).chain(in_half_spaces).collect();
         records.sort_by(ContactRecord::compare_times);
         let list = ContactList(records);
@@ -297,7 +307,6 @@ impl Arguments {
         if let Some(folder) = &self.out {
             impact_files::write(folder, motion.step()?, ids, &list)?;
         }
-        let answer = output.to_string();
-        self.view.step(&self.files, motion, start, ids, contacts, &answer)
+        Ok(())
     }
 }

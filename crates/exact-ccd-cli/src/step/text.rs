@@ -6,6 +6,20 @@ use super::report::{Answer, Counted, Counts, Output, Report, Start};
 use crate::half_spaces::HalfSpaceCounts;
 use crate::shortest::shortest;
 
+impl Output {
+    /// The line of the text that has the answer: the intersection at the start, or else the contact.
+    pub(super) fn verdict(&self) -> String {
+        let start = self.start.as_ref().map(ToString::to_string).unwrap_or_default();
+        let line = match &self.answer {
+            _ if !start.is_empty() => start,
+            Answer::Report(report) if report.contact.is_some() => report.to_string(),
+            answer if answer.is_free() => "free of contact".to_owned(),
+            _ => "contact".to_owned(),
+        };
+        line.lines().next().unwrap_or_default().to_owned()
+    }
+}
+
 impl fmt::Display for Output {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.summary.fmt(f)?;

@@ -1,26 +1,71 @@
 //! The pages of `--view`: HTML files that show motions and their contacts.
 
+mod history;
 mod query;
 mod recording;
+mod setup;
+mod up;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Contact, Intersection, Motion};
-use exact_ccd_view::Page;
+use exact_ccd_mesh::{Contact, Intersection, Motion, Point};
+use exact_ccd_sim::scene::Rendering;
+use exact_ccd_sim::{HalfSpace, Simulation};
+use exact_ccd_view::{Page, PageError};
 
+use crate::contacts::ContactRecord;
 use crate::failure::Failure;
 use crate::output::replace_file;
+use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
+use setup::Setup;
+use up::Up;
 
-/// The option `--view`.
+/// The options `--view` and `--view-up`.
 #[derive(clap::Args)]
 pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
     #[arg(long, value_name = "FILE.html")]
     view: Option<PathBuf>,
+    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a simulation,
+    /// `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
+    #[arg(long, value_name = "AXIS", requires = "view", allow_hyphen_values = true)]
+    view_up: Option<Up>,
+}
+
+/// A step and all that touches in it.
+pub(crate) struct ShownStep<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) motion: &'a Motion,
+    /// The intersections at the start.
+    pub(crate) start: &'a [Intersection],
+    pub(crate) half_spaces: &'a [HalfSpace],
+    /// The contacts of the mesh, the earliest first.
+    pub(crate) contacts: &'a [Contact],
+    /// The contacts with the half spaces, the earliest first.
+    pub(crate) in_half_spaces: &'a [ContactRecord],
+}
+
+impl ShownStep<'_> {
+    /// Adds the contacts in the order of their times, those of the mesh first among the same.
+    fn add_contacts(&self, page: &mut Page) -> Result<(), PageError> {
+        let mut later = self.in_half_spaces.iter().peekable();
+        let mut add_before = |page: &mut Page, time: f64| {
+            while let Some(record) = later.next_if(|record| record.toi() < time) {
+                if let Some([vertex, number]) = record.vertex_in_half_space() {
+                    page.add_half_space_contact(vertex, number, Some(record.toi()))?;
+                }
+            }
+            Ok::<_, PageError>(())
+        };
+        for contact in self.contacts {
+            add_before(page, contact.impact.time.lower())?;
+            page.add_contact(contact)?;
+        }
+        add_before(page, f64::INFINITY)
+    }
 }
 
 impl View {
@@ -29,27 +74,49 @@ impl View {
         self.view.as_deref()
     }
 
-    /// Writes the page of a step, if there is to be one: the intersections at its start, all contacts, and
-    /// the answer that is printed.
+    /// Writes the page of a step, if there is to be one, with the answer that is printed, of which one line is
+    /// the verdict.
     pub(crate) fn step(
         &self,
         files: &[PathBuf],
-        motion: &Motion,
-        start: &[Intersection],
-        ids: &FileIds,
-        contacts: &[Contact],
-        answer: &str,
+        step: &ShownStep<'_>,
+        (verdict, answer): (&str, &str),
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
-        let page = Page::of_step(title(files), motion.step()?, start, contacts)?;
-        let page = page.with_ids(ids.vertices.clone(), ids.faces.clone());
-        write(file, &page.with_summary(lines(answer)))
+        let page = Page::of_step(title(files), step.motion.step()?, step.start, &[])?;
+        let setup = Setup::of_scene(step.scene, step.half_spaces.to_vec()).with_up(self.up());
+        let mut page = setup.add_to(page);
+        step.add_contacts(&mut page)?;
+        write(file, &with_answer(page, verdict, answer))
     }
 
-    /// The recording of a motion, which does nothing if there is to be no page of it.
-    pub(crate) fn recording(&self, files: &[PathBuf]) -> Recording {
-        Recording::new(self.view.clone(), title(files))
+    /// The recording of frames from files, which does nothing if there is to be no page of them.
+    pub(crate) fn recording(&self, files: &[PathBuf], scene: &Scene, half_spaces: &[HalfSpace]) -> Recording {
+        let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.up());
+        Recording::new(self.view.clone(), title(files), setup)
     }
+
+    /// The recording of a simulation, which does nothing if there is to be no page of it.
+    pub(crate) fn simulation(
+        &self,
+        file: &Path,
+        simulation: &Simulation,
+        rendering: &Rendering,
+    ) -> Recording {
+        let upwards = rendering.upwards(simulation.settings().gravity);
+        let setup = || Setup::of_simulation(simulation).with_up(self.up().or(Some(upwards)));
+        Recording::new(self.view.clone(), name(file), setup)
+    }
+
+    fn up(&self) -> Option<Point> {
+        self.view_up.map(|Up(up)| up)
+    }
+}
+
+/// The page with the answer that was printed, of which one line is the verdict.
+fn with_answer(page: Page, verdict: &str, answer: &str) -> Page {
+    let others = lines(answer).filter(|line| line != verdict);
+    page.with_summary(others).with_verdict(verdict)
 }
 
 fn write(file: &Path, page: &Page) -> Result<(), Failure> {

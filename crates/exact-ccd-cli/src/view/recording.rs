@@ -3,36 +3,37 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Aabb, Frame, Point, Violation};
-use exact_ccd_sim::Simulation;
+use exact_ccd_mesh::{Frame, Violation};
+use exact_ccd_sim::{Simulation, Statistics};
 use exact_ccd_view::Page;
 
+use super::history;
+use super::setup::Setup;
 use crate::failure::Failure;
 
 /// A motion that is recorded for its page, if there is to be one.
 pub(crate) struct Recording {
     file: Option<PathBuf>,
     title: String,
+    /// The contents of the page, until it begins.
+    setup: Setup,
     page: Option<Page>,
-    /// The ids of vertices and faces in their files, if the frames are from files.
-    ids: Option<FileIds>,
+    /// The time of the first frame of a simulation, and the time steps after it.
+    start: f64,
+    steps: Vec<Statistics>,
 }
 
 impl Recording {
-    pub(super) fn new(file: Option<PathBuf>, title: String) -> Self {
+    /// The recording for a page in a file; `setup` is not called if there is to be none.
+    pub(super) fn new(file: Option<PathBuf>, title: String, setup: impl FnOnce() -> Setup) -> Self {
         Self {
+            setup: if file.is_some() { setup() } else { Setup::default() },
             file,
             title,
             page: None,
-            ids: None,
+            start: 0.0,
+            steps: Vec::new(),
         }
-    }
-
-    /// The same recording with the ids of vertices and faces in their files.
-    pub(crate) fn with_ids(self, ids: &FileIds) -> Self {
-        let ids = self.file.is_some().then(|| ids.clone());
-        Self { ids, ..self }
     }
 
     /// Adds the next frame, from a file.
@@ -40,35 +41,32 @@ impl Recording {
         if self.file.is_none() {
             return Ok(());
         }
-        self.push(&super::name(Path::new(name)), frame, [0.0, 0.0, 1.0])
+        self.push(&super::name(Path::new(name)), frame)
     }
 
-    /// Adds the surface in the state of a simulation.
-    pub(crate) fn add_state(&mut self, simulation: &Simulation) -> Result<(), Failure> {
+    /// Adds the surface in the state of a simulation, with the statistics of the time step that led to it.
+    pub(crate) fn add_state(
+        &mut self,
+        simulation: &Simulation,
+        step: Option<&Statistics>,
+    ) -> Result<(), Failure> {
         let Some(file) = &self.file else { return Ok(()) };
         let surface = simulation.system().surface_frame(&simulation.state().positions);
         let frame = surface.map_err(|error| Failure::write(file, io::Error::other(error)))?;
-        let gravity = simulation.settings().gravity;
-        let falls = gravity.iter().any(|&g| g != 0.0);
-        let up = if falls {
-            gravity.map(|g| -g)
-        } else {
-            [0.0, 1.0, 0.0]
-        };
         // Without the rounding errors of multiples of the time step.
         let time = (1e9 * simulation.time()).round() / 1e9;
-        self.push(&format!("{time} s"), &frame, up)
+        match step {
+            Some(step) => self.steps.push(step.clone()),
+            None => self.start = time,
+        }
+        self.push(&format!("{time} s"), &frame)
     }
 
-    fn push(&mut self, label: &str, frame: &Frame, up: Point) -> Result<(), Failure> {
-        let page = self.page.get_or_insert_with(|| {
-            let bounds: Aabb = frame.positions.iter().copied().collect();
-            let page = Page::new(&self.title, frame.mesh.clone(), &bounds).with_up(up);
-            match self.ids.take() {
-                Some(ids) => page.with_ids(ids.vertices, ids.faces),
-                None => page,
-            }
-        });
+    fn push(&mut self, label: &str, frame: &Frame) -> Result<(), Failure> {
+        let page = match &mut self.page {
+            Some(page) => page,
+            none => none.insert(std::mem::take(&mut self.setup).page(&self.title, frame)),
+        };
         Ok(page.add_frame(label, &frame.positions)?)
     }
 
@@ -82,11 +80,30 @@ impl Recording {
         Ok(added?)
     }
 
-    /// Writes the page, with the answer that was printed.
-    pub(crate) fn finish(self, answer: &str) -> Result<(), Failure> {
+    /// Adds a vertex that is not apart from the half space of this number in the last frame.
+    pub(crate) fn half_space_contact(&mut self, vertex: u32, half_space: u32) -> Result<(), Failure> {
+        let Some(page) = &mut self.page else { return Ok(()) };
+        Ok(page.add_half_space_contact(vertex, half_space, None)?)
+    }
+
+    /// Writes the page, with the answer that was printed, of which one line is the verdict.
+    pub(crate) fn finish(self, verdict: &str, answer: &str) -> Result<(), Failure> {
         match (self.file, self.page) {
-            (Some(file), Some(page)) => super::write(&file, &page.with_summary(super::lines(answer))),
+            (Some(file), Some(page)) => super::write(&file, &super::with_answer(page, verdict, answer)),
             _ => Ok(()),
         }
+    }
+
+    /// Writes the page of a simulation, with charts of its time steps: a verdict about all of them, and lines
+    /// about the scene. `contact_distance` is d̂, in m.
+    pub(crate) fn finish_simulation(
+        mut self,
+        verdict: &str,
+        scene: &str,
+        contact_distance: f64,
+    ) -> Result<(), Failure> {
+        let history = history::of(self.start, &self.steps, contact_distance);
+        self.page = self.page.map(|page| page.with_history(history));
+        self.finish(verdict, scene)
     }
 }

@@ -36,7 +36,7 @@ fn every_step_is_printed_and_free_of_contact() {
     assert_eq!(lines.len(), 11);
     assert_eq!(
         lines[0],
-        "12 vertices, 14 faces, 8.660e-1 m across; contact distance 2.00e-3 m; 10 time steps of 0.02 s"
+        "12 vertices, 14 faces, 0.866 m across; contact distance 0.002 m; 10 time steps of 0.02 s"
     );
     assert!(lines[10].starts_with("step 10, 0.2000 s: "), "{}", lines[10]);
 

@@ -24,7 +24,7 @@ fn a_step_has_the_printed_contact_first() {
     let page = data(&folder, "page.html");
     assert_eq!(page["title"], "start.ply to end.ply");
     let first = run.stdout.lines().nth(1).unwrap();
-    assert_eq!(page["summary"][0], first);
+    assert_eq!(page["verdict"], first);
     assert_eq!(page["contacts"][0]["time"], json!(0.5));
     let primitives = &page["contacts"][0]["primitives"];
     let vertices = |side: usize| primitives[side]["vertices"].to_string().replace(',', ", ");
@@ -64,7 +64,7 @@ fn a_free_step_has_a_page() {
     );
     let page = data(&folder, "page.html");
     assert_eq!(
-        (&page["contacts"], &page["summary"][0]),
+        (&page["contacts"], &page["verdict"]),
         (&json!([]), &json!("free of contact"))
     );
 }
@@ -80,7 +80,7 @@ fn an_audit_has_its_frames_up_to_the_violation() {
     assert_eq!(page["frames"][2], json!({"number": 2, "label": "end.ply"}));
     let contact = &page["contacts"][0];
     assert_eq!((&contact["frame"], &contact["time"]), (&json!(1), &json!(0.5)));
-    assert_eq!(page["summary"][0], run.stdout.lines().nth(1).unwrap());
+    assert_eq!(page["verdict"], run.stdout.lines().nth(1).unwrap());
 }
 
 #[test]
@@ -171,8 +171,202 @@ fn a_simulation_has_a_frame_for_each_time_step() {
         .map(|frame| frame["label"].as_str().unwrap())
         .collect();
     assert_eq!(labels, ["0 s", "0.02 s", "0.04 s", "0.06 s"]);
-    assert_eq!(page["up"], json!([-0.0, 9.81, -0.0]));
+    assert_eq!(page["up"], json!([0.0, 1.0, 0.0]));
     assert_eq!(page["faces"], 14);
+}
+
+/// The direction upwards on the page of a simulation: of the options, of the scene, against gravity, or y.
+#[test]
+fn the_scene_has_a_direction_upwards() {
+    let up = |before: &str, options: &[&str]| {
+        let folder = Folder::new();
+        folder.write("scene.toml", simulate::SCENE.replace("[settings]\n", before));
+        let simulate = ["simulate", "scene.toml", "--steps", "1", "--view", "page.html"];
+        let run = folder.run(&[&simulate[..], options].concat());
+        assert_eq!(run.status, 0, "{run:?}");
+        data(&folder, "page.html")["up"].clone()
+    };
+    let sideways = "[settings]\ngravity = [0.0, 0.0, -4.0]\n";
+    assert_eq!(up(sideways, &[]), json!([0.0, 0.0, 1.0]));
+    assert_eq!(
+        up("[settings]\ngravity = [0.0, 0.0, 0.0]\n", &[]),
+        json!([0.0, 1.0, 0.0])
+    );
+    let rendered = "[render]\nup = [2.0, 0.0, 0.0]\n[settings]\n";
+    assert_eq!(up(rendered, &[]), json!([1.0, 0.0, 0.0]));
+    assert_eq!(up(rendered, &["--view-up", "-z"]), json!([0.0, 0.0, -1.0]));
+    assert_eq!(up(rendered, &["--view-up", "0,3,4"]), json!([0.0, 0.6, 0.8]));
+}
+
+#[test]
+fn a_direction_upwards_is_an_axis_or_three_numbers() {
+    let folder = fall(1.0, -1.0);
+    for bad in ["w", "0,0,0", "1,2", "nan,0,0"] {
+        let run = folder.run(&[
+            "step",
+            "start.ply",
+            "end.ply",
+            "--view",
+            "page.html",
+            "--view-up",
+            bad,
+        ]);
+        assert_eq!(run.status, 2, "{bad}: {run:?}");
+        assert!(
+            run.stderr
+                .contains("expected x, y, z, -x, -y, -z, or three numbers"),
+            "{run:?}"
+        );
+    }
+    folder.run(&[
+        "step",
+        "start.ply",
+        "end.ply",
+        "--view",
+        "page.html",
+        "--view-up",
+        "y",
+    ]);
+    assert_eq!(data(&folder, "page.html")["up"], json!([0.0, 1.0, 0.0]));
+}
+
+/// The bodies have names, and the half space too; the charts have a value for each time step.
+#[test]
+fn a_simulation_has_its_bodies_and_charts() {
+    let folder = Folder::new();
+    let floor = "[[half-space]]\nname = \"floor\"\nnormal = [0.0, 2.0, 0.0]\npoint = [0.0, -1.0, 0.0]\n[[body]]\nname = \"cube\"\n";
+    folder.write("scene.toml", simulate::SCENE.replacen("[[body]]\n", floor, 1));
+    let run = folder.run(&[
+        "simulate",
+        "scene.toml",
+        "--steps",
+        "3",
+        "--view",
+        "page.html",
+        "--json",
+    ]);
+    assert_eq!(run.status, 0, "{run:?}");
+    let page = data(&folder, "page.html");
+    assert_eq!(page["verdict"], "all 3 time steps converged");
+    assert_eq!(
+        page["summary"],
+        json!([
+            "0.866 m across; contact distance 0.002 m",
+            "3 time steps of 0.02 s"
+        ])
+    );
+    assert_eq!(
+        page["bodies"],
+        json!([
+            {"name": "cube", "kind": "solid", "vertices": {"start": 0, "end": 8}},
+            {"name": "body-1", "kind": "obstacle", "vertices": {"start": 8, "end": 12}},
+        ])
+    );
+    assert_eq!(
+        page["halfSpaces"],
+        json!([{"name": "floor", "point": [0.0, -1.0, 0.0], "normal": [0.0, 1.0, 0.0]}])
+    );
+    let history = &page["history"];
+    assert_eq!(history["times"][0], 0.0);
+    assert_eq!(history["times"].as_array().unwrap().len(), 4);
+    let steps: Vec<Value> = run
+        .stdout
+        .lines()
+        .skip(1)
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let curves = |chart: usize| history["charts"][chart]["curves"].as_array().unwrap();
+    let kinetic = curves(0).iter().find(|curve| curve["name"] == "kinetic").unwrap();
+    let contacts = curves(history["charts"].as_array().unwrap().len() - 1);
+    for (step, statistics) in steps.iter().enumerate() {
+        assert_eq!(kinetic["values"][step + 1], statistics["kinetic_J"]);
+        assert_eq!(
+            contacts[0]["values"][step + 1].as_f64(),
+            statistics["contacts"].as_f64()
+        );
+    }
+    assert_eq!(kinetic["values"][0], Value::Null);
+}
+
+/// A vertex in a half space is a contact of the page, which opens at the first frame that has one.
+#[test]
+fn an_audit_has_the_vertices_in_half_spaces() {
+    let folder = Folder::new();
+    for (name, height) in [("0.obj", 1.0), ("1.obj", 0.5), ("2.obj", -0.25), ("3.obj", -0.5)] {
+        folder.write(name, format!("v 0 0 {height}\nv 1 0 2\nv 0 1 2\nf 1 2 3\n"));
+    }
+    let frames = ["audit", "0.obj", "1.obj", "2.obj", "3.obj"];
+    for (options, count) in [(&[][..], 1), (&["--all", "all.csv"][..], 2)] {
+        let page = ["--half-space", "0,0,0,0,0,2", "--view", "page.html"];
+        let run = folder.run(&[&frames[..], &page, options].concat());
+        assert_eq!(run.status, 1, "{run:?}");
+        let page = data(&folder, "page.html");
+        assert_eq!(
+            page["halfSpaces"],
+            json!([{"name": "", "point": [0.0, 0.0, 0.0], "normal": [0.0, 0.0, 1.0]}])
+        );
+        let contacts = page["contacts"].as_array().unwrap();
+        assert_eq!(contacts.len(), count);
+        let first = &contacts[0];
+        assert_eq!((&first["frame"], &first["time"]), (&json!(2), &json!(0.0)));
+        assert_eq!(first["primitives"][0]["labels"], json!([0]));
+        assert_eq!(
+            first["primitives"][1],
+            json!({"kind": "half-space", "id": 0, "vertices": [], "labels": []})
+        );
+        assert_eq!(first["closest"], json!([[0.0, 0.0, -0.25], [0.0, 0.0, 0.0]]));
+        let verdict = page["verdict"].as_str().unwrap();
+        assert_eq!(verdict, "contact in frame 2 (2.obj): vertex 0 and half space 0");
+    }
+}
+
+/// The headline is the answer, whatever was read and compared; the parts are bodies.
+#[test]
+fn the_verdict_is_no_note() {
+    let folder = fall(2.0, 1.0);
+    folder.write("floor.obj", "v 0 0 -9\nv 1 0 -9\nv 0 1 -9\nf 1 2 3\n");
+    let parts = [
+        "--with",
+        "floor.obj",
+        "--min-distance",
+        "1e-3",
+        "--view",
+        "page.html",
+    ];
+    for command in ["step", "audit"] {
+        let run = folder.run(&[&[command, "start.ply", "end.ply"][..], &parts].concat());
+        assert_eq!(run.status, 0, "{run:?}");
+        let page = data(&folder, "page.html");
+        assert_eq!(page["verdict"], "free of contact");
+        let summary: Vec<&str> = page["summary"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|line| line.as_str().unwrap())
+            .collect();
+        assert!(
+            summary[0].starts_with("part start: vertices 0 to "),
+            "{summary:?}"
+        );
+        assert!(!summary.contains(&"free of contact"), "{summary:?}");
+        let names: Vec<&Value> = [0, 1].map(|body: usize| &page["bodies"][body]["name"]).into();
+        assert_eq!(names, ["start", "floor"]);
+    }
+}
+
+/// A mesh that passes through itself at the start has this as its headline.
+#[test]
+fn an_intersection_at_the_start_is_the_verdict() {
+    let folder = fall(-1.0, -2.0);
+    let run = folder.run(&["step", "start.ply", "end.ply", "--view", "page.html"]);
+    assert_eq!(run.status, 1);
+    let page = data(&folder, "page.html");
+    let verdict = page["verdict"].as_str().unwrap();
+    assert!(
+        verdict.starts_with("the mesh passes through itself at t = 0: "),
+        "{verdict}"
+    );
+    assert_eq!(run.stdout.lines().nth(1), Some(verdict));
 }
 
 #[test]

@@ -53,6 +53,18 @@ impl Default for Rendering {
 }
 
 impl Rendering {
+    /// The direction upwards: the given one, or else opposite to gravity, or along y without gravity.
+    #[must_use]
+    pub fn upwards(&self, gravity: Point) -> Point {
+        let falls = gravity.iter().any(|&g| g != 0.0);
+        let otherwise = if falls {
+            gravity.map(|g| 0.0 - g)
+        } else {
+            [0.0, 1.0, 0.0]
+        };
+        self.up.unwrap_or(otherwise)
+    }
+
     pub(super) fn is_default(&self) -> bool {
         *self == Self::default()
     }

@@ -35,7 +35,7 @@ fn a_vertex_that_falls_through_a_face() {
         (Some(1), Some(0))
     );
     assert_eq!(json["contacts"][0]["closest"][0], json!([0.25, 0.25, 0.0]));
-    assert_eq!(json["summary"][0], "contact at t = 0.25");
+    assert_eq!(json["verdict"], "contact at t = 0.25");
 }
 
 #[test]
@@ -47,14 +47,14 @@ fn a_vertex_that_stays_above() {
     );
     let stage = json["query"]["stage"].as_str().unwrap();
     assert!(stage.starts_with("BoundingBox: "), "{stage}");
-    assert_eq!(json["summary"][0], "free of contact");
+    assert_eq!(json["verdict"], "free of contact");
 }
 
 #[test]
 fn a_vertex_that_rests() {
     let json = Html::of(&page("rest", &falling(0.0, 0.0))).json();
     assert_eq!(json["query"]["times"], json!([[0.0, 1.0]]));
-    assert_eq!(json["summary"][0], "contact at t = 0 to 1");
+    assert_eq!(json["verdict"], "contact at t = 0 to 1");
 }
 
 #[test]
@@ -103,5 +103,5 @@ fn two_vertices_within_a_distance() {
         json!([[0.0, 0.0, 0.0], [4.0, 3.0, 0.0]])
     );
     assert_eq!(json["contacts"][0]["primitives"][1]["vertices"], json!([2]));
-    assert_eq!(json["summary"][0], "within 5 at t = 0 to 0.5");
+    assert_eq!(json["verdict"], "within 5 at t = 0 to 0.5");
 }

@@ -1,7 +1,7 @@
 //! Pages of steps and of sequences of frames.
 
 use exact_ccd_mesh::{Aabb, Bvh, Candidates, Contact, Intersection, Pair, Step, TriangleMesh};
-use exact_ccd_view::{MOST_CONTACTS, Page, PageError};
+use exact_ccd_view::{Body, Chart, Curve, History, MOST_CONTACTS, Page, PageError};
 use proptest::prelude::*;
 
 use crate::html::Html;
@@ -44,7 +44,7 @@ fn the_blocks_of_a_page_are_the_elements_of_the_file() {
     let page = page("Falling <b>", &moved(-2.0));
     let (html, blocks) = (Html::of(&page), page.blocks());
     let ids: Vec<&str> = blocks.keys().map(String::as_str).collect();
-    assert_eq!(ids, ["edges", "faces", "frame-0", "frame-1", "page"]);
+    assert_eq!(ids, ["edges", "faces", "frame-0", "frame-1", "page", "radii"]);
     for (id, text) in &blocks {
         assert_eq!(html.element(id), text);
     }
@@ -165,6 +165,101 @@ fn primitives_of_another_mesh_are_refused() {
     );
     let error = page.add_frame("", &START[1..]).unwrap_err();
     assert!(error.to_string().starts_with("in frame 1, "), "{error}");
+}
+
+#[test]
+fn a_vertex_in_a_half_space_is_a_contact_of_the_last_frame() {
+    let mut page = Page::new("frames", mesh(), &START.iter().copied().collect())
+        .with_ids((10..16).collect(), vec![None, None])
+        .with_half_space("floor", [0.0, 0.0, 2.0], [0.0, 0.0, 4.0]);
+    assert_eq!(page.add_half_space_contact(3, 0, None), Err(PageError::NoFrame));
+    page.add_frame("a", &START).unwrap();
+    page.add_frame("b", &START).unwrap();
+    page.add_half_space_contact(3, 0, None).unwrap();
+    for (vertex, half_space) in [(6, 0), (3, 1)] {
+        let error = Err(PageError::NoSuchHalfSpace { vertex, half_space });
+        assert_eq!(page.add_half_space_contact(vertex, half_space, None), error);
+    }
+    let json = Html::of(&page).json();
+    let normal = serde_json::json!([0.0, 0.0, 1.0]);
+    assert_eq!(json["halfSpaces"][0]["normal"], normal);
+    let contact = &json["contacts"][0];
+    assert_eq!((&contact["frame"], &contact["time"]), (&1.into(), &0.0.into()));
+    assert_eq!(
+        contact["primitives"],
+        serde_json::json!([
+            {"kind": "vertex", "id": 13, "vertices": [3], "labels": [13]},
+            {"kind": "half-space", "id": 0, "vertices": [], "labels": []},
+        ])
+    );
+    assert_eq!(
+        contact["closest"],
+        serde_json::json!([[1.0, 1.0, 1.0], [1.0, 1.0, 2.0]])
+    );
+    assert_eq!(contact["normal"], normal);
+}
+
+/// Half spaces of any size: what has no direction is left out, and no point is infinite.
+#[test]
+fn extreme_half_spaces() {
+    let page = Page::new("frames", mesh(), &START.iter().copied().collect())
+        .with_half_space("", [0.0; 3], [0.0; 3])
+        .with_half_space("", [f64::NAN; 3], [1.0, 0.0, 0.0])
+        .with_half_space("", [f64::MAX; 3], [f64::MAX, 0.0, 0.0])
+        .with_half_space("", [-f64::MAX; 3], [5e-324, 0.0, 0.0]);
+    let mut page = page;
+    page.add_frame("", &[[f64::MAX; 3]; 6]).unwrap();
+    page.add_half_space_contact(0, 0, None).unwrap();
+    page.add_half_space_contact(0, 1, None).unwrap();
+    let json = Html::of(&page).json();
+    assert_eq!(json["halfSpaces"].as_array().unwrap().len(), 2);
+    for number in [0, 1] {
+        assert_eq!(
+            json["halfSpaces"][number]["normal"],
+            serde_json::json!([1.0, 0.0, 0.0])
+        );
+        let foot = &json["contacts"][number]["closest"][1];
+        assert!(foot.as_array().unwrap().iter().all(|x| x.is_f64()), "{foot}");
+    }
+}
+
+#[test]
+fn bodies_radii_and_charts_are_those_of_the_caller() {
+    let bodies = [Body::new("lower", "obstacle", 0..3), Body::new("upper", "", 3..6)];
+    let curve = Curve {
+        name: "kinetic".to_owned(),
+        values: vec![None, Some(2.5), Some(f64::INFINITY)],
+    };
+    let chart = Chart {
+        title: "Energies".to_owned(),
+        unit: "J".to_owned(),
+        logarithmic: true,
+        curves: vec![curve],
+    };
+    let history = History {
+        times: vec![0.0, 0.5, 1.0],
+        charts: vec![chart],
+    };
+    let bounds: Aabb = START.iter().copied().collect();
+    let mut page = Page::new("frames", mesh(), &bounds)
+        .with_bodies(bodies)
+        .with_radii(&[0.5; 6])
+        .with_up([0.0, 3.0, 4.0])
+        .with_up([0.0; 3])
+        .with_history(history);
+    page.add_frame("", &START).unwrap();
+    let html = Html::of(&page);
+    let json = html.json();
+    assert_eq!(
+        json["bodies"][1],
+        serde_json::json!({"name": "upper", "kind": "", "vertices": {"start": 3, "end": 6}})
+    );
+    assert_eq!(json["up"], serde_json::json!([0.0, 0.6, 0.8]));
+    let curve = &json["history"]["charts"][0]["curves"][0];
+    assert_eq!(curve["values"], serde_json::json!([null, 2.5, null]));
+    // The longest side of the box is 8: positions are in units of 4.
+    let radii: Vec<f32> = html.words("radii").into_iter().map(f32::from_bits).collect();
+    assert_eq!(radii, [0.125; 6]);
 }
 
 #[test]

@@ -1,0 +1,72 @@
+//! The contents of a page before its first frame.
+
+use exact_ccd_files::FileIds;
+use exact_ccd_mesh::{Frame, Point};
+use exact_ccd_sim::{HalfSpace, Simulation};
+use exact_ccd_view::{Body, Page};
+
+use crate::scene::Scene;
+
+/// All that a page has beside its frames and contacts.
+#[derive(Default)]
+pub(super) struct Setup {
+    /// The ids of vertices and faces in their files, if the frames are from files.
+    ids: Option<FileIds>,
+    bodies: Vec<Body>,
+    half_spaces: Vec<HalfSpace>,
+    /// The radii of rods and particles.
+    radii: Vec<f64>,
+    up: Option<Point>,
+}
+
+impl Setup {
+    /// The setup of meshes from files.
+    pub(super) fn of_scene(scene: &Scene, half_spaces: Vec<HalfSpace>) -> Self {
+        Self {
+            ids: Some(scene.ids().clone()),
+            bodies: scene.bodies(),
+            half_spaces,
+            ..Self::default()
+        }
+    }
+
+    /// The setup of a simulation.
+    pub(super) fn of_simulation(simulation: &Simulation) -> Self {
+        let system = simulation.system();
+        let bodies = system.surface_bodies().into_iter().zip(system.body_kinds());
+        Self {
+            bodies: bodies
+                .map(|((name, vertices), kind)| Body::new(name, *kind, vertices))
+                .collect(),
+            half_spaces: system.half_spaces().to_vec(),
+            radii: system.surface_offsets(),
+            ..Self::default()
+        }
+    }
+
+    /// The same setup with a direction upwards, if there is one.
+    pub(super) fn with_up(self, up: Option<Point>) -> Self {
+        Self { up, ..self }
+    }
+
+    /// The page with its contents, for frames of the same mesh as the first one.
+    pub(super) fn page(self, title: &str, first: &Frame) -> Page {
+        let page = Page::new(title, first.mesh.clone(), &first.bounds());
+        self.add_to(page)
+    }
+
+    /// A page with these contents.
+    pub(super) fn add_to(self, page: Page) -> Page {
+        let mut page = page.with_bodies(self.bodies).with_radii(&self.radii);
+        for HalfSpace { name, point, normal } in self.half_spaces {
+            page = page.with_half_space(name, point, normal);
+        }
+        if let Some(up) = self.up {
+            page = page.with_up(up);
+        }
+        match self.ids {
+            Some(ids) => page.with_ids(ids.vertices, ids.faces),
+            None => page,
+        }
+    }
+}
