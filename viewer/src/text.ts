@@ -26,7 +26,7 @@ export function bodyOf({ bodies }: Page, vertex: number): Body | undefined {
 /** The time of a contact, with the frames between which it is if there are more than two, or the frame if it is at
  * rest in one. */
 export function timeText(page: Page, { frame, time, parameters }: Contact): string {
-  if (parameters === null && page.query === null && page.frames.length !== 2) return restText(page, frame);
+  if (parameters === null && time === 0 && page.query === null && page.frames.length !== 2) return restText(page, frame);
   if (page.frames.length === 2) return `t = ${frame + time}`;
   return `${stepText(page, frame)}t = ${time}`;
 }

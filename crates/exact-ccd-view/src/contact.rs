@@ -165,14 +165,14 @@ impl ShownContact {
         })
     }
 
-    /// A vertex that is not apart from the half space of this number, at a time of the step between two frames,
-    /// the first of which has this number; `None` if the vertex has no position.
+    /// A vertex that is not apart from the half space of this number, at a time of the step from the frame with
+    /// this number; `None` if the vertex has no position.
     pub(crate) fn in_half_space(
-        frame: usize,
-        time: f64,
+        (frame, time): (usize, f64),
         positions: [&[Point]; 2],
         vertex: u32,
-        (number, half_space): (u32, &ShownHalfSpace),
+        number: u32,
+        half_space: &ShownHalfSpace,
     ) -> Option<Self> {
         let [start, end] = positions.map(|positions| positions.get(vertex as usize).copied());
         let position = mix(start?, end?, time);

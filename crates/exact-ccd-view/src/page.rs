@@ -170,8 +170,8 @@ impl Page {
         Self { bodies, ..self }
     }
 
-    /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the unit
-    /// of the positions. Those that are too thin to be seen are drawn a few pixels wide.
+    /// The same page with the radii at which rods and loose vertices are drawn: one for each vertex, in the
+    /// unit of the positions. Those that are too thin to be seen are drawn a few pixels wide.
     #[must_use]
     pub fn with_radii(self, radii: &[f64]) -> Self {
         let radii = radii.iter().map(|&radius| self.units.convert_length(radius));
@@ -272,28 +272,27 @@ impl Page {
         Ok(())
     }
 
-    /// Adds a vertex that is not apart from the half space of this number: at a time in [0, 1] of the step from
-    /// the last frame but one to the last, or, without a time, in the last frame.
+    /// Adds a vertex that touches the half space of this number at a time of the step that leads to the last
+    /// frame; or without a time, one that is not apart from it in the last frame.
     ///
     /// # Errors
-    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchHalfSpace`] if the vertex is not of this
-    /// mesh, or the half space not of this page.
+    /// [`PageError::NoFrame`] before the first frame, [`PageError::NoSuchHalfSpace`] if the vertex is not of
+    /// this mesh, or the half space not of this page.
     pub fn add_half_space_contact(
         &mut self,
         vertex: u32,
         half_space: u32,
         time: Option<f64>,
     ) -> Result<(), PageError> {
-        let last = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
-        let [before, at_last] = &self.last;
-        let (frame, positions) = match time {
-            Some(_) if last > 0 => (last - 1, [&before[..], at_last]),
-            _ => (last, [&at_last[..]; 2]),
+        let frame = self.frame_count.checked_sub(1).ok_or(PageError::NoFrame)?;
+        let [before, last] = &self.last;
+        let (frame, start, time) = match time {
+            Some(time) if frame > 0 => (frame - 1, before, time),
+            _ => (frame, last, 0.0),
         };
         let known = self.half_spaces.get(half_space as usize);
         let shown = known.and_then(|known| {
-            let time = time.unwrap_or(0.0);
-            ShownContact::in_half_space(frame, time, positions, vertex, (half_space, known))
+            ShownContact::in_half_space((frame, time), [start, last], vertex, half_space, known)
         });
         self.push(shown.ok_or(PageError::NoSuchHalfSpace { vertex, half_space })?);
         Ok(())

@@ -17,7 +17,8 @@ export function facts(page: Page, contact: Contact): [string, string, string][] 
   ];
   if (second.kind === "half-space") {
     const height = dot(contact.normal ?? [0, 0, 0], subtract(...contact.closest));
-    list.splice(4, 0, [height > 0 ? "height" : "depth", `about ${short(Math.abs(height))}`, ""]);
+    // At the first time in a step, it is a rounding error.
+    if (Math.abs(height) > 1e-9 * page.scale) list.splice(4, 0, [height > 0 ? "height" : "depth", `about ${short(Math.abs(height))}`, ""]);
   }
   if (contact.distance > 0) list.splice(1, 0, ["distance", String(contact.distance), ""]);
   if (contact.parameters !== null) list.push(["u, v", contact.parameters.join(", "), ""]);

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
-use crate::contacts::{ContactList, ContactRecord, ListFile};
+use crate::contacts::{ContactList, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
 use crate::half_spaces::HalfSpaceOption;
@@ -147,10 +147,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             if let Some(first) = records.first().filter(|_| index == 0) {
                 note_split_vertices(first, &[&last.positions], &arguments.scene, &mut notes);
             }
-            records.extend(half_spaces.touching(index, last));
-            for [vertex, number] in records.iter().filter_map(ContactRecord::vertex_in_half_space) {
-                timed(&mut write, || recording.half_space_contact(vertex, number))?;
-            }
+            let in_half_spaces = half_spaces.touching(index, last);
+            timed(&mut write, || {
+                let mut found = in_half_spaces.iter().filter_map(ContactRecord::in_half_space);
+                found.try_for_each(|(vertex, number)| recording.half_space_contact(vertex, number))
+            })?;
+            records.extend(in_half_spaces);
             let records: Vec<_> = records
                 .into_iter()
                 .map(|record| record.in_file(scene.ids()))

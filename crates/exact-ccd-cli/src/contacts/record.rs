@@ -176,10 +176,11 @@ impl ContactRecord {
         }
     }
 
-    /// The vertex in the mesh and the number of the half space, if it is a contact with one.
-    pub(crate) fn vertex_in_half_space(&self) -> Option<[u32; 2]> {
-        let number = self.ids[1].filter(|_| self.kind == RecordKind::Vh)?;
-        Some([*self.mesh_vertices[0].first()?, number])
+    /// The vertex in the mesh and the number of the half space, if it is one of these two.
+    pub(crate) fn in_half_space(&self) -> Option<(u32, u32)> {
+        let is_such = self.kind == RecordKind::Vh;
+        let vertex = self.mesh_vertices[0].first();
+        vertex.copied().zip(self.ids[1]).filter(|_| is_such)
     }
 
     /// The order of the first times. Times between the same two adjacent f64 are equal.

@@ -157,8 +157,8 @@ impl Scene {
         moving.map(|part| part.vertices.clone()).collect()
     }
 
-    /// The named bodies of the scene, for pages: its parts, or the groups of a part where each vertex is in one.
-    /// None, if all is one part without groups.
+    /// The named bodies of the scene, for pages: its parts, or the groups of a part where each vertex is in
+    /// one. None, if all is one part without groups.
     pub(crate) fn bodies(&self) -> Vec<Body> {
         let bodies: Vec<Body> = self.parts.iter().flat_map(Part::bodies).collect();
         if bodies.len() > 1 { bodies } else { Vec::new() }

@@ -135,8 +135,8 @@ impl Part {
         Failure::Motion(ReadMotionError::Motion { start, end, source })
     }
 
-    /// The groups of the part as bodies, if each is a range of vertices and they cover the part in their order;
-    /// or else the part.
+    /// The groups of the part as bodies, if each is a range of vertices and they cover the part in their
+    /// order; or else the part.
     pub(super) fn bodies(&self) -> Vec<Body> {
         let (first, end) = (self.vertices.start, self.vertices.end);
         let kind = if self.is_obstacle { "obstacle" } else { "" };

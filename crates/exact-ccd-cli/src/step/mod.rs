@@ -288,16 +288,6 @@ impl Arguments {
         };
         let at_start = start.iter().map(of_start);
         let in_step = contacts.iter().map(|contact| problem.record(contact));
-        let shown = ShownStep {
-            scene,
-            motion,
-            start,
-            half_spaces: problem.half_spaces.all(),
-            contacts,
-            in_half_spaces: &in_half_spaces,
-        };
-        let answer = (&*output.verdict(), &*output.to_string());
-        self.view.step(&self.files, &shown, answer)?;
         let mut records: Vec<_> = at_start.chain(in_step).chain(in_half_spaces).collect();
         records.sort_by(ContactRecord::compare_times);
         let list = ContactList(records);
@@ -307,6 +297,18 @@ impl Arguments {
         if let Some(folder) = &self.out {
             impact_files::write(folder, motion.step()?, ids, &list)?;
         }
-        Ok(())
+        let shown = ShownStep {
+            motion,
+            start,
+            contacts,
+            half_spaces: problem.half_spaces.all(),
+            in_half_spaces: &list
+                .0
+                .iter()
+                .filter(|record| record.in_half_space().is_some())
+                .collect::<Vec<_>>(),
+        };
+        let (verdict, answer) = (output.verdict(), output.to_string());
+        self.view.step(&self.files, scene, &shown, (&verdict, &answer))
     }
 }

@@ -4,6 +4,7 @@ mod history;
 mod query;
 mod recording;
 mod setup;
+mod step;
 mod up;
 
 use std::io::Write;
@@ -12,15 +13,15 @@ use std::path::{Path, PathBuf};
 use exact_ccd_mesh::{Contact, Intersection, Motion, Point};
 use exact_ccd_sim::scene::Rendering;
 use exact_ccd_sim::{HalfSpace, Simulation};
-use exact_ccd_view::{Page, PageError};
+use exact_ccd_view::Page;
 
-use crate::contacts::ContactRecord;
 use crate::failure::Failure;
 use crate::output::replace_file;
 use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
 use setup::Setup;
+pub(crate) use step::ShownStep;
 use up::Up;
 
 /// The options `--view` and `--view-up`.
@@ -29,43 +30,10 @@ pub(crate) struct View {
     /// Write an HTML file that shows the motion and the contacts in a browser. It contains all it needs.
     #[arg(long, value_name = "FILE.html")]
     view: Option<PathBuf>,
-    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a simulation,
-    /// `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
+    /// The direction upwards on that page: x, y, z, -x, -y, -z, or three numbers [default: z; of a
+    /// simulation, `up` of the scene's table `[render]`, or else opposite to gravity, or y without gravity]
     #[arg(long, value_name = "AXIS", requires = "view", allow_hyphen_values = true)]
     view_up: Option<Up>,
-}
-
-/// A step and all that touches in it.
-pub(crate) struct ShownStep<'a> {
-    pub(crate) scene: &'a Scene,
-    pub(crate) motion: &'a Motion,
-    /// The intersections at the start.
-    pub(crate) start: &'a [Intersection],
-    pub(crate) half_spaces: &'a [HalfSpace],
-    /// The contacts of the mesh, the earliest first.
-    pub(crate) contacts: &'a [Contact],
-    /// The contacts with the half spaces, the earliest first.
-    pub(crate) in_half_spaces: &'a [ContactRecord],
-}
-
-impl ShownStep<'_> {
-    /// Adds the contacts in the order of their times, those of the mesh first among the same.
-    fn add_contacts(&self, page: &mut Page) -> Result<(), PageError> {
-        let mut later = self.in_half_spaces.iter().peekable();
-        let mut add_before = |page: &mut Page, time: f64| {
-            while let Some(record) = later.next_if(|record| record.toi() < time) {
-                if let Some([vertex, number]) = record.vertex_in_half_space() {
-                    page.add_half_space_contact(vertex, number, Some(record.toi()))?;
-                }
-            }
-            Ok::<_, PageError>(())
-        };
-        for contact in self.contacts {
-            add_before(page, contact.impact.time.lower())?;
-            page.add_contact(contact)?;
-        }
-        add_before(page, f64::INFINITY)
-    }
 }
 
 impl View {
@@ -79,15 +47,16 @@ impl View {
     pub(crate) fn step(
         &self,
         files: &[PathBuf],
+        scene: &Scene,
         step: &ShownStep<'_>,
         (verdict, answer): (&str, &str),
     ) -> Result<(), Failure> {
         let Some(file) = &self.view else { return Ok(()) };
-        let page = Page::of_step(title(files), step.motion.step()?, step.start, &[])?;
-        let setup = Setup::of_scene(step.scene, step.half_spaces.to_vec()).with_up(self.up());
-        let mut page = setup.add_to(page);
-        step.add_contacts(&mut page)?;
-        write(file, &with_answer(page, verdict, answer))
+        let setup = Setup::of_scene(scene, step.half_spaces.to_vec()).with_up(self.up());
+        write(
+            file,
+            &with_answer(step.page(title(files), setup)?, verdict, answer),
+        )
     }
 
     /// The recording of frames from files, which does nothing if there is to be no page of them.

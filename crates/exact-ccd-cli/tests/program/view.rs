@@ -320,6 +320,32 @@ fn an_audit_has_the_vertices_in_half_spaces() {
     }
 }
 
+/// A vertex that meets a half space in a step is a contact of the page at its first time, among the others.
+#[test]
+fn a_step_has_its_contacts_with_half_spaces() {
+    let folder = fall(2.0, 1.0);
+    let floor = |height: &str| format!("0,0,{height},0,0,1");
+    // The tip falls from 2 to 1; the square at 0 is below the floor at all times.
+    let options = ["--half-space", &floor("1.5"), "--view", "page.html"];
+    let run = folder.run(&[&["step", "start.ply", "end.ply"][..], &options].concat());
+    assert_eq!(run.status, 1, "{run:?}");
+    let page = data(&folder, "page.html");
+    let contacts = page["contacts"].as_array().unwrap();
+    let times: Vec<f64> = contacts
+        .iter()
+        .map(|contact| contact["time"].as_f64().unwrap())
+        .collect();
+    assert!(
+        times.is_sorted() && times[0] == 0.0 && times.contains(&0.5),
+        "{times:?}"
+    );
+    let tip = contacts.iter().find(|contact| contact["time"] == 0.5).unwrap();
+    assert_eq!(tip["primitives"][1]["kind"], "half-space");
+    assert_eq!(tip["closest"][0][2], 1.5);
+    assert_eq!(page["halfSpaces"].as_array().unwrap().len(), 1);
+    assert_eq!(run.stdout.lines().nth(1).unwrap(), page["verdict"]);
+}
+
 /// The headline is the answer, whatever was read and compared; the parts are bodies.
 #[test]
 fn the_verdict_is_no_note() {

@@ -197,6 +197,16 @@ fn a_vertex_in_a_half_space_is_a_contact_of_the_last_frame() {
         serde_json::json!([[1.0, 1.0, 1.0], [1.0, 1.0, 2.0]])
     );
     assert_eq!(contact["normal"], normal);
+
+    // In a step, the vertex is where it is at the time.
+    page.add_frame("c", &moved(4.0)).unwrap();
+    page.add_half_space_contact(3, 0, Some(0.25)).unwrap();
+    let contact = &Html::of(&page).json()["contacts"][1];
+    assert_eq!((&contact["frame"], &contact["time"]), (&1.into(), &0.25.into()));
+    assert_eq!(
+        contact["closest"],
+        serde_json::json!([[1.0, 1.0, 2.0], [1.0, 1.0, 2.0]])
+    );
 }
 
 /// Half spaces of any size: what has no direction is left out, and no point is infinite.
