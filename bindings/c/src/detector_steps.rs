@@ -22,7 +22,7 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x0, x1, is_free) = unsafe {
+        let (detector, x0, x1, is_free) = unsafe {
             let detector = reference_mut("detector", detector)?;
             let is_free = Out::new("is_free", is_free)?;
             (
@@ -32,7 +32,7 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
                 is_free,
             )
         };
-        is_free.write(detector.is_free(x0, x1)?);
+        is_free.write(detector.run(|detector| Ok(detector.is_free(x0, x1)?))?);
         Ok(())
     })
 }
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x0, x1, is_found, contact) = unsafe {
+        let (detector, x0, x1, is_found, contact) = unsafe {
             let detector = reference_mut("detector", detector)?;
             let (x0, x1) = (
                 positions("x0", x0, vertex_count)?,
@@ -59,10 +59,10 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
             let is_found = Out::new("is_found", is_found)?;
             (detector, x0, x1, is_found, Out::new("contact", contact)?)
         };
-        let earliest = detector.earliest_contact(x0, x1)?;
+        let earliest = detector.run(|detector| Ok(detector.earliest_contact(x0, x1)?))?;
         is_found.write(earliest.is_some());
         if let Some(earliest) = &earliest {
-            contact.write(Contact::of(detector.mesh(), earliest));
+            contact.write(Contact::of(detector.inner.mesh(), [x0, x1], earliest));
         }
         Ok(())
     })
@@ -81,7 +81,7 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x0, x1, contacts) = unsafe {
+        let (detector, x0, x1, contacts) = unsafe {
             let detector = reference_mut("detector", detector)?;
             let contacts = Out::new("contacts", contacts)?;
             (
@@ -91,9 +91,9 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
                 contacts,
             )
         };
-        let found = detector.contacts(x0, x1, until)?;
-        let mesh = detector.mesh();
-        let list = found.iter().map(|contact| Contact::of(mesh, contact)).collect();
+        let found = detector.run(|detector| Ok(detector.contacts(x0, x1, until)?))?;
+        let of = |contact| Contact::of(detector.inner.mesh(), [x0, x1], contact);
+        let list = found.iter().map(of).collect();
         contacts.write(Box::into_raw(Box::new(Contacts(list))));
         Ok(())
     })
@@ -120,12 +120,13 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
         // SAFETY: the documentation of the function states the promise. The result is written after
         // the last use of the positions, which may be the same memory.
         unsafe {
-            let Detector(detector) = reference_mut("detector", detector)?;
+            let detector = reference_mut("detector", detector)?;
             let size = Out::new("size", size)?;
             let step = {
                 let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
                 let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
-                detector.free_step(x0, x1, &FreeStepOptions::default().with_keep(keep))?
+                let options = FreeStepOptions::default().with_keep(keep);
+                detector.run(|detector| Ok(detector.free_step(x0, x1, &options)?))?
             };
             let places = places("positions", positions.cast::<Point>(), vertex_count)?;
             fill(places, step.positions);

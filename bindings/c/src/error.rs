@@ -32,12 +32,32 @@ pub enum Status {
 pub(crate) struct Error {
     pub(crate) status: Status,
     message: String,
+    /// The query of a batch that is wrong.
+    query: Option<usize>,
+}
+
+/// A call that failed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct LastError {
+    /// The status that the call returned; `EXACT_CCD_STATUS_OK` if no call on this thread has failed.
+    pub status: Status,
+    /// The message, as from `exact_ccd_last_error`.
+    pub message: *const c_char,
+    /// True if `query` has a meaning.
+    pub has_query: bool,
+    /// The index, from 0, of the first query of a batch that is wrong; 0 if there is none.
+    pub query: usize,
 }
 
 impl Error {
     pub(crate) fn new(status: Status, message: impl ToString) -> Self {
         let message = message.to_string();
-        Self { status, message }
+        Self {
+            status,
+            message,
+            query: None,
+        }
     }
 
     pub(crate) fn argument(message: impl ToString) -> Self {
@@ -46,11 +66,12 @@ impl Error {
 
     /// The error of a part of a batch that begins with query `first`.
     pub(crate) fn of_batch(error: VertexOutOfRange, first: usize) -> Self {
-        VertexOutOfRange {
-            query: first + error.query,
-            ..error
+        let query = first + error.query;
+        let error = VertexOutOfRange { query, ..error };
+        Self {
+            query: Some(query),
+            ..Self::new(Status::InvalidMesh, error)
         }
-        .into()
     }
 
     /// Keeps the message for `exact_ccd_last_error`, and returns the status.
@@ -58,8 +79,13 @@ impl Error {
     pub(crate) fn record(self) -> Status {
         // A message has no zero bytes: numbers and names of this library.
         let message = CString::new(self.message).unwrap_or_default();
-        LAST.with_borrow_mut(|last| *last = message);
-        self.status
+        let (status, query) = (self.status, self.query);
+        LAST.set(Some(Last {
+            status,
+            message,
+            query,
+        }));
+        status
     }
 }
 
@@ -80,7 +106,6 @@ status_of! {
     TimeOutOfStep => InvalidArgument,
     exact_ccd::NonFinite => InvalidPositions,
     TrajectoriesError => InvalidPositions,
-    VertexOutOfRange => InvalidMesh,
     MeshError => InvalidMesh,
     TooManyPrimitives => InvalidMesh,
 }
@@ -124,8 +149,15 @@ impl From<LineSearchError> for Error {
     }
 }
 
+/// The last call on a thread that failed.
+struct Last {
+    status: Status,
+    message: CString,
+    query: Option<usize>,
+}
+
 thread_local! {
-    static LAST: RefCell<CString> = RefCell::default();
+    static LAST: RefCell<Option<Last>> = const { RefCell::new(None) };
 }
 
 /// The message of the last call on this thread that failed; empty if none has. It names the argument,
@@ -133,5 +165,17 @@ thread_local! {
 /// thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn exact_ccd_last_error() -> *const c_char {
-    LAST.with_borrow(|last| last.as_ptr())
+    exact_ccd_last_error_fields().message
+}
+
+/// The last call on this thread that failed, with the query that is wrong as a number. The message is
+/// valid as long as that of `exact_ccd_last_error`.
+#[unsafe(no_mangle)]
+pub extern "C" fn exact_ccd_last_error_fields() -> LastError {
+    LAST.with_borrow(|last| LastError {
+        status: last.as_ref().map_or(Status::Ok, |last| last.status),
+        message: last.as_ref().map_or(c"", |last| &last.message).as_ptr(),
+        has_query: last.as_ref().is_some_and(|last| last.query.is_some()),
+        query: last.as_ref().and_then(|last| last.query).unwrap_or(0),
+    })
 }
