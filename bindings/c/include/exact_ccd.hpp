@@ -31,7 +31,9 @@ public:
     explicit Error(const exact_ccd_error_t& error)
         : std::runtime_error(error.message),
           status_(error.status),
-          query_(error.has_query ? std::optional(error.query) : std::nullopt)
+          query_(error.has_query ? std::optional(error.query) : std::nullopt),
+          edge_(error.edge),
+          face_(error.face)
     {}
 
     exact_ccd_status_t status() const noexcept { return status_; }
@@ -39,9 +41,14 @@ public:
     /// The index, from 0, of the first query of a batch that is wrong.
     std::optional<std::size_t> query() const noexcept { return query_; }
 
+    /// The edge and the face that cross at the start, for EXACT_CCD_STATUS_CROSSING; else 4294967295.
+    std::uint32_t edge() const noexcept { return edge_; }
+    std::uint32_t face() const noexcept { return face_; }
+
 private:
     exact_ccd_status_t status_;
     std::optional<std::size_t> query_;
+    std::uint32_t edge_, face_;
 };
 
 /// Throws the error of a call that failed.
@@ -430,6 +437,12 @@ public:
     /// True if an edge and a face that can collide and have no common vertex meet at rest.
     bool has_intersections(Points x) const { return intersection(x).has_value(); }
 
+    /// With the check of the start, an answer about a step throws an Error with EXACT_CCD_STATUS_CROSSING if an
+    /// edge passes through a face at `x0`. Without it, which is the default, such a mesh may be free of contact.
+    void set_start_check(bool is_on) { check(exact_ccd_detector_set_start_check(handle(), is_on)); }
+
+    /// True if no two primitives touch. A mesh that is pierced at `x0` may be free: see `set_start_check`, and
+    /// docs/pairs.md for the pairs that are compared.
     bool is_free(Points x0, Points x1)
     {
         detail::check_counts(x0, x1);
@@ -438,6 +451,8 @@ public:
         return answer;
     }
 
+    /// The earliest contact. A mesh that is pierced at `x0` may have none: see `set_start_check`, and
+    /// docs/pairs.md for the pairs that are compared.
     std::optional<Contact> earliest_contact(Points x0, Points x1)
     {
         detail::check_counts(x0, x1);
@@ -448,7 +463,8 @@ public:
         return is_found ? std::optional(contact) : std::nullopt;
     }
 
-    /// The contacts until a time, the earliest first.
+    /// The contacts until a time, the earliest first. A mesh that is pierced at `x0` may have none: see
+    /// `set_start_check`.
     std::vector<Contact> contacts(Points x0, Points x1, double until = 1)
     {
         detail::check_counts(x0, x1);
@@ -469,7 +485,8 @@ public:
     }
 
     /// The size of a step without contact, at most `keep` times the time of impact, and the certified
-    /// positions at its end. The size is 0 if no positive one is certified.
+    /// positions at its end. The size is 0 if no positive one is certified. A mesh that is pierced at `x0` may be
+    /// free of contact, with size 1: see `set_start_check`, and docs/pairs.md for the pairs that are compared.
     FreeStep free_step(Points x0, Points x1, double keep = 0.9)
     {
         detail::check_counts(x0, x1);

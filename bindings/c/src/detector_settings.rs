@@ -1,4 +1,5 @@
-//! The settings of a detector: its distance, the groups that can collide, its threads.
+//! The settings of a detector: its distance, the groups that can collide, its threads, the
+//! check of the start.
 
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::MinDistance;
@@ -97,6 +98,23 @@ pub unsafe extern "C" fn exact_ccd_detector_set_threads(detector: *mut Detector,
         // SAFETY: the documentation of the function states the promise.
         let detector = unsafe { reference_mut("detector", detector)? };
         detector.threads = Threads::new(count)?;
+        Ok(())
+    })
+}
+
+/// Turns the check of the start on or off; it is off in a new detector. With it, an answer about a step
+/// has the status `EXACT_CCD_STATUS_CROSSING` if an edge passes through a face at `x0`, among the pairs
+/// that can collide; `exact_ccd_last_error_fields` has both. Primitives that merely touch are contacts at
+/// t = 0, as always.
+///
+/// The check is a pass over the mesh at rest. No pass is made if `x0` is, bit for bit, the start of the
+/// step before, or, without a callback, the end of the last step that was found free.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_detector_set_start_check(detector: *mut Detector, is_on: bool) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let detector = unsafe { reference_mut("detector", detector)? };
+        detector.inner.set_start_check(is_on);
         Ok(())
     })
 }

@@ -12,6 +12,9 @@ use crate::pointers::{Out, fill, places, positions, reference_mut};
 
 /// Decides if a step is free of contact. `x0` and `x1` are the positions of the `vertex_count`
 /// vertices at t = 0 and t = 1. Ends soon after the first contact found.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+/// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_is_free(
     detector: *mut Detector,
@@ -39,6 +42,9 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
 
 /// The earliest contact of a step; `contact` is written only if there is one. Positions as in
 /// `exact_ccd_detector_is_free`.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+/// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
     detector: *mut Detector,
@@ -70,6 +76,9 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
 
 /// The contacts of a step whose first time is not after `until`, from 0 to 1, the earliest first; all
 /// for 1. The list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+/// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_contacts(
     detector: *mut Detector,
@@ -106,6 +115,10 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
 /// if the full step is free. It is 0 if no positive size is certified: the mesh is in contact at the
 /// start, or within the smallest `double` of it. `positions` has room for `vertex_count` points, and
 /// may be `x0` or `x1`.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
+/// size is 1: without `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs
+/// that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_free_step(
     detector: *mut Detector,

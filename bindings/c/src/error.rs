@@ -24,6 +24,9 @@ pub enum Status {
     InvalidMesh = 3,
     /// A defect of the library. The handle of the call may only be freed.
     Internal = 4,
+    /// An edge passes through a face at the start of the step, and the detector has the check of the
+    /// start: see `exact_ccd_detector_set_start_check`.
+    Crossing = 5,
 }
 
 /// The reason why a call has no result.
@@ -34,6 +37,8 @@ pub(crate) struct Error {
     message: String,
     /// The query of a batch that is wrong.
     query: Option<usize>,
+    /// The edge and the face that cross at the start.
+    crossing: Option<[u32; 2]>,
 }
 
 /// A call that failed.
@@ -48,6 +53,10 @@ pub struct LastError {
     pub has_query: bool,
     /// The index, from 0, of the first query of a batch that is wrong; 0 if there is none.
     pub query: usize,
+    /// The edge that passes through a face, for `EXACT_CCD_STATUS_CROSSING`; else 4294967295.
+    pub edge: u32,
+    /// That face; else 4294967295.
+    pub face: u32,
 }
 
 impl Error {
@@ -57,6 +66,7 @@ impl Error {
             status,
             message,
             query: None,
+            crossing: None,
         }
     }
 
@@ -79,13 +89,16 @@ impl Error {
     pub(crate) fn record(self) -> Status {
         // A message has no zero bytes: numbers and names of this library.
         let message = CString::new(self.message).unwrap_or_default();
-        let (status, query) = (self.status, self.query);
-        LAST.set(Some(Last {
-            status,
-            message,
-            query,
-        }));
-        status
+        let fields = LastError {
+            status: self.status,
+            message: message.as_ptr(),
+            has_query: self.query.is_some(),
+            query: self.query.unwrap_or(0),
+            edge: self.crossing.map_or(u32::MAX, |[edge, _]| edge),
+            face: self.crossing.map_or(u32::MAX, |[_, face]| face),
+        };
+        LAST.set(Some((message, fields)));
+        self.status
     }
 }
 
@@ -115,6 +128,10 @@ impl From<StepError> for Error {
         match error {
             StepError::TooManyPrimitives(error) => error.into(),
             StepError::Time(error) => error.into(),
+            StepError::Crossing { edge, face, .. } => Self {
+                crossing: Some([edge, face]),
+                ..Self::new(Status::Crossing, error)
+            },
             _ => Self::new(Status::InvalidPositions, error),
         }
     }
@@ -149,15 +166,9 @@ impl From<LineSearchError> for Error {
     }
 }
 
-/// The last call on a thread that failed.
-struct Last {
-    status: Status,
-    message: CString,
-    query: Option<usize>,
-}
-
 thread_local! {
-    static LAST: RefCell<Option<Last>> = const { RefCell::new(None) };
+    /// The last call that failed, and the message that its fields point to.
+    static LAST: RefCell<Option<(CString, LastError)>> = const { RefCell::new(None) };
 }
 
 /// The message of the last call on this thread that failed; empty if none has. It names the argument,
@@ -168,14 +179,19 @@ pub extern "C" fn exact_ccd_last_error() -> *const c_char {
     exact_ccd_last_error_fields().message
 }
 
-/// The last call on this thread that failed, with the query that is wrong as a number. The message is
-/// valid as long as that of `exact_ccd_last_error`.
+/// The last call on this thread that failed, with the query, the edge and the face that are wrong as
+/// numbers. The message is valid as long as that of `exact_ccd_last_error`.
 #[unsafe(no_mangle)]
 pub extern "C" fn exact_ccd_last_error_fields() -> LastError {
-    LAST.with_borrow(|last| LastError {
-        status: last.as_ref().map_or(Status::Ok, |last| last.status),
-        message: last.as_ref().map_or(c"", |last| &last.message).as_ptr(),
-        has_query: last.as_ref().is_some_and(|last| last.query.is_some()),
-        query: last.as_ref().and_then(|last| last.query).unwrap_or(0),
+    LAST.with_borrow(|last| match last {
+        Some((_, fields)) => *fields,
+        None => LastError {
+            status: Status::Ok,
+            message: c"".as_ptr(),
+            has_query: false,
+            query: 0,
+            edge: u32::MAX,
+            face: u32::MAX,
+        },
     })
 }

@@ -118,6 +118,15 @@ void meshes()
     CHECK(!detector.intersection(x0));
     const auto intersection = detector.intersection(x1);
     CHECK(intersection && intersection->face == 0 && intersection->edge < 6);
+    CHECK(detector.is_free(x1, x1));
+    detector.set_start_check(true);
+    try {
+        detector.is_free(x1, x1);
+        CHECK(!"the mesh is pierced at the start");
+    } catch (const exact_ccd::Error& error) {
+        CHECK(error.status() == EXACT_CCD_STATUS_CROSSING && !error.query());
+        CHECK(error.edge() == intersection->edge && error.face() == intersection->face);
+    }
     CHECK(!detector.is_free(x0, x1));
     CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.5);
     CHECK(detector.contacts(x0, x1).size() == 1);

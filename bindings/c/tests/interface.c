@@ -114,7 +114,7 @@ static void errors(void)
     fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NULL), argument, "collides");
     fails(exact_ccd_collides(7, FACE_START, FACE_END, 0, &collides), argument, "kind is 7");
     fails(exact_ccd_collides(EXACT_CCD_KIND_EDGE_FACE, FACE_START, FACE_END, 0, &collides), argument, "kind is 4");
-    CHECK(!exact_ccd_last_error_fields().has_query);
+    CHECK(!exact_ccd_last_error_fields().has_query && exact_ccd_last_error_fields().edge == UINT32_MAX);
     fails(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NAN, &time),
           argument,
           "until");
@@ -318,6 +318,40 @@ static void smallest_times(void)
     exact_ccd_mesh_free(mesh);
 }
 
+// A mesh that is pierced at the start is free of contact, unless the start is checked.
+static void start_check(const exact_ccd_mesh_t* mesh, const double* apart, const double* crossing)
+{
+    exact_ccd_detector_t* detector = NULL;
+    exact_ccd_contacts_t* contacts = NULL;
+    exact_ccd_contact_t contact;
+    bool is_free = false, is_found = false;
+    double size = -1, positions[18];
+    const exact_ccd_status_t status = EXACT_CCD_STATUS_CROSSING;
+    OK(exact_ccd_detector_new(mesh, &detector));
+    OK(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free));
+    CHECK(is_free);
+    OK(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions));
+    CHECK(size == 1);
+
+    uint32_t edge = 99, face = 99;
+    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &is_found, &edge, &face));
+    OK(exact_ccd_detector_set_start_check(detector, true));
+    size = -1;
+    fails(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free), status, "passes through face");
+    fails(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions), status, "face");
+    fails(exact_ccd_detector_earliest_contact(detector, crossing, apart, 6, &is_found, &contact), status, "edge");
+    fails(exact_ccd_detector_contacts(detector, crossing, apart, 6, 1, &contacts), status, "edge");
+    CHECK(size == -1 && contacts == NULL);
+    const exact_ccd_error_t error = exact_ccd_last_error_fields();
+    CHECK(error.status == status && error.edge == edge && error.face == face && !error.has_query);
+    OK(exact_ccd_detector_is_free(detector, apart, apart, 6, &is_free));
+    CHECK(is_free);
+    OK(exact_ccd_detector_set_start_check(detector, false));
+    OK(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free));
+    CHECK(is_free);
+    exact_ccd_detector_free(detector);
+}
+
 static void meshes(void)
 {
     const uint32_t faces[6] = {0, 1, 2, 3, 4, 5};
@@ -340,6 +374,7 @@ static void meshes(void)
 
     intersections(mesh, x0, x1);
     owned_data(mesh);
+    start_check(mesh, x0, x1);
     // Results may have the same place.
     size_t same = 99;
     OK(exact_ccd_mesh_counts(mesh, &same, &same, &same));
