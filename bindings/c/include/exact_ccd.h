@@ -158,8 +158,8 @@ enum exact_ccd_status_t exact_ccd_audit_set_threads(struct exact_ccd_audit_t *au
 // `contact` is written unless the result is `EXACT_CCD_AUDIT_RESULT_FREE`.
 //
 // For an intersection, `contact->kind` is `EXACT_CCD_KIND_EDGE_FACE`, `contact->first` the edge and
-// `contact->second` the face; the vertices are 4294967295, and all other numbers 0. A contact is in the step from the frame before: its time is 0 there and 1 at
-// this frame; in the first frame it is 0.
+// `contact->second` the face; the vertices are 4294967295, and all other numbers 0. A contact is in the
+// step from the frame before: its time is 0 there and 1 at this frame; in the first frame it is 0.
 enum exact_ccd_status_t exact_ccd_audit_examine(struct exact_ccd_audit_t *audit,
                                                 const double *x,
                                                 size_t vertex_count,

@@ -54,7 +54,7 @@ static void queries(void)
     OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, below, &time));
     CHECK(isnan(time));
     OK(exact_ccd_time_of_impact_until(
-        EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, nextafter(below, 1), &time));
+        EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, 0x1.5555555555556p-2, &time));
     CHECK(time == below);
     OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, INFINITY, &time));
     CHECK(time == below);
