@@ -13,9 +13,7 @@ use tempfile::TempDir;
 fn fall() -> TempDir {
     let folder = TempDir::new().unwrap();
     for (name, height) in [("start.obj", 1.0), ("end.obj", -1.0)] {
-        let mesh = format!(
-            "v 0 0 0\nv 8 0 0\nv 0 8 0\nv 1 1 {height}\nv 1 2 9\nv 2 1 9\nf 1 2 3\nf 4 5 6\n"
-        );
+        let mesh = format!("v 0 0 0\nv 8 0 0\nv 0 8 0\nv 1 1 {height}\nv 1 2 9\nv 2 1 9\nf 1 2 3\nf 4 5 6\n");
         fs::write(folder.path().join(name), mesh).unwrap();
     }
     folder
