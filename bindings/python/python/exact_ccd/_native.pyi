@@ -16,7 +16,9 @@ __all__ = [
     "KINDS",
     "Detector",
     "FrameSequence",
+    "HalfSpaces",
     "Mesh",
+    "Page",
     "Welding",
     "__version__",
     "collides",
@@ -31,6 +33,7 @@ __all__ = [
     "read_mesh",
     "time_and_count",
     "time_of_impact",
+    "time_until",
 ]
 
 __version__: str
@@ -43,6 +46,7 @@ def collides(
 def time_of_impact(
     kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
 ) -> _Floats: ...
+def time_until(kind: str, arrays: _Arrays, min_distance: float, until: float) -> _Floats: ...
 def contact_count(
     kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
 ) -> NDArray[np.int64]: ...
@@ -99,6 +103,17 @@ class Mesh:
     def loose_edge_count(self) -> int: ...
 
 @final
+class HalfSpaces:
+    def __new__(cls, rows: _Floats) -> HalfSpaces: ...
+    def touching(self, positions: _Floats, distances: _Floats) -> Optional[tuple[int, int]]: ...
+
+@final
+class Page:
+    def __new__(cls, title: str, mesh: Mesh, positions: _Floats) -> Page: ...
+    def add_frame(self, label: str, positions: _Floats) -> None: ...
+    def html(self, summary: list[str]) -> bytes: ...
+
+@final
 class Detector:
     def __new__(
         cls,
@@ -117,3 +132,5 @@ class Detector:
         self, x0: _Floats, x1: _Floats, progress: Optional[Callable[[int], object]]
     ) -> tuple[list[list[int]], _Columns]: ...
     def intersections(self, x: _Floats) -> _Integers: ...
+    def show_intersections(self, page: Page, x: _Floats) -> None: ...
+    def show_contacts(self, page: Page, x0: _Floats, x1: _Floats, all: bool) -> None: ...
