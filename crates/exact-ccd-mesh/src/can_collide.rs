@@ -109,6 +109,11 @@ impl CanCollide {
         self.predicate.is_none() && self.takes_part.is_none()
     }
 
+    /// Returns true if a predicate restricts the pairs of the primitives that take part.
+    pub(crate) fn has_predicate(&self) -> bool {
+        self.predicate.is_some()
+    }
+
     /// Returns true if a primitive, given by its vertices, can collide with any other.
     pub(crate) fn takes_part(&self, vertices: &[u32]) -> bool {
         self.takes_part.as_deref().is_none_or(|flags| {

@@ -28,6 +28,9 @@ use crate::step::Step;
 /// The exact decisions are about contact, or about the [minimum
 /// distance](CandidateOptions::min_distance) of the options. Those of other methods are about contact.
 ///
+/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+/// [`crossings`](crate::crossings) finds such edges.
+///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
 /// mesh does not have are no contacts.
 ///

@@ -133,6 +133,9 @@ impl<B: BroadPhase> CulledSearch<B> {
 impl Step<'_> {
     /// The earliest contact, or `None` if the step is free of contact. For many steps of one mesh,
     /// a [`Detector`](crate::Detector) is faster.
+    ///
+    /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+    /// [`crossings`](crate::crossings) finds such edges.
     #[must_use]
     pub fn earliest_contact(&self, broad_phase: &impl BroadPhase) -> Option<Contact> {
         CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).earliest_contact(self)
@@ -140,6 +143,9 @@ impl Step<'_> {
 
     /// Returns true if no two primitives touch during the step. For many steps of one mesh, a
     /// [`Detector`](crate::Detector) is faster.
+    ///
+    /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+    /// [`crossings`](crate::crossings) finds such edges.
     #[must_use]
     pub fn is_free(&self, broad_phase: &impl BroadPhase) -> bool {
         CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).is_free(self, |_| true)

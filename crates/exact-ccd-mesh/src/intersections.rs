@@ -1,6 +1,6 @@
 //! Self-intersections of a mesh at rest.
 
-use std::cmp::Ordering::{Greater, Less};
+use std::cmp::Ordering::{Equal, Greater, Less};
 
 use exact_ccd::Point;
 use exact_ccd::predicates::{EdgeFace, orient3d};
@@ -120,12 +120,14 @@ pub fn intersections_by(
 }
 
 /// All pairs of an edge and a face that share no vertex and can collide, if the edge passes through the
-/// face: its ends are on different sides of the plane of the face, and they have a common point.
+/// face: its ends are on different sides of the plane of the face, and it meets the plane in the interior of
+/// the face.
 ///
-/// An edge that meets a face without passing through it has an end in the face, or lies in its plane
-/// and has a point in common with a side. Then a vertex touches a face, or two edges touch, and that is
-/// a contact at t = 0 of any step that begins here. So crossings, and the contacts of a step, are all
-/// that [`intersections`] and the step find, in less time: most pairs are decided by the sides alone.
+/// An edge that meets a face without passing through it has an end in the face, or a point in common with a
+/// side of it: one end is in the plane, or the edge meets the plane in a side, or both ends are in the
+/// plane, or the face has no area. Then a vertex touches a face, or two edges touch, and that is a contact
+/// at t = 0 of any step that begins here. So crossings, and the contacts of a step, are all that
+/// [`intersections`] and the step find, in less time: most pairs are decided by the sides alone.
 ///
 /// ```
 /// use exact_ccd_mesh::{CanCollide, Intersection, TriangleMesh, crossings};
@@ -147,17 +149,35 @@ pub fn crossings(
     positions: &[Point],
     can_collide: &CanCollide,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
-    search(&Bvh, mesh, positions, can_collide, |edge, [v1, v2, v3]| {
-        let side = |end| orient3d([v1, v2, v3, end]);
-        let [a, b] = edge;
-        // All positions are finite.
-        let ends_are_apart = match side(a) {
-            Ok(Less) => side(b) == Ok(Greater),
-            Ok(Greater) => side(b) == Ok(Less),
-            _ => false,
-        };
-        ends_are_apart && EdgeFace::new(edge, [v1, v2, v3]).is_ok_and(|pair| pair.intersects())
-    })
+    crossings_by(&Bvh, mesh, positions, can_collide)
+}
+
+/// The same, among the pairs that a broad phase finds.
+pub(crate) fn crossings_by(
+    broad_phase: &impl BroadPhase,
+    mesh: &TriangleMesh,
+    positions: &[Point],
+    can_collide: &CanCollide,
+) -> Result<Vec<Intersection>, IntersectionsError> {
+    search(broad_phase, mesh, positions, can_collide, crosses)
+}
+
+/// Returns true if an edge passes through the interior of a face.
+///
+/// If its ends are on different sides, the line of the edge meets the plane in one point, between them. The
+/// barycentric coordinates of that point are proportional to the volumes that the edge spans with the sides.
+fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
+    // All positions are finite; a sign that is not known is that of no side.
+    let side = |points| orient3d(points).unwrap_or(Equal);
+    let ends_are_apart = match side([v1, v2, v3, a]) {
+        Less => side([v1, v2, v3, b]) == Greater,
+        Greater => side([v1, v2, v3, b]) == Less,
+        Equal => false,
+    };
+    ends_are_apart && {
+        let first = side([a, b, v1, v2]);
+        first != Equal && side([a, b, v2, v3]) == first && side([a, b, v3, v1]) == first
+    }
 }
 
 /// The pairs that can collide and meet, sorted.

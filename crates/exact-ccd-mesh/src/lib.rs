@@ -68,6 +68,7 @@ mod positions;
 mod primitive_count;
 mod report;
 mod shift;
+mod start_check;
 mod step;
 mod step_boxes;
 mod tet_error;

@@ -39,6 +39,9 @@ pub struct StepReport {
 /// [`StepReport::new`], as this function does. If only the earliest contact matters, or only if
 /// there is one, [`Detector`](crate::Detector) is faster.
 ///
+/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+/// [`crossings`](crate::crossings) finds such edges.
+///
 /// ```
 /// use exact_ccd_mesh::{Pair, TriangleMesh, step};
 ///

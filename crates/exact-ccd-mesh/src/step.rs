@@ -25,6 +25,23 @@ pub enum StepError {
     /// The positions at t = 1 do not fit the mesh.
     #[error("at the end, {0}")]
     End(#[source] PositionsError),
+    /// An edge passes through a face at t = 0: see [`crossings`](crate::crossings). Only a detector with
+    /// [`Detector::with_start_check`](crate::Detector::with_start_check) has this error.
+    #[error(
+        "at the start, edge {edge} ({}, {}) passes through face {face} ({}, {}, {}): begin at positions \
+         where no edge does, or leave this pair out of those that can collide",
+        ends[0], ends[1], corners[0], corners[1], corners[2]
+    )]
+    Crossing {
+        /// The index of the edge in [`TriangleMesh::edges`].
+        edge: u32,
+        /// The vertices of the edge.
+        ends: [u32; 2],
+        /// The index of the face in [`TriangleMesh::faces`].
+        face: u32,
+        /// The vertices of the face.
+        corners: [u32; 3],
+    },
     /// The mesh is too large.
     #[error(transparent)]
     TooManyPrimitives(#[from] TooManyPrimitives),

@@ -96,11 +96,14 @@ proptest! {
         let touching = step(&mesh, &x, &x).unwrap().touching;
         prop_assert_eq!(touches(&mesh, &x), !found.is_empty() || touching.total() > 0);
         let is_crossing = |pair: &Intersection| {
-            let corners = mesh.faces()[pair.face as usize].map(|vertex| x[vertex as usize]);
-            let [a, b] = mesh.edges()[pair.edge as usize].map(|vertex| {
-                oracle::orientation([corners[0], corners[1], corners[2], x[vertex as usize]])
-            });
-            a != b && a.is_ne() && b.is_ne()
+            let [u, v, w] = mesh.faces()[pair.face as usize].map(|vertex| x[vertex as usize]);
+            let [p, q] = mesh.edges()[pair.edge as usize].map(|vertex| x[vertex as usize]);
+            let heights = [p, q].map(|end| oracle::orientation([u, v, w, end]));
+            let volumes = [[u, v], [v, w], [w, u]].map(|[a, b]| oracle::orientation([p, q, a, b]));
+            heights[0] == heights[1].reverse()
+                && heights[0].is_ne()
+                && volumes[0].is_ne()
+                && volumes == [volumes[0]; 3]
         };
         let mut crossing = all;
         crossing.retain(is_crossing);

@@ -13,7 +13,6 @@ use crate::collect::{AnyContact, Collect, Earliest};
 use crate::contact::Contact;
 use crate::culled_search::CulledSearch;
 use crate::detector::Detector;
-use crate::mesh::TriangleMesh;
 use crate::positions;
 use crate::step::Step;
 
@@ -101,6 +100,9 @@ impl<B: BroadPhase> Detector<B> {
     /// it is not free, the next smaller f64 is tried, then the second, the fourth, … below the first
     /// one, until it is.
     ///
+    /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
+    /// size is 1: without [`with_start_check`](Self::with_start_check), this is not found.
+    ///
     /// ```
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};
     ///
@@ -118,17 +120,19 @@ impl<B: BroadPhase> Detector<B> {
     ///
     /// # Errors
     /// [`LineSearchError`] names the positions that are too many, too few or not finite, or a
-    /// fraction to keep that is out of range; it is [`LineSearchError::Cancelled`] if the search
-    /// was cancelled.
+    /// fraction to keep that is out of range, or, with the check of the start, the edge that passes through
+    /// a face; it is [`LineSearchError::Cancelled`] if the search was cancelled.
     pub fn free_step(
         &mut self,
         x0: &[Point],
         x1: &[Point],
         options: &FreeStepOptions<'_>,
     ) -> Result<FreeStep, LineSearchError> {
-        let (mesh, search) = self.parts();
-        let step = Step::new(mesh, x0, x1)?;
-        free_step(search, step, |size| step.at(size), options)
+        let mut begun = self.begin(x0, x1)?;
+        let step = begun.step;
+        let taken = free_step(begun.search, step, |size| step.at(size), options)?;
+        begun.found_free(&taken.positions);
+        Ok(taken)
     }
 
     /// [`free_step`](Self::free_step) from positions `x0` towards `x0` + `direction`. The positions
@@ -143,26 +147,22 @@ impl<B: BroadPhase> Detector<B> {
         direction: &[Point],
         options: &FreeStepOptions<'_>,
     ) -> Result<FreeStep, LineSearchError> {
-        let (mesh, search) = self.parts();
-        free_step_along(search, mesh, x0, direction, options)
+        positions::check(self.mesh(), direction).map_err(LineSearchError::Direction)?;
+        let x1 = advance(x0, direction, 1.0);
+        let mut begun = self.begin(x0, &x1)?;
+        let taken = free_step(
+            begun.search,
+            begun.step,
+            |size| advance(x0, direction, size),
+            options,
+        )?;
+        begun.found_free(&taken.positions);
+        Ok(taken)
     }
 }
 
-/// The free step along a direction, with the memory of a search.
-pub(super) fn free_step_along<B: BroadPhase>(
-    search: &mut CulledSearch<B>,
-    mesh: &TriangleMesh,
-    x0: &[Point],
-    direction: &[Point],
-    options: &FreeStepOptions<'_>,
-) -> Result<FreeStep, LineSearchError> {
-    positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
-    let x1 = advance(x0, direction, 1.0);
-    let step = Step::new(mesh, x0, &x1)?;
-    free_step(search, step, |size| advance(x0, direction, size), options)
-}
-
-fn free_step<B: BroadPhase>(
+/// The free step of a step, with the memory of a search.
+pub(super) fn free_step<B: BroadPhase>(
     search: &mut CulledSearch<B>,
     step: Step<'_>,
     at: impl Fn(f64) -> Vec<Point>,

@@ -5,7 +5,7 @@ use exact_ccd::{Ccd, Point};
 use super::advance::advance;
 use super::bisection::{Tolerance, bisect};
 use super::error::LineSearchError;
-use super::free_step::{FreeStepOptions, free_step_along};
+use super::free_step::{FreeStepOptions, free_step};
 use crate::broad_phase::Bvh;
 use crate::can_collide::CanCollide;
 use crate::candidates::Candidates;
@@ -43,6 +43,10 @@ pub enum LineSearch<'a> {
 /// bisection returns a step that is smaller by up to its tolerance. A larger step may be free, too: its
 /// rounded positions are others.
 ///
+/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact, and
+/// the size is 1: [`crossings`](crate::crossings) finds such edges, and
+/// [`Detector::with_start_check`](crate::Detector::with_start_check) begins every search with that test.
+///
 /// # Errors
 /// [`LineSearchError`] names the positions or parts of the direction that are too many, too few or
 /// not finite.
@@ -63,16 +67,17 @@ pub fn step_size(
     direction: &[Point],
     search: LineSearch<'_>,
 ) -> Result<f64, LineSearchError> {
+    positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
+    let end = advance(start, direction, 1.0);
+    let full = Step::new(mesh, start, &end)?;
     match search {
         LineSearch::Exact => {
             let mut search = CulledSearch::new(Bvh, CanCollide::all(), MinDistance::default());
             let options = FreeStepOptions::default().with_keep(1.0);
-            Ok(free_step_along(&mut search, mesh, start, direction, &options)?.size)
+            let at = |size| advance(start, direction, size);
+            Ok(free_step(&mut search, full, at, &options)?.size)
         }
         LineSearch::Bisection { tolerance, method } => {
-            positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
-            let end = advance(start, direction, 1.0);
-            let full = Step::new(mesh, start, &end)?;
             let value = tolerance.value();
             if value.is_nan() || value <= 0.0 {
                 return Err(LineSearchError::Tolerance(value));

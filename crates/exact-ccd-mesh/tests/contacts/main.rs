@@ -8,4 +8,5 @@ mod candidates;
 mod distance;
 mod free_step;
 mod scene;
+mod start_check;
 mod within;

@@ -1,0 +1,193 @@
+//! The check of the start against a loop over all edges and faces, and the passes that it makes.
+
+use std::sync::Arc;
+
+use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd_mesh::{
+    CanCollide, Detector, FreeStepOptions, Intersection, LineSearchError, Point, StepError, TriangleMesh,
+    intersections,
+};
+use fastrand::Rng;
+
+use crate::scene::{Scene, moved};
+
+const FLOOR: [Point; 3] = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
+
+/// A floor and a face whose lowest vertex is at a height.
+fn above(z: f64) -> Vec<Point> {
+    [FLOOR, [[1.0, 1.0, z], [1.0, 2.0, z + 4.0], [2.0, 1.0, z + 4.0]]].concat()
+}
+
+fn two_faces() -> TriangleMesh {
+    TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]]).unwrap()
+}
+
+/// The first edge and face that meet without a vertex of one or a side of the other in contact.
+fn crossing(mesh: &TriangleMesh, x: &[Point]) -> Option<Intersection> {
+    let touches = |&Intersection { edge, face }: &Intersection| {
+        let ([a, b], [v1, v2, v3]) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
+        let at = |vertices: [u32; 4]| vertices.map(|vertex| x[vertex as usize]);
+        let in_face = [a, b].into_iter().any(|end| {
+            let points = at([end, v1, v2, v3]);
+            Query::<VertexFace>::new(points, points).unwrap().collides()
+        });
+        let on_side = [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(|[v, w]| {
+            let points = at([a, b, v, w]);
+            Query::<EdgeEdge>::new(points, points).unwrap().collides()
+        });
+        in_face || on_side
+    };
+    intersections(mesh, x)
+        .unwrap()
+        .into_iter()
+        .find(|pair| !touches(pair))
+}
+
+#[test]
+fn every_answer_names_the_edge_and_the_face_at_a_pierced_start() {
+    let (pierced, end) = (above(-1.0), above(-1.5));
+    let mut off = Detector::new(two_faces());
+    assert_eq!(off.is_free(&pierced, &end), Ok(true));
+    let options = FreeStepOptions::default();
+    assert_eq!(off.free_step(&pierced, &end, &options).unwrap().size, 1.0);
+
+    let mut on = off.with_start_check(true);
+    let expected = StepError::Crossing {
+        edge: 3,
+        ends: [3, 4],
+        face: 0,
+        corners: [0, 1, 2],
+    };
+    assert_eq!(
+        expected.to_string(),
+        "at the start, edge 3 (3, 4) passes through face 0 (0, 1, 2): begin at positions where no edge does, \
+         or leave this pair out of those that can collide"
+    );
+    assert_eq!(on.is_free(&pierced, &end), Err(expected));
+    assert_eq!(on.is_free_of(&pierced, &end, |_| true), Err(expected));
+    assert_eq!(on.earliest_contact(&pierced, &end), Err(expected));
+    assert_eq!(on.contacts(&pierced, &end, 1.0), Err(expected));
+    let expected = LineSearchError::Step(expected);
+    assert_eq!(on.free_step(&pierced, &end, &options), Err(expected));
+    let direction = vec![[0.0, 0.0, -0.5]; 6];
+    assert_eq!(on.free_step_along(&pierced, &direction, &options), Err(expected));
+
+    // Without the pair, nothing crosses.
+    let mut apart = on.with_can_collide(CanCollide::different_groups(vec![0; 6]));
+    assert_eq!(apart.is_free(&pierced, &end), Ok(true));
+}
+
+/// A vertex in a face and an edge through a side are contacts at t = 0.
+#[test]
+fn what_touches_at_the_start_is_contact() {
+    let mut detector = Detector::new(two_faces()).with_start_check(true);
+    let through_a_side = [FLOOR, [[1.0, 0.0, -1.0], [1.0, 0.0, 1.0], [1.0, -1.0, 1.0]]].concat();
+    for x in [above(0.0), through_a_side] {
+        let contact = detector.earliest_contact(&x, &x).unwrap().unwrap();
+        assert!(contact.impact.touching_at_start());
+        assert_eq!(detector.is_free(&x, &x), Ok(false));
+    }
+}
+
+#[test]
+fn known_positions_need_no_pass() {
+    let options = FreeStepOptions::default().with_keep(0.5);
+    let mut detector = Detector::new(two_faces()).with_start_check(true);
+    let mut x = above(8.0);
+    for _ in 0..8 {
+        // Blocked, then free: both from the same start.
+        assert_eq!(detector.is_free(&x, &above(-1.0)), Ok(false));
+        x = detector.free_step(&x, &above(-1.0), &options).unwrap().positions;
+        assert_eq!(detector.earliest_contact(&x, &x), Ok(None));
+    }
+    assert_eq!(detector.start_passes(), 1);
+    // Other bits, even of equal numbers.
+    let negative = x
+        .iter()
+        .map(|point| point.map(|x| if x == 0.0 { -0.0 } else { x }))
+        .collect::<Vec<_>>();
+    assert_eq!(detector.is_free(&negative, &x), Ok(true));
+    assert_eq!(detector.start_passes(), 2);
+    // The end of a step that is not free, and of one of which some pairs do not count.
+    assert_eq!(detector.is_free(&x, &above(-1.0)), Ok(false));
+    assert_eq!(detector.is_free_of(&x, &above(-1.0), |_| false), Ok(true));
+    assert!(matches!(
+        detector.is_free(&above(-1.0), &x),
+        Err(StepError::Crossing { edge: 3, face: 0, .. })
+    ));
+    assert_eq!(detector.start_passes(), 3);
+    // Other pairs: what was known is forgotten.
+    detector.set_can_collide(CanCollide::new(|_, _| true));
+    assert_eq!(detector.is_free(&x, &above(0.5)), Ok(true));
+    assert_eq!(detector.start_passes(), 4);
+    // A predicate might leave out the vertex and the face that came into contact, but not edge and face.
+    assert_eq!(detector.is_free(&above(0.5), &x), Ok(true));
+    assert_eq!(detector.start_passes(), 5);
+}
+
+/// Below the floor, by a step in which the only pair that touches is left out.
+#[test]
+fn a_crossing_that_a_predicate_has_let_through_is_found() {
+    let not_the_tip = |a: &[u32], b: &[u32]| a != [3] && b != [3];
+    let can_collide = CanCollide::new(not_the_tip);
+    let mut detector = Detector::new(two_faces())
+        .with_can_collide(can_collide)
+        .with_start_check(true);
+    assert_eq!(detector.is_free(&above(1.0), &above(-1.0)), Ok(true));
+    assert!(matches!(
+        detector.is_free(&above(-1.0), &above(-1.0)),
+        Err(StepError::Crossing { edge: 3, face: 0, .. })
+    ));
+}
+
+#[test]
+fn random_starts_agree_with_a_loop_over_all_edges_and_faces() {
+    let mut random = Rng::with_seed(61);
+    let (mut pierced, mut touching, mut free) = (0, 0, 0);
+    for _ in 0..400 {
+        let scene = Scene::pieces(&mut random).0;
+        let mut detector = Detector::new(scene.mesh.clone()).with_start_check(true);
+        let found = detector.earliest_contact(&scene.x0, &scene.x1);
+        match crossing(&scene.mesh, &scene.x0) {
+            Some(Intersection { edge: e, face: f }) => {
+                assert!(
+                    matches!(found, Err(StepError::Crossing { edge, face, .. }) if (edge, face) == (e, f))
+                );
+                pierced += 1;
+            }
+            None => {
+                let expected = Detector::new(scene.mesh.clone()).earliest_contact(&scene.x0, &scene.x1);
+                assert_eq!(found, expected);
+                touching += usize::from(!intersections(&scene.mesh, &scene.x0).unwrap().is_empty());
+                free += usize::from(found == Ok(None));
+            }
+        }
+    }
+    assert!(
+        pierced > 50 && touching > 5 && free > 10,
+        "{pierced} {touching} {free}"
+    );
+}
+
+/// From a start without crossings, nothing crosses after any number of free steps.
+#[test]
+fn free_steps_keep_crossings_away() {
+    let mut random = Rng::with_seed(62);
+    let options = FreeStepOptions::default();
+    let mut blocked = 0;
+    for _ in 0..10 {
+        let scene = Scene::sheets(&mut random, 3, 0.0, 0.0);
+        let mesh = Arc::new(scene.mesh);
+        let mut detector = Detector::new(mesh.clone()).with_start_check(true);
+        let mut x = scene.x0;
+        for _ in 0..10 {
+            let end = moved(&mut random, &x, 1.0);
+            let taken = detector.free_step(&x, &end, &options).unwrap();
+            blocked += usize::from(taken.contact.is_some());
+            x = taken.positions;
+            assert_eq!(intersections(&mesh, &x).unwrap(), []);
+        }
+        assert_eq!(detector.start_passes(), 1);
+    }
+    assert!(blocked > 30, "{blocked}");
+}
