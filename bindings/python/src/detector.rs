@@ -5,8 +5,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 use exact_ccd::Point;
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
-    CanCollide, CandidateOptions, Contact, FreeStepOptions, Intersection, MinDistance, Pair, PairCounts, Step, StepReport,
-    TriangleMesh, intersections_by,
+    CanCollide, CandidateOptions, Contact, FreeStepOptions, Intersection, MinDistance, Pair, PairCounts,
+    Step, StepError, StepReport, TriangleMesh, crossings_by, intersections_by,
 };
 use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyRuntimeError;
@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
 use crate::contacts::{Columns, Table};
-use crate::error::refused;
+use crate::error::{refused, refused_search, refused_step};
 use crate::mesh::{Mesh, rows};
 use crate::page::Page;
 use crate::pool;
@@ -52,11 +52,17 @@ struct Work {
     open: Inner,
     /// Obeys it, if there is one.
     ruled: Option<Inner>,
+    groups: CanCollide,
     rule: CanCollide,
     min_distance: MinDistance,
     failure: Arc<Mutex<Option<PyErr>>>,
     watch: Arc<Watch>,
     threads: Option<usize>,
+    /// True if the start of each step is checked. Without a rule, `open` does so, and knows the ends of free
+    /// steps.
+    checks_start: bool,
+    /// The bits of the last start that was checked here.
+    checked: Vec<[u64; 3]>,
 }
 
 impl Work {
@@ -70,6 +76,9 @@ impl Work {
         let (watch, threads) = (self.watch.clone(), self.threads);
         watch.reset();
         let result = compute(py, threads, progress, &watch, || work(self));
+        if watch.is_cancelled() {
+            self.forget_checks();
+        }
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
         failure.map_or(result, Err)
     }
@@ -80,15 +89,59 @@ impl Work {
         Ok(Table::new(&step, contacts))
     }
 
+    /// Makes certain that no edge passes through a face at the start of a step, if that is to be checked. The
+    /// rule is asked for the edges and faces that were found.
+    fn check_start(&mut self, x0: &[Point]) -> PyResult<()> {
+        let bits: Vec<_> = x0.iter().map(|point| point.map(f64::to_bits)).collect();
+        if !self.checks_start || bits == self.checked {
+            return Ok(());
+        }
+        let (mesh, watch) = (&self.mesh, self.watch.clone());
+        let found = crossings_by(&Interruptible { watch }, mesh, x0, &self.groups);
+        for Intersection { edge, face } in found.map_err(|error| refused_step(error.into()))? {
+            let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
+            if self.rule.allows(&ends, &corners) {
+                return Err(refused_step(StepError::Crossing {
+                    edge,
+                    ends,
+                    face,
+                    corners,
+                }));
+            }
+        }
+        self.checked = bits;
+        Ok(())
+    }
+
+    /// The same for a search, in which the detector without a rule makes the check.
+    fn check_start_of_search(&mut self, x0: &[Point]) -> PyResult<()> {
+        if self.ruled.is_some() {
+            self.check_start(x0)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Forgets the positions that were checked, in a computation that may not have come to its end.
+    fn forget_checks(&mut self) {
+        self.checked = Vec::new();
+        if self.open.start_passes() > 0 {
+            self.open.set_start_check(false);
+            self.open.set_start_check(true);
+        }
+    }
+
     /// The earliest contact of a step.
     fn earliest(&mut self, x0: &[Point], x1: &[Point]) -> PyResult<Option<Contact>> {
-        let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused);
+        self.check_start_of_search(x0)?;
+        let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused_step);
         self.search(run, |contact| *contact)
     }
 
     /// All contacts of a step until a time.
     fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> PyResult<Vec<Contact>> {
-        let mut contacts = self.open.contacts(x0, x1, until).map_err(refused)?;
+        self.check_start_of_search(x0)?;
+        let mut contacts = self.open.contacts(x0, x1, until).map_err(refused_step)?;
         if self.ruled.is_some() {
             contacts.retain(|contact| allows(&self.rule, &self.mesh, contact.pair));
         }
@@ -159,13 +212,14 @@ impl Distance<'_> {
 #[pymethods]
 impl Detector {
     /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs
-    /// that start within it.
+    /// that start within it. With `start_check`, no edge may pass through a face at the start of a step.
     #[new]
     fn new(
         mesh: &Mesh,
         min_distance: Distance<'_>,
         inner_distance: Option<f64>,
         threads: Option<usize>,
+        start_check: bool,
     ) -> PyResult<Self> {
         pool::check(threads)?;
         let min_distance = min_distance.with_inner(inner_distance)?;
@@ -181,13 +235,16 @@ impl Detector {
         };
         Ok(Self(Mutex::new(Work {
             mesh: mesh.mesh().clone(),
-            open: detector(mesh.groups())?,
+            open: detector(mesh.groups())?.with_start_check(start_check && !mesh.has_rule()),
             ruled: mesh.has_rule().then(|| detector(rule.clone())).transpose()?,
             min_distance: min_distance.clone(),
+            groups: mesh.groups(),
             rule,
             failure,
             watch,
             threads,
+            checks_start: start_check,
+            checked: Vec::new(),
         })))
     }
 
@@ -210,9 +267,13 @@ impl Detector {
     fn is_free(&self, py: Python<'_>, x0: Positions<'_>, x1: Positions<'_>) -> PyResult<bool> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         self.begin()?.compute(py, None, |detector| {
+            if detector.ruled.is_none() {
+                return detector.open.is_free(x0, x1).map_err(refused_step);
+            }
+            detector.check_start(x0)?;
             let (rule, mesh) = (&detector.rule, &detector.mesh);
             let free = detector.open.is_free_of(x0, x1, |pair| allows(rule, mesh, pair));
-            free.map_err(refused)
+            free.map_err(refused_step)
         })?
     }
 
@@ -245,7 +306,8 @@ impl Detector {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         let options = FreeStepOptions::default().with_keep(keep);
         let (free, table) = self.begin()?.compute(py, None, |detector| {
-            let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused);
+            detector.check_start_of_search(x0)?;
+            let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused_search);
             let mut free = detector.search(run, |free| free.contact)?;
             // The pairs that touch at the start have been counted without the rule.
             if free.touching.total() > 0
@@ -275,6 +337,7 @@ impl Detector {
     ) -> PyResult<([[usize; 4]; 3], Columns<'py>)> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         let (report, table) = self.begin()?.compute(py, progress.as_ref(), |detector| {
+            detector.check_start(x0)?;
             let broad_phase = Interruptible {
                 watch: detector.watch.clone(),
             };

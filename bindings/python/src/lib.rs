@@ -35,6 +35,8 @@ mod _native {
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]
+    use crate::error::CrossingError;
+    #[pymodule_export]
     use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
     #[cfg(feature = "program")]
     #[pymodule_export]

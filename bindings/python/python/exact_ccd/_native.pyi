@@ -14,6 +14,7 @@ _Columns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats, _Floa
 
 __all__ = [
     "KINDS",
+    "CrossingError",
     "Detector",
     "FrameSequence",
     "HalfSpaces",
@@ -38,6 +39,10 @@ __all__ = [
 
 __version__: str
 KINDS: list[tuple[str, int]]
+
+class CrossingError(ValueError):
+    edge: int
+    face: int
 
 def main(arguments: Sequence[str]) -> int: ...
 def collides(
@@ -121,6 +126,7 @@ class Detector:
         min_distance: Union[float, _Floats],
         inner_distance: Optional[float],
         threads: Optional[int],
+        start_check: bool,
     ) -> Detector: ...
     def earliest_contact(self, x0: _Floats, x1: _Floats) -> _Columns: ...
     def is_free(self, x0: _Floats, x1: _Floats) -> bool: ...

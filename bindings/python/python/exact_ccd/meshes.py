@@ -228,6 +228,7 @@ class _Settings(NamedTuple):
     min_distance: Union[float, Floats] = 0.0
     inner_distance: Optional[float] = None
     threads: Optional[int] = None
+    start_check: bool = False
 
 
 def _detector(mesh: Mesh, settings: dict[str, Any]) -> Detector:
@@ -255,6 +256,10 @@ class Detector:
         from there.
     threads : int, optional
         The number of threads; by default that of the cores. The answers do not depend on it.
+    start_check : bool
+        Refuse a step that begins with an edge that passes through a face, by a :class:`CrossingError`. This
+        takes a pass over the mesh at rest, which is not repeated for a start that is the one before, or the
+        end of a step that was found free. With a rule `can_collide`, only for the one before.
 
     Notes
     -----
@@ -264,7 +269,8 @@ class Detector:
 
     A contact is that of a vertex and a face, of two edges, or of points and rods. An edge that pierces a face
     at rest, away from its boundary, is none of these: a step from such a start may be free of contact, and
-    `free_step` may return the size 1. `intersections` finds such edges, and :func:`audit` begins with them.
+    `free_step` may return the size 1. With `start_check`, it is an error. `intersections` finds such edges,
+    and :func:`audit` begins with them.
     ``docs/pairs.md`` lists all pairs that are never in contact.
 
     Examples
@@ -294,6 +300,7 @@ class Detector:
         min_distance: Union[float, ArrayLike] = 0.0,
         inner_distance: Optional[float] = None,
         threads: Optional[int] = None,
+        start_check: bool = False,
     ) -> None:
         if not isinstance(mesh, Mesh):
             raise TypeError(f"mesh is of type {type(mesh).__name__}, expected an exact_ccd.Mesh")
@@ -304,7 +311,7 @@ class Detector:
         else:
             distance = frozen(floats("min_distance", min_distance, (mesh.vertex_count,)))
         inner = None if inner_distance is None else number("inner_distance", inner_distance)
-        self._settings = _Settings(distance, inner, thread_count(threads))
+        self._settings = _Settings(distance, inner, thread_count(threads), bool(start_check))
         self._native = _native.Detector(mesh._native, *self._settings)
 
     @property
