@@ -80,7 +80,7 @@ def earliest_in_space(edges, faces, x0: np.ndarray, x1: np.ndarray) -> Optional[
     pairs = {
         "vf": [((v,), face) for v in vertices for face in faces],
         "ee": list(combinations(every, 2)),
-        "ve": [((v,), edge) for v in loose for edge in loose_edges],
+        "ve": [((v,), edge) for v in vertices for edge in loose_edges],
         "vv": [((v,), (w,)) for v, w in combinations(loose, 2)],
     }
     times = []
@@ -114,3 +114,17 @@ def test_random_steps_in_space() -> None:
         free += expected is None
         check(mesh, x0, x1, expected)
     assert 20 < free < 280
+
+
+def test_a_rod_that_folds_through_its_neighbour() -> None:
+    """The edges (0, 1) and (0, 2) have a common vertex; vertex 2 passes through the edge (0, 1) at t = 1/2."""
+    x0 = np.array([[0.0, 0, 0], [2, 0, 0], [1, 0, 1]])
+    x1 = x0 - [0, 0, 2] * (np.arange(3) == 2)[:, None]
+    mesh = SimpleNamespace(num_vertices=3, edges=np.array([[0, 1], [0, 2]]), faces=np.empty((0, 3), int))
+    check(mesh, x0, x1, 0.5)
+    # A distance says nothing about a fold: the angle of a rod is near, always.
+    candidates = ipc.Candidates()
+    candidates.build(mesh, x0, x1, 1.0)
+    for way in (ipc, candidates):
+        assert way.is_step_collision_free(mesh, x0, x0, 1.5)
+        assert not way.is_step_collision_free(mesh, x0, x1, 1.5)

@@ -114,13 +114,12 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         } else {
             half
         };
-        let thickness: Vec<f64> = self
-            .chords
-            .iter()
-            .map(|chord| add_up(chord.deviation, half))
-            .collect();
-        let thickness = Thickness::new(&thickness);
-        let thickness = thickness.map_err(|source| CurvedStepError::Deviation { start, end, source })?;
+        let thickness = |half: f64| {
+            let of = |chord: &Chord| add_up(chord.deviation, half);
+            let thickness = Thickness::new(&self.chords.iter().map(of).collect::<Vec<f64>>());
+            thickness.map_err(|source| CurvedStepError::Deviation { start, end, source })
+        };
+        let (thickness, bare) = (thickness(half)?, thickness(0.0)?);
         let candidate_options = CandidateOptions::default()
             .with_min_distance(MinDistance::thickness(thickness.clone()))
             .with_can_collide(options.can_collide.clone());
@@ -131,10 +130,22 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         step.answer.chords += candidates.counts().total();
         let mut near = self.near_of::<VertexFace>(&trajectories, &thickness, candidates.vertex_face());
         near.extend(self.near_of::<EdgeEdge>(&trajectories, &thickness, candidates.edge_edge()));
-        near.extend(self.near_of::<VertexEdge>(&trajectories, &thickness, candidates.vertex_edge()));
+        let (connected, others): (Vec<_>, Vec<_>) = candidates
+            .vertex_edge()
+            .iter()
+            .partition(|&&ids| self.are_connected(ids));
+        near.extend(self.near_of::<VertexEdge>(&trajectories, &thickness, &others));
+        near.extend(self.near_of::<VertexEdge>(&trajectories, &bare, &connected));
         near.extend(self.near_of::<VertexVertex>(&trajectories, &thickness, candidates.vertex_vertex()));
         near.sort_unstable_by(|(s, p), (t, q)| s.total_cmp(t).then(p.cmp(q)));
         Ok(near)
+    }
+
+    /// Returns true if a vertex and an edge touch at distance 0 only: see
+    /// [`PairKind::are_connected`].
+    fn are_connected(&self, ids: [u32; 2]) -> bool {
+        let vertices = VertexEdge::vertices(self.mesh, ids);
+        vertices.is_some_and(|vertices| VertexEdge::are_connected(self.mesh, &vertices))
     }
 
     fn near_of<K: PairKind>(
@@ -171,6 +182,8 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
             }
             Pair::EdgeEdge { a, b } => self.search_of::<EdgeEdge>([a, b], d, options, until),
             Pair::VertexEdge { vertex, edge } => {
+                let is_contact = self.are_connected([vertex, edge]);
+                let d = if is_contact { Separation::default() } else { d };
                 self.search_of::<VertexEdge>([vertex, edge], d, options, until)
             }
             Pair::VertexVertex { a, b } => self.search_of::<VertexVertex>([a, b], d, options, until),

@@ -16,15 +16,18 @@ use crate::step::StepError;
 /// lines.
 ///
 /// As long as there is no [`Violation`], no two primitives without a common vertex, an edge and a
-/// face, two edges, or a vertex and a face, have a common point at any time up to the last frame.
+/// face, two edges, or a vertex and a face, have a common point at any time up to the last frame, nor do a
+/// vertex and a loose edge.
 /// Only the first frame is examined at rest. A mesh that does not intersect itself there can come
 /// to do so only by a vertex that reaches a face or an edge that reaches another edge, and that is
 /// a contact of the step. Parts that share a vertex are neighbours and may touch. Edges and
-/// vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair).
+/// vertices without a face are primitives as all others, compared as defined by [`Pair`](crate::Pair), which
+/// lists what is never compared.
 ///
-/// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either. In the
-/// first frame, the least distance of primitives that do not intersect is that of a vertex and a
-/// face, of two edges, or of loose vertices and edges, and all of these pairs are examined at rest.
+/// With a [minimum distance](Self::with_min_distance) d, no two of them come within d either, but for a
+/// vertex and an edge that another edge connects. In the first frame, the least distance of primitives that
+/// do not intersect is that of a vertex and a face, of two edges, or of a vertex and a loose edge or vertex,
+/// and all of these pairs are examined at rest.
 ///
 /// ```
 /// use exact_ccd_mesh::{Audit, Frame, Violation};

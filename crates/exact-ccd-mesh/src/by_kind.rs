@@ -7,7 +7,7 @@ pub struct ByKind<T> {
     pub vertex_face: T,
     /// That of pairs of two edges.
     pub edge_edge: T,
-    /// That of pairs of a loose vertex and a loose edge.
+    /// That of pairs of a vertex and a loose edge.
     pub vertex_edge: T,
     /// That of pairs of two loose vertices.
     pub vertex_vertex: T,

@@ -117,7 +117,7 @@ impl Candidates {
         &self.pairs.edge_edge
     }
 
-    /// Pairs of a loose vertex and a loose edge, sorted.
+    /// Pairs of a vertex and a loose edge that no pair of edges covers, sorted: see [`Pair`].
     #[must_use]
     pub fn vertex_edge(&self) -> &[[u32; 2]] {
         &self.pairs.vertex_edge

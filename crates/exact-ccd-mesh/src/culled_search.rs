@@ -195,13 +195,11 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
         let time = self.collector.until();
         boxes.place::<K>(self.step, can_collide, time);
         if C::PROFITS_FROM_SAMPLE {
-            let [first, second] = K::SETS.map(|set| boxes.get(set));
-            let sample = first.sample(SAMPLE_STRIDE);
-            self.broad_phase.between(&sample, second, &examine)?;
+            boxes.pairs::<K>(mesh, self.broad_phase, Some(SAMPLE_STRIDE), &examine)?;
             if self.collector.until() < SHRUNK_TIME * time {
                 boxes.place::<K>(self.step, can_collide, self.collector.until());
             }
         }
-        boxes.pairs::<K>(self.broad_phase, &examine)
+        boxes.pairs::<K>(mesh, self.broad_phase, None, &examine)
     }
 }

@@ -19,7 +19,8 @@ use crate::step::{Step, StepError};
 /// Finds contact in successive steps of one mesh.
 ///
 /// An edge that passes through a face at the start of a step is no contact of the step, which may be free:
-/// see [`with_start_check`](Self::with_start_check).
+/// see [`with_start_check`](Self::with_start_check). [`Pair`] says which pairs are compared, and which are
+/// never a contact.
 ///
 /// The detector shares the mesh and borrows nothing, so that a simulator can own both. No answer
 /// depends on earlier steps. The detector keeps the memory of boxes and trajectories from step to
@@ -182,8 +183,8 @@ impl<B: BroadPhase> Detector<B> {
         Ok(contact)
     }
 
-    /// Returns true if no two primitives touch in the step from positions `x0` to positions `x1`.
-    /// Ends soon after the first contact found.
+    /// Returns true if no two primitives touch in the step from positions `x0` to positions `x1`: no
+    /// [`Pair`], which says what is never a contact. Ends soon after the first contact found.
     ///
     /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
     /// [`with_start_check`](Self::with_start_check), this is not found.

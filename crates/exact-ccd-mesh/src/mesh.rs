@@ -165,6 +165,26 @@ impl TriangleMesh {
         &self.edges[self.face_edge_count..]
     }
 
+    /// Returns true if the mesh has an edge between two vertices.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::TriangleMesh;
+    ///
+    /// let mesh = TriangleMesh::with_edges(5, vec![[2, 1, 0]], &[[4, 3]])?;
+    /// assert!(mesh.has_edge(2, 0) && mesh.has_edge(3, 4) && !mesh.has_edge(2, 3));
+    /// # Ok::<(), exact_ccd_mesh::MeshError>(())
+    /// ```
+    #[must_use]
+    pub fn has_edge(&self, a: u32, b: u32) -> bool {
+        let edge = [a.min(b), a.max(b)];
+        let (of_faces, loose) = self.edges.split_at(self.face_edge_count);
+        [of_faces, loose].iter().any(|edges| {
+            edges
+                .binary_search_by_key(&order(edge), |&edge| order(edge))
+                .is_ok()
+        })
+    }
+
     /// The vertices without an edge, in increasing order.
     ///
     /// A vertex of a face whose three corners are the same vertex is loose, too. The iterator is lazy: a

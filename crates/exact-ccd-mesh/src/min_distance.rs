@@ -5,6 +5,7 @@ use std::sync::Arc;
 use exact_ccd::separation::{Separation, Separations, Thickness};
 
 use crate::mesh::TriangleMesh;
+use crate::pair_kind::PairKind;
 
 /// The distance that the primitives of a mesh keep from each other: one for all pairs, or by the
 /// thickness of the vertices. The default is 0, which is contact.
@@ -12,8 +13,10 @@ use crate::mesh::TriangleMesh;
 /// Two primitives *touch* if their distance is at most the minimum distance of the pair, and all that
 /// is said about contact holds for this. The distance is taken exactly; with
 /// [thicknesses](Self::thickness), that of a pair is the sum of those of both primitives, rounded up.
-/// Primitives that share a vertex do not form a pair. So the minimum distance should be smaller than
-/// the edges of the mesh: primitives that are two edges apart along the surface come near each other too.
+/// Primitives that share a vertex do not form a pair, and a vertex and an edge that another edge connects
+/// touch at distance 0 only, whatever the minimum distance: see [`Pair`](crate::Pair). The minimum distance
+/// should be smaller than the edges of the mesh: primitives that are two edges apart along the surface come
+/// near each other too.
 ///
 /// ```
 /// use exact_ccd::separation::Separation;
@@ -99,13 +102,25 @@ impl MinDistance {
         Self { inner: None, ..self }
     }
 
-    /// The distance for pairs that start beyond it.
+    /// The distances for pairs that start beyond them, but for those of [`between`](Self::between) that are
+    /// 0.
     #[must_use]
     pub fn separations(&self) -> Separations<'_> {
         match &self.outer {
             Outer::Uniform(d) => Separations::Uniform(*d),
             Outer::Thickness(thickness) => Separations::Thickness(thickness),
         }
+    }
+
+    /// The distance of a pair that starts beyond it, given by its vertices: 0 for a vertex and an edge that
+    /// another edge of the mesh [connects](PairKind::are_connected).
+    #[must_use]
+    pub fn between<K: PairKind>(&self, mesh: &TriangleMesh, vertices: &K::Vertices) -> Separation {
+        if K::are_connected(mesh, vertices) {
+            return Separation::default();
+        }
+        let (a, b) = vertices.as_ref().split_at(K::FIRST);
+        self.separations().between(a, b)
     }
 
     /// The inner distance, if there is one.

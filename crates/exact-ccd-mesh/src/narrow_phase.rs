@@ -1,6 +1,7 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
 use exact_ccd::batch::Trajectories;
+use exact_ccd::separation::{Separation, Separations};
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 
 use crate::approach::Approach;
@@ -71,18 +72,28 @@ impl NarrowPhase {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
         until: f64,
-        found: impl FnMut([u32; 2], Approach<'_, K>),
+        mut found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
-        // Two copies of the loop: the usual one has no call of a predicate.
-        if self.can_collide.is_all() {
-            self.approaches_if(mesh, pairs, until, K::are_apart, found);
-        } else {
-            let can_collide = |vertices: &K::Vertices| {
-                let (a, b) = vertices.as_ref().split_at(K::FIRST);
-                K::are_apart(vertices) && self.can_collide.allows(a, b)
-            };
-            self.approaches_if(mesh, pairs, until, can_collide, found);
+        let separations = self.min_distance.separations();
+        // Copies of the loop: the usual one has no call of a predicate.
+        if self.can_collide.is_all() && !K::CAN_BE_CONNECTED {
+            self.approaches_if(mesh, pairs, until, separations, K::are_apart, found);
+            return;
         }
+        let can_collide = |vertices: &K::Vertices| {
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            K::are_apart(vertices) && self.can_collide.allows(a, b)
+        };
+        if !K::CAN_BE_CONNECTED {
+            self.approaches_if(mesh, pairs, until, separations, can_collide, found);
+            return;
+        }
+        let not_connected =
+            |vertices: &K::Vertices| can_collide(vertices) && !K::are_connected(mesh, vertices);
+        let connected = |vertices: &K::Vertices| can_collide(vertices) && K::are_connected(mesh, vertices);
+        let contact = Separation::default().into();
+        self.approaches_if(mesh, pairs, until, separations, not_connected, &mut found);
+        self.approaches_if(mesh, pairs, until, contact, connected, found);
     }
 
     fn approaches_if<K: PairKind>(
@@ -90,6 +101,7 @@ impl NarrowPhase {
         mesh: &TriangleMesh,
         pairs: &[[u32; 2]],
         until: f64,
+        separations: Separations<'_>,
         can_collide: impl Fn(&K::Vertices) -> bool,
         mut found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
@@ -106,12 +118,9 @@ impl NarrowPhase {
                 }
             }
             self.trajectories
-                .collisions_until::<K>(
-                    &queries[..count],
-                    self.min_distance.separations(),
-                    until,
-                    |index, collision| found(kept[index], Approach::new(collision, inner)),
-                )
+                .collisions_until::<K>(&queries[..count], separations, until, |index, collision| {
+                    found(kept[index], Approach::new(collision, inner));
+                })
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
         }
     }
@@ -130,8 +139,7 @@ impl NarrowPhase {
     fn contact_of<K: PairKind>(&self, mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Contact> {
         let vertices = K::vertices(mesh, ids)?;
         let query = self.trajectories.query::<K>(vertices)?;
-        let (a, b) = vertices.as_ref().split_at(K::FIRST);
-        let collision = query.collision_within(self.min_distance.separations().between(a, b))?;
+        let collision = query.collision_within(self.min_distance.between::<K>(mesh, &vertices))?;
         let collision = Approach::new(collision, self.min_distance.inner()).contact()?;
         Some(Contact::new(K::pair(ids), &collision))
     }

@@ -72,8 +72,8 @@ impl<'a, const T: usize> Overlaps<'a, T> {
         let mut boxes = StepBoxes::new(margin);
         boxes.place::<VertexFace>(&step, can_collide, 1.0);
         boxes.place::<EdgeEdge>(&step, can_collide, 1.0);
-        // Those of loose vertices, too.
         boxes.place::<VertexEdge>(&step, can_collide, 1.0);
+        boxes.place::<VertexVertex>(&step, can_collide, 1.0);
         Self {
             step,
             can_collide,
@@ -98,7 +98,7 @@ impl<'a, const T: usize> Overlaps<'a, T> {
         receiver: &impl Receive,
     ) -> ControlFlow<()> {
         let sink = |pairs: &[_]| receiver.receive::<K>(self.among::<K>(pairs));
-        self.boxes.pairs::<K>(broad_phase, &sink)
+        self.boxes.pairs::<K>(self.step.mesh(), broad_phase, None, &sink)
     }
 
     /// The pairs that can collide and whose boxes meet in double precision.
@@ -121,7 +121,7 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     /// The boxes of a set, by the indices of the primitives in the mesh.
     fn of_set(&self, set: PrimitiveSet) -> &[[Aabb; T]] {
         match set {
-            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices => &self.vertices,
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => &self.vertices,
             PrimitiveSet::Faces => &self.faces,
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => &self.edges,
         }

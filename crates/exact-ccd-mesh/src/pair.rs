@@ -4,15 +4,17 @@ use crate::by_kind::PairCounts;
 
 /// Two primitives of a mesh without a common vertex.
 ///
-/// Pairs are ordered by their kind, as below, then by the first index, then by the second.
+/// Pairs are ordered by their kind, as below, then by the first index, then by the second. The page
+/// `docs/pairs.md` of the repository lists all that is no pair, and so never in contact.
 ///
 /// Only primitives [that take part](crate::CanCollide::among) form pairs. Among these, an edge is *loose*
-/// if it belongs to no face, and a vertex if it has no edge.
+/// if it belongs to no face, and a vertex if it has no edge. Two primitives are *apart* if they have no
+/// common vertex. A vertex and an edge that are apart are *connected* if another edge leads from the vertex
+/// to an end of the edge.
 ///
-/// # All distances
+/// # All contacts
 ///
-/// These four kinds of pairs cover the distance of any two primitives without a common vertex, except
-/// near the ends of rods as stated below.
+/// These four kinds of pairs cover the contact of any two primitives that are apart, except as stated below.
 ///
 /// The least distance of an edge or a face and another edge or face is that of a vertex and a face or of
 /// two edges among them, or 0 where an edge passes through a face. Before an edge passes through a face,
@@ -24,17 +26,33 @@ use crate::by_kind::PairCounts;
 /// There is one, if
 ///
 /// - e or q belongs to a face without p, or p to a face without q: the vertex and that face;
-/// - p is an end of an edge that has no vertex in common with e, or with an edge of q: both edges;
+/// - p is an end of an edge that is apart from e, or from an edge of q: both edges;
 /// - p belongs to no edge, and e or q to no face: the loose vertex p and the loose edge e, or an edge
-///   of q, or the loose vertex q.
+///   of q, or the loose vertex q;
+/// - p has edges, none of them is apart from e, and e is loose: p and e. An edge of p leads to an end of e,
+///   so they are connected: the end of a rod and the edge before the last, or the corner of a triangle of
+///   rods and the opposite edge;
+/// - q belongs to a loose edge e without p: p and e, as above, or an edge of p and e. The same with p and q
+///   exchanged.
 ///
-/// There is none in two cases, and the two are not compared then, whatever the distance:
+/// There is none in two cases, and the two are not compared then:
 ///
-/// - p against e, if p has edges, all of them share a vertex with e, and all faces of e contain p: the
-///   end of a rod against the edge before the last, with which its only edge shares a vertex; the
-///   corner of a face, or of a triangle of rods, against the opposite edge;
-/// - p against q, if both have edges, each edge of p shares a vertex with each of q, and all faces of
-///   either contain both: the two ends of an edge, or of a rod of two edges.
+/// - p against e, if p has edges, none of them is apart from e, e belongs to a face, and all faces of e
+///   contain p: the corner of a face against the opposite side;
+/// - p against q, if both have edges, no edge of p is apart from one of q, and all faces and loose edges of
+///   either contain both: the two ends of an edge.
+///
+/// # All distances
+///
+/// Within a distance d above 0, the same holds, except for the pairs that are connected. They touch at
+/// distance 0 only, whatever d. The distance of a vertex p and an edge e is at most the length of the edge
+/// that connects them. So a rod of edges not longer than d would touch itself at rest, whatever its motion,
+/// and d says nothing about a fold. Pairs of e and p in contact at distance 0 keep the rod from passing
+/// through itself. So there are two more cases for distances, and both are compared for contact:
+///
+/// - p against e, if p has edges, none of them is apart from e, and e is loose;
+/// - p against q, if both have edges, no edge of p is apart from one of q, and all faces of either contain
+///   both: the two ends of a rod of two edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Pair {
     /// A vertex against a face.
@@ -51,7 +69,7 @@ pub enum Pair {
         /// The index of the second edge.
         b: u32,
     },
-    /// A loose vertex against a loose edge.
+    /// A vertex against a loose edge, from which no edge of the vertex is apart.
     VertexEdge {
         /// The index of the vertex.
         vertex: u32,

@@ -4,10 +4,14 @@ use exact_ccd::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 
 use crate::by_kind::ByKind;
 use crate::mesh::TriangleMesh;
+use crate::other_ends::OtherEnds;
 use crate::pair::Pair;
 
 /// A kind of query whose primitives have indices in a mesh.
 pub trait PairKind: Kind + Send + Sync {
+    /// True if [`are_connected`](Self::are_connected) holds for some primitives of this kind.
+    const CAN_BE_CONNECTED: bool = false;
+
     /// The vertices of a pair, in the order of the query; `None` if the mesh has no such primitives.
     ///
     /// `ids` are the indices of the two primitives: of a vertex, of a face in
@@ -19,6 +23,13 @@ pub trait PairKind: Kind + Send + Sync {
 
     /// Returns true if the two primitives have no vertex in common.
     fn are_apart(vertices: &Self::Vertices) -> bool;
+
+    /// Returns true if the primitives are a vertex and an edge, and another edge of the mesh connects them,
+    /// as the last edge of a rod connects its end with the edge before. They touch at distance 0 only,
+    /// whatever the minimum distance: see [`Pair`].
+    fn are_connected(_mesh: &TriangleMesh, _vertices: &Self::Vertices) -> bool {
+        false
+    }
 }
 
 /// The sets of primitives of a mesh among which pairs are searched: of those that take part.
@@ -29,12 +40,15 @@ pub(crate) enum PrimitiveSet {
     Edges,
     /// The vertices of no edge. The corner of a face whose three corners are one vertex is among them.
     LooseVertices,
+    /// The loose vertices, and those all of whose edges may have a vertex in common with a loose edge of
+    /// which they are no end: the ends of rods, and the corners of triangles of rods.
+    Ends,
     /// The edges of no face.
     LooseEdges,
 }
 
 impl PrimitiveSet {
-    pub(crate) const COUNT: usize = 5;
+    pub(crate) const COUNT: usize = 6;
 }
 
 /// A kind of pairs in the search for all pairs of a mesh.
@@ -43,8 +57,16 @@ pub(crate) trait Searched: PairKind {
     /// once.
     const SETS: [PrimitiveSet; 2];
 
+    /// True if [`is_covered`](Self::is_covered) holds for some of the pairs between the sets.
+    const SOME_ARE_COVERED: bool = false;
+
     /// The value of this kind.
     fn of<T>(values: &ByKind<T>) -> &T;
+
+    /// Returns true if two edges are in contact where these primitives are.
+    fn is_covered(_ends: &OtherEnds, _vertices: &Self::Vertices) -> bool {
+        false
+    }
 }
 
 #[inline]
@@ -111,6 +133,8 @@ impl Searched for EdgeEdge {
 }
 
 impl PairKind for VertexEdge {
+    const CAN_BE_CONNECTED: bool = true;
+
     #[inline]
     fn vertices(mesh: &TriangleMesh, [vertex, index]: [u32; 2]) -> Option<[u32; 3]> {
         let [a, b] = edge(mesh, index)?;
@@ -125,10 +149,20 @@ impl PairKind for VertexEdge {
     fn pair([vertex, edge]: [u32; 2]) -> Pair {
         Pair::VertexEdge { vertex, edge }
     }
+
+    fn are_connected(mesh: &TriangleMesh, &[vertex, a, b]: &[u32; 3]) -> bool {
+        mesh.has_edge(vertex, a) || mesh.has_edge(vertex, b)
+    }
 }
 
 impl Searched for VertexEdge {
-    const SETS: [PrimitiveSet; 2] = [PrimitiveSet::LooseVertices, PrimitiveSet::LooseEdges];
+    const SETS: [PrimitiveSet; 2] = [PrimitiveSet::Ends, PrimitiveSet::LooseEdges];
+
+    const SOME_ARE_COVERED: bool = true;
+
+    fn is_covered(ends: &OtherEnds, &[vertex, a, b]: &[u32; 3]) -> bool {
+        ends.has_edge_apart_from(vertex, [a, b])
+    }
 
     fn of<T>(values: &ByKind<T>) -> &T {
         &values.vertex_edge

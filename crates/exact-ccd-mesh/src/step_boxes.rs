@@ -11,6 +11,7 @@ use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
 use crate::can_collide::CanCollide;
 use crate::margin::Margin;
 use crate::mesh::{TriangleMesh, sides};
+use crate::other_ends::OtherEnds;
 use crate::pair_kind::{PrimitiveSet, Searched};
 use crate::step::Step;
 
@@ -24,6 +25,8 @@ use crate::step::Step;
 pub(crate) struct StepBoxes<const T: usize> {
     /// The boxes of each [`PrimitiveSet`].
     sets: [Boxes<T>; PrimitiveSet::COUNT],
+    /// The other ends of the edges of each vertex, if there are loose edges.
+    other_ends: OtherEnds,
     /// The boxes of the vertices, in the order of the mesh.
     moving: Vec<MovingBox<T>>,
     /// The amounts by which boxes are larger on each side.
@@ -51,6 +54,7 @@ impl<const T: usize> StepBoxes<T> {
     pub(crate) fn new(margin: Margin) -> Self {
         Self {
             sets: [(); PrimitiveSet::COUNT].map(|()| Boxes::in_order(Vec::new())),
+            other_ends: OtherEnds::default(),
             moving: Vec::new(),
             margin,
             margins: Vec::new(),
@@ -98,11 +102,19 @@ impl<const T: usize> StepBoxes<T> {
         let faces = by_first_vertex(&rank, mesh.faces(), can_collide);
         let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
 
-        let loose_vertices = loose_vertices(mesh, &vertices, &edges);
+        let other_ends = OtherEnds::new(mesh, &edges);
+        let mut loose_vertices = vertices.clone();
+        loose_vertices.retain(|&vertex| other_ends.is_loose(vertex));
         let loose_edges = loose_edges(mesh, &edges, can_collide);
+        let mut ends = Vec::new();
+        if !loose_edges.is_empty() {
+            ends.clone_from(&vertices);
+            ends.retain(|&vertex| other_ends.is_end(mesh, vertex));
+            self.other_ends = other_ends;
+        }
 
         // In the order of `PrimitiveSet`.
-        self.sets = [vertices, faces, edges, loose_vertices, loose_edges].map(Boxes::in_order);
+        self.sets = [vertices, faces, edges, loose_vertices, ends, loose_edges].map(Boxes::in_order);
         if self.margin.uniform().is_none() {
             self.margins = self.margin.largest(mesh);
         }
@@ -127,7 +139,9 @@ impl<const T: usize> StepBoxes<T> {
     fn place_set(&mut self, mesh: &TriangleMesh, set: PrimitiveSet) {
         let (moving, boxes) = (&self.moving, &mut self.sets[set as usize]);
         match set {
-            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices => boxes.set(|id| moving[id as usize]),
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => {
+                boxes.set(|id| moving[id as usize]);
+            }
             PrimitiveSet::Faces => boxes.set(|id| around(moving, &mesh.faces()[id as usize])),
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => {
                 boxes.set(|id| around(moving, &mesh.edges()[id as usize]));
@@ -140,17 +154,27 @@ impl<const T: usize> StepBoxes<T> {
         self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
     }
 
-    /// Finds the pairs of a kind whose boxes meet.
+    /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there is a stride.
     pub(crate) fn pairs<K: Searched>(
         &self,
+        mesh: &TriangleMesh,
         broad_phase: &impl BroadPhase,
+        sample: Option<usize>,
         sink: &PairSink<'_>,
     ) -> ControlFlow<()> {
+        let is_covered = |&ids: &[u32; 2]| {
+            K::vertices(mesh, ids).is_none_or(|vertices| K::is_covered(&self.other_ends, &vertices))
+        };
+        let uncovered = |pairs: &[[u32; 2]]| {
+            let pairs: Vec<_> = pairs.iter().copied().filter(|ids| !is_covered(ids)).collect();
+            sink(&pairs)
+        };
+        let sink: &PairSink<'_> = if K::SOME_ARE_COVERED { &uncovered } else { sink };
         let [first, second] = K::SETS;
-        if first == second {
-            broad_phase.within(self.get(first), sink)
-        } else {
-            broad_phase.between(self.get(first), self.get(second), sink)
+        match sample {
+            Some(stride) => broad_phase.between(&self.get(first).sample(stride), self.get(second), sink),
+            None if first == second => broad_phase.within(self.get(first), sink),
+            None => broad_phase.between(self.get(first), self.get(second), sink),
         }
     }
 
@@ -210,19 +234,6 @@ fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u3
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })
-}
-
-/// Those of the vertices that have none of the edges.
-fn loose_vertices(mesh: &TriangleMesh, vertices: &[u32], edges: &[u32]) -> Vec<u32> {
-    let mut has_edge = vec![false; mesh.vertex_count()];
-    for &edge in edges {
-        for vertex in mesh.edges()[edge as usize] {
-            has_edge[vertex as usize] = true;
-        }
-    }
-    let mut loose = vertices.to_vec();
-    loose.retain(|&vertex| !has_edge[vertex as usize]);
-    loose
 }
 
 /// Those of the edges that belong to no face that takes part.

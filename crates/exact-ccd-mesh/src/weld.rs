@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use exact_ccd::Point;
 
+use crate::disjoint_sets::DisjointSets;
 use crate::frame::Frame;
 use crate::mesh::TriangleMesh;
 use crate::motion::{Motion, MotionError};
@@ -70,8 +71,7 @@ impl Welding {
     #[must_use]
     pub fn along_edges(self, mesh: &TriangleMesh) -> Self {
         let place = |vertex: u32| self.vertex_of.get(vertex as usize).copied();
-        // The least vertex that is known to be welded with each; it leads to the least of all.
-        let mut welded: Vec<u32> = (0..self.vertex_of.len()).map(|vertex| vertex as u32).collect();
+        let mut welded = DisjointSets::new(self.vertex_of.len());
         let mut edges: HashMap<[u32; 2], [u32; 2]> = HashMap::new();
         for &[a, b] in mesh.edges() {
             let (Some(at_a), Some(at_b)) = (place(a), place(b)) else {
@@ -83,21 +83,19 @@ impl Welding {
             }
             let first = *edges.entry([at_a.min(at_b), at_a.max(at_b)]).or_insert(ends);
             for (x, y) in first.into_iter().zip(ends) {
-                let (x, y) = (root(&welded, x), root(&welded, y));
-                welded[x.max(y) as usize] = x.min(y);
+                welded.unite(x, y);
             }
         }
         let mut first = Vec::new();
-        let mut vertex_of = Vec::with_capacity(welded.len());
-        for vertex in 0..welded.len() {
-            let least = root(&welded, vertex as u32) as usize;
-            if least == vertex {
+        let mut number_of = vec![None; self.vertex_of.len()];
+        let vertices = 0..self.vertex_of.len();
+        let number = |vertex: usize| {
+            *number_of[welded.root(vertex as u32) as usize].get_or_insert_with(|| {
                 first.push(vertex);
-                vertex_of.push(first.len() as u32 - 1);
-            } else {
-                vertex_of.push(vertex_of[least]);
-            }
-        }
+                first.len() as u32 - 1
+            })
+        };
+        let vertex_of = vertices.map(number).collect();
         Self { vertex_of, first }
     }
 
@@ -158,14 +156,6 @@ impl Motion {
             x1: welding.positions(&split.x1),
         })
     }
-}
-
-/// The least vertex that a vertex is known to be welded with.
-fn root(welded: &[u32], mut vertex: u32) -> u32 {
-    while welded[vertex as usize] != vertex {
-        vertex = welded[vertex as usize];
-    }
-    vertex
 }
 
 /// A key that is equal for positions that are equal as numbers.

@@ -1,4 +1,4 @@
-//! The kinds of pairs cover all distances, except where the documentation of [`Pair`] says so.
+//! The kinds of pairs cover all contacts and distances, except where the documentation of [`Pair`] says so.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
@@ -7,8 +7,9 @@ use proptest::prelude::*;
 
 const VERTICES: u32 = 9;
 
-/// The vertices of both primitives of each pair among the primitives that take part.
-fn pairs(mesh: &TriangleMesh, takes_part: &[bool]) -> Vec<[Vec<u32>; 2]> {
+/// The vertices of both primitives of each pair among the primitives that take part, and true if the pair
+/// keeps a distance.
+fn pairs(mesh: &TriangleMesh, takes_part: &[bool]) -> Vec<([Vec<u32>; 2], bool)> {
     let x = vec![[0.0; 3]; VERTICES as usize];
     let step = Step::new(mesh, &x, &x).unwrap();
     // All boxes meet.
@@ -21,7 +22,9 @@ fn pairs(mesh: &TriangleMesh, takes_part: &[bool]) -> Vec<[Vec<u32>; 2]> {
         };
         let vertices = pair.vertices(mesh).unwrap();
         let (a, b) = vertices.split_at(first);
-        [a.to_vec(), b.to_vec()]
+        let connects = |edge: &[u32; 2]| a.len() == 1 && meet(edge, a) && b.len() == 2 && meet(edge, b);
+        let keeps_distance = !mesh.edges().iter().any(connects);
+        ([a.to_vec(), b.to_vec()], keeps_distance)
     };
     all.pairs().map(both).collect()
 }
@@ -34,8 +37,22 @@ fn meet(a: &[u32], b: &[u32]) -> bool {
     a.iter().any(|vertex| b.contains(vertex))
 }
 
-/// The documented exceptions, among the edges and faces that take part.
-fn is_exception(faces: &[[u32; 3]], edges: &[[u32; 2]], p: u32, other: &[u32]) -> bool {
+/// The documented exceptions, among the edges and faces that take part: the pairs that are never compared.
+fn is_no_contact(faces: &[[u32; 3]], edges: &[[u32; 2]], p: u32, other: &[u32]) -> bool {
+    let is_loose = |edge: &[u32; 2]| !faces.iter().any(|face| contains(face, edge));
+    let ends_of_loose = edges.iter().filter(|edge| is_loose(edge));
+    is_no_distance(faces, edges, p, other)
+        && match *other {
+            [a, b] => !is_loose(&[a, b]),
+            [q] => ends_of_loose
+                .filter(|edge| edge.contains(&p) || edge.contains(&q))
+                .all(|edge| contains(edge, &[p, q])),
+            _ => unreachable!("an edge or a vertex"),
+        }
+}
+
+/// The documented exceptions for distances above 0.
+fn is_no_distance(faces: &[[u32; 3]], edges: &[[u32; 2]], p: u32, other: &[u32]) -> bool {
     let edges_of = |q: u32| edges.iter().filter(move |edge| edge.contains(&q));
     let faces_of = |q: u32| faces.iter().filter(move |face| face.contains(&q));
     match *other {
@@ -68,11 +85,11 @@ proptest! {
     ) {
         let mesh = TriangleMesh::with_edges(VERTICES as usize, faces, &edges).unwrap();
         let pairs = pairs(&mesh, &takes_part);
-        let is_covered = |p: u32, other: &[u32]| pairs.iter().any(|[a, b]| {
+        let covers = |[a, b]: &[Vec<u32>; 2], p: u32, other: &[u32]| {
             a.contains(&p) && contains(b, other) || b.contains(&p) && contains(a, other)
-        });
+        };
         let is_in = |vertices: &[u32]| vertices.iter().all(|&vertex| takes_part[vertex as usize]);
-        prop_assert!(pairs.iter().flatten().all(|vertices| is_in(vertices)));
+        prop_assert!(pairs.iter().flat_map(|(pair, _)| pair).all(|vertices| is_in(vertices)));
 
         let faces: Vec<_> = mesh.faces().iter().copied().filter(|face| is_in(face)).collect();
         let edges: Vec<_> = mesh.edges().iter().copied().filter(|edge| is_in(edge)).collect();
@@ -81,8 +98,12 @@ proptest! {
         let others: Vec<Vec<u32>> = points.chain(edges.iter().map(|edge| edge.to_vec())).collect();
         for &p in &vertices {
             for other in others.iter().filter(|other| !other.contains(&p)) {
-                let expected = !is_exception(&faces, &edges, p, other);
-                prop_assert_eq!(is_covered(p, other), expected, "{} {:?}", p, other);
+                let contact = pairs.iter().any(|(pair, _)| covers(pair, p, other));
+                let expected = !is_no_contact(&faces, &edges, p, other);
+                prop_assert_eq!(contact, expected, "{} {:?}", p, other);
+                let distance = pairs.iter().any(|(pair, keeps)| *keeps && covers(pair, p, other));
+                let expected = !is_no_distance(&faces, &edges, p, other);
+                prop_assert_eq!(distance, expected, "{} {:?}", p, other);
             }
         }
     }

@@ -77,7 +77,7 @@ def audit(
     The first frame is examined at rest: no edge may meet a face, no vertex a face, and no edge another
     edge. From each frame to the next, every vertex moves in a straight line, and no contact may occur. If
     there is none, no frame passes through itself, nor does the mesh at any time between. Primitives that
-    share a vertex may touch.
+    share a vertex may touch; `docs/pairs.md` of the repository lists all pairs that are never a contact.
 
     With `half_spaces`, no vertex may touch one of them in any frame, hence at any time between.
 

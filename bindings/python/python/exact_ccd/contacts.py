@@ -34,7 +34,7 @@ class Contact(NamedTuple):
     Attributes
     ----------
     kind : {"vf", "ee", "ve", "vv"}
-        A vertex and a face, two edges, a loose vertex and a loose edge, or two loose vertices.
+        A vertex and a face, two edges, a vertex and a loose edge, or two loose vertices.
     first, second : int
         The indices of both primitives among the vertices, ``Mesh.faces`` or ``Mesh.edges``.
     vertices : int64 array of shape (4,)

@@ -86,7 +86,8 @@ class FreeStep(NamedTuple):
 class Mesh:
     """The connectivity of a triangle mesh, with rods and points, and the pairs that can collide.
 
-    Primitives that share a vertex always touch, and are never examined.
+    Primitives that share a vertex always touch, and are never examined; `docs/pairs.md` of the repository
+    lists all pairs that are never a contact.
 
     A mesh does not change. Two meshes are equal if their vertices, faces, loose edges, groups and rules are;
     it can be a key, and be pickled, if its rule can.

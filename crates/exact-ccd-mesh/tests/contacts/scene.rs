@@ -99,8 +99,9 @@ impl Scene {
         self.pairs_among(|_| true)
     }
 
-    /// All pairs without a common vertex among the primitives whose vertices take part, the last two kinds
-    /// among loose primitives: edges without a face, and vertices without an edge, that take part.
+    /// All pairs without a common vertex among the primitives whose vertices take part. A vertex and an
+    /// edge are one if no face that takes part has the edge, and no edge of the vertex is apart from it;
+    /// two vertices, if neither has an edge.
     pub(crate) fn pairs_among(&self, takes_part: impl Fn(u32) -> bool) -> Candidates {
         let mesh = &self.mesh;
         let is_in = |vertices: &[u32]| vertices.iter().all(|&vertex| takes_part(vertex));
@@ -121,18 +122,23 @@ impl Scene {
         rods.retain(|&edge| !has_face(edge));
         let mut points = vertices.clone();
         points.retain(|vertex| !edges.iter().any(|&edge| ends(edge).contains(vertex)));
-
         let kind = |a: &[u32], b: &[u32]| -> Vec<[u32; 2]> {
             let with = |&first: &u32| b.iter().map(move |&second| [first, second]);
             a.iter().flat_map(with).collect()
         };
+        let mut with_rods: Vec<[u32; 2]> = kind(&vertices, &rods);
+        with_rods.retain(|&[vertex, rod]| {
+            let mut of_vertex = edges.iter().filter(|&&edge| ends(edge).contains(&vertex));
+            of_vertex.all(|&edge| ends(edge).iter().any(|end| ends(rod).contains(end)))
+        });
+
         let increasing = |mut pairs: Vec<[u32; 2]>| {
             pairs.retain(|[a, b]| a < b);
             pairs
         };
         self.apart::<VertexFace>(kind(&vertices, &faces))
             .chain(self.apart::<EdgeEdge>(increasing(kind(&edges, &edges))))
-            .chain(self.apart::<VertexEdge>(kind(&points, &rods)))
+            .chain(self.apart::<VertexEdge>(with_rods))
             .chain(self.apart::<VertexVertex>(increasing(kind(&points, &points))))
             .collect()
     }
@@ -221,6 +227,10 @@ fn touches<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistanc
 fn outer<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Separation {
     let vertices = K::vertices(step.mesh(), ids).unwrap();
     let (a, b) = vertices.as_ref().split_at(K::FIRST);
+    let connects = |edge: &[u32; 2]| edge.contains(&a[0]) && b.iter().any(|end| edge.contains(end));
+    if a.len() == 1 && b.len() == 2 && step.mesh().edges().iter().any(connects) {
+        return Separation::default();
+    }
     min_distance.separations().between(a, b)
 }
 

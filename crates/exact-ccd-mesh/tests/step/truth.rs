@@ -55,13 +55,19 @@ impl Truth {
         truth
     }
 
-    /// Counts the pairs of loose vertices with loose edges and with each other.
+    /// Counts the pairs of vertices with loose edges, and of loose vertices with each other: those for which
+    /// no edge of a vertex is apart from the other primitive.
     fn count_loose(&mut self, motion: &Motion) {
         let points: Vec<u32> = motion.mesh.loose_vertices().collect();
         let rods = motion.mesh.loose_edges();
         let first_rod = (motion.mesh.edges().len() - rods.len()) as u32;
-        for (i, &p) in points.iter().enumerate() {
+        for p in 0..motion.mesh.vertex_count() as u32 {
             for (edge, &[a, b]) in (first_rod..).zip(rods) {
+                let of_p = motion.mesh.edges().iter().filter(|edge| edge.contains(&p));
+                let mut apart = of_p.filter(|edge| !edge.contains(&a) && !edge.contains(&b));
+                if [a, b].contains(&p) || apart.next().is_some() {
+                    continue;
+                }
                 let [t0, t1] = [&motion.x0, &motion.x1].map(|x| gather(x, [p, a, b]));
                 if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {
                     self.vertex_edge.push([p, edge]);
@@ -71,6 +77,8 @@ impl Truth {
                 self.colliding.vertex_edge += colliding;
                 self.touching.vertex_edge += touching;
             }
+        }
+        for (i, &p) in points.iter().enumerate() {
             for &q in &points[i + 1..] {
                 let [t0, t1] = [&motion.x0, &motion.x1].map(|x| gather(x, [p, q]));
                 if boxes_meet([&t0[..1], &t1[..1]], [&t0[1..], &t1[1..]]) {

@@ -28,9 +28,10 @@ impl Collisions {
     /// that of surfaces without thickness.
     ///
     /// Two edges that are nearly parallel have a mollified barrier, which vanishes for parallel edges. On
-    /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two edges
-    /// is loose, each end of one and the other edge are a pair of their own. With
-    /// [weights](Surface::weights), the sum is that of the convergent formulation.
+    /// surfaces of faces, the pairs of a vertex and a face remain. Rods have no faces: where one of two
+    /// edges is loose, each end of one and the other edge are a pair of their own, and so is the end of a
+    /// rod with the edge before the last. With [weights](Surface::weights), the sum is that of the
+    /// convergent formulation.
     ///
     /// # Panics
     /// If a vertex of a pair has no position.
@@ -150,13 +151,18 @@ fn near(
             near.collision(vertices, 2..4, edge_edge, Some(&|| near.mollifier(vertices)))?;
         Some((gap, collision.weighted(weight)))
     });
-    let ends = vertices_and_edges(surface, candidates);
+    let ends = ends_and_edges(surface, candidates);
     let ends = ends
         .par_iter()
         .filter_map(|&[vertex, a, b]| near.vertex_and_edge(vertex, [a, b]));
+    let rods = candidates.vertex_edge().par_iter().filter_map(|&pair| {
+        let vertices = VertexEdge::vertices(mesh, pair)?;
+        near.vertex_and_rod(vertices)
+    });
     let (pairs, mut all): (Vec<[u32; 2]>, Vec<(f64, Collision)>) = faces.unzip();
     all.par_extend(edges);
     all.par_extend(ends);
+    all.par_extend(rods);
     let points = candidates.vertex_vertex().par_iter();
     all.par_extend(points.filter_map(|&pair| near.two_vertices(pair)));
     all.extend(near.corrections(&pairs));
@@ -188,11 +194,22 @@ impl Near<'_> {
         feature: impl FnOnce(&[Vector3<f64>; 4]) -> Feature,
         mollifier: Option<&dyn Fn() -> Mollifier>,
     ) -> Option<(f64, Collision)> {
+        let [a, b] = [0..second.start, second.clone()].map(|range| &vertices[range]);
+        let thickness = self.surface.thickness(a, b);
+        self.collision_within(thickness, vertices, second, feature, mollifier)
+    }
+
+    /// The same for primitives with another thickness.
+    fn collision_within(
+        &self,
+        thickness: f64,
+        vertices: [u32; 4],
+        second: Range<usize>,
+        feature: impl FnOnce(&[Vector3<f64>; 4]) -> Feature,
+        mollifier: Option<&dyn Fn() -> Mollifier>,
+    ) -> Option<(f64, Collision)> {
         let corners = gather(self.points, &vertices);
         let first = 0..second.start;
-        let thickness = self
-            .surface
-            .thickness(&vertices[first.clone()], &vertices[second.clone()]);
         let farthest = thickness + self.barrier.activation_distance();
         if are_apart(&corners[first], &corners[second], farthest) {
             return None;
@@ -220,6 +237,17 @@ impl Near<'_> {
     fn vertex_and_edge(&self, vertex: u32, [a, b]: [u32; 2]) -> Option<(f64, Collision)> {
         let feature = |points: &[Vector3<f64>; 4]| point_edge(points, 0, 1, 2);
         self.collision([vertex, a, b, vertex], 1..3, feature, None)
+    }
+
+    /// The collision of a vertex and an edge of a rod that are a pair of their own. If an edge connects them,
+    /// the rod has no thickness there: its filter keeps the distance 0.
+    fn vertex_and_rod(&self, vertices: [u32; 3]) -> Option<(f64, Collision)> {
+        let [vertex, a, b] = vertices;
+        if !VertexEdge::are_connected(self.surface.mesh, &vertices) {
+            return self.vertex_and_edge(vertex, [a, b]);
+        }
+        let feature = |points: &[Vector3<f64>; 4]| point_edge(points, 0, 1, 2);
+        self.collision_within(0.0, [vertex, a, b, vertex], 1..3, feature, None)
     }
 
     /// The collision of two vertices.
@@ -268,13 +296,12 @@ impl Near<'_> {
     }
 }
 
-/// The pairs of a particle and an edge, and those of an end and the other edge of all pairs of edges of
-/// which one is loose, by their vertices. Each occurs once.
-fn vertices_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]> {
+/// The pairs of an end and the other edge of all pairs of edges of which one is loose, by their vertices.
+/// Each occurs once.
+fn ends_and_edges(surface: Surface<'_>, candidates: &Candidates) -> Vec<[u32; 3]> {
     let mesh = surface.mesh;
     let first_loose = (mesh.edges().len() - mesh.loose_edges().len()) as u32;
-    let of_particle = |&pair: &[u32; 2]| VertexEdge::vertices(mesh, pair);
-    let mut pairs: Vec<[u32; 3]> = candidates.vertex_edge().iter().filter_map(of_particle).collect();
+    let mut pairs: Vec<[u32; 3]> = Vec::new();
     for &[a, b] in candidates.edge_edge() {
         if a.max(b) >= first_loose
             && surface.weight_of_edges([a, b]).is_some()

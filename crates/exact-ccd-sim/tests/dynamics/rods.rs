@@ -122,3 +122,28 @@ fn more_than_two_edges_are_hinged() {
     assert!((star(3) / -fall - 1.0).abs() < 0.02, "{}", star(3));
     assert!(star(2) > star(3));
 }
+
+/// A ray of a star, without stiffness at its hinge, falls onto the ray below it. It is the end of a rod and the
+/// edge before the last. They keep apart, and no offset, even one above their length, stops them before.
+#[test]
+fn the_end_of_a_rod_does_not_pass_through_the_edge_before() {
+    for offset in [0.0, 2.0] {
+        let points = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.5, 0.3, 0.0], [-1.0, 0.0, 0.0]];
+        let (edges, material) = (vec![[0, 1], [0, 2], [0, 3]], shapes::ROPE);
+        let body = Body::new(points, BodyKind::Rod { edges, material }).with_offset(offset);
+        let system = System::new(&[body], &[Script::Fixed.on([0, 1, 3])]).unwrap();
+        let settings = Settings {
+            contact_distance: Length::Absolute(1e-3),
+            time_step: 0.02,
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::new(system, settings).unwrap();
+        let mut lowest = f64::INFINITY;
+        for _ in 0..20 {
+            assert!(simulation.step().unwrap().converged);
+            lowest = lowest.min(simulation.state().positions[2][1]);
+        }
+        // In 0.4 s, nothing but the edge keeps it above.
+        assert!(lowest > 0.0 && lowest < 2e-3, "{lowest}");
+    }
+}

@@ -37,6 +37,9 @@ class Candidates:
     The methods, the lists and the order of the items are those of ``ipctk.Candidates``. The pairs of a step
     hold for every step from the same start to positions on the way.
 
+    In three dimensions, a rod may also fold through the rod before it: a vertex that has edges meets the edge
+    of a rod. Such pairs are compared for contact, whatever the distance, and are not in the lists of ipctk.
+
     The rule ``can_collide`` of a mesh restricts the answers, not the lists: it is called for pairs in contact.
 
     Examples
@@ -59,6 +62,8 @@ class Candidates:
         # Of each kind, the indices of both primitives, and the vertices, in the order of the queries.
         self._ids: dict[Kind, Indices] = {}
         self._pairs: dict[Kind, Indices] = {}
+        # The vertices of pairs that are compared for contact only, whatever the distance.
+        self._folds = np.empty((0, 3), np.uint32)
 
     def build(
         self,
@@ -81,25 +86,29 @@ class Candidates:
         every = primitives(given)
         self.clear()
 
-        def near(kind: Kind, first: Indices, second: Indices, of_first: Indices, of_second: Indices) -> None:
-            """Add the pairs of primitives with these indices."""
+        def near(first: Indices, second: Indices, of_first: Indices, of_second: Indices) -> Indices:
+            """The pairs of primitives with these indices."""
             pairs = _native.overlaps(of_first[first], of_second[second], x0, x1, radius, None)
-            if kind in ("vv", "ee"):
+            if of_first is of_second:
                 pairs = pairs[pairs[:, 0] < pairs[:, 1]]
-            ids = np.column_stack([first[pairs[:, 0]], second[pairs[:, 1]]])
-            self._ids[kind] = ids
+            return np.column_stack([first[pairs[:, 0]], second[pairs[:, 1]]])
+
+        def add(kind: Kind, first: Indices, second: Indices, of_first: Indices, of_second: Indices) -> None:
+            self._ids[kind] = ids = near(first, second, of_first, of_second)
             self._pairs[kind] = np.hstack([of_first[ids[:, 0]], of_second[ids[:, 1]]])
 
         vertices, edges, faces = (_all(rows) for rows in every[:3])
         is_flat = np.shape(vertices_t0)[1] == 2
         loose, rods = every.loose_vertices, every.loose_edges
-        near("vv", loose, loose, every.vertices, every.vertices)
+        add("vv", loose, loose, every.vertices, every.vertices)
         if is_flat:
-            near("ve", vertices, edges, every.vertices, every.edges)
+            add("ve", vertices, edges, every.vertices, every.edges)
         else:
-            near("ve", loose, rods, every.vertices, every.edges)
-            near("ee", edges, edges, every.edges, every.edges)
-            near("vf", vertices, faces, every.vertices, every.faces)
+            add("ve", loose, rods, every.vertices, every.edges)
+            add("ee", edges, edges, every.edges, every.edges)
+            add("vf", vertices, faces, every.vertices, every.faces)
+            folds = near(np.setdiff1d(vertices, loose), rods, every.vertices, every.edges)
+            self._folds = np.column_stack([folds[:, 0], every.edges[folds[:, 1]]])
 
     def __len__(self) -> int:
         """The number of pairs."""
@@ -148,7 +157,7 @@ class Candidates:
 
     def clear(self) -> None:
         """Remove all pairs."""
-        self._ids, self._pairs = {}, {}
+        self._ids, self._pairs, self._folds = {}, {}, self._folds[:0]
 
     @property
     def pairs(self) -> dict[Kind, NDArray[np.uint32]]:
@@ -200,10 +209,9 @@ class Candidates:
     def _earliest(self, mesh: SurfaceMesh, x0: Floats, x1: Floats, min_distance: float) -> Optional[float]:
         """The first time at which a pair that can collide comes within the distance."""
         first: Optional[float] = None
-        for kind, pairs in self._pairs.items():
-            times = time_of_impact(
-                kind, indices=pairs, vertices_t0=x0, vertices_t1=x1, min_distance=min_distance
-            )
+        fold: tuple[Kind, Indices, float] = ("ve", self._folds, 0.0)
+        for kind, pairs, d in [*((kind, pairs, min_distance) for kind, pairs in self._pairs.items()), fold]:
+            times = time_of_impact(kind, indices=pairs, vertices_t0=x0, vertices_t1=x1, min_distance=d)
             near = np.flatnonzero(~np.isnan(times))
             for row in near[np.argsort(times[near], kind="stable")]:
                 if first is not None and times[row] >= first:
