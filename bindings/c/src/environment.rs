@@ -50,7 +50,7 @@ impl Environment {
         Self { caller }
     }
 
-    /// On other processors the kernel detects flushed subnormal numbers, and rounding is the host's.
+    /// On other processors the kernel detects the environment of the host, and decides in integers.
     #[cfg(not(target_arch = "x86_64"))]
     pub(crate) fn standard() -> Self {
         Self { caller: 0 }

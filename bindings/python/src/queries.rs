@@ -74,7 +74,7 @@ pub(crate) fn contact_count<'py>(
 }
 
 fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
-    let count = if collision.separation().get() == 0.0 {
+    let count = if collision.separation().is_zero() {
         collision.contact_times().count()
     } else {
         Some(collision.intervals().len())

@@ -1,6 +1,6 @@
 //! Errors of a search.
 
-use exact_ccd::NonFinite;
+use exact_ccd::{NonFinite, environment};
 
 /// The reason why a search has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -31,7 +31,18 @@ pub enum SearchError {
     /// The tolerance of times is negative or NaN.
     #[error("the tolerance of times is {0}, expected a number of at least 0")]
     Tolerance(f64),
-    /// The thread replaces subnormal numbers by zero, so that no bound of an error holds.
-    #[error("this thread flushes subnormal numbers to zero (FTZ, DAZ): restore gradual underflow")]
-    FlushedSubnormals,
+    /// The thread, or one of the threads of a step, has another floating-point
+    /// [environment](exact_ccd::environment) than the default one, so that no bound of an error holds.
+    #[error(
+        "a thread rounds in another direction than to nearest, or flushes subnormal numbers to zero (FTZ, DAZ): \
+         restore the default floating-point environment"
+    )]
+    Environment,
+}
+
+impl SearchError {
+    /// Checks the environment of the thread that computes.
+    pub(crate) fn check_environment() -> Result<(), Self> {
+        environment::is_default().then_some(()).ok_or(Self::Environment)
+    }
 }

@@ -38,10 +38,8 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         start: f64,
         end: f64,
     ) -> Result<Self, SearchError> {
-        let chords: Vec<Chord> = trajectories
-            .par_iter()
-            .map(|x| Chord::of(x, start, end))
-            .collect();
+        let chords = trajectories.par_iter().map(|x| Chord::of(x, start, end));
+        let chords = chords.collect::<Result<Vec<_>, _>>()?;
         if let Some(point) = chords.iter().position(|chord| chord.deviation.is_nan()) {
             return Err(SearchError::Bound { point, start, end });
         }

@@ -113,8 +113,10 @@ impl RigidMotion {
 /// if both are subnormal, or by less than 2⁻¹⁰⁷⁴ beside the quotient 1; the
 /// norm by 8 u and the unit vector a by 10 u; r is off by u |r|. A component of a × r has the error
 /// 2 u (|aⱼ rₖ| + |aₖ rⱼ|) ≤ 2 u |r| by Cauchy's inequality, hence the vector 3.5 u |r|. So a × r is off
-/// by (10 + 1 + 3.5) u |r|, and (a × r) × a by (14.5 + 10 + 3.5) u |r| = 28 u |r|. The bound has 40 u.
-const RADIUS_ERROR: f64 = 40.0 * UNIT;
+/// by (10 + 1 + 3.5) u |r|, and (a × r) × a by (14.5 + 10 + 3.5) u |r| = 28 u |r|. If the unit vector was
+/// computed on a thread that rounds in another direction, with twice the error, these are 24.5 u |r| and
+/// (24.5 + 20 + 3.5) u |r| = 48 u |r|. The bound has 64 u.
+const RADIUS_ERROR: f64 = 64.0 * UNIT;
 
 /// The trajectory of a point of a rigid body.
 ///

@@ -6,7 +6,6 @@ use crate::answer::{Answer, End, Within};
 use crate::error::SearchError;
 use crate::kind::CurvedKind;
 use crate::options::SearchOptions;
-use crate::rounding::flushes_subnormals;
 use crate::straight::Straight;
 use crate::trajectory::Trajectory;
 
@@ -58,9 +57,7 @@ pub fn first_within<K: CurvedKind, T: Trajectory>(
     options: &SearchOptions,
 ) -> Result<Answer, SearchError> {
     options.check()?;
-    if flushes_subnormals() {
-        return Err(SearchError::FlushedSubnormals);
-    }
+    SearchError::check_environment()?;
     search::<K, _>(trajectories.as_ref(), d, options, [0.0, 1.0])
 }
 

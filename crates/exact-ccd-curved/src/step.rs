@@ -6,7 +6,6 @@ use exact_ccd_mesh::TriangleMesh;
 use crate::answer::{Answer, End};
 use crate::error::SearchError;
 use crate::interval::Interval;
-use crate::rounding::flushes_subnormals;
 use crate::step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 use crate::trajectory::Trajectory;
 
@@ -29,9 +28,7 @@ pub fn curved_step<T: Trajectory + Sync>(
     options: &CurvedStepOptions,
 ) -> Result<CurvedStep, CurvedStepError> {
     options.search.check()?;
-    if flushes_subnormals() {
-        return Err(SearchError::FlushedSubnormals.into());
-    }
+    SearchError::check_environment()?;
     let answer = Answer {
         free_until: 0.0,
         within: None,

@@ -46,8 +46,8 @@ impl<K: CurvedKind> Straight<K> {
 
     /// The query of the chords of some trajectories.
     pub(crate) fn of<T: Trajectory>(trajectories: &[T], start: f64, end: f64) -> Result<Self, SearchError> {
-        let chords: Vec<Chord> = trajectories.iter().map(|x| Chord::of(x, start, end)).collect();
-        Self::new(&chords, start, end)
+        let chords = trajectories.iter().map(|x| Chord::of(x, start, end));
+        Self::new(&chords.collect::<Result<Vec<_>, _>>()?, start, end)
     }
 
     /// Before this time, the curved primitives are certainly more than d apart; `None` if they are at

@@ -2,6 +2,7 @@
 
 use exact_ccd::Point;
 
+use crate::error::SearchError;
 use crate::rounding::{above, length};
 
 /// A position, up to an error.
@@ -72,7 +73,11 @@ impl Chord {
     /// Let the exact ends x(s), x(e) have the computed positions p, q with errors a, b. At relative
     /// time τ the exact chord and the chord from p to q differ by at most (1 − τ) a + τ b ≤ max(a,
     /// b). So the curve is within the deviation + max(a, b).
-    pub(crate) fn of(trajectory: &impl Trajectory, start: f64, end: f64) -> Self {
+    ///
+    /// # Errors
+    /// [`SearchError::Environment`] of the thread that computes it.
+    pub(crate) fn of(trajectory: &impl Trajectory, start: f64, end: f64) -> Result<Self, SearchError> {
+        SearchError::check_environment()?;
         let ends = [trajectory.at(start), trajectory.at(end)];
         let [a, b] = ends.map(|position| position.error);
         let bounds = [trajectory.deviation(start, end), a, b];
@@ -84,7 +89,7 @@ impl Chord {
             above(bounds[0] + a.max(b))
         };
         let ends = ends.map(|position| position.point);
-        Self { ends, deviation }
+        Ok(Self { ends, deviation })
     }
 
     /// A bound of the length of the chord.

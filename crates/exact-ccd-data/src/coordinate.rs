@@ -47,6 +47,9 @@ fn hexadecimal(text: &str, rounding: Rounding) -> Option<Result<f64, CoordinateE
     if digits.is_empty() || !digits.bytes().all(|digit| digit.is_ascii_hexdigit()) {
         return None;
     }
+    if digits.len() > rational::LONGEST {
+        return Some(Err(CoordinateError::TooLong(excerpt(text.as_bytes()))));
+    }
     let number = UBig::from_str_radix(&digits, 16).ok()?;
     if number == UBig::ZERO {
         return Some(Ok(0.0));

@@ -114,6 +114,8 @@ impl<K: QueryKind, R: Read> Iterator for QueryReader<K, R> {
 
 #[cfg(test)]
 mod tests {
+    use std::io;
+
     use exact_ccd::{EdgeEdge, VertexFace};
 
     use super::*;
@@ -256,6 +258,35 @@ mod tests {
             message("0,0,0,1\n0,0,0\n"),
             "some.csv, line 2: expected 4 fields, as in the first row, found 3"
         );
+    }
+
+    /// Exact arithmetic with a number of n digits takes time proportional to n².
+    #[test]
+    fn numbers_of_many_digits_are_an_error() {
+        let row = |digits: usize| format!("{}1,1,0,1,0,1\n", "0".repeat(digits - 1)).repeat(8);
+        assert_eq!(read(&row(4096)).map(|samples| samples.len()), Ok(1));
+        assert_eq!(
+            message(&row(4097)),
+            format!(
+                "some.csv, line 1: x of a0 at t = 0: {}… has more than 4096 digits; reduce the fraction",
+                "0".repeat(40)
+            )
+        );
+        let hexadecimal = format!("0x{}p0,0,0\n", "1".repeat(4097));
+        assert!(message(&hexadecimal).contains("has more than 4096 digits"));
+    }
+
+    /// A reader keeps one line at a time.
+    #[test]
+    fn very_long_lines_are_an_error() {
+        let blanks = |count: usize| query("\n") + &" ".repeat(count) + "\n" + &query("\n");
+        assert_eq!(read(&blanks(65_535)).map(|samples| samples.len()), Ok(2));
+        assert_eq!(
+            message(&blanks(65_536)),
+            "some.csv: line 9 has more than 65536 bytes, expected a row of 3 to 7 fields"
+        );
+        let mut endless = QueryReader::<VertexFace, _>::new("-", io::repeat(b','), Rounding::Refuse);
+        assert!(endless.next().unwrap().is_err());
     }
 
     #[test]

@@ -5,6 +5,10 @@ use dashu_ratio::RBig;
 
 use crate::excerpt::excerpt;
 
+/// The most digits of a number in exact arithmetic, whose time grows with the square of this number. Numerator
+/// and denominator of a finite f64 have at most 324 digits when the fraction is in lowest terms.
+pub(crate) const LONGEST: usize = 4096;
+
 /// The treatment of a coordinate that is not exactly an f64.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Rounding {
@@ -25,6 +29,10 @@ pub enum CoordinateError {
     /// A field is not a number.
     #[error("expected a decimal, a hexadecimal float or a fraction, found \"{0}\"")]
     NotANumber(String),
+    /// An integer or a hexadecimal float has so many digits that exact arithmetic with it takes long. A
+    /// finite f64 needs fewer.
+    #[error("{0} has more than {LONGEST} digits; reduce the fraction")]
+    TooLong(String),
     /// The denominator is zero.
     #[error("the denominator of {0} is zero")]
     ZeroDenominator(String),
@@ -71,6 +79,9 @@ fn integer(text: &[u8]) -> Result<IBig, CoordinateError> {
         .strip_prefix(b"-")
         .or(text.strip_prefix(b"+"))
         .unwrap_or(text);
+    if digits.len() > LONGEST {
+        return Err(CoordinateError::TooLong(excerpt(text)));
+    }
     digits
         .iter()
         .all(u8::is_ascii_digit)

@@ -9,6 +9,7 @@ use exact_ccd::Point;
 use crate::coordinate;
 use crate::error::{DataError, Problem};
 use crate::excerpt::excerpt;
+use crate::long_lines::ShortLines;
 use crate::rational::{self, Rounding};
 
 /// The numbers of fields in a row: three coordinates, or three numerators and denominators, and perhaps the
@@ -28,7 +29,7 @@ pub enum Seventh {
 /// Reads the rows of a file one after the other.
 pub(crate) struct RowReader<R> {
     file: PathBuf,
-    csv: csv::Reader<io::Chain<R, &'static [u8]>>,
+    csv: csv::Reader<io::Chain<ShortLines<R>, &'static [u8]>>,
     record: ByteRecord,
     rounding: Rounding,
     seventh: Seventh,
@@ -63,7 +64,7 @@ impl<R: Read> RowReader<R> {
             .terminator(Terminator::Any(b'\n'))
             // With this, every record ends in a line break, and its line is the one before the
             // reader's position.
-            .from_reader(text.chain(b"\n".as_slice()));
+            .from_reader(ShortLines::new(text).chain(b"\n".as_slice()));
         Self {
             file,
             csv,

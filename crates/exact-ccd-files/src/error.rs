@@ -136,6 +136,15 @@ pub enum Fault {
         /// The limit, which follows from the size of the file.
         limit: u64,
     },
+    /// The file, or the data that it expands to, are larger than the reader allows.
+    #[error(
+        "more than {limit} bytes, the size that is allowed; allow more with --max-size, in code with \
+         `ReadOptions::with_max_size`"
+    )]
+    Size {
+        /// The size that is allowed.
+        limit: u64,
+    },
     /// The file has no face, no edge and no point.
     #[error("no face, no edge and no point: the file has {read}; choose a file with a mesh")]
     Empty {

@@ -38,8 +38,11 @@
 //! a surface mesh that is in no face and no edge is a point, whether or not the file lists it as
 //! one. Of tetrahedra, only listed points of VTK are kept; Gmsh lists points for its geometry.
 //!
-//! No bytes make a reader panic. Data from a file take at most 200 times its size and a mebibyte, at eight
-//! bytes or less for each byte.
+//! # Limits
+//!
+//! No bytes make a reader panic. The data of a file expand to at most 200 times its size and a mebibyte. A
+//! reader keeps at most 32 bytes for each byte of the file and of these data; the mesh that is made of them
+//! takes a small multiple. [`ReadOptions::with_max_size`] limits the size.
 //! `docs/files.md` in the repository says what each format becomes.
 
 mod contents;
@@ -59,8 +62,9 @@ pub use format::Format;
 pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
-    FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, parse_frame, parse_tet_groups,
-    parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups, read_tet_mesh,
+    FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
+    parse_tet_groups, parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups,
+    read_tet_mesh,
 };
 pub use unsupported::Unsupported;
 pub use write::{

@@ -53,17 +53,21 @@ impl Aabb {
     /// The box with each side moved outwards by at least `margin`, which is not negative; the same
     /// box for 0.
     ///
-    /// fl(x − m) may lie half a unit in the last place above x − m; the next f64 below it does not.
-    /// So the result contains every point within `margin`, along each axis, of a point of the box.
+    /// fl(x − m) may lie above x − m, by less than one unit in the last place in any direction of
+    /// rounding; the next f64 below it does not. Where subnormal numbers are flushed to zero, x, m and the
+    /// result are each off by less than 2⁻¹⁰²²; 2⁻¹⁰²⁰ covers that. So the result contains every point within
+    /// `margin`, along each axis, of a point of the box, in any floating-point environment.
     #[must_use]
     #[inline]
     pub fn inflated(&self, margin: f64) -> Self {
-        if margin == 0.0 {
+        const FLUSHED: f64 = 4.0 * f64::MIN_POSITIVE;
+        // By its bits: a comparison may read a subnormal number as zero.
+        if margin.to_bits() == 0 {
             return *self;
         }
         Self {
-            lower: self.lower.map(|x| (x - margin).next_down()),
-            upper: self.upper.map(|x| (x + margin).next_up()),
+            lower: self.lower.map(|x| (x - margin).next_down() - FLUSHED),
+            upper: self.upper.map(|x| (x + margin).next_up() + FLUSHED),
         }
     }
 }

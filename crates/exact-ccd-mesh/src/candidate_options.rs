@@ -53,8 +53,9 @@ pub enum CandidateError {
 /// between start and end, by [`Step::at`](crate::Step::at) or [`advance`](crate::advance), are off
 /// by at most 3. In a scene that has been shifted by the displacement of its box, coordinates are
 /// at most 4 M: the shift itself is off by ½ · 4 = 2, and positions between the shifted ones by 3 ·
-/// 4 = 12. That is 14 in total.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// 4 = 12. That is 14 in total, and twice as much where a thread rounds in another direction than to
+/// nearest.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 impl CandidateOptions {
     /// The same options with another distance.
@@ -87,7 +88,9 @@ impl CandidateOptions {
     /// comparisons alone, and within moving boxes that are larger by the error of rounding.
     pub(crate) fn margin(&self, step: &Step<'_>) -> Result<Margin, CandidateError> {
         let distance = self.distance;
-        if distance.is_nan() || distance < 0.0 {
+        // The bits of negative numbers are above those of −0.0. A comparison may read a subnormal number as
+        // zero.
+        if distance.is_nan() || distance.to_bits() > (-0.0_f64).to_bits() {
             return Err(CandidateError::Distance(distance));
         }
         self.min_distance.check(step.mesh())?;
@@ -97,8 +100,8 @@ impl CandidateOptions {
             BoxKind::Moving => {
                 let coordinates = step.positions().into_iter().flatten().flatten();
                 let largest = coordinates.fold(0.0_f64, |largest, x| largest.max(x.abs()));
-                // The smallest normal number covers products that underflow.
-                (half + (ROUNDING * largest + f64::MIN_POSITIVE)).next_up()
+                // The last summand covers products that underflow, or are flushed to zero.
+                (half + (ROUNDING * largest + 4.0 * f64::MIN_POSITIVE)).next_up()
             }
         };
         Ok(Margin::new(self.min_distance.clone(), common))

@@ -83,11 +83,14 @@ fn above_subnormal(margin: f64, of: f64) -> f64 {
     }
 }
 
-/// At least the sum of two margins; exact if one is 0.
+/// At least the sum of two margins; exact if one is 0. By their bits, and larger by more than two
+/// subnormal numbers, which a sum may read as zero.
 fn sum(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        a + b
+    if a.to_bits() == 0 {
+        b
+    } else if b.to_bits() == 0 {
+        a
     } else {
-        (a + b).next_up()
+        (a + b).next_up() + 4.0 * f64::MIN_POSITIVE
     }
 }

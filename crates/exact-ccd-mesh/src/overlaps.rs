@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex, environment};
 use rayon::prelude::*;
 
 use crate::aabb::{Aabb, meet};
@@ -65,7 +65,7 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     ) -> Self {
         let [x0, x1] = step.positions();
         let ends = x0.par_iter().zip(x1);
-        let bare: Vec<[Aabb; T]> = ends.map(|(&a, &b)| of_vertex(a, b)).collect();
+        let bare: Vec<[Aabb; T]> = ends.map(|(&a, &b)| of_vertex(a, b).map(whole)).collect();
         let faces = around(&bare, step.mesh().faces(), &margin);
         let edges = around(&bare, step.mesh().edges(), &margin);
         let vertices = inflated(bare, &margin);
@@ -128,6 +128,16 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     }
 }
 
+/// A union of boxes that lacks none of their points. Where comparisons read subnormal numbers as zero, the
+/// union may lack those.
+fn whole(union: Aabb) -> Aabb {
+    if environment::is_default() {
+        union
+    } else {
+        union.inflated(f64::MIN_POSITIVE)
+    }
+}
+
 /// The boxes of primitives, from those of their vertices without margins.
 fn around<const T: usize, const N: usize>(
     bare: &[[Aabb; T]],
@@ -137,7 +147,7 @@ fn around<const T: usize, const N: usize>(
     let around = |vertices: &[u32; N]| -> [Aabb; T] {
         core::array::from_fn(|time| {
             let boxes = vertices.iter().map(|&vertex| &bare[vertex as usize][time]);
-            boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb))
+            whole(boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb)))
         })
     };
     let primitives = primitives.par_iter();

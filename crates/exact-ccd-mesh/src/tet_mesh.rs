@@ -114,11 +114,12 @@ fn oriented(positions: &[Point], tetrahedron: usize, corners: [u32; 4]) -> Resul
             vertex_count,
         });
     }
-    let volume = orient3d(corners.map(|vertex| positions[vertex as usize]));
+    // `Less` for a positive volume.
+    let side = orient3d(corners.map(|vertex| positions[vertex as usize]));
     let [a, b, c, d] = corners;
-    match volume {
-        Ok(Ordering::Greater) => Ok(corners),
-        Ok(Ordering::Less) => Ok([b, a, c, d]),
+    match side {
+        Ok(Ordering::Less) => Ok(corners),
+        Ok(Ordering::Greater) => Ok([b, a, c, d]),
         // All coordinates are finite.
         Ok(Ordering::Equal) | Err(_) => Err(TetMeshError::Flat { tetrahedron }),
     }

@@ -1,7 +1,7 @@
 //! The answers to a query: floating-point filters first, then the exact path.
 
 use crate::collision::Collision;
-use crate::environment::flushes_subnormals;
+use crate::environment;
 use crate::exact;
 use crate::filter::{self, Decision};
 use crate::impact::Impact;
@@ -66,9 +66,10 @@ impl<K: Kind> Query<K> {
 
     #[inline]
     fn decide(&self) -> Decision {
-        if flushes_subnormals() {
-            return Decision::Unknown;
+        if environment::is_default() {
+            filter::decide(self)
+        } else {
+            Decision::Unknown
         }
-        filter::decide(self)
     }
 }

@@ -3,6 +3,7 @@
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
+use crate::environment;
 use crate::exact::FirstContact;
 use crate::exact::separation as exact;
 use crate::filter::{Contact, Decision};
@@ -160,7 +161,8 @@ impl<'a, K: Kind> Collision<'a, K> {
     }
 
     /// An answer by the filters if they determine it, otherwise by the exact path; or that for a
-    /// separation above 0, from it and from the first time.
+    /// separation above 0, from it and from the first time. The filters need the default environment of the
+    /// thread that reads the answer: the query may have been decided on another one.
     fn answer<T>(
         &self,
         by_filter: impl FnOnce(&Contact) -> Option<T>,
@@ -169,12 +171,15 @@ impl<'a, K: Kind> Collision<'a, K> {
     ) -> T {
         match &self.proof {
             Proof::Exact(first) => exactly(first),
-            Proof::Filter(contact) => by_filter(contact).unwrap_or_else(|| {
-                // Cannot panic: the filters prove contact only where the exact path, which defines
-                // it, finds one.
-                let first = FirstContact::of(self.query).expect("a proved contact exists");
-                exactly(&first)
-            }),
+            Proof::Filter(contact) => {
+                let filtered = environment::is_default().then(|| by_filter(contact)).flatten();
+                filtered.unwrap_or_else(|| {
+                    // Cannot panic: the filters prove contact only where the exact path, which defines
+                    // it, finds one.
+                    let first = FirstContact::of(self.query).expect("a proved contact exists");
+                    exactly(&first)
+                })
+            }
             Proof::Within(d, first) => within(*d, *first),
         }
     }

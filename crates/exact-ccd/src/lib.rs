@@ -46,10 +46,12 @@
 //!
 //! # Floating-point environment
 //!
-//! A thread that flushes subnormal numbers to zero (FTZ, DAZ), as in a program linked with
-//! `-ffast-math`, gets the same answers: this is detected for each query or batch, and the exact
-//! path decides then, which is much slower. [`parity`] is the exception. Other changes of the
-//! environment, such as of the rounding direction, are not supported.
+//! A thread that rounds in another direction than to nearest, as in interval arithmetic, or flushes
+//! subnormal numbers to zero (FTZ, DAZ), as in a program linked with `-ffast-math`, gets the same decisions,
+//! counts and times: this is [detected](environment::is_default) on the thread that computes, for each query
+//! or batch and each answer of a [`Collision`], and the exact path decides then, which is much slower. The
+//! components of a normal are rounded as the thread rounds. [`parity`] is the exception: its input has to be
+//! rounded in the default environment.
 //!
 //! # Panics
 //!
@@ -66,7 +68,7 @@ mod axis;
 pub mod batch;
 mod ccd;
 mod collision;
-mod environment;
+pub mod environment;
 pub mod exact;
 mod filter;
 mod impact;

@@ -7,19 +7,34 @@ use core::fmt;
 #[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct NonNegative(u64);
 
+/// The bits of −0.0: all larger ones are those of negative numbers and of NaN.
+const NEGATIVE_ZERO: u64 = 1 << 63;
+
 impl NonNegative {
     pub(crate) const ZERO: Self = Self(0);
 
     /// The number x; `None` if it is negative, infinite or NaN. −0.0 is 0.
+    ///
+    /// The bits are compared as a whole. The compiler replaces a test of the bits without the sign by a
+    /// floating-point comparison with zero.
     #[inline]
     pub(crate) fn new(x: f64) -> Option<Self> {
-        let magnitude = x.to_bits() & !(1 << 63);
-        (x.is_finite() && (x.is_sign_positive() || magnitude == 0)).then_some(Self(magnitude))
+        match x.to_bits() {
+            NEGATIVE_ZERO => Some(Self::ZERO),
+            bits if bits < f64::INFINITY.to_bits() => Some(Self(bits)),
+            _ => None,
+        }
     }
 
     #[inline]
     pub(crate) fn get(self) -> f64 {
         f64::from_bits(self.0)
+    }
+
+    /// The next larger f64, which may be infinite. By its bits: `f64::next_up` compares with zero.
+    #[inline]
+    pub(crate) fn next_up(self) -> f64 {
+        f64::from_bits(self.0 + 1)
     }
 }
 

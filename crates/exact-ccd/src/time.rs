@@ -43,7 +43,7 @@ impl ContactTime {
     #[must_use]
     pub fn upper(self) -> f64 {
         if self.is_above {
-            self.lower().next_up()
+            self.lower.next_up()
         } else {
             self.lower()
         }

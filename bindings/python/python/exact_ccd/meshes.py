@@ -375,9 +375,9 @@ class Detector:
     def free_step(self, x0: ArrayLike, x1: ArrayLike, keep: float = 0.9) -> FreeStep:
         """Return a step towards `x1` that is certified to be free of contact.
 
-        Its size is `keep`, above 0 and at most 1, times the time of impact. The positions there are rounded,
-        and the step to the rounded positions is decided exactly; if it is not free, the size is reduced by
-        units in its last place until it is. The size may be 0, see :class:`FreeStep`.
+        Its size is 1 if the full step is free, otherwise the time of impact times `keep`, a number above 0
+        and at most 1. The positions there are rounded, and the step to the rounded positions is decided
+        exactly; if it is not free, the size is reduced by units in its last place until it is, or is 0.
 
         An edge that pierces a face at the start is no contact, see the notes above: the size may be 1 then.
         """

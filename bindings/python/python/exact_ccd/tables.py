@@ -33,7 +33,8 @@ def check(
 ) -> _Table:
     """Decide the queries of a table, and return it with their answers as further columns.
 
-    The columns are those of the Parquet files of ``exact-ccd convert``. All others are passed on.
+    The columns ``kind`` and ``points`` are those of the Parquet files of ``exact-ccd convert``, and so are the
+    answers ``count`` and ``toi``. All other columns are passed on.
 
     Parameters
     ----------

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, Polygons, ReadError};
+use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
 
 use crate::failure::Failure;
 use crate::notes::Notes;
@@ -14,8 +14,8 @@ pub(crate) struct Frames(Vec<(Arc<FrameSequence>, usize)>);
 
 impl Frames {
     /// All frames in a file: of a mesh, of arrays, or of a list of files.
-    pub(super) fn of_file(file: &Path, polygons: Polygons) -> Result<Self, Failure> {
-        let sequence = Arc::new(FrameSequence::open(file, polygons)?);
+    pub(super) fn of_file(file: &Path, options: ReadOptions) -> Result<Self, Failure> {
+        let sequence = Arc::new(FrameSequence::open(file, options)?);
         if sequence.is_empty() {
             return Err(Failure::NoFrames(file.to_owned()));
         }
@@ -27,10 +27,10 @@ impl Frames {
     }
 
     /// The start and the end of a step, each the only frame in a file.
-    pub(super) fn of_pair(start: &Path, end: &Path, polygons: Polygons) -> Result<Self, Failure> {
+    pub(super) fn of_pair(start: &Path, end: &Path, options: ReadOptions) -> Result<Self, Failure> {
         let mut frames = Vec::new();
         for file in [start, end] {
-            let Self(found) = Self::of_file(file, polygons)?;
+            let Self(found) = Self::of_file(file, options)?;
             if found.len() != 1 {
                 let (file, count) = (file.to_owned(), found.len());
                 return Err(Failure::FrameCount {
@@ -49,7 +49,7 @@ impl Frames {
     pub(super) fn of_paths(
         paths: &[PathBuf],
         as_given: bool,
-        polygons: Polygons,
+        options: ReadOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
         let order = FrameOrder::of_row(paths.to_vec());
@@ -72,10 +72,10 @@ impl Frames {
                     return Err(Failure::FolderAsGiven(path.clone()));
                 }
                 for file in meshes_in(path, notes)? {
-                    frames.extend(Self::of_file(&file, polygons)?.0);
+                    frames.extend(Self::of_file(&file, options)?.0);
                 }
             } else {
-                frames.extend(Self::of_file(path, polygons)?.0);
+                frames.extend(Self::of_file(path, options)?.0);
             }
         }
         Ok(Self(frames))

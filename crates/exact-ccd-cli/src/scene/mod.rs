@@ -11,7 +11,7 @@ mod vertex_set;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use exact_ccd_files::{Contents, FileIds, Polygons};
+use exact_ccd_files::{Contents, FileIds, Polygons, ReadOptions};
 use exact_ccd_mesh::{CanCollide, Frame, MotionError, TriangleMesh};
 
 use crate::failure::Failure;
@@ -51,7 +51,7 @@ impl Scene {
         }
         for path in &options.others {
             let (name, file) = named(path);
-            let frames = Frames::of_paths(std::slice::from_ref(&file), false, options.polygons(), notes)?;
+            let frames = Frames::of_paths(std::slice::from_ref(&file), false, options.read_options(), notes)?;
             let count = frames.count();
             let rests = count == 1;
             if !rests && count != frame_count {
@@ -89,11 +89,11 @@ impl Scene {
         options: &SceneOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
-        let polygons = options.polygons();
+        let read_options = options.read_options();
         let mut moving = Vec::new();
         if let [file] = files {
             let (name, file) = named(file);
-            let frames = Frames::of_file(&file, polygons)?;
+            let frames = Frames::of_file(&file, read_options)?;
             if frames.count() != 2 {
                 let count = frames.count();
                 return Err(Failure::FrameCount {
@@ -110,7 +110,7 @@ impl Scene {
             }
             for [start, end] in pairs {
                 let (name, start) = named(start);
-                moving.push((name, Frames::of_pair(&start, end, polygons)?));
+                moving.push((name, Frames::of_pair(&start, end, read_options)?));
             }
         }
         Self::open(moving, options, notes)
@@ -123,7 +123,7 @@ impl Scene {
         options: &SceneOptions,
         notes: &mut Notes,
     ) -> Result<Self, Failure> {
-        let frames = Frames::of_paths(paths, as_given, options.polygons(), notes)?;
+        let frames = Frames::of_paths(paths, as_given, options.read_options(), notes)?;
         let (name, _) = named(paths.first().unwrap_or(&PathBuf::new()));
         Self::open(vec![(name, frames)], options, notes)
     }
@@ -212,11 +212,12 @@ fn joined(parts: &mut [Part], mesh: Option<&TriangleMesh>, index: usize) -> Resu
 }
 
 impl SceneOptions {
-    fn polygons(&self) -> Polygons {
-        if self.triangles_only {
+    fn read_options(&self) -> ReadOptions {
+        let polygons = if self.triangles_only {
             Polygons::Refuse
         } else {
             Polygons::Triangulate
-        }
+        };
+        ReadOptions::from(polygons).with_max_size(self.max_size.unwrap_or(u64::MAX))
     }
 }

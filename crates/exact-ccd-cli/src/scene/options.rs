@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::rules::Rules;
 
-/// The options `--with`, `--ignore`, `--only`, `--weld` and `--triangles-only`.
+/// The options `--with`, `--ignore`, `--only`, `--weld`, `--triangles-only` and `--max-size`.
 #[derive(clap::Args)]
 pub(crate) struct SceneOptions {
     /// A further part; may be repeated. One frame is a mesh at rest, an obstacle: obstacles are not
@@ -23,4 +23,8 @@ pub(crate) struct SceneOptions {
     /// lowest vertex.
     #[arg(long)]
     pub(super) triangles_only: bool,
+    /// Refuse files of more than this number of bytes, and files whose data expand to more: compressed data, or
+    /// data that a file names several times. The memory of reading is proportional to it.
+    #[arg(long, value_name = "BYTES")]
+    pub(super) max_size: Option<u64>,
 }

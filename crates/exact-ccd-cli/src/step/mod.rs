@@ -34,13 +34,13 @@ use seconds::Seconds;
 ///
 /// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to
 /// where it is in END at t = 1. Contact is a common point of a vertex and a face, or of two edges,
-/// that have no vertex in common. Vertices and edges without a face take part too.
+/// that have no vertex in common. Vertices and edges without a face take part too: loose vertices, of
+/// no edge, are compared with loose edges and with each other.
 ///
 /// A mesh that passes through itself at t = 0 is reported as well: the first pair of an edge and a
 /// face that meet.
 ///
-/// With --min-distance D, primitives at most D apart are in contact. The pairs are then those above,
-/// and loose vertices against loose edges and against each other.
+/// With --min-distance D, primitives at most D apart are in contact. The pairs are the same.
 ///
 /// The time of impact is the earliest contact time, rounded down to f64: until then the step is
 /// free of contact for certain. All ids count from 0. Exit status: 0 free, 1 contact or intersection

@@ -13,6 +13,8 @@ mod ids;
 mod import;
 mod meshes;
 mod methods;
+mod octocats;
+mod publication;
 mod queries;
 mod queries_errors;
 mod queries_separation;

@@ -3,42 +3,55 @@
 //! A damaged or forged file of a few bytes can announce pages of gigabytes. Every announced size is
 //! checked against the size of the file or against a limit.
 
-use std::cell::Cell;
 use std::fs::File;
 use std::io::{BufRead, BufReader};
 use std::panic::{self, AssertUnwindSafe};
-use std::sync::Once;
 
 use bytes::Bytes;
 use parquet::basic::Encoding;
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
-use parquet::file::metadata::ColumnChunkMetaData;
+use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData, RowGroupMetaData};
 use parquet::file::reader::{ChunkReader, Length};
 
-/// The largest size of an uncompressed page in bytes. Writers aim at one megabyte; a dictionary can
-/// be larger.
-const PAGE: u64 = 1 << 28;
+/// The largest allowed ratio of the queries in a file, or of a page, and the size of the file; and the number of
+/// bytes that they may have in any case. Usual queries take a half to a fifth of their size.
+const RATIO: u64 = 200;
+const ALLOWANCE: u64 = 1 << 20;
 
-thread_local! {
-    /// True while [`catch`] turns panics on this thread into errors.
-    static CAUGHT: Cell<bool> = const { Cell::new(false) };
+/// The most bytes that a file of this size may expand to.
+fn most(file_size: u64) -> u64 {
+    file_size.saturating_mul(RATIO).saturating_add(ALLOWANCE)
 }
 
-/// Calls the library. A panic becomes an error, without output on standard error.
+/// Checks the numbers that the metadata announce.
+///
+/// # Errors
+/// If the columns overlap, so that the same bytes are read several times, or the queries, which have this
+/// number of coordinates, are far larger than the file.
+pub(super) fn check_size(file: &GuardedFile, metadata: &ParquetMetaData, coordinates: usize) -> Result<()> {
+    let size = file.len();
+    let rows = metadata.file_metadata().num_rows().unsigned_abs();
+    let bytes = rows.saturating_mul((coordinates * size_of::<f64>()) as u64);
+    if bytes > most(size) {
+        return Err(ParquetError::General(format!(
+            "its {rows} queries take {bytes} bytes, more than {RATIO} times the size of the file"
+        )));
+    }
+    let columns = metadata.row_groups().iter().flat_map(RowGroupMetaData::columns);
+    let sizes = columns.map(|column| column.compressed_size().unsigned_abs());
+    if sizes.fold(0, u64::saturating_add) > size {
+        return Err(ParquetError::General("its columns overlap".to_owned()));
+    }
+    Ok(())
+}
+
+/// Calls the library. A panic becomes an error.
+///
+/// The hook of the process stays as it is: it belongs to the program, which may print or log the panic. The
+/// checks before are there so that none happens in files that are known to cause one.
 pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
-    static QUIET: Once = Once::new();
-    QUIET.call_once(|| {
-        let loud = panic::take_hook();
-        panic::set_hook(Box::new(move |info| {
-            if !CAUGHT.get() {
-                loud(info);
-            }
-        }));
-    });
-    CAUGHT.set(true);
     let answer = panic::catch_unwind(AssertUnwindSafe(call));
-    CAUGHT.set(false);
     answer.unwrap_or_else(|_| Err(ParquetError::General("its metadata contradict each other".into())))
 }
 
@@ -69,7 +82,9 @@ impl ChunkReader for GuardedFile {
     fn get_read(&self, start: u64) -> Result<Self::T> {
         let mut reader = self.0.get_read(start)?;
         match page_size(reader.fill_buf()?) {
-            Some(size) if size > PAGE => Err(ParquetError::General(format!("a page of {size} bytes"))),
+            Some(size) if size > most(self.len()) => {
+                Err(ParquetError::General(format!("a page of {size} bytes")))
+            }
             _ => Ok(reader),
         }
     }

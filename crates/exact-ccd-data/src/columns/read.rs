@@ -6,11 +6,13 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::vec;
 
+use parquet::errors::ParquetError;
 use parquet::file::metadata::{ParquetMetaData, ParquetMetaDataReader};
 
 use super::coordinates;
+use super::footer;
 use super::group::{Group, Leaves};
-use super::guard::{GuardedFile, catch};
+use super::guard::{GuardedFile, catch, check_size};
 use crate::error::{ColumnProblem, DataError};
 use crate::query_kind::QueryKind;
 use crate::record::{Record, Sample};
@@ -46,8 +48,10 @@ impl<K: QueryKind> ColumnReader<K> {
     pub fn open(path: &Path) -> Result<Self, DataError> {
         let file = File::open(path).map_err(|source| DataError::io(path, source))?;
         let file = Arc::new(GuardedFile(file));
-        let metadata = catch(|| ParquetMetaDataReader::new().parse_and_finish(&*file))
-            .map_err(|error| DataError::columns(path, ColumnProblem::from(error)))?;
+        let wrong = |error: ParquetError| DataError::columns(path, ColumnProblem::from(error));
+        footer::check(&file).map_err(wrong)?;
+        let metadata = catch(|| ParquetMetaDataReader::new().parse_and_finish(&*file)).map_err(wrong)?;
+        check_size(&file, &metadata, coordinates::<K>()).map_err(wrong)?;
         let leaves = Leaves::find(&metadata).map_err(|problem| DataError::columns(path, problem))?;
         Ok(Self {
             path: path.to_owned(),

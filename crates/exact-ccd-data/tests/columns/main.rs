@@ -4,6 +4,7 @@
 
 mod damage;
 mod foreign;
+mod hostile;
 mod round_trip;
 
 use std::fs;

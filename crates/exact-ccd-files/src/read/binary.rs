@@ -1,5 +1,6 @@
 //! Binary data with a current position.
 
+use super::budget::Budget;
 use crate::error::{Fault, ParseError, Place};
 
 /// The order of the bytes of a number.
@@ -12,14 +13,15 @@ pub(super) enum ByteOrder {
 /// The bytes of a file from the current position on.
 #[derive(Clone)]
 pub(super) struct Bytes<'a> {
+    budget: &'a Budget,
     file: &'a [u8],
     offset: usize,
 }
 
 impl<'a> Bytes<'a> {
     /// The bytes of `file` from `offset`, which is at most its length.
-    pub(super) fn new(file: &'a [u8], offset: usize) -> Self {
-        Self { file, offset }
+    pub(super) fn new(file: &'a [u8], offset: usize, budget: &'a Budget) -> Self {
+        Self { budget, file, offset }
     }
 
     pub(super) fn place(&self) -> Place {
@@ -44,7 +46,7 @@ impl<'a> Bytes<'a> {
             .ok()
             .and_then(|length| self.file[self.offset..].get(..length))
             .ok_or_else(|| Fault::ends(expected()).at(self.place()))?;
-        self.offset += taken.len();
+        self.advance(taken.len());
         Ok(taken)
     }
 
@@ -59,7 +61,7 @@ impl<'a> Bytes<'a> {
         let (&array, _) = self.file[self.offset..]
             .split_first_chunk()
             .ok_or_else(|| Fault::ends(expected()).at(self.place()))?;
-        self.offset += N;
+        self.advance(N);
         Ok(array)
     }
 
@@ -84,7 +86,7 @@ impl<'a> Bytes<'a> {
         let rest = &self.file[self.offset..];
         let length = rest.iter().position(|&byte| byte == b'\n');
         let line = &rest[..length.unwrap_or(rest.len())];
-        self.offset += line.len() + usize::from(length.is_some());
+        self.advance(line.len() + usize::from(length.is_some()));
         line.trim_ascii()
     }
 
@@ -93,7 +95,7 @@ impl<'a> Bytes<'a> {
         let rest = &self.file[self.offset..];
         let length = rest.iter().position(u8::is_ascii_whitespace);
         let word = &rest[..length.unwrap_or(rest.len())];
-        self.offset += word.len();
+        self.advance(word.len());
         word
     }
 
@@ -104,14 +106,20 @@ impl<'a> Bytes<'a> {
     /// Skips white space.
     pub(super) fn skip_blank(&mut self) {
         let rest = &self.file[self.offset..];
-        self.offset += rest.len() - rest.trim_ascii_start().len();
+        self.advance(rest.len() - rest.trim_ascii_start().len());
     }
 
     /// Moves to the next occurrence of `text`, if there is one.
     pub(super) fn skip_to(&mut self, text: &[u8]) -> Option<()> {
         let rest = &self.file[self.offset..];
-        self.offset += rest.windows(text.len()).position(|window| window == text)?;
+        self.advance(rest.windows(text.len()).position(|window| window == text)?);
         Some(())
+    }
+
+    /// Moves over bytes, one step for each.
+    fn advance(&mut self, bytes: usize) {
+        self.offset += bytes;
+        self.budget.step(bytes as u64);
     }
 
     /// Checks that nothing follows except white space, which some programs write after the data.

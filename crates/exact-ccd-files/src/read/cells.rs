@@ -4,6 +4,7 @@ use std::fmt;
 
 use exact_ccd_mesh::{Frame, Point, TetFaces, TetMesh, TetMeshError};
 
+use super::budget::Budget;
 use super::group::{Group, by_name};
 use super::polygons::Faces;
 use super::solids::{self, Solid, increasing};
@@ -51,6 +52,20 @@ impl fmt::Display for Cells {
 }
 
 impl Cells {
+    /// Counts the memory.
+    pub(super) fn charge(&self, budget: &Budget) {
+        budget.hold::<Point>(self.positions.len());
+        budget.hold::<u32>(self.points.len());
+        budget.hold::<[u32; 2]>(self.lines.len());
+        budget.hold::<[u32; 4]>(self.faces.triangles.len());
+        budget.hold::<Solid>(self.solids.len());
+        for group in &self.groups {
+            budget.hold::<Group>(1);
+            budget.hold::<u8>(group.name.len());
+            budget.hold::<u32>(group.vertices.len() + group.cells.len());
+        }
+    }
+
     /// Adds the lines between consecutive vertices.
     pub(super) fn add_polyline(&mut self, vertices: &[u32]) {
         self.lines

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use exact_ccd_mesh::Frame;
 
-use super::file::{format_of, parse_file};
+use super::file::{format_of, parse_bytes, parse_file};
 use super::mesh_file::assemble;
 use crate::error::{ParseError, ReadError};
 use crate::format::Format;
@@ -17,7 +17,9 @@ use crate::format::Format;
 pub fn read_frame(path: impl AsRef<Path>) -> Result<Frame, ReadError> {
     let path = path.as_ref();
     let format = format_of(path)?;
-    parse_file(path, |bytes| Ok(assemble(bytes, format, path.parent())?.frame))
+    parse_file(path, u64::MAX, |bytes, budget| {
+        Ok(assemble(bytes, format, path.parent(), budget)?.frame)
+    })
 }
 
 /// Parses the contents of a file, with the same result as [`read_frame`].
@@ -38,5 +40,7 @@ pub fn read_frame(path: impl AsRef<Path>) -> Result<Frame, ReadError> {
 /// # Errors
 /// [`ParseError`] names the place and what was expected there.
 pub fn parse_frame(bytes: &[u8], format: Format) -> Result<Frame, ParseError> {
-    Ok(assemble(bytes, format, None)?.frame)
+    parse_bytes(bytes, u64::MAX, |bytes, budget| {
+        Ok(assemble(bytes, format, None, budget)?.frame)
+    })
 }

@@ -4,27 +4,16 @@ use std::path::Path;
 
 use exact_ccd_mesh::Frame;
 
+use super::budget::Budget;
 use super::cells::{Assembled, Cells};
-use super::file::{format_of, parse_file};
+use super::file::{format_of, parse_bytes, parse_file};
 use super::group::Group;
+use super::options::{Polygons, ReadOptions};
 use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::file_ids::FileIds;
 use crate::format::Format;
-
-/// The treatment of faces with more than three corners.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Polygons {
-    /// Each becomes a fan of triangles from its lowest vertex.
-    ///
-    /// The fan is the same in all frames, whichever corner comes first in the file. It covers a
-    /// convex plane polygon; another polygon has no surface of its own, and its fan is one choice.
-    #[default]
-    Triangulate,
-    /// The first one is an error.
-    Refuse,
-}
 
 /// A mesh file that was read: its frame, and its contents in numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,11 +52,11 @@ impl MeshFile {
     /// # Errors
     /// [`ReadError`] names the file, the place in it, and what was expected there. A file without a
     /// face, an edge or a point is an error.
-    pub fn read(path: impl AsRef<Path>, polygons: Polygons) -> Result<Self, ReadError> {
-        let path = path.as_ref();
+    pub fn read(path: impl AsRef<Path>, options: impl Into<ReadOptions>) -> Result<Self, ReadError> {
+        let (path, options) = (path.as_ref(), options.into());
         let format = format_of(path)?;
-        parse_file(path, |bytes| {
-            Self::assembled(assemble(bytes, format, path.parent())?, polygons)
+        parse_file(path, options.max_size, |bytes, budget| {
+            Self::assembled(assemble(bytes, format, path.parent(), budget)?, options.polygons)
         })
     }
 
@@ -75,8 +64,11 @@ impl MeshFile {
     ///
     /// # Errors
     /// [`ParseError`] names the place and what was expected there.
-    pub fn parse(bytes: &[u8], format: Format, polygons: Polygons) -> Result<Self, ParseError> {
-        Self::assembled(assemble(bytes, format, None)?, polygons)
+    pub fn parse(bytes: &[u8], format: Format, options: impl Into<ReadOptions>) -> Result<Self, ParseError> {
+        let options = options.into();
+        parse_bytes(bytes, options.max_size, |bytes, budget| {
+            Self::assembled(assemble(bytes, format, None, budget)?, options.polygons)
+        })
     }
 
     pub(super) fn assembled(assembled: Assembled, polygons: Polygons) -> Result<Self, ParseError> {
@@ -100,21 +92,27 @@ impl MeshFile {
 }
 
 /// The frame in a file, which must not be empty. The files that it refers to are in `folder`.
-pub(super) fn assemble(bytes: &[u8], format: Format, folder: Option<&Path>) -> Result<Assembled, ParseError> {
+pub(super) fn assemble(
+    bytes: &[u8],
+    format: Format,
+    folder: Option<&Path>,
+    budget: &Budget,
+) -> Result<Assembled, ParseError> {
     content::check(bytes, format)?;
     let cells = match format {
-        Format::Ply => ply::read(bytes)?,
-        Format::Obj => obj::read(bytes)?,
-        Format::Stl => stl::read(bytes)?,
-        Format::Off => off::read(bytes)?,
-        Format::Msh => msh::read(bytes)?,
-        Format::Vtu => vtk::read_grid(bytes, "UnstructuredGrid")?,
-        Format::Vtp => vtk::read_grid(bytes, "PolyData")?,
-        Format::Vtk => vtk::read_legacy(bytes)?,
-        Format::Gltf => gltf::read(bytes, folder)?,
-        Format::Npy => numpy::read_npy(bytes)?.into_single()?,
-        Format::Npz => numpy::read_npz(bytes)?.into_single()?,
+        Format::Ply => ply::read(bytes, budget)?,
+        Format::Obj => obj::read(bytes, budget)?,
+        Format::Stl => stl::read(bytes, budget)?,
+        Format::Off => off::read(bytes, budget)?,
+        Format::Msh => msh::read(bytes, budget)?,
+        Format::Vtu => vtk::read_grid(bytes, "UnstructuredGrid", budget)?,
+        Format::Vtp => vtk::read_grid(bytes, "PolyData", budget)?,
+        Format::Vtk => vtk::read_legacy(bytes, budget)?,
+        Format::Gltf => gltf::read(bytes, folder, budget)?,
+        Format::Npy => numpy::read_npy(bytes, budget)?.into_single()?,
+        Format::Npz => numpy::read_npz(bytes, budget)?.into_single()?,
     };
+    cells.charge(budget);
     assemble_cells(cells, format)
 }
 

@@ -1,68 +1,135 @@
 //! Wavefront OBJ: the statements `v`, `f`, `l`, `p`, `o` and `g`. All others are skipped.
 
+use std::ops::Range;
+
 use exact_ccd_mesh::Point;
 
+use super::budget::Budget;
 use super::cells::Cells;
 use super::group::Group;
 use super::text::{Line, Lines, Syntax, parse};
 use crate::error::{Fault, ParseError, Place};
 
-/// An element: its kind, its number among those of the same kind, and its place.
-#[derive(Clone, Copy)]
-struct Element {
+/// The elements of one kind.
+struct Elements {
     kind: &'static str,
-    number: usize,
-    place: Place,
+    /// The line of each element.
+    lines: Vec<usize>,
+    /// The corners of all elements, from 1, and their number up to the end of each.
+    corners: Vec<i64>,
+    ends: Vec<usize>,
 }
 
-impl Element {
-    fn out_of_range(self, index: i64, vertex_count: usize) -> ParseError {
+impl Elements {
+    fn new(kind: &'static str) -> Self {
+        Self {
+            kind,
+            lines: Vec::new(),
+            corners: Vec::new(),
+            ends: Vec::new(),
+        }
+    }
+
+    fn count(&self) -> usize {
+        self.ends.len()
+    }
+
+    /// Adds the element on the rest of a line. An index below 0 counts back from the latest of the vertices so
+    /// far, which is −1.
+    fn add(&mut self, line: &mut Line, vertices_before: usize) -> Result<(), ParseError> {
+        self.lines.push(line.number());
+        while let Some(word) = line.word() {
+            let written =
+                index(word).ok_or_else(|| line.unexpected("a corner such as 1, 1/2, 1/2/3 or 1//3", word))?;
+            let absolute = match written {
+                0.. => written,
+                ..0 => written.saturating_add(vertices_before as i64).saturating_add(1),
+            };
+            if written < 0 && absolute < 1 {
+                return Err(self.out_of_range(self.count(), written, vertices_before));
+            }
+            self.corners.push(absolute);
+        }
+        self.ends.push(self.corners.len());
+        Ok(())
+    }
+
+    /// The corners of these elements, from 1.
+    fn corners(&self, elements: Range<usize>) -> &[i64] {
+        let end = |count: usize| if count == 0 { 0 } else { self.ends[count - 1] };
+        &self.corners[end(elements.start)..end(elements.end)]
+    }
+
+    /// The line and the vertices of each element.
+    fn resolved(&self, vertex_count: usize) -> impl Iterator<Item = Result<(Place, Vec<u32>), ParseError>> {
+        let in_range = move |&index: &u32| (index as usize) < vertex_count;
+        (0..self.count()).map(move |element| {
+            let corners = self.corners(element..element + 1).iter();
+            let vertex = |&index: &i64| {
+                let from_zero = u32::try_from(index - 1).ok().filter(in_range);
+                from_zero.ok_or_else(|| self.out_of_range(element, index, vertex_count))
+            };
+            let vertices = corners.map(vertex).collect::<Result<_, _>>()?;
+            Ok((Place::Line(self.lines[element]), vertices))
+        })
+    }
+
+    fn out_of_range(&self, number: usize, index: i64, vertex_count: usize) -> ParseError {
         Fault::Index {
             element: self.kind,
-            number: self.number,
+            number,
             index,
             first: 1,
             vertex_count: vertex_count as u64,
         }
-        .at(self.place)
+        .at(Place::Line(self.lines[number]))
+    }
+
+    fn charge(&self, budget: &Budget) {
+        budget.hold::<[usize; 2]>(self.count());
+        budget.hold::<i64>(self.corners.len());
     }
 }
 
 /// Elements may come before their vertices, so indices, from 1, are resolved at the end.
-#[derive(Default)]
-struct Statements {
+struct Statements<'a> {
     positions: Vec<Point>,
-    faces: Vec<Place>,
-    /// The corners of all faces, and their number up to the end of each.
-    corners: Vec<i64>,
-    ends: Vec<usize>,
-    polylines: Vec<(Place, Vec<i64>)>,
-    points: Vec<(Place, Vec<i64>)>,
-    groups: Vec<Begin>,
+    faces: Elements,
+    polylines: Elements,
+    points: Elements,
+    groups: Vec<Begin<'a>>,
 }
 
-/// The beginning of a group: its name, and the numbers of faces, polylines and points before it.
-struct Begin {
-    name: String,
+/// The beginning of a group: the words of its name, and the numbers of faces, polylines and points before it.
+struct Begin<'a> {
+    name: &'a [u8],
     before: [usize; 3],
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
-    let mut statements = Statements::default();
-    let mut lines = Lines::new(bytes, Syntax::CommentsAndContinuation);
+pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
+    let mut statements = Statements {
+        positions: Vec::new(),
+        faces: Elements::new("face"),
+        polylines: Elements::new("polyline"),
+        points: Elements::new("point"),
+        groups: Vec::new(),
+    };
+    let mut lines = Lines::new(bytes, Syntax::CommentsAndContinuation, budget);
     for mut line in &mut lines {
+        let vertices = statements.positions.len();
         match line.word() {
             Some(b"v") => statements.positions.push(position(&mut line)?),
-            Some(b"f") => statements.add_face(&mut line)?,
+            Some(b"f") => statements.faces.add(&mut line, vertices)?,
             Some(b"l") => statements.add_polyline(&mut line)?,
-            Some(b"p") => statements.add_points(&mut line)?,
-            Some(b"o" | b"g") => statements.begin_group(&mut line),
+            Some(b"p") => statements.points.add(&mut line, vertices)?,
+            Some(b"o" | b"g") => statements.begin_group(&line),
             _ => {}
         }
     }
     if statements.positions.is_empty() {
         return Err(Fault::ends("a statement `v`").at(lines.end()));
     }
+    statements.charge(budget);
     statements.into_cells()
 }
 
@@ -71,130 +138,86 @@ fn position(line: &mut Line) -> Result<Point, ParseError> {
     Ok([line.coordinate()?, line.coordinate()?, line.coordinate()?])
 }
 
-impl Statements {
-    fn add_face(&mut self, line: &mut Line) -> Result<(), ParseError> {
-        let mut corners = self.indices("face", self.faces.len(), line)?;
-        self.faces.push(line.place());
-        self.corners.append(&mut corners);
-        self.ends.push(self.corners.len());
-        Ok(())
-    }
-
+impl<'a> Statements<'a> {
     fn add_polyline(&mut self, line: &mut Line) -> Result<(), ParseError> {
-        let vertices = self.indices("polyline", self.polylines.len(), line)?;
-        if vertices.len() < 2 {
+        let number = self.polylines.count();
+        self.polylines.add(line, self.positions.len())?;
+        let vertices = self.polylines.corners(number..number + 1).len();
+        if vertices < 2 {
             let expected = "at least two vertices of a polyline";
-            return Err(Fault::expected(expected, vertices.len().to_string()).at(line.place()));
+            return Err(Fault::expected(expected, vertices.to_string()).at(line.place()));
         }
-        self.polylines.push((line.place(), vertices));
         Ok(())
     }
 
-    fn add_points(&mut self, line: &mut Line) -> Result<(), ParseError> {
-        let vertices = self.indices("point", self.points.len(), line)?;
-        self.points.push((line.place(), vertices));
-        Ok(())
-    }
-
-    fn begin_group(&mut self, line: &mut Line) {
-        let words = std::iter::from_fn(|| line.word());
-        let words: Vec<_> = words.map(String::from_utf8_lossy).collect();
+    /// Begins a group in the place of one without elements.
+    fn begin_group(&mut self, line: &Line<'a>) {
         let before = self.counts();
-        let name = words.join(" ");
+        if self.groups.last().is_some_and(|last| last.before == before) {
+            self.groups.pop();
+        }
+        let name = line.rest();
         self.groups.push(Begin { name, before });
     }
 
     /// The numbers of faces, polylines and points.
     fn counts(&self) -> [usize; 3] {
-        [self.faces.len(), self.polylines.len(), self.points.len()]
+        [&self.faces, &self.polylines, &self.points].map(Elements::count)
     }
 
-    /// The group of each statement. All indices are in range.
-    fn groups(&self) -> Vec<Group> {
-        let group = |(number, begin): (usize, &Begin)| {
-            let end = self
-                .groups
-                .get(number + 1)
-                .map_or_else(|| self.counts(), |next| next.before);
-            let of = |kind: usize| begin.before[kind]..end[kind];
-            let corner = |face: usize| if face == 0 { 0 } else { self.ends[face - 1] };
-            let corners = &self.corners[corner(begin.before[0])..corner(end[0])];
-            let lines = self.polylines[of(1)].iter().chain(&self.points[of(2)]);
-            let indices = corners.iter().chain(lines.flat_map(|(_, indices)| indices));
-            let vertices = indices.map(|&index| (index - 1) as u32).collect();
-            Group::named(begin.name.clone(), vertices)
-        };
-        self.groups.iter().enumerate().map(group).collect()
-    }
-
-    /// The indices on the rest of a line, from 1. An index below 0 counts back from the latest
-    /// vertex, which is −1.
-    fn indices(&self, kind: &'static str, number: usize, line: &mut Line) -> Result<Vec<i64>, ParseError> {
-        let place = line.place();
-        let vertices_before = self.positions.len();
-        let mut indices = Vec::new();
-        while let Some(word) = line.word() {
-            let written =
-                index(word).ok_or_else(|| line.unexpected("a corner such as 1, 1/2, 1/2/3 or 1//3", word))?;
-            indices.push(match written {
-                0.. => written,
-                ..0 => {
-                    let absolute = written.saturating_add(vertices_before as i64).saturating_add(1);
-                    if absolute < 1 {
-                        let element = Element { kind, number, place };
-                        return Err(element.out_of_range(written, vertices_before));
-                    }
-                    absolute
-                }
-            });
+    fn charge(&self, budget: &Budget) {
+        budget.hold::<Begin>(self.groups.len());
+        for elements in [&self.faces, &self.polylines, &self.points] {
+            elements.charge(budget);
         }
-        Ok(indices)
+    }
+
+    /// The groups with names. All indices are in range.
+    fn groups(&self) -> Vec<Group> {
+        let ends = self.groups.iter().skip(1).map(|next| next.before);
+        let ends = ends.chain([self.counts()]);
+        let group = |(begin, end): (&Begin, [usize; 3])| {
+            let name = begin.name();
+            if name.is_empty() {
+                return None;
+            }
+            let kinds = [&self.faces, &self.polylines, &self.points]
+                .into_iter()
+                .enumerate();
+            let corners = kinds.flat_map(|(kind, elements)| elements.corners(begin.before[kind]..end[kind]));
+            Some(Group::named(
+                name,
+                corners.map(|&index| (index - 1) as u32).collect(),
+            ))
+        };
+        self.groups.iter().zip(ends).filter_map(group).collect()
     }
 
     fn into_cells(mut self) -> Result<Cells, ParseError> {
         let vertex_count = self.positions.len();
-        let in_range = |&index: &u32| (index as usize) < vertex_count;
-        let vertex = |element: Element, index: i64| {
-            let from_zero = u32::try_from(index - 1).ok().filter(in_range);
-            from_zero.ok_or_else(|| element.out_of_range(index, vertex_count))
-        };
         let mut cells = Cells::default();
-        let (mut start, mut face) = (0, Vec::new());
-        for ((number, &place), &end) in self.faces.iter().enumerate().zip(&self.ends) {
-            let element = Element {
-                kind: "face",
-                number,
-                place,
-            };
-            face.clear();
-            for &index in &self.corners[start..end] {
-                face.push(vertex(element, index)?);
-            }
-            cells.faces.add(&face, || place)?;
-            start = end;
+        for face in self.faces.resolved(vertex_count) {
+            let (place, vertices) = face?;
+            cells.faces.add(&vertices, || place)?;
         }
-        for (number, (place, indices)) in self.polylines.iter().enumerate() {
-            let element = Element {
-                kind: "polyline",
-                number,
-                place: *place,
-            };
-            let vertices = indices.iter().map(|&index| vertex(element, index));
-            cells.add_polyline(&vertices.collect::<Result<Vec<_>, _>>()?);
+        for polyline in self.polylines.resolved(vertex_count) {
+            cells.add_polyline(&polyline?.1);
         }
-        for (number, (place, indices)) in self.points.iter().enumerate() {
-            let element = Element {
-                kind: "point",
-                number,
-                place: *place,
-            };
-            for &index in indices {
-                cells.points.push(vertex(element, index)?);
-            }
+        for points in self.points.resolved(vertex_count) {
+            cells.points.extend(points?.1);
         }
         cells.groups = self.groups();
         cells.positions = std::mem::take(&mut self.positions);
         Ok(cells)
+    }
+}
+
+impl Begin<'_> {
+    /// The words, with one space between two of them.
+    fn name(&self) -> String {
+        let is_blank = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'\\';
+        let words = self.name.split(is_blank).filter(|word| !word.is_empty());
+        words.map(String::from_utf8_lossy).collect::<Vec<_>>().join(" ")
     }
 }
 

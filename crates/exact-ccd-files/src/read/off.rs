@@ -1,11 +1,12 @@
 //! The Object File Format: a header, counts, vertices and faces, each on its own line.
 
+use super::budget::Budget;
 use super::cells::{Cells, vertex_index};
 use super::text::{Line, Lines, Syntax, parse};
 use crate::error::ParseError;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
-    let mut lines = Lines::new(bytes, Syntax::Comments);
+pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
+    let mut lines = Lines::new(bytes, Syntax::Comments, budget);
     let mut line = counts_line(&mut lines)?;
     let vertex_count = line.count("the number of vertices")?;
     let face_count = line.count("the number of faces")?;

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::file::parse_file;
-use super::mesh_file::{MeshFile, Polygons, assemble_cells};
+use super::mesh_file::{MeshFile, assemble_cells};
 use super::numpy::{self, Arrays};
-use super::series::{read_pvd, read_series};
+use super::options::{Polygons, ReadOptions};
+use super::series::{read_pvd_within, read_series_within};
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::format::{Format, extension};
 
@@ -26,7 +27,7 @@ use crate::format::{Format, extension};
 /// ```
 pub struct FrameSequence {
     path: PathBuf,
-    polygons: Polygons,
+    options: ReadOptions,
     source: Source,
 }
 
@@ -46,23 +47,28 @@ impl FrameSequence {
     ///
     /// # Errors
     /// [`ReadError`] names the file, the place in it, and what was expected there.
-    pub fn open(path: impl AsRef<Path>, polygons: Polygons) -> Result<Self, ReadError> {
-        let path = path.as_ref();
+    pub fn open(path: impl AsRef<Path>, options: impl Into<ReadOptions>) -> Result<Self, ReadError> {
+        let (path, options) = (path.as_ref(), options.into());
+        let ReadOptions { polygons, max_size } = options;
         let timed = |files: Vec<(f64, PathBuf)>| {
             let files = files.into_iter();
             Source::Files(files.map(|(time, file)| (Some(time), file)).collect())
         };
         let source = match (extension(path).as_deref(), Format::of_path(path)) {
-            (Some("pvd"), _) => timed(read_pvd(path)?),
-            (Some("series"), _) => timed(read_series(path)?),
-            (_, Some(Format::Npz)) => parse_file(path, |bytes| with_mesh(numpy::read_npz(bytes)?, polygons))?,
-            (_, Some(Format::Npy)) => parse_file(path, |bytes| with_mesh(numpy::read_npy(bytes)?, polygons))?,
+            (Some("pvd"), _) => timed(read_pvd_within(path, max_size)?),
+            (Some("series"), _) => timed(read_series_within(path, max_size)?),
+            (_, Some(Format::Npz)) => parse_file(path, max_size, |bytes, budget| {
+                with_mesh(numpy::read_npz(bytes, budget)?, polygons)
+            })?,
+            (_, Some(Format::Npy)) => parse_file(path, max_size, |bytes, budget| {
+                with_mesh(numpy::read_npy(bytes, budget)?, polygons)
+            })?,
             _ => Source::Files(vec![(None, path.to_owned())]),
         };
         let path = path.to_owned();
         Ok(Self {
             path,
-            polygons,
+            options,
             source,
         })
     }
@@ -128,7 +134,7 @@ impl FrameSequence {
             ));
         }
         match &self.source {
-            Source::Files(_) => MeshFile::read(self.file(frame), self.polygons),
+            Source::Files(_) => MeshFile::read(self.file(frame), self.options),
             Source::Arrays(recording) => {
                 let mut file = recording.first.clone();
                 let all = recording.arrays.positions(frame);

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::Value;
 
+use super::budget::Budget;
 use super::file::parse_file;
 use super::vtk;
 use crate::error::{Fault, ParseError, Place, ReadError, quoted};
@@ -16,7 +17,7 @@ use crate::error::{Fault, ParseError, Place, ReadError, quoted};
 /// # Errors
 /// [`ReadError`] names the file, the line, and what was expected there.
 pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError> {
-    read_list(path.as_ref(), vtk::read_collection)
+    read_pvd_within(path.as_ref(), u64::MAX)
 }
 
 /// Reads the times and files of a series of ParaView, such as `.vtu.series`. The times must increase.
@@ -26,18 +27,29 @@ pub fn read_pvd(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError
 /// # Errors
 /// [`ReadError`] names the file, the line, and what was expected there.
 pub fn read_series(path: impl AsRef<Path>) -> Result<Vec<(f64, PathBuf)>, ReadError> {
-    read_list(path.as_ref(), parse_series)
+    read_series_within(path.as_ref(), u64::MAX)
+}
+
+/// The collection in a file of at most `max_size` bytes.
+pub(super) fn read_pvd_within(path: &Path, max_size: u64) -> Result<List<PathBuf>, ReadError> {
+    read_list(path, max_size, vtk::read_collection)
+}
+
+/// The series in a file of at most `max_size` bytes.
+pub(super) fn read_series_within(path: &Path, max_size: u64) -> Result<List<PathBuf>, ReadError> {
+    read_list(path, max_size, parse_series)
 }
 
 type List<T> = Vec<(f64, T)>;
 
 fn read_list(
     path: &Path,
-    parse: impl FnOnce(&[u8]) -> Result<List<String>, ParseError>,
+    max_size: u64,
+    parse: impl FnOnce(&[u8], &Budget) -> Result<List<String>, ParseError>,
 ) -> Result<List<PathBuf>, ReadError> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let entries = parse_file(path, |bytes| {
-        let entries = parse(bytes)?;
+    let entries = parse_file(path, max_size, |bytes, budget| {
+        let entries = parse(bytes, budget)?;
         check_times(&entries)?;
         Ok(entries)
     })?;
@@ -69,7 +81,8 @@ fn check_times(entries: &[(f64, String)]) -> Result<(), ParseError> {
 }
 
 /// The entries of `{"files": [{"name": "0.vtu", "time": 0}, …]}`.
-fn parse_series(bytes: &[u8]) -> Result<List<String>, ParseError> {
+pub(super) fn parse_series(bytes: &[u8], budget: &Budget) -> Result<List<String>, ParseError> {
+    budget.step(bytes.len() as u64);
     let series: Value = serde_json::from_slice(bytes).map_err(|error| {
         let place = Place::Line(error.line());
         Fault::expected("JSON", quoted(error.to_string().as_bytes())).at(place)

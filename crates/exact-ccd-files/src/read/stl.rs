@@ -3,6 +3,7 @@
 use exact_ccd_mesh::Point;
 
 use super::binary::Bytes;
+use super::budget::Budget;
 use super::cells::Cells;
 use super::polygons::Faces;
 use super::text::{Line, Lines, Syntax};
@@ -14,11 +15,11 @@ const HEADER: usize = 80;
 /// without meaning.
 const TRIANGLE: u64 = 50;
 
-pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
+pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
     let positions = if is_text(bytes) {
-        read_text(bytes)?
+        read_text(bytes, budget)?
     } else {
-        read_binary(bytes)?
+        read_binary(bytes, budget)?
     };
     let vertex_count = u32::try_from(positions.len()).map_err(|_| Fault::TooManyVertices.at(Place::File))?;
     let faces = (0..vertex_count / 3).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]);
@@ -38,8 +39,8 @@ fn is_text(bytes: &[u8]) -> bool {
     word.is_some_and(|word| is(word, "solid")) && binary_length != Some(bytes.len() as u64)
 }
 
-fn read_binary(bytes: &[u8]) -> Result<Vec<Point>, ParseError> {
-    let mut bytes = Bytes::new(bytes, 0);
+fn read_binary(bytes: &[u8], budget: &Budget) -> Result<Vec<Point>, ParseError> {
+    let mut bytes = Bytes::new(bytes, 0, budget);
     bytes.take(HEADER as u64, || {
         "`solid`, or 80 bytes and the number of triangles".to_owned()
     })?;
@@ -56,8 +57,8 @@ fn read_binary(bytes: &[u8]) -> Result<Vec<Point>, ParseError> {
     Ok(positions)
 }
 
-fn read_text(bytes: &[u8]) -> Result<Vec<Point>, ParseError> {
-    let mut words = Words::new(bytes);
+fn read_text(bytes: &[u8], budget: &Budget) -> Result<Vec<Point>, ParseError> {
+    let mut words = Words::new(Lines::new(bytes, Syntax::Plain, budget));
     let mut positions = Vec::new();
     while !words.at_end() {
         words.expect("solid")?;
@@ -99,11 +100,9 @@ struct Words<'a> {
 }
 
 impl<'a> Words<'a> {
-    fn new(bytes: &'a [u8]) -> Self {
-        Self {
-            lines: Lines::new(bytes, Syntax::Plain),
-            line: Line::default(),
-        }
+    fn new(lines: Lines<'a>) -> Self {
+        let line = Line::default();
+        Self { lines, line }
     }
 
     /// The line with the next word. `expected` describes that word in the error at the end of the file.

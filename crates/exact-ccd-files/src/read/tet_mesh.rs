@@ -4,7 +4,8 @@ use std::path::Path;
 
 use exact_ccd_mesh::TetMesh;
 
-use super::file::parse_file;
+use super::budget::Budget;
+use super::file::{parse_bytes, parse_file};
 use super::group::Group;
 use super::msh;
 use crate::error::{ParseError, ReadError};
@@ -17,7 +18,7 @@ use crate::error::{ParseError, ReadError};
 /// # Errors
 /// [`ReadError`] names the file, the place in it, and what was expected there.
 pub fn read_tet_mesh(path: impl AsRef<Path>) -> Result<TetMesh, ReadError> {
-    parse_file(path.as_ref(), parse_tet_mesh)
+    parse_file(path.as_ref(), u64::MAX, tet_mesh)
 }
 
 /// Parses the contents of a Gmsh file, with the same result as [`read_tet_mesh`].
@@ -25,7 +26,7 @@ pub fn read_tet_mesh(path: impl AsRef<Path>) -> Result<TetMesh, ReadError> {
 /// # Errors
 /// [`ParseError`] names the place and what was expected there.
 pub fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
-    msh::read(bytes)?.into_tet_mesh()
+    parse_bytes(bytes, u64::MAX, tet_mesh)
 }
 
 /// Reads the tetrahedra in a Gmsh file as [`read_tet_mesh`], and its physical groups, by increasing dimension
@@ -37,7 +38,7 @@ pub fn parse_tet_mesh(bytes: &[u8]) -> Result<TetMesh, ParseError> {
 /// # Errors
 /// As [`read_tet_mesh`].
 pub fn read_tet_groups(path: impl AsRef<Path>) -> Result<(TetMesh, Vec<Group>), ReadError> {
-    parse_file(path.as_ref(), parse_tet_groups)
+    parse_file(path.as_ref(), u64::MAX, tet_groups)
 }
 
 /// Parses the contents of a Gmsh file, with the same result as [`read_tet_groups`].
@@ -45,7 +46,15 @@ pub fn read_tet_groups(path: impl AsRef<Path>) -> Result<(TetMesh, Vec<Group>), 
 /// # Errors
 /// As [`parse_tet_mesh`].
 pub fn parse_tet_groups(bytes: &[u8]) -> Result<(TetMesh, Vec<Group>), ParseError> {
-    let mut cells = msh::read(bytes)?;
+    parse_bytes(bytes, u64::MAX, tet_groups)
+}
+
+fn tet_mesh(bytes: &[u8], budget: &Budget) -> Result<TetMesh, ParseError> {
+    msh::read(bytes, budget)?.into_tet_mesh()
+}
+
+fn tet_groups(bytes: &[u8], budget: &Budget) -> Result<(TetMesh, Vec<Group>), ParseError> {
+    let mut cells = msh::read(bytes, budget)?;
     let groups = std::mem::take(&mut cells.groups);
     Ok((cells.into_tet_mesh()?, groups))
 }

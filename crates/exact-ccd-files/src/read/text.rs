@@ -1,5 +1,6 @@
 //! Lines of text and their words.
 
+use super::budget::Budget;
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The syntax of lines besides words.
@@ -16,6 +17,7 @@ pub(super) enum Syntax {
 
 /// The lines of a text without the empty ones.
 pub(super) struct Lines<'a> {
+    budget: &'a Budget,
     rest: &'a [u8],
     next_number: usize,
     syntax: Syntax,
@@ -30,8 +32,9 @@ pub(super) struct Line<'a> {
 }
 
 impl<'a> Lines<'a> {
-    pub(super) fn new(bytes: &'a [u8], syntax: Syntax) -> Self {
+    pub(super) fn new(bytes: &'a [u8], syntax: Syntax, budget: &'a Budget) -> Self {
         Self {
+            budget,
             rest: bytes,
             next_number: 1,
             syntax,
@@ -68,6 +71,7 @@ impl<'a> Lines<'a> {
         let length = self.rest.iter().position(|&byte| byte == b'\n');
         let (line, rest) = self.rest.split_at(length.unwrap_or(self.rest.len()));
         self.rest = rest.get(1..).unwrap_or(&[]);
+        self.budget.step(line.len() as u64 + 1);
         self.next_number += usize::from(length.is_some());
         let comment = match self.syntax {
             Syntax::Plain => None,
@@ -111,6 +115,11 @@ impl<'a> Line<'a> {
     /// The rest of the line.
     pub(super) fn rest(&self) -> &'a [u8] {
         self.rest
+    }
+
+    /// The number of the line, from 1.
+    pub(super) fn number(&self) -> usize {
+        self.number
     }
 
     pub(super) fn place(&self) -> Place {

@@ -2,11 +2,11 @@
 
 use core::ops::ControlFlow;
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::Simd;
 
-use super::block::level;
 use super::boxes::Boxes;
 use super::pairs::Pairs;
+use super::vectors::vectorized;
 use super::{BroadPhase, PairSink};
 
 /// Tests all pairs of boxes: the reference in tests of the other broad phases.
@@ -15,11 +15,11 @@ pub struct AllPairs;
 
 impl BroadPhase for AllPairs {
     fn between<const T: usize>(&self, a: &Boxes<T>, b: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        dispatch!(level(), simd => all(simd, a, b, |_| 0, Pairs::between(a, b, sink)))
+        vectorized!(simd => all(simd, a, b, |_| 0, Pairs::between(a, b, sink)))
     }
 
     fn within<const T: usize>(&self, boxes: &Boxes<T>, sink: &PairSink<'_>) -> ControlFlow<()> {
-        dispatch!(level(), simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, sink)))
+        vectorized!(simd => all(simd, boxes, boxes, |i| i, Pairs::within(boxes, sink)))
     }
 }
 

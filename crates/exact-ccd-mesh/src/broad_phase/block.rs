@@ -1,22 +1,12 @@
 //! Blocks of eight boxes, tested against another box at once.
 
 use fearless_simd::prelude::*;
-use fearless_simd::{Level, f32x8, mask32x8};
+use fearless_simd::{f32x8, mask32x8};
 
 use super::moving_box::MovingBox;
 
 /// The number of boxes in a block.
 pub(super) const LANES: usize = 8;
-
-/// The vector instructions for tests of blocks: at most AVX2. Its vectors have eight places, as
-/// blocks do, and it combines comparisons in half of the time that the mask registers of AVX-512
-/// take.
-pub(super) fn level() -> Level {
-    let level = Level::new();
-    #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-    let level = level.as_avx2().map_or(level, Simd::level);
-    level
-}
 
 /// A coordinate of eight boxes, by time and axis.
 type Sides<const T: usize> = [[[f32; LANES]; 3]; T];

@@ -15,8 +15,7 @@ const GRAIN: usize = 64;
 /// Boxes that move in straight lines during a step, in blocks of eight that are near each other.
 ///
 /// Each box has an index; the indices of some of a mesh's primitives have gaps. Coordinates are
-/// relative to a common origin and rounded to single precision. Rounding is monotone, so that boxes
-/// that meet still meet.
+/// relative to a common origin and rounded to single precision, such that boxes that meet still meet.
 #[derive(Clone, Debug)]
 pub struct Boxes<const T: usize> {
     /// The indices of the boxes, block by block.

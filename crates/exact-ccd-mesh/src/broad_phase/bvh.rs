@@ -2,13 +2,14 @@
 
 use core::ops::{ControlFlow, Range};
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::Simd;
 use rayon::prelude::*;
 
-use super::block::{Block, LANES, level};
+use super::block::{Block, LANES};
 use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
+use super::vectors::vectorized;
 use super::{BroadPhase, PairSink};
 
 /// A bounding volume hierarchy: a tree of boxes in which each inner node has eight children.
@@ -23,7 +24,7 @@ impl BroadPhase for Bvh {
         let tree = Tree::new(b);
         grains(a).try_for_each(|blocks| {
             let pairs = Pairs::between(a, b, sink);
-            dispatch!(level(), simd => tree.search(simd, a, blocks, false, pairs))
+            vectorized!(simd => tree.search(simd, a, blocks, false, pairs))
         })
     }
 
@@ -31,7 +32,7 @@ impl BroadPhase for Bvh {
         let tree = Tree::new(boxes);
         grains(boxes).try_for_each(|blocks| {
             let pairs = Pairs::within(boxes, sink);
-            dispatch!(level(), simd => tree.search(simd, boxes, blocks, true, pairs))
+            vectorized!(simd => tree.search(simd, boxes, blocks, true, pairs))
         })
     }
 }

@@ -9,6 +9,7 @@ mod moving_box;
 mod order;
 mod pairs;
 mod sweep;
+mod vectors;
 
 use core::ops::ControlFlow;
 

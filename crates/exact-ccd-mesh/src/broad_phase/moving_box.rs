@@ -1,6 +1,6 @@
 //! Boxes that move, in single precision.
 
-use exact_ccd::Point;
+use exact_ccd::{Point, environment};
 
 use crate::aabb::Aabb;
 
@@ -9,7 +9,9 @@ use crate::aabb::Aabb;
 ///
 /// Coordinates are rounded to single precision, which halves the memory traffic. Rounding is
 /// monotone: a number that is not greater than another before rounding is not greater after it. So
-/// boxes that meet still meet, in any rounding mode.
+/// boxes that meet still meet. A thread with another [`environment`] than the default one rounds outward,
+/// past the results of all other threads. No coordinate is subnormal, so that comparisons do not depend on
+/// the environment.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
 pub(crate) struct MovingBox<const T: usize> {
@@ -29,10 +31,17 @@ impl<const T: usize> MovingBox<T> {
     #[inline]
     pub(crate) fn new(places: [Aabb; T], origin: Point) -> Self {
         let [x0, y0, z0] = origin;
-        let round = |[x, y, z]: Point| [x - x0, y - y0, z - z0, 0.0].map(|x| x as f32);
-        Self {
-            lower: places.map(|place| round(place.lower)),
-            upper: places.map(|place| round(place.upper)),
+        let relative = |[x, y, z]: Point| [x - x0, y - y0, z - z0, 0.0];
+        if environment::is_default() {
+            Self {
+                lower: places.map(|place| relative(place.lower).map(nearest)),
+                upper: places.map(|place| relative(place.upper).map(nearest)),
+            }
+        } else {
+            Self {
+                lower: places.map(|place| relative(place.lower).map(below)),
+                upper: places.map(|place| relative(place.upper).map(|x| -below(-x))),
+            }
         }
     }
 
@@ -60,4 +69,31 @@ impl<const T: usize> MovingBox<T> {
             upper: point(self.upper[time]),
         })
     }
+}
+
+/// The nearest f32, or 0 instead of a subnormal one. Monotone.
+#[inline(always)]
+fn nearest(x: f64) -> f32 {
+    let x = x as f32;
+    if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
+}
+
+/// An f32 that is not above [`nearest`] of a difference, which was rounded to x in any floating-point
+/// environment, and that is not subnormal.
+///
+/// x as an f32 is off by at most 2⁻²³ |x| + 2⁻¹²⁶, `nearest` by half of that and 2⁻¹²⁶, the difference itself
+/// by far less, and the three operations here by 2⁻²³ of their results: 2⁻²⁰ |x| + 2⁻¹⁰⁰ exceeds the sum. In any
+/// environment an overflow is above [`LARGE`]. The result is a multiple of 2⁻¹²⁴ where it is near 0.
+#[cold]
+fn below(x: f64) -> f32 {
+    /// 2¹²⁶, a quarter of the range of f32.
+    const LARGE: f32 = f32::from_bits((127 + 126) << 23);
+    const RELATIVE: f32 = f32::from_bits((127 - 20) << 23);
+    const ABSOLUTE: f32 = f32::from_bits((127 - 100) << 23);
+    let x = x as f32;
+    if x < -LARGE {
+        return f32::NEG_INFINITY;
+    }
+    let x = x.min(LARGE);
+    x - (x.abs() * RELATIVE + ABSOLUTE)
 }

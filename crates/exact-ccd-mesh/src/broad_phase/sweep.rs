@@ -2,13 +2,13 @@
 
 use core::ops::ControlFlow;
 
-use fearless_simd::{Simd, dispatch};
+use fearless_simd::Simd;
 use rayon::prelude::*;
 
-use super::block::level;
 use super::boxes::Boxes;
 use super::moving_box::MovingBox;
 use super::pairs::Pairs;
+use super::vectors::vectorized;
 use super::{BroadPhase, PairSink};
 
 /// Sweep and prune along one axis, over blocks of eight boxes that are near each other: J. Cohen,
@@ -28,12 +28,12 @@ impl BroadPhase for Sweep {
         of_a.par_chunks(GRAIN).try_for_each(|grain| {
             let after = |interval: &Interval| of_b.partition_point(|other| other.lower < interval.lower);
             let pairs = Pairs::between(a, b, sink);
-            dispatch!(level(), simd => sweep(simd, grain, |i| (&of_b[after(i)..], false), pairs))
+            vectorized!(simd => sweep(simd, grain, |i| (&of_b[after(i)..], false), pairs))
         })?;
         of_b.par_chunks(GRAIN).try_for_each(|grain| {
             let after = |interval: &Interval| of_a.partition_point(|other| other.lower <= interval.lower);
             let pairs = Pairs::between(a, b, sink);
-            dispatch!(level(), simd => sweep(simd, grain, |i| (&of_a[after(i)..], true), pairs))
+            vectorized!(simd => sweep(simd, grain, |i| (&of_a[after(i)..], true), pairs))
         })
     }
 
@@ -42,7 +42,7 @@ impl BroadPhase for Sweep {
         intervals.par_chunks(GRAIN).try_for_each(|grain| {
             let from = |interval: &Interval| (&intervals[interval.position..], false);
             let pairs = Pairs::within(boxes, sink);
-            dispatch!(level(), simd => sweep(simd, grain, from, pairs))
+            vectorized!(simd => sweep(simd, grain, from, pairs))
         })
     }
 }

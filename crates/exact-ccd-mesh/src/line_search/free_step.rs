@@ -95,10 +95,10 @@ pub struct FreeStep {
 impl<B: BroadPhase> Detector<B> {
     /// A step from positions `x0` towards positions `x1` that is certified to be free of contact.
     ///
-    /// The size is `keep` times the time of impact, rounded down, of the full step. The positions
-    /// there, by [`Step::at`], are rounded, and the step from `x0` to them is checked exactly. If
-    /// it is not free, the next smaller f64 is tried, then the second, the fourth, … below the first
-    /// one, until it is.
+    /// The size is 1 if the full step is free, otherwise `keep` times its time of impact, rounded down. The
+    /// positions there, by [`Step::at`], are rounded, and the step from `x0` to them is checked exactly. If
+    /// it is not free, the f64 1, 2, 4, … places below the first size are tried, until one is free or the size
+    /// is 0.
     ///
     /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
     /// size is 1: without [`with_start_check`](Self::with_start_check), this is not found.

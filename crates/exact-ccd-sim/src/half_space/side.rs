@@ -1,6 +1,7 @@
 //! The side of a plane, exactly.
 
 use dashu_int::IBig;
+use exact_ccd::environment;
 use exact_ccd_mesh::Point;
 
 /// True if n · (x − p) > `offset` |n|, exactly, for `offset` ≥ 0. False if a number is not finite.
@@ -12,7 +13,7 @@ pub(super) fn is_beyond(normal: Point, point: Point, x: Point, offset: f64) -> b
     in_floating_point(normal, point, x, offset).unwrap_or_else(|| in_integers(normal, point, x, offset))
 }
 
-/// The filter. With the unit roundoff u, each of the three products nᵢ (xᵢ − pᵢ) has two rounding errors and
+/// The filter, which needs the default [`environment`]. With the unit roundoff u, each of the three products nᵢ (xᵢ − pᵢ) has two rounding errors and
 /// takes part in two sums, so that the error of their sum s is at most γ₄ S, where S is the sum of the
 /// absolute values of the exact products and γ₄ = 4u / (1 − 4u) (N. Higham, *Accuracy and Stability of
 /// Numerical Algorithms*, 2002, section 3.1). The computed S is at least (1 − u)⁴ S. The squares of |n| have
@@ -31,7 +32,7 @@ fn in_floating_point(normal: Point, point: Point, x: Point, offset: f64) -> Opti
     let bound = 4.0 * f64::EPSILON * (size + least) + f64::MIN_POSITIVE;
     let excess = sum - least;
     // Comparisons with NaN and with an infinite bound are false.
-    (squared.is_normal() && excess.abs() > bound).then_some(excess > 0.0)
+    (environment::is_default() && squared.is_normal() && excess.abs() > bound).then_some(excess > 0.0)
 }
 
 /// The definition: s = n · (x − p) is positive, and s² > `offset`² |n|².

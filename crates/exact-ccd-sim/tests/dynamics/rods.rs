@@ -123,8 +123,9 @@ fn more_than_two_edges_are_hinged() {
     assert!(star(2) > star(3));
 }
 
-/// A ray of a star, without stiffness at its hinge, falls onto the ray below it. It is the end of a rod and the
-/// edge before the last. They keep apart, and no offset, even one above their length, stops them before.
+/// A ray of a star, without stiffness at its hinge, falls onto the ray below it. It is the end of a rod and
+/// the edge before the last. They keep apart, and no offset, even one above their length, stops them
+/// before.
 #[test]
 fn the_end_of_a_rod_does_not_pass_through_the_edge_before() {
     for offset in [0.0, 2.0] {

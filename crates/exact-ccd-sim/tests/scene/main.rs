@@ -5,7 +5,6 @@
 mod bodies;
 mod errors;
 mod groups;
-mod octocats;
 
 use std::path::Path;
 use std::sync::Arc;

@@ -2,10 +2,10 @@
 
 use alloc::vec::Vec;
 
-use super::chunks::{CHUNK, Found};
-use super::instructions::Instructions;
+use super::CHUNK;
 use super::row::Row;
-use super::within::Batch;
+use super::run::{Batch, Found};
+use super::vectors::Instructions;
 use crate::collision::Collision;
 use crate::kind::Kind;
 use crate::query::NonFinite;

@@ -2,10 +2,9 @@
 
 use alloc::vec::Vec;
 
-use super::chunks;
-use super::instructions::Instructions;
 use super::row::Row;
-use super::within::Batch;
+use super::run::{Batch, query_of};
+use super::vectors::Instructions;
 use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
@@ -113,7 +112,7 @@ impl Trajectories {
     #[must_use]
     pub fn query<K: Kind>(&self, vertices: K::Vertices) -> Option<Query<K>> {
         let exist = vertices.as_ref().iter().all(|&v| (v as usize) < self.rows.len());
-        exist.then(|| chunks::query_of(&self.rows, &vertices))
+        exist.then(|| query_of(&self.rows, &vertices))
     }
 
     /// Calls `found` with the index and the collision of each query of vertices that

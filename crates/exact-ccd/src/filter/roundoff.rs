@@ -11,8 +11,8 @@
 //! [`Hull::is_out_of_range`](super::hull::Hull) limits differences to [`LARGEST`], and no filter
 //! multiplies more than four of them. *Underflow* adds at most 2⁻¹⁰⁷⁵ to a product, which later
 //! factors of at most (2 · LARGEST)² may enlarge; [`UNDERFLOW`] bounds the sum of hundreds of
-//! these. All comparisons are written so that a NaN proves nothing. The model assumes gradual
-//! underflow; see [`environment`](crate::environment).
+//! these. All comparisons are written so that a NaN proves nothing. The model assumes rounding
+//! to nearest and gradual underflow; see [`environment`](crate::environment).
 
 use core::cmp::Ordering;
 

@@ -11,9 +11,9 @@
 //! and [`Query::contact_times`] distinguish them, without rounding; this module is for comparison
 //! with the paper. The chapter `docs/parity.md` of the repository explains the method.
 //!
-//! Unlike all other answers of this crate, those of this module need gradual underflow: in a thread
-//! that flushes subnormal numbers to zero, as after `-ffast-math`, they are right only for
-//! coordinates whose differences and products are not subnormal. [`rational`] has no such limit.
+//! The rounding of the input, unlike all other answers of this crate, needs the [default
+//! environment](crate::environment): to nearest, with gradual underflow. [`Rounded::parity`] is right on any
+//! thread, and so is [`rational`], which needs no rounding.
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};
@@ -38,6 +38,7 @@ mod rounding;
 pub use decide::RootParity;
 pub use rounding::{Displacement, Rounded, RoundingError};
 
+use crate::environment;
 use crate::exact::to_integers;
 use crate::kind::Kind;
 use crate::predicates::Integers;
@@ -70,7 +71,11 @@ impl<K: Kind> Rounded<K> {
     /// The parity of the number of contacts of the rounded query.
     #[must_use]
     pub fn parity(&self) -> Parity {
-        parity::<K, _>(self.corners())
+        if environment::is_default() {
+            parity::<K, _>(self.corners())
+        } else {
+            rational(self.query())
+        }
     }
 }
 

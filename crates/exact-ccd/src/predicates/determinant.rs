@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 
 use dashu_int::IBig;
 
+use crate::environment;
 use crate::exact::to_integers;
 use crate::filter::Number;
 use crate::point::Point;
@@ -43,13 +44,11 @@ pub(crate) fn integers<const N: usize>(points: [&Point; N]) -> [Integers; N] {
 
 /// The sign of (a − d) · ((b − d) × (c − d)): Shewchuk's adaptive predicate (Adaptive precision
 /// floating-point arithmetic and fast robust geometric predicates, 1997) where all coordinates are
-/// [safe](is_safe), otherwise in integers.
+/// [safe](is_safe) and the environment is the default one, otherwise in integers.
 pub(crate) fn sign_of_determinant([a, b, c, d]: [&Point; 4]) -> Ordering {
     let points = [a, b, c, d];
-    if points
-        .iter()
-        .all(|point| point.iter().fold(true, |all, &x| all & is_safe(x)))
-    {
+    let are_safe = |point: &&Point| point.iter().fold(true, |all, &x| all & is_safe(x));
+    if environment::is_default() && points.iter().all(are_safe) {
         let [a, b, c, d] = points.map(|&[x, y, z]| robust::Coord3D { x, y, z });
         let determinant = robust::orient3d(a, b, c, d);
         return determinant.partial_cmp(&0.0).unwrap_or(Ordering::Equal);

@@ -3,22 +3,26 @@
 use core::cmp::Ordering;
 
 use super::determinant::{determinant, permanent, sign_in_integers, sign_of_determinant};
-use crate::environment::flushes_subnormals;
+use crate::environment;
 use crate::filter::{UNIT, certain_sign};
 use crate::point::Point;
 use crate::query::NonFinite;
 
-/// The sign of the volume of the tetrahedron a b c d, exactly: that of (b − a) · ((c − a) × (d − a)).
+/// The side of the plane through a, b and c on which d lies, exactly: the sign of (a − d) · ((b − d) × (c − d)),
+/// as Shewchuk's predicate of this name has it (Adaptive precision floating-point arithmetic and fast robust
+/// geometric predicates, 1997).
 ///
-/// It is `Greater` if a, b and c turn counterclockwise as seen from d, `Less` if they turn
-/// clockwise, and `Equal` if all four points lie in one plane.
+/// It is `Less` if a, b and c turn counterclockwise as seen from d, `Greater` if they turn clockwise, and
+/// `Equal` if all four points lie in one plane. So it is `Less` for a tetrahedron of positive volume
+/// (b − a) · ((c − a) × (d − a)) / 6.
 ///
 /// ```
 /// use core::cmp::Ordering;
 /// use exact_ccd::predicates::orient3d;
 ///
-/// let tetrahedron = [[0.0; 3], [1e-120, 0.0, 0.0], [0.0, 1e-120, 0.0], [0.0, 0.0, 1e-120]];
-/// assert_eq!(orient3d(tetrahedron)?, Ordering::Greater);
+/// let [a, b, c] = [[0.0; 3], [1e-120, 0.0, 0.0], [0.0, 1e-120, 0.0]];
+/// let above = [0.0, 0.0, 1e-120];
+/// assert_eq!(orient3d([a, b, c, above])?, Ordering::Less);
 /// # Ok::<(), exact_ccd::NonFinite>(())
 /// ```
 ///
@@ -26,10 +30,10 @@ use crate::query::NonFinite;
 /// [`NonFinite`] names the first coordinate that is infinite or not a number.
 pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
     NonFinite::check(&points)?;
-    Ok(sign_of_volume(&points))
+    Ok(sign_of_volume(&points).reverse())
 }
 
-/// [`orient3d`] of points that are finite.
+/// The sign of (b − a) · ((c − a) × (d − a)), of points that are finite.
 ///
 /// The filter: the differences are rounded once, and the operations on them make it n = 8
 /// roundings. The underflow in a product is at most 2⁻¹⁰⁷⁵, which only a coordinate of b − a can
@@ -38,7 +42,7 @@ pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
 pub(crate) fn sign_of_volume(points: &[Point; 4]) -> Ordering {
     const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
     let [a, b, c, d] = points;
-    if flushes_subnormals() {
+    if !environment::is_default() {
         return sign_in_integers([b, c, d, a]);
     }
     let from_a = |p: &Point| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];

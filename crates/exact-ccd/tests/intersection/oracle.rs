@@ -70,9 +70,9 @@ fn combine(a: &Row, m: &RBig, b: &Row, n: &RBig) -> Row {
     [0, 1, 2, 3].map(|k: usize| &a[k] * m + &b[k] * n)
 }
 
-/// The sign of (b − a) · ((c − a) × (d − a)).
+/// The sign of (a − d) · ((b − d) × (c − d)).
 pub(crate) fn orientation([a, b, c, d]: [Point; 4]) -> Ordering {
-    let (u, v, w) = (minus(b, a), minus(c, a), minus(d, a));
+    let (u, v, w) = (minus(a, d), minus(b, d), minus(c, d));
     let minor = |i: usize, j: usize| &v[i] * &w[j] - &v[j] * &w[i];
     let volume = &u[0] * minor(1, 2) + &u[1] * minor(2, 0) + &u[2] * minor(0, 1);
     volume.cmp(&RBig::ZERO)

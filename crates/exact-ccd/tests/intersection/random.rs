@@ -2,7 +2,7 @@
 
 use exact_ccd::Point;
 use exact_ccd::predicates::{EdgeFace, orient3d};
-use proptest::array::uniform5;
+use proptest::array::{uniform4, uniform5};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -118,6 +118,20 @@ proptest! {
         prop_assert_eq!(orient3d([b, a, c, d]), Ok(expected.reverse()));
         prop_assert_eq!(orient3d([b, c, a, d]), Ok(expected));
         prop_assert_eq!(orient3d([d, c, b, a]), Ok(expected));
+    }
+
+    /// Shewchuk's predicate, as implemented by another crate, on points of ordinary magnitude: few integers, so
+    /// that many are in one plane, and fractions.
+    #[test]
+    fn orientations_are_those_of_the_literature(
+        integers in uniform4([-3..=3i8, -3..=3i8, -3..=3i8]),
+        fractions in uniform4([-1.0..1.0, -1.0..1.0, -1.0..1.0]),
+    ) {
+        for points in [integers.map(|point| point.map(f64::from)), fractions] {
+            let [a, b, c, d] = points.map(|[x, y, z]| robust::Coord3D { x, y, z });
+            let expected = robust::orient3d(a, b, c, d).partial_cmp(&0.0).unwrap();
+            prop_assert_eq!(orient3d(points), Ok(expected), "{:?}", points);
+        }
     }
 }
 

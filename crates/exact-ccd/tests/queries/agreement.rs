@@ -1,10 +1,11 @@
-//! The answers of the filters are those of the exact path, bit for bit.
+//! The answers of the filters are those of the exact path, bit for bit, and both are those of the definition.
 
 use std::cell::RefCell;
 
 use exact_ccd::{EdgeEdge, Stage, VertexFace};
 use proptest::prelude::*;
 
+use crate::check::{Defined, assert_contact};
 use crate::generators::*;
 use crate::laws::{checked_times, query};
 use crate::primitives::{Points, Primitives};
@@ -16,7 +17,14 @@ fn agrees<K: Primitives>(cases: u32, points: impl Strategy<Value = Points>) {
     });
 }
 
-/// A test of each kind of query for each family, with the number of cases. The exact path is slow
+/// The definition is slow: it is compared on fewer cases.
+fn is_defined<K: Primitives + Defined>(cases: u32, points: impl Strategy<Value = Points>) {
+    for_all(cases / 200 + 4, points, |points| {
+        assert_contact(&query::<K>(&points));
+    });
+}
+
+/// Tests of each kind of query for each family, with the number of cases. The exact path is slow
 /// on numbers of very different magnitudes.
 macro_rules! agrees {
     ($($name:ident: $cases:literal, $points:expr;)*) => { $(
@@ -27,12 +35,14 @@ macro_rules! agrees {
             fn vertex_face() {
                 type K = VertexFace;
                 agrees::<K>($cases, $points);
+                is_defined::<K>($cases, $points);
             }
 
             #[test]
             fn edge_edge() {
                 type K = EdgeEdge;
                 agrees::<K>($cases, $points);
+                is_defined::<K>($cases, $points);
             }
         }
     )* };

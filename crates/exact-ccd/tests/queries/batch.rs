@@ -5,7 +5,10 @@ use std::cell::RefCell;
 use exact_ccd::batch::{
     self, Instructions, NonFiniteQuery, Trajectories, TrajectoriesError, VertexOutOfRange,
 };
-use exact_ccd::{Axis, Collision, EdgeEdge, Impact, NonFinite, Query, VertexFace};
+use exact_ccd::{Axis, Collision, EdgeEdge, Impact, NonFinite, Query, VertexFace, exact};
+use proptest::array::{uniform2, uniform4};
+use proptest::collection::vec;
+use proptest::prelude::any;
 
 use crate::generators::mixed;
 use crate::laws::{bits, query};
@@ -107,6 +110,41 @@ fn batches_of_vertex_face_answer_as_single_queries() {
 #[test]
 fn batches_of_edge_edge_answer_as_single_queries() {
     answers_as_single_queries::<EdgeEdge>();
+}
+
+/// In units of 1 and of the smallest subnormal number, where many queries are degenerate.
+fn small_integers_answer_as_integers_do<K: Primitives>() {
+    let points = vec(uniform2([-4..=4i8, -4..=4i8, -4..=4i8]), 12);
+    let cases = (points, vec(uniform4(0..12_u32), 30), any::<bool>());
+    for_all(200, cases, |(points, vertices, is_subnormal)| {
+        let unit = if is_subnormal { f64::from_bits(1) } else { 1.0 };
+        let at = |time: usize| -> Vec<[f64; 3]> {
+            let scaled = points.iter().map(|ends| ends[time].map(|x| f64::from(x) * unit));
+            scaled.collect()
+        };
+        let trajectories = Trajectories::new(&at(0), &at(1)).unwrap();
+        let mut found = Vec::new();
+        trajectories
+            .collisions::<K>(&vertices, |index, collision| {
+                found.push((index, bits(&collision.contact_times()), collision.impact().time));
+            })
+            .unwrap();
+        let expected: Vec<_> = (0..)
+            .zip(&vertices)
+            .filter_map(|(index, &vertices)| {
+                let query = trajectories.query::<K>(vertices).unwrap();
+                let time = exact::impact(&query)?.time;
+                Some((index, bits(&exact::contact_times(&query)), time))
+            })
+            .collect();
+        assert_eq!(found, expected);
+    });
+}
+
+#[test]
+fn batches_of_small_integers_answer_as_integers_do() {
+    small_integers_answer_as_integers_do::<VertexFace>();
+    small_integers_answer_as_integers_do::<EdgeEdge>();
 }
 
 #[test]

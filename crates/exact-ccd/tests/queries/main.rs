@@ -4,7 +4,12 @@
 
 mod agreement;
 mod batch;
+#[path = "../oracle/check.rs"]
+#[allow(dead_code, reason = "other tests need more of it")]
+mod check;
 mod cuts;
+#[path = "../oracle/definition/mod.rs"]
+mod definition;
 mod generators;
 mod invariance;
 mod known_contacts;

@@ -4,6 +4,11 @@
 
 mod agreement;
 mod batch;
+#[path = "../oracle/check.rs"]
+mod check;
+mod defined;
+#[path = "../oracle/definition/mod.rs"]
+mod definition;
 mod distance;
 mod families;
 #[path = "../queries/generators/mod.rs"]

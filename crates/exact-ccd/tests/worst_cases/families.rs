@@ -9,17 +9,23 @@ pub(crate) type Points = [[Point; 4]; 2];
 
 /// A kind of query, as the linear combination of its four points that vanishes in contact.
 pub(crate) trait Primitives: Kind<Points = [Point; 4]> + 'static {
+    /// The ends of e₁ and e₂, by index: their cross product is the normal.
+    const SPANNING: [[usize; 2]; 2];
     /// The factors of the four points in F(·, u, v).
     fn weights(u: f64, v: f64) -> [f64; 4];
 }
 
 impl Primitives for VertexFace {
+    const SPANNING: [[usize; 2]; 2] = [[1, 2], [1, 3]];
+
     fn weights(u: f64, v: f64) -> [f64; 4] {
         [1.0, u + v - 1.0, -u, -v]
     }
 }
 
 impl Primitives for EdgeEdge {
+    const SPANNING: [[usize; 2]; 2] = [[0, 1], [2, 3]];
+
     fn weights(u: f64, v: f64) -> [f64; 4] {
         [1.0 - u, u, v - 1.0, -v]
     }
@@ -45,8 +51,8 @@ pub(crate) fn families<K: Primitives>() -> [(&'static str, Family); 19] {
         ("any exponents, contact at t = 1", touching_at_end::<K>),
         ("double root, split by the least number", split_graze::<K>),
         ("near-double root", near_graze::<K>),
-        ("nearly parallel", nearly_parallel),
-        ("nearly parallel, any exponents", nearly_parallel_any),
+        ("nearly parallel", nearly_parallel::<K>),
+        ("nearly parallel, any exponents", nearly_parallel_any::<K>),
         ("coplanar across an axis, any exponents", flat_any),
         ("coplanar at a slant, any exponents", slanted_any),
         ("collinear, any exponents", collinear_any),
@@ -141,17 +147,24 @@ fn combine<const N: usize>(weights: [f64; N], points: [Point; N]) -> Point {
     [0, 1, 2].map(|axis: usize| (0..N).map(|i| weights[i] * points[i][axis]).sum())
 }
 
-/// Points moved into contact at (t, u, v), to within rounding, with a relative velocity in the common
-/// plane: a double root of the coplanarity cubic.
-fn graze<K: Primitives>(mut points: Points, [t, u, v]: [f64; 3], [a, b]: [f64; 2]) -> Points {
-    let at = |points: &Points, t: f64| {
-        [0, 1, 2, 3].map(|i: usize| combine([1.0 - t, t], [points[0][i], points[1][i]]))
-    };
-    let weights = K::weights(u, v);
-    let gap = combine(weights, at(&points, t));
+/// The points at time t.
+fn at(points: &Points, t: f64) -> [Point; 4] {
+    [0, 1, 2, 3].map(|i: usize| combine([1.0 - t, t], [points[0][i], points[1][i]]))
+}
+
+/// Points moved into contact at (t, u, v), to within rounding.
+fn touching<K: Primitives>(mut points: Points, [t, u, v]: [f64; 3]) -> Points {
+    let gap = combine(K::weights(u, v), at(&points, t));
     for point in points.iter_mut().flat_map(|now| &mut now[..K::FIRST]) {
         *point = combine([1.0, -1.0], [*point, gap]);
     }
+    points
+}
+
+/// Points moved into contact at (t, u, v), to within rounding, with a relative velocity in the common
+/// plane: a double root of the coplanarity cubic.
+fn graze<K: Primitives>(points: Points, [t, u, v]: [f64; 3], [a, b]: [f64; 2]) -> Points {
+    let mut points = touching::<K>(points, [t, u, v]);
     let along = |start: [f64; 4], end: [f64; 4]| {
         combine([0, 1, 2, 3].map(|i: usize| end[i] - start[i]), at(&points, t))
     };
@@ -159,7 +172,7 @@ fn graze<K: Primitives>(mut points: Points, [t, u, v]: [f64; 3], [a, b]: [f64; 2
         along(K::weights(0.0, v), K::weights(1.0, v)),
         along(K::weights(u, 0.0), K::weights(u, 1.0)),
     ];
-    let [start, end] = points.map(|now| combine(weights, now));
+    let [start, end] = points.map(|now| combine(K::weights(u, v), now));
     let change = combine([a, b, -1.0, 1.0], [spans[0], spans[1], end, start]);
     for (time, now) in points.iter_mut().enumerate() {
         for point in &mut now[..K::FIRST] {
@@ -256,26 +269,32 @@ fn near_graze<K: Primitives>(random: &mut Random) -> Points {
     graze::<K>(points, place, velocity)
 }
 
-/// e₂ becomes a multiple of e₁ at both ends, to within a few units in the last place.
-fn nearly_parallel(random: &mut Random) -> Points {
-    parallel(random.fractions(), random.integer(3), random)
+/// e₂ is a multiple of e₁ at both ends, to within a few units in the last place; then moved into contact.
+fn nearly_parallel<K: Primitives>(random: &mut Random) -> Points {
+    let points = random.fractions();
+    let points = parallel::<K>(points, random);
+    let place = random.place();
+    touching::<K>(points, place)
 }
 
-fn nearly_parallel_any(random: &mut Random) -> Points {
+/// The same with any exponents, where the least numbers vanish beside the largest, and without contact.
+fn nearly_parallel_any<K: Primitives>(random: &mut Random) -> Points {
     let mut points = random.points(Random::any);
-    points
-        .as_flattened_mut()
-        .as_flattened_mut()
-        .iter_mut()
-        .for_each(|x| *x = scaled(*x, -60));
-    parallel(points, random.integer(3), random)
+    for x in points.as_flattened_mut().as_flattened_mut() {
+        *x = scaled(*x, -60);
+    }
+    parallel::<K>(points, random)
 }
 
-fn parallel(mut points: Points, factor: f64, random: &mut Random) -> Points {
+/// The last point becomes that at which e₂ is a multiple of e₁, the same at both ends, but for a unit in the
+/// last place.
+fn parallel<K: Primitives>(mut points: Points, random: &mut Random) -> Points {
+    let [[i, j], [k, last]] = K::SPANNING;
+    let factor = [-3.0, -2.0, -1.0, 1.0, 2.0, 3.0][random.below(6)];
     for now in &mut points {
-        now[3] = combine([factor, -factor, 1.0], [now[1], now[0], now[2]]);
+        now[last] = combine([factor, -factor, 1.0], [now[j], now[i], now[k]]);
         let axis = random.below(3);
-        now[3][axis] = now[3][axis].next_up();
+        now[last][axis] = now[last][axis].next_up();
     }
     points
 }

@@ -1,77 +1,100 @@
 //! Positions and indices in the buffers of a file.
 
 use exact_ccd_mesh::Point;
-use gltf::Accessor;
-use gltf::accessor::{DataType, Dimensions};
 
-use super::super::compressed::Budget;
+use super::super::budget::Budget;
 use super::buffers::Buffers;
+use super::document::{Accessor, Document, at};
 use crate::error::Fault;
 
-impl Buffers {
+/// The numbers of the types of components.
+const U8: u32 = 5121;
+const U16: u32 = 5123;
+const U32: u32 = 5125;
+const F32: u32 = 5126;
+
+/// The accessors of a file, and the data that they name.
+pub(super) struct Accessors<'a> {
+    pub(super) document: &'a Document,
+    pub(super) buffers: Buffers,
+    pub(super) budget: &'a Budget,
+}
+
+impl Accessors<'_> {
+    /// The number of elements of an accessor.
+    pub(super) fn count(&self, index: u32) -> Result<u64, Fault> {
+        Ok(at(&self.document.accessors, index, "accessor")?.count)
+    }
+
     /// The elements of an accessor as positions, exactly.
-    pub(super) fn positions(&self, accessor: &Accessor, budget: &mut Budget) -> Result<Vec<Point>, Fault> {
-        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
-            return Err(wrong(accessor, "three floats for each position"));
+    pub(super) fn positions(&self, index: u32) -> Result<Vec<Point>, Fault> {
+        let accessor = at(&self.document.accessors, index, "accessor")?;
+        if (accessor.component_type, &*accessor.shape) != (F32, "VEC3") {
+            return Err(wrong(index, "three floats for each position"));
         }
-        budget.take((accessor.count() as u64).saturating_mul(24))?;
+        self.budget.take(accessor.count.saturating_mul(24))?;
         let number = |at: &[u8], k: usize| {
             let bytes = std::array::from_fn(|byte| at[4 * k + byte]);
             f64::from(f32::from_le_bytes(bytes))
         };
-        let elements = self.elements(accessor)?.into_iter();
+        let elements = self.elements(accessor, index, 12)?;
         Ok(elements
             .map(|at| [number(at, 0), number(at, 1), number(at, 2)])
             .collect())
     }
 
     /// The elements of an accessor as indices.
-    pub(super) fn indices(&self, accessor: &Accessor, budget: &mut Budget) -> Result<Vec<u64>, Fault> {
-        use DataType::{U8, U16, U32};
-        if !matches!(accessor.data_type(), U8 | U16 | U32) || accessor.dimensions() != Dimensions::Scalar {
-            return Err(wrong(accessor, "unsigned integers as indices"));
-        }
-        budget.take((accessor.count() as u64).saturating_mul(8))?;
+    pub(super) fn indices(&self, index: u32) -> Result<Vec<u64>, Fault> {
+        let accessor = at(&self.document.accessors, index, "accessor")?;
+        let size = match (accessor.component_type, &*accessor.shape) {
+            (U8, "SCALAR") => 1,
+            (U16, "SCALAR") => 2,
+            (U32, "SCALAR") => 4,
+            _ => return Err(wrong(index, "unsigned integers as indices")),
+        };
+        self.budget.take(accessor.count.saturating_mul(8))?;
         let number = |at: &[u8]| {
             at.iter()
                 .rev()
                 .fold(0, |number, &byte| number << 8 | u64::from(byte))
         };
-        Ok(self.elements(accessor)?.into_iter().map(number).collect())
+        Ok(self.elements(accessor, index, size)?.map(number).collect())
     }
 
-    /// The bytes of each element.
-    fn elements(&self, accessor: &Accessor) -> Result<Vec<&[u8]>, Fault> {
-        if accessor.sparse().is_some() {
-            return Err(wrong(accessor, "no sparse data"));
+    /// The bytes of each element, which has this size.
+    fn elements(
+        &self,
+        accessor: &Accessor,
+        index: u32,
+        size: usize,
+    ) -> Result<impl Iterator<Item = &[u8]>, Fault> {
+        if accessor.sparse.is_some() {
+            return Err(wrong(index, "no sparse data"));
         }
-        let view = accessor.view().ok_or_else(|| wrong(accessor, "a buffer view"))?;
-        let (size, count) = (accessor.size(), accessor.count());
-        let stride = view.stride().unwrap_or(size);
-        let missing = || wrong(accessor, "data within its buffer view");
-        let buffer = self.get(view.buffer().index()).ok_or_else(missing)?;
-        let data = buffer
-            .get(view.offset()..)
-            .and_then(|data| data.get(..view.length()));
-        let data = data
-            .and_then(|data| data.get(accessor.offset()..))
+        let view = accessor
+            .buffer_view
+            .ok_or_else(|| wrong(index, "a buffer view"))?;
+        let view = at(&self.document.buffer_views, view, "bufferView")?;
+        let buffer = self.buffers.get(view.buffer)?;
+        let missing = || wrong(index, "data within its buffer view");
+        let part = |data, start: u64| <[u8]>::get(data, usize::try_from(start).ok()?..);
+        let data = part(buffer, view.byte_offset)
+            .and_then(|data| data.get(..usize::try_from(view.byte_length).ok()?))
+            .and_then(|data| part(data, accessor.byte_offset))
             .ok_or_else(missing)?;
-        if stride < size {
-            return Err(missing());
-        }
-        let mut elements = Vec::new();
-        for k in 0..count {
-            let start = k.checked_mul(stride).ok_or_else(missing)?;
-            let element = data.get(start..).and_then(|data| data.get(..size));
-            elements.push(element.ok_or_else(missing)?);
-        }
-        Ok(elements)
+        let stride = view.byte_stride.map_or(Ok(size), usize::try_from);
+        let stride = stride.ok().filter(|&stride| stride >= size).ok_or_else(missing)?;
+        let count = usize::try_from(accessor.count).map_err(|_| missing())?;
+        let end = match count.checked_sub(1) {
+            None => Some(0),
+            Some(last) => last.checked_mul(stride).and_then(|start| start.checked_add(size)),
+        };
+        let data = end.and_then(|end| data.get(..end)).ok_or_else(missing)?;
+        // The last piece may be shorter than the others, and has one element, too.
+        Ok(data.chunks(stride).map(move |piece| &piece[..size]))
     }
 }
 
-fn wrong(accessor: &Accessor, expected: &str) -> Fault {
-    Fault::expected(
-        format!("{expected} in accessor {}", accessor.index()),
-        "something else",
-    )
+fn wrong(accessor: u32, expected: &str) -> Fault {
+    Fault::expected(format!("{expected} in accessor {accessor}"), "something else")
 }

@@ -6,10 +6,11 @@ use std::path::{Component, Path, PathBuf};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use gltf::Document;
-use gltf::buffer::Source;
 use percent_encoding::percent_decode_str;
 
+use super::super::budget::Budget;
+use super::super::file::read_within;
+use super::document::{Document, at};
 use crate::error::{Fault, quoted};
 
 /// The contents of the buffers. Buffers of one file share its contents.
@@ -23,21 +24,22 @@ impl Buffers {
     /// Reads the contents of each buffer. Other files are in `folder`.
     pub(super) fn read(
         document: &Document,
-        blob: Option<Vec<u8>>,
+        blob: Option<&[u8]>,
         folder: Option<&Path>,
+        budget: &Budget,
     ) -> Result<Self, Fault> {
         let mut blob = blob;
         let mut files = HashMap::new();
         let (mut contents, mut contents_of) = (Vec::new(), Vec::new());
-        for buffer in document.buffers() {
-            let index = buffer.index();
-            let place = match buffer.source() {
-                Source::Bin => {
+        for (index, buffer) in document.buffers.iter().enumerate() {
+            let place = match &buffer.uri {
+                None => {
                     let blob = blob.take();
-                    contents.push(blob.ok_or_else(|| Fault::ends("the binary part of a GLB file"))?);
+                    let blob = blob.ok_or_else(|| Fault::ends("the binary part of a GLB file"))?;
+                    contents.push(blob.to_vec());
                     contents.len() - 1
                 }
-                Source::Uri(uri) => match uri.strip_prefix("data:") {
+                Some(uri) => match uri.strip_prefix("data:") {
                     Some(data) => {
                         contents.push(decode(data).ok_or_else(|| {
                             let expected = format!("base64 in the URI of buffer {index}");
@@ -48,19 +50,22 @@ impl Buffers {
                     None => match files.entry(file(uri, folder)?) {
                         Entry::Occupied(place) => *place.get(),
                         Entry::Vacant(place) => {
-                            contents.push(read_file(place.key(), uri)?);
+                            contents.push(read_file(place.key(), uri, budget)?);
                             *place.insert(contents.len() - 1)
                         }
                     },
                 },
             };
             let length = contents[place].len();
-            if length < buffer.length() {
-                let expected = format!("{} bytes of buffer {index}", buffer.length());
+            if (length as u64) < buffer.byte_length {
+                let expected = format!("{} bytes of buffer {index}", buffer.byte_length);
                 return Err(Fault::expected(expected, length.to_string()));
             }
             contents_of.push(place);
         }
+        let size: usize = contents.iter().map(Vec::len).sum();
+        budget.step(size as u64);
+        budget.hold::<u8>(size);
         Ok(Self {
             contents,
             contents_of,
@@ -68,14 +73,8 @@ impl Buffers {
     }
 
     /// The contents of the buffer with this index.
-    pub(super) fn get(&self, buffer: usize) -> Option<&[u8]> {
-        let &place = self.contents_of.get(buffer)?;
-        Some(&self.contents[place])
-    }
-
-    /// The number of bytes of all contents.
-    pub(super) fn size(&self) -> usize {
-        self.contents.iter().map(Vec::len).sum()
+    pub(super) fn get(&self, buffer: u32) -> Result<&[u8], Fault> {
+        Ok(&self.contents[*at(&self.contents_of, buffer, "buffer")?])
     }
 }
 
@@ -107,9 +106,11 @@ fn file(uri: &str, folder: Option<&Path>) -> Result<PathBuf, Fault> {
     Ok(folder.join(parts.collect::<PathBuf>()))
 }
 
-fn read_file(path: &Path, uri: &str) -> Result<Vec<u8>, Fault> {
-    std::fs::read(path).map_err(|error| {
+fn read_file(path: &Path, uri: &str, budget: &Budget) -> Result<Vec<u8>, Fault> {
+    let contents = read_within(path, budget).map_err(|error| {
         let expected = "the file of a buffer beside the .gltf file";
         Fault::expected(expected, format!("{}: {error}", quoted(uri.as_bytes())))
-    })
+    })?;
+    budget.add_file(contents.len() as u64)?;
+    Ok(contents)
 }

@@ -1,14 +1,18 @@
 //! The container of binary glTF (GLB): JSON, and one buffer.
 
 use super::super::binary::Bytes;
+use super::super::budget::Budget;
 use crate::error::{Fault, ParseError};
 
 /// The JSON of a file, and its binary part, if it has one.
-pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<Vec<u8>>), ParseError> {
+pub(super) fn split<'a>(
+    file: &'a [u8],
+    budget: &'a Budget,
+) -> Result<(&'a [u8], Option<&'a [u8]>), ParseError> {
     if !file.starts_with(b"glTF") {
         return Ok((file, None));
     }
-    let mut bytes = Bytes::new(file, 4);
+    let mut bytes = Bytes::new(file, 4, budget);
     let version = u32::from_le_bytes(bytes.array(|| "a version".to_owned())?);
     if version != 2 {
         return Err(Fault::expected("version 2", version.to_string()).at(bytes.place()));
@@ -17,7 +21,7 @@ pub(super) fn split(file: &[u8]) -> Result<(&[u8], Option<Vec<u8>>), ParseError>
     let json = chunk(&mut bytes, *b"JSON")?;
     match bytes.is_empty() {
         true => Ok((json, None)),
-        false => Ok((json, Some(chunk(&mut bytes, *b"BIN\0")?.to_vec()))),
+        false => Ok((json, Some(chunk(&mut bytes, *b"BIN\0")?))),
     }
 }
 

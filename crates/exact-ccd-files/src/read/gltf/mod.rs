@@ -1,150 +1,135 @@
 //! glTF 2.0, as JSON and binary: the meshes of the scene at rest.
 //!
-//! Khronos Group, *glTF 2.0 Specification*. The crate `gltf` reads and checks the JSON; positions
-//! and indices are read here, with errors that name the accessor.
+//! Khronos Group, *glTF 2.0 Specification*.
 
 mod accessor;
 mod buffers;
 mod container;
+mod document;
 mod transform;
 
 use std::collections::HashMap;
 use std::path::Path;
 
-use gltf::mesh::Mode;
-use gltf::{Document, Gltf, Mesh, Node, Primitive, Scene, Semantic};
-
+use super::budget::Budget;
 use super::cells::Cells;
-use super::compressed::Budget;
 use super::polygons::strip;
-use crate::error::{Fault, ParseError, Place, quoted};
+use crate::error::{Fault, ParseError, Place};
+use accessor::Accessors;
 use buffers::Buffers;
+use document::{Document, Mode, Primitive, at};
 use transform::Transform;
 
+/// The work for a primitive besides its vertices, in steps. Many nodes may have the same mesh.
+const PRIMITIVE: u64 = 64;
+
 /// Reads the default scene, or else the first one. Its other files are in `folder`.
-pub(super) fn read(bytes: &[u8], folder: Option<&Path>) -> Result<Cells, ParseError> {
-    let (json, blob) = container::split(bytes)?;
-    read_scene(json, blob, folder).map_err(|fault| fault.at(Place::File))
+pub(super) fn read(bytes: &[u8], folder: Option<&Path>, budget: &Budget) -> Result<Cells, ParseError> {
+    let (json, blob) = container::split(bytes, budget)?;
+    let document = Document::read(json, budget)?;
+    let cells = Buffers::read(&document, blob, folder, budget).and_then(|buffers| {
+        let mut reader = Reader {
+            accessors: Accessors {
+                document: &document,
+                buffers,
+                budget,
+            },
+            visited: vec![false; document.nodes.len()],
+            cells: Cells::default(),
+        };
+        reader.read_nodes()?;
+        Ok(reader.cells)
+    });
+    cells.map_err(|fault| fault.at(Place::File))
 }
 
-fn read_scene(json: &[u8], blob: Option<Vec<u8>>, folder: Option<&Path>) -> Result<Cells, Fault> {
-    let Gltf { document, .. } = Gltf::from_slice_without_validation(json).map_err(invalid)?;
-    let root = document.into_json();
-    // The validation of the crate panics for such an index.
-    let primitives = root.meshes.iter().flat_map(|mesh| &mesh.primitives);
-    let accessors = primitives.flat_map(|primitive| primitive.attributes.values());
-    let mut indices = accessors.map(gltf::json::Index::value);
-    if let Some(index) = indices.find(|&index| index >= root.accessors.len()) {
-        let expected = format!("one of {} accessors", root.accessors.len());
-        return Err(Fault::expected(expected, format!("accessor {index}")));
-    }
-    let document = Document::from_json(root).map_err(invalid)?;
-    let mut reader = Reader {
-        data: Buffers::read(&document, blob, folder)?,
-        budget: Budget::of(json.len()),
-        visited: vec![false; document.nodes().len()],
-        cells: Cells::default(),
-    };
-    reader.budget = Budget::of(json.len().saturating_add(reader.data.size()));
-    reader.read_nodes(&document)?;
-    Ok(reader.cells)
-}
-
-/// The error of a file that is not valid. The text of the crate has several lines.
-fn invalid(error: gltf::Error) -> Fault {
-    let text = error.to_string();
-    if text.contains("extensionsRequired") {
-        let expected = "a glTF file without required extensions (export it without compression of meshes)";
-        return Fault::expected(expected, "some");
-    }
-    Fault::expected("glTF 2.0", quoted(text.as_bytes()))
-}
-
-struct Reader {
-    data: Buffers,
-    /// The number of bytes that positions and indices may take: many nodes may have the same mesh.
-    budget: Budget,
+struct Reader<'a> {
+    accessors: Accessors<'a>,
     visited: Vec<bool>,
     cells: Cells,
 }
 
-impl Reader {
+/// A primitive and its place in its mesh.
+struct Part<'a> {
+    number: usize,
+    primitive: &'a Primitive,
+}
+
+impl Reader<'_> {
     /// Reads the nodes of the scene, each before its children.
-    fn read_nodes(&mut self, document: &Document) -> Result<(), Fault> {
-        let scene = document.default_scene().or_else(|| document.scenes().next());
-        let mut roots: Vec<Node> = scene.iter().flat_map(Scene::nodes).collect();
-        roots.reverse();
-        let mut open: Vec<(Node, Transform)> = roots
-            .into_iter()
-            .map(|node| (node, Transform::default()))
-            .collect();
-        while let Some((node, parent)) = open.pop() {
-            let index = node.index();
-            if std::mem::replace(&mut self.visited[index], true) {
+    fn read_nodes(&mut self) -> Result<(), Fault> {
+        let document = self.accessors.document;
+        let roots = document.scene()?.iter().rev();
+        let mut open: Vec<(u32, Transform)> = roots.map(|&node| (node, Transform::default())).collect();
+        while let Some((index, parent)) = open.pop() {
+            let node = at(&document.nodes, index, "node")?;
+            if std::mem::replace(&mut self.visited[index as usize], true) {
                 return Err(Fault::expected(
                     "a node with one parent",
                     format!("node {index} again"),
                 ));
             }
-            let transform = parent.then(&Transform::of(&node)?);
-            if let Some(mesh) = node.mesh() {
-                if node.skin().is_some() {
-                    return Err(unsupported(&mesh, "a skin"));
+            let transform = parent.then(&Transform::of(node, index)?);
+            if let Some(mesh) = node.mesh {
+                if node.skin.is_some() {
+                    return Err(unsupported(mesh, "a skin"));
                 }
-                self.read_mesh(&mesh, &transform)?;
+                self.read_mesh(mesh, &transform)?;
             }
-            let mut children: Vec<Node> = node.children().collect();
-            children.reverse();
-            open.extend(children.into_iter().map(|child| (child, transform)));
+            open.extend(node.children.iter().rev().map(|&child| (child, transform)));
         }
         Ok(())
     }
 
     /// Appends a mesh. Its primitives often share one list of positions.
-    fn read_mesh(&mut self, mesh: &Mesh, transform: &Transform) -> Result<(), Fault> {
+    fn read_mesh(&mut self, mesh: u32, transform: &Transform) -> Result<(), Fault> {
         let mut first_vertices = HashMap::new();
-        for primitive in mesh.primitives() {
-            if primitive.morph_targets().len() > 0 {
+        let document = self.accessors.document;
+        let primitives = &at(&document.meshes, mesh, "mesh")?.primitives;
+        for (number, primitive) in primitives.iter().enumerate() {
+            self.accessors.budget.work(PRIMITIVE)?;
+            if !primitive.targets.is_empty() {
                 return Err(unsupported(mesh, "morph targets (shape keys)"));
             }
             // A primitive without positions has no geometry of its own.
-            let Some(positions) = primitive.get(&Semantic::Positions) else {
+            let Some(positions) = primitive.attributes.position else {
                 continue;
             };
-            let first = match first_vertices.get(&positions.index()) {
+            let first = match first_vertices.get(&positions) {
                 Some(&first) => first,
                 None => {
                     let first = self.cells.positions.len();
-                    let points = self.data.positions(&positions, &mut self.budget)?;
-                    let points = points.into_iter().map(|point| transform.apply(point));
-                    self.cells.positions.extend(points);
-                    first_vertices.insert(positions.index(), first);
+                    let points = self.accessors.positions(positions)?.into_iter();
+                    self.cells
+                        .positions
+                        .extend(points.map(|point| transform.apply(point)));
+                    first_vertices.insert(positions, first);
                     first
                 }
             };
-            let vertices = self.vertices(&primitive, first, positions.count())?;
-            check_count(&primitive, vertices.len())?;
-            self.add(primitive.mode(), &vertices)?;
+            let part = Part { number, primitive };
+            let vertices = self.vertices(&part, first, self.accessors.count(positions)?)?;
+            check_count(&part, vertices.len())?;
+            self.add(primitive.mode, &vertices);
         }
         Ok(())
     }
 
-    /// The vertices of a primitive, in the order in which they form its elements.
-    fn vertices(&mut self, primitive: &Primitive, first: usize, count: usize) -> Result<Vec<u32>, Fault> {
-        let indices = match primitive.indices() {
+    /// The vertices of a primitive, in the order in which they form its elements. There are `count` positions.
+    fn vertices(&self, part: &Part, first: usize, count: u64) -> Result<Vec<u32>, Fault> {
+        let indices = match part.primitive.indices {
             None => {
-                self.budget.take((count as u64).saturating_mul(4))?;
-                (0..count as u64).collect()
+                self.accessors.budget.take(count.saturating_mul(4))?;
+                (0..count).collect()
             }
-            Some(accessor) => self.data.indices(&accessor, &mut self.budget)?,
+            Some(accessor) => self.accessors.indices(accessor)?,
         };
         let vertex = |index: u64| {
-            let vertex = (index < count as u64).then_some(index + first as u64);
+            let vertex = (index < count).then_some(index + first as u64);
             vertex
                 .and_then(|vertex| u32::try_from(vertex).ok())
                 .ok_or_else(|| {
-                    let primitive = primitive.index();
-                    let expected = format!("an index below {count} in primitive {primitive}");
+                    let expected = format!("an index below {count} in primitive {}", part.number);
                     Fault::expected(expected, index.to_string())
                 })
         };
@@ -152,7 +137,7 @@ impl Reader {
     }
 
     /// Adds the elements of a list of vertices.
-    fn add(&mut self, mode: Mode, vertices: &[u32]) -> Result<(), Fault> {
+    fn add(&mut self, mode: Mode, vertices: &[u32]) {
         let cells = &mut self.cells;
         let triangles = &mut cells.faces.triangles;
         match mode {
@@ -174,13 +159,12 @@ impl Reader {
             }
         }
         cells.faces.count = cells.faces.triangles.len();
-        Ok(())
     }
 }
 
 /// Refuses a number of vertices with which the last element of a primitive is not whole.
-fn check_count(primitive: &Primitive, count: usize) -> Result<(), Fault> {
-    let (is_whole, expected) = match primitive.mode() {
+fn check_count(part: &Part, count: usize) -> Result<(), Fault> {
+    let (is_whole, expected) = match part.primitive.mode {
         Mode::Points => (true, ""),
         Mode::Lines => (count.is_multiple_of(2), "two vertices for each line"),
         Mode::Triangles => (count.is_multiple_of(3), "three vertices for each triangle"),
@@ -193,9 +177,9 @@ fn check_count(primitive: &Primitive, count: usize) -> Result<(), Fault> {
     if is_whole {
         return Ok(());
     }
-    let place = match primitive.indices() {
-        Some(accessor) => format!("accessor {}", accessor.index()),
-        None => format!("primitive {} without indices", primitive.index()),
+    let place = match part.primitive.indices {
+        Some(accessor) => format!("accessor {accessor}"),
+        None => format!("primitive {} without indices", part.number),
     };
     Err(Fault::expected(
         format!("{expected} in {place}"),
@@ -203,7 +187,7 @@ fn check_count(primitive: &Primitive, count: usize) -> Result<(), Fault> {
     ))
 }
 
-fn unsupported(mesh: &Mesh, with: &str) -> Fault {
-    let expected = format!("mesh {} without {with} (apply it before export)", mesh.index());
+fn unsupported(mesh: u32, with: &str) -> Fault {
+    let expected = format!("mesh {mesh} without {with} (apply it before export)");
     Fault::expected(expected, with)
 }

@@ -1,9 +1,8 @@
 //! The transforms of nodes, in `f64`.
 
 use exact_ccd_mesh::Point;
-use gltf::Node;
-use gltf::scene::Transform as Local;
 
+use super::document::Node;
 use crate::error::Fault;
 
 /// An affine map in the rows of a 3×4 matrix.
@@ -20,31 +19,27 @@ impl Default for Transform {
 }
 
 impl Transform {
-    /// The map from the coordinates of a node to those of its parent.
-    pub(super) fn of(node: &Node) -> Result<Self, Fault> {
-        match node.transform() {
-            Local::Matrix { matrix } => {
-                if matrix.map(|column| column[3]) != [0.0, 0.0, 0.0, 1.0] {
-                    let expected = format!("0 0 0 1 as the last row of the matrix of node {}", node.index());
-                    return Err(Fault::expected(expected, "other numbers"));
-                }
-                let row = |axis: usize| matrix.map(|column| f64::from(column[axis]));
-                Ok(Self([row(0), row(1), row(2)]))
+    /// The map from the coordinates of a node, of this index, to those of its parent.
+    pub(super) fn of(node: &Node, index: u32) -> Result<Self, Fault> {
+        if let Some(matrix) = &node.matrix {
+            // By columns.
+            let (columns, _) = matrix.as_chunks::<4>();
+            if columns.iter().map(|column| column[3]).ne([0.0, 0.0, 0.0, 1.0]) {
+                let expected = format!("0 0 0 1 as the last row of the matrix of node {index}");
+                return Err(Fault::expected(expected, "other numbers"));
             }
-            Local::Decomposed {
-                translation,
-                rotation,
-                scale,
-            } => {
-                let axes = rotation_of(rotation.map(f64::from));
-                let row = |k: usize| {
-                    let [x, y, z] = axes[k];
-                    let [sx, sy, sz] = scale.map(f64::from);
-                    [x * sx, y * sy, z * sz, f64::from(translation[k])]
-                };
-                Ok(Self([row(0), row(1), row(2)]))
-            }
+            let row = |axis: usize| std::array::from_fn(|k| f64::from(columns[k][axis]));
+            return Ok(Self([row(0), row(1), row(2)]));
         }
+        let translation = node.translation.as_deref().copied().unwrap_or_default();
+        let rotation = node.rotation.as_deref().copied().unwrap_or([0.0, 0.0, 0.0, 1.0]);
+        let [sx, sy, sz] = node.scale.as_deref().copied().unwrap_or([1.0; 3]).map(f64::from);
+        let axes = rotation_of(rotation.map(f64::from));
+        let row = |k: usize| {
+            let [x, y, z] = axes[k];
+            [x * sx, y * sy, z * sz, f64::from(translation[k])]
+        };
+        Ok(Self([row(0), row(1), row(2)]))
     }
 
     /// The map of a node within a node with this map.

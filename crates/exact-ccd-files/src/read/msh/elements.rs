@@ -54,10 +54,10 @@ impl Shape {
 }
 
 /// A reader that appends elements to cells.
-struct Elements<'a> {
+struct Elements<'a, 'b> {
     tags: &'a Tags,
     cells: &'a mut Cells,
-    groups: &'a mut Groups,
+    groups: &'a mut Groups<'b>,
 }
 
 pub(super) fn read<'a>(
@@ -65,7 +65,7 @@ pub(super) fn read<'a>(
     values: &mut impl Values<'a>,
     tags: &Tags,
     cells: &mut Cells,
-    groups: &mut Groups,
+    groups: &mut Groups<'_>,
 ) -> Result<(), ParseError> {
     let mut elements = Elements { tags, cells, groups };
     match version {
@@ -75,7 +75,7 @@ pub(super) fn read<'a>(
     values.end_section("$EndElements")
 }
 
-impl Elements<'_> {
+impl Elements<'_, '_> {
     /// Reads elements one by one, each with its type; in binary files, in blocks of consecutive
     /// elements of one type.
     fn read_v2<'a, V: Values<'a>>(&mut self, values: &mut V) -> Result<(), ParseError> {

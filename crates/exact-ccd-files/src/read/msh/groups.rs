@@ -3,13 +3,13 @@
 use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
-use super::super::compressed::Budget;
+use super::super::budget::Budget;
 use super::super::group::{Group, PhysicalTag};
 use super::values::{Record, Values};
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The physical groups of a file, under construction.
-pub(super) struct Groups {
+pub(super) struct Groups<'b> {
     groups: BTreeMap<PhysicalTag, Group>,
     /// Tags of groups, for each entity of the geometry one after the other; 0 stands for none.
     tags: Vec<u32>,
@@ -18,19 +18,23 @@ pub(super) struct Groups {
     /// The tags of the elements that follow.
     current: Range<usize>,
     /// An entity may be in many groups, and each of its elements is in all of them.
-    budget: Budget,
+    budget: &'b Budget,
 }
 
-impl Groups {
-    /// No groups, of a file of this size in bytes.
-    pub(super) fn new(file_size: usize) -> Self {
+impl<'b> Groups<'b> {
+    /// No groups.
+    pub(super) fn new(budget: &'b Budget) -> Self {
         Self {
             groups: BTreeMap::new(),
             tags: Vec::new(),
             entities: HashMap::new(),
             current: 0..0,
-            budget: Budget::of(file_size),
+            budget,
         }
+    }
+
+    pub(super) fn budget(&self) -> &'b Budget {
+        self.budget
     }
 
     /// Reads the section `$PhysicalNames`, which is text even in a binary file.
@@ -85,7 +89,10 @@ impl Groups {
         }
         let tags = first..self.tags.len();
         match self.entities.insert((dimension, entity), tags) {
-            None => Ok(()),
+            None => {
+                self.budget.hold::<((i64, i64), Range<usize>)>(1);
+                Ok(())
+            }
             Some(_) => {
                 let expected = format!("an entity of dimension {dimension} with a tag of its own");
                 Err(Fault::expected(expected, format!("`{entity}`")).at(place))
@@ -132,9 +139,12 @@ impl Groups {
     }
 
     fn group(&mut self, physical: PhysicalTag) -> &mut Group {
-        self.groups.entry(physical).or_insert_with(|| Group {
-            physical: Some(physical),
-            ..Group::default()
+        self.groups.entry(physical).or_insert_with(|| {
+            self.budget.hold::<(PhysicalTag, Group)>(1);
+            Group {
+                physical: Some(physical),
+                ..Group::default()
+            }
         })
     }
 

@@ -9,17 +9,18 @@ mod nodes;
 mod values;
 
 use super::binary::{ByteOrder, Bytes};
+use super::budget::Budget;
 use super::cells::Cells;
 use super::text::{Lines, Syntax, expect};
 use crate::error::{Fault, ParseError, quoted};
 use groups::Groups;
 use values::{BinaryValues, TextValues, Values, Version};
 
-pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
+pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
     const VERSION: &str = "`2.2` or `4.1`";
     const ENCODING: &str = "`0` for text or `1` for binary";
     const SIZE: &str = "`8`, the size of a number";
-    let mut lines = Lines::new(bytes, Syntax::Plain);
+    let mut lines = Lines::new(bytes, Syntax::Plain, budget);
     expect(&mut lines.expect(|| "`$MeshFormat`".to_owned())?, "$MeshFormat")?;
     let line = &mut lines.expect(|| "the version, the encoding and the size of a number".to_owned())?;
     let version = match line.expect_word(VERSION)? {
@@ -37,9 +38,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
         return Err(line.unexpected(SIZE, size));
     }
     line.expect_end()?;
-    let groups = Groups::new(bytes.len());
+    let groups = Groups::new(budget);
     if is_binary {
-        let mut body = Bytes::new(bytes, bytes.len() - lines.rest().len());
+        let mut body = Bytes::new(bytes, bytes.len() - lines.rest().len(), budget);
         let order = byte_order(&mut body)?;
         read_sections(version, BinaryValues::new(body, order), groups)
     } else {
@@ -62,7 +63,7 @@ fn byte_order(bytes: &mut Bytes) -> Result<ByteOrder, ParseError> {
 fn read_sections<'a>(
     version: Version,
     mut values: impl Values<'a>,
-    mut groups: Groups,
+    mut groups: Groups<'_>,
 ) -> Result<Cells, ParseError> {
     values.skip_to("$EndMeshFormat")?;
     let mut cells = Cells::default();
@@ -73,6 +74,7 @@ fn read_sections<'a>(
         match (section, &nodes) {
             (b"$Nodes", None) => {
                 let read = nodes::read(version, &mut values)?;
+                read.tags.charge(groups.budget());
                 cells.positions = read.positions;
                 nodes = Some(read.tags);
             }
@@ -89,7 +91,8 @@ fn read_sections<'a>(
                 }
                 groups.read_entities(&mut values)?;
             }
-            ([b'$', name @ ..], _) => {
+            // Without another `$`, no two places where the end may begin overlap: the search for it is linear.
+            ([b'$', name @ ..], _) if name.iter().all(u8::is_ascii_alphanumeric) => {
                 let name = String::from_utf8_lossy(name);
                 values.skip_to(&format!("$End{name}"))?;
             }

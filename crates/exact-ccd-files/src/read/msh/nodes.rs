@@ -4,6 +4,7 @@ use std::collections::HashMap;
 
 use exact_ccd_mesh::Point;
 
+use super::super::budget::Budget;
 use super::values::{Record, Values, Version};
 use crate::error::{Fault, ParseError, Place};
 
@@ -21,6 +22,11 @@ pub(super) struct Tags(HashMap<u64, u32>);
 impl Tags {
     pub(super) fn count(&self) -> usize {
         self.0.len()
+    }
+
+    /// Counts the memory.
+    pub(super) fn charge(&self, budget: &Budget) {
+        budget.hold::<(u64, u32)>(self.0.len());
     }
 
     /// The node with this tag.

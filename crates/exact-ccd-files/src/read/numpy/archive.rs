@@ -1,11 +1,9 @@
 //! The arrays in a `.npz` archive.
 
 use std::fmt;
-use std::io::{Cursor, Read};
 
-use zip::ZipArchive;
-
-use super::super::compressed::Budget;
+use super::super::budget::Budget;
+use super::super::zip::Zip;
 use super::array::Array;
 use super::header::Header;
 use crate::error::{Fault, ParseError, Place, quoted};
@@ -15,14 +13,14 @@ const LONGEST_HEADER: u64 = 4096;
 
 /// An archive, and the headers of its arrays.
 pub(super) struct Archive<'a> {
-    zip: ZipArchive<Cursor<&'a [u8]>>,
-    budget: Budget,
+    zip: Zip<'a>,
+    budget: &'a Budget,
     pub(super) arrays: Vec<Entry>,
 }
 
 /// An array in an archive.
 pub(super) struct Entry {
-    /// The index in the archive.
+    /// The index among the members of the archive.
     index: usize,
     /// The name without `.npy`.
     pub(super) name: String,
@@ -42,43 +40,31 @@ impl fmt::Display for Entry {
 }
 
 impl<'a> Archive<'a> {
-    pub(super) fn open(bytes: &'a [u8]) -> Result<Self, ParseError> {
-        let invalid = |error: zip::result::ZipError| {
-            Fault::expected("a zip archive", quoted(error.to_string().as_bytes())).at(Place::File)
-        };
-        let mut zip = ZipArchive::new(Cursor::new(bytes)).map_err(invalid)?;
+    pub(super) fn open(bytes: &'a [u8], budget: &'a Budget) -> Result<Self, ParseError> {
+        let zip = Zip::open(bytes, budget)?;
         let mut arrays = Vec::new();
-        for index in 0..zip.len() {
-            let mut beginning = Vec::new();
-            let entry = zip.by_index(index).map_err(invalid)?;
-            let name = entry.name().map_err(invalid)?.into_owned();
-            let Some(name) = name.strip_suffix(".npy").map(str::to_owned) else {
+        for (index, member) in zip.members.iter().enumerate() {
+            let Some(name) = member.name.strip_suffix(".npy") else {
                 continue;
             };
-            let read = entry.take(LONGEST_HEADER).read_to_end(&mut beginning);
-            read.map_err(|error| invalid(error.into()))?;
-            let header = Header::read(&beginning);
+            let beginning = zip.beginning(member, LONGEST_HEADER)?;
+            budget.work(beginning.len() as u64).map_err(at_file)?;
+            let (name, header) = (name.to_owned(), Header::read(&beginning, budget));
             arrays.push(Entry { index, name, header });
         }
-        Ok(Self {
-            zip,
-            budget: Budget::of(bytes.len()),
-            arrays,
-        })
+        budget.hold::<Entry>(arrays.len());
+        Ok(Self { zip, budget, arrays })
     }
 
     /// Reads an array of the archive.
-    pub(super) fn read(&mut self, number: usize) -> Result<Array, ParseError> {
-        let at_file = |fault: Fault| fault.at(Place::File);
-        let entry = self.zip.by_index(self.arrays[number].index).map_err(|error| {
-            at_file(Fault::expected(
-                "a zip archive",
-                quoted(error.to_string().as_bytes()),
-            ))
-        })?;
-        let file = self.budget.read_all(entry, "zip").map_err(at_file)?;
-        Array::read(&file)
+    pub(super) fn read(&self, number: usize) -> Result<Array, ParseError> {
+        let member = &self.zip.members[self.arrays[number].index];
+        Array::read(&self.zip.read(member)?, self.budget)
     }
+}
+
+fn at_file(fault: Fault) -> ParseError {
+    fault.at(Place::File)
 }
 
 /// Arrays with their types and shapes, for messages.

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::super::binary::ByteOrder;
+use super::super::budget::Budget;
 use super::super::scalar::Scalar;
 use super::header::Header;
 use crate::error::{Fault, ParseError, Place};
@@ -18,8 +19,8 @@ pub(super) struct Array {
 
 impl Array {
     /// The array in the contents of a `.npy` file.
-    pub(super) fn read(file: &[u8]) -> Result<Self, ParseError> {
-        let header = Header::read(file)?;
+    pub(super) fn read(file: &[u8], budget: &Budget) -> Result<Self, ParseError> {
+        let header = Header::read(file, budget)?;
         let data = &file[header.length..];
         let length = header.data_length().filter(|&length| length == data.len());
         if length.is_none() {
@@ -27,8 +28,12 @@ impl Array {
             let found = format!("{} bytes", data.len());
             return Err(Fault::expected(expected, found).at(Place::Byte(header.length)));
         }
+        budget.hold::<u8>(data.len());
         let data = match header.is_fortran {
-            true => with_last_index_fastest(data, &header.shape, header.scalar.size()),
+            true => {
+                budget.step((data.len() * header.shape.len()) as u64);
+                with_last_index_fastest(data, &header.shape, header.scalar.size())
+            }
             false => data.to_vec(),
         };
         Ok(Self {
@@ -37,6 +42,11 @@ impl Array {
             shape: header.shape,
             data,
         })
+    }
+
+    /// The number of numbers.
+    pub(super) fn count(&self) -> usize {
+        self.data.len() / self.scalar.size()
     }
 
     /// All numbers, none for an array of floating-point numbers.

@@ -3,9 +3,13 @@
 //! numpy documentation, *A simple file format for NumPy arrays* (`numpy.lib.format`).
 
 use super::super::binary::{ByteOrder, Bytes};
+use super::super::budget::Budget;
 use super::super::scalar::Scalar;
 use super::super::text::parse;
 use crate::error::{Fault, ParseError, quoted};
+
+/// The most dimensions of an array, as in numpy before version 2.
+const MOST_DIMENSIONS: usize = 32;
 
 /// The type and the shape of an array.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +33,8 @@ enum Value<'a> {
 }
 
 impl Header {
-    pub(super) fn read(file: &[u8]) -> Result<Self, ParseError> {
-        let mut bytes = Bytes::new(file, 0);
+    pub(super) fn read(file: &[u8], budget: &Budget) -> Result<Self, ParseError> {
+        let mut bytes = Bytes::new(file, 0, budget);
         let magic: [u8; 8] = bytes.array(|| "`\\x93NUMPY` and a version".to_owned())?;
         if !magic.starts_with(b"\x93NUMPY") {
             return Err(Fault::expected("`\\x93NUMPY`", quoted(&magic[..6])).at(bytes.place()));
@@ -48,6 +52,10 @@ impl Header {
             let expected = "a dictionary of descr, fortran_order and shape of numbers";
             return Err(Fault::expected(expected, quoted(text)).at(place));
         };
+        if shape.len() > MOST_DIMENSIONS {
+            let expected = format!("an array of at most {MOST_DIMENSIONS} dimensions");
+            return Err(Fault::expected(expected, shape.len().to_string()).at(place));
+        }
         let (scalar, order) = number(descr).ok_or_else(|| {
             let expected = "an array of floats of 2 to 8 bytes or of integers";
             Fault::expected(expected, quoted(descr.as_bytes())).at(place)

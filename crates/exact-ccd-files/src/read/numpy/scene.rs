@@ -2,6 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
+use super::super::budget::Budget;
 use super::super::cells::{Cells, vertex_index};
 use super::super::solids::Solid;
 use super::archive::Archive;
@@ -23,18 +24,19 @@ pub(in super::super) struct Arrays {
 }
 
 /// The positions in a `.npy` file: (T, N, 3) for T frames, or (N, 3).
-pub(in super::super) fn read_npy(bytes: &[u8]) -> Result<Arrays, ParseError> {
-    Arrays::new(Array::read(bytes)?)
+pub(in super::super) fn read_npy(bytes: &[u8], budget: &Budget) -> Result<Arrays, ParseError> {
+    Arrays::new(Array::read(bytes, budget)?)
 }
 
 /// The arrays in a `.npz` file by their names: positions (T, N, 3) or (N, 3), faces (F, 3) or (F, k), edges
 /// (E, 2) and tetrahedra (K, 4).
-pub(in super::super) fn read_npz(bytes: &[u8]) -> Result<Arrays, ParseError> {
-    let mut archive = Archive::open(bytes)?;
+pub(in super::super) fn read_npz(bytes: &[u8], budget: &Budget) -> Result<Arrays, ParseError> {
+    let archive = Archive::open(bytes, budget)?;
     let roles = Roles::of(&archive)?;
-    let mut elements = |role: Option<(usize, Form)>| {
+    let elements = |role: Option<(usize, Form)>| {
         let read = |(number, form): (usize, Form)| {
             let array = archive.read(number)?;
+            budget.hold::<i64>(array.count());
             Elements::read(&array, &archive.arrays[number].name, form)
         };
         role.map(read).transpose()

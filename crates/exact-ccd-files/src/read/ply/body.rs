@@ -38,7 +38,8 @@ pub(super) fn read<'a>(header: &'a Header<'a>, mut rows: impl Rows<'a>) -> Resul
     rows.finish()?;
     if NamedPart::cover(&header.parts, cells.positions.len()) {
         let group = |part: &NamedPart| Group::named(part.name.clone(), part.vertices.clone().collect());
-        cells.groups = header.parts.iter().map(group).collect();
+        let parts = header.parts.iter().filter(|part| !part.vertices.is_empty());
+        cells.groups = parts.map(group).collect();
     }
     Ok(cells)
 }

@@ -3,6 +3,7 @@
 use std::collections::HashSet;
 
 use super::super::binary::ByteOrder;
+use super::super::budget::Budget;
 use super::super::text::{Line, Lines, expect};
 use crate::error::{ParseError, Place};
 use crate::named_part::NamedPart;
@@ -71,7 +72,7 @@ impl Scalar {
 
 impl<'a> Header<'a> {
     /// Reads all lines up to and including `end_header`.
-    pub(super) fn read(lines: &mut Lines<'a>) -> Result<Self, ParseError> {
+    pub(super) fn read(lines: &mut Lines<'a>, budget: &Budget) -> Result<Self, ParseError> {
         const STATEMENT: &str = "`format`, `comment`, `element`, `property` or `end_header`";
         let mut magic = lines.expect(|| "`ply`".to_owned())?;
         expect(&mut magic, "ply")?;
@@ -85,7 +86,10 @@ impl<'a> Header<'a> {
             let line = &mut lines.expect(|| "`end_header`".to_owned())?;
             match line.expect_word(STATEMENT)? {
                 b"comment" => {
-                    parts.extend(NamedPart::parse(line.rest()));
+                    if let Some(part) = NamedPart::parse(line.rest()) {
+                        budget.hold::<NamedPart>(1);
+                        parts.push(part);
+                    }
                     continue;
                 }
                 b"obj_info" => continue,
@@ -95,10 +99,12 @@ impl<'a> Header<'a> {
                     if !names.insert((None, element.name)) {
                         return Err(line.unexpected("an element with a name of its own", element.name));
                     }
+                    budget.hold::<Element>(1);
                     elements.push(element);
                 }
                 b"property" => {
                     let property = read_property(line)?;
+                    budget.hold::<Property>(1);
                     if !names.insert((Some(elements.len()), property.name)) {
                         return Err(line.unexpected("a property with a name of its own", property.name));
                     }

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use super::super::budget::Budget;
+
 /// A file in two parts: XML, and the data after it.
 pub(super) struct Parts<'a> {
     /// XML without the appended data.
@@ -12,7 +14,8 @@ pub(super) struct Parts<'a> {
 }
 
 /// Cuts the data out of the element `AppendedData`, the last one of a file. Raw data are not XML.
-pub(super) fn split(bytes: &[u8]) -> Parts<'_> {
+pub(super) fn split<'a>(bytes: &'a [u8], budget: &Budget) -> Parts<'a> {
+    budget.step(bytes.len() as u64);
     const TAG: &[u8] = b"<AppendedData";
     let whole = || Parts {
         xml: Cow::Borrowed(bytes),

@@ -1,13 +1,12 @@
 //! Arrays of numbers: inline as text or in base64, or appended to the file.
 
 use std::borrow::Cow;
-use std::cell::Cell;
 use std::str::FromStr;
 
 use roxmltree::Node;
 
 use super::super::binary::ByteOrder;
-use super::super::compressed::Budget;
+use super::super::budget::Budget;
 use super::super::scalar::Scalar;
 use super::super::text::parse;
 use super::blocks::{Compression, Layout};
@@ -19,7 +18,7 @@ use crate::error::{ParseError, quoted};
 pub(super) struct Encoding<'a> {
     layout: Layout,
     appended: Option<Appended<'a>>,
-    budget: Cell<Budget>,
+    budget: &'a Budget,
 }
 
 /// The data after the XML.
@@ -36,7 +35,7 @@ impl<'a> Encoding<'a> {
     pub(super) fn of<'n>(
         file: &File<'n>,
         appended: Option<&'a [u8]>,
-        size: usize,
+        budget: &'a Budget,
     ) -> Result<Self, ParseError> {
         let root = file.root;
         let unexpected =
@@ -45,6 +44,12 @@ impl<'a> Encoding<'a> {
             None | Some("") => Compression::None,
             Some("vtkZLibDataCompressor") => Compression::Zlib,
             Some("vtkLZ4DataCompressor") => Compression::Lz4,
+            Some(found @ "vtkLZMADataCompressor") => {
+                let expected = "data compressed by zlib, by LZ4 or not (save the file again: in ParaView with \
+                                the compressor ZLib or LZ4, in VTK with SetCompressorTypeToZLib(), in pyvista \
+                                with save(name, compression=\"zlib\"))";
+                return unexpected(expected, found);
+            }
             Some(other) => return unexpected("data compressed by zlib, by LZ4 or not", other),
         };
         let order = match file.attribute(root, "byte_order")? {
@@ -79,7 +84,7 @@ impl<'a> Encoding<'a> {
                 compression,
             },
             appended,
-            budget: Cell::new(Budget::of(size)),
+            budget,
         })
     }
 
@@ -109,26 +114,30 @@ impl<'a> Encoding<'a> {
         decode: impl FnOnce(&[u8]) -> Vec<T>,
     ) -> Result<Vec<T>, ParseError> {
         let text = text(array);
+        self.budget.step(text.len() as u64);
         let (mut stream, is_inline) = match file.attribute(array, "format")? {
             "ascii" => {
                 let number = |word: &str| {
                     parse(word.as_bytes())
                         .ok_or_else(|| file.fault(array, "a number", quoted(word.as_bytes())))
                 };
-                return text.split_ascii_whitespace().map(number).collect();
+                let numbers: Vec<T> = text
+                    .split_ascii_whitespace()
+                    .map(number)
+                    .collect::<Result<_, _>>()?;
+                self.budget.hold::<T>(numbers.len());
+                return Ok(numbers);
             }
             // An empty array may have no header.
             "binary" if text.trim_ascii().is_empty() => return Ok(Vec::new()),
-            "binary" => (Stream::base64(text.as_bytes()), true),
+            "binary" => (Stream::base64(text.as_bytes().trim_ascii()), true),
             "appended" => (self.appended_stream(file, array)?, false),
             other => {
                 let found = quoted(other.as_bytes());
                 return Err(file.fault(array, "format `ascii`, `binary` or `appended`", found));
             }
         };
-        let mut budget = self.budget.get();
-        let data = self.layout.data(&mut stream, &mut budget);
-        self.budget.set(budget);
+        let data = self.layout.data(&mut stream, self.budget);
         let data = data.map_err(|fault| file.at(array, fault))?;
         if is_inline && !stream.is_empty() {
             let expected = format!("{} bytes, as the array begins with", data.len());
@@ -138,6 +147,7 @@ impl<'a> Encoding<'a> {
             let expected = format!("numbers of {} bytes", scalar.size());
             return Err(file.fault(array, expected, format!("{} bytes", data.len())));
         }
+        self.budget.hold::<T>(data.len() / scalar.size());
         Ok(decode(&data))
     }
 

@@ -3,7 +3,7 @@
 use flate2::read::ZlibDecoder;
 
 use super::super::binary::ByteOrder;
-use super::super::compressed::Budget;
+use super::super::budget::Budget;
 use super::stream::Stream;
 use crate::error::Fault;
 
@@ -24,35 +24,42 @@ pub(super) struct Layout {
     pub(super) compression: Compression,
 }
 
+/// The work for a compressed block besides its bytes, in steps: the decompressor has tables to set up. Usual
+/// blocks have 32,768 bytes.
+const BLOCK: u64 = 4096;
+
 impl Layout {
     /// The data of the array at the beginning of a stream.
-    pub(super) fn data(&self, stream: &mut Stream, budget: &mut Budget) -> Result<Vec<u8>, Fault> {
-        let [first] = self.words(stream)?;
+    pub(super) fn data(&self, stream: &mut Stream, budget: &Budget) -> Result<Vec<u8>, Fault> {
+        let [first] = self.words(stream, budget)?;
         if self.compression == Compression::None {
             // Several arrays may be the same part of the appended data.
             budget.take(first)?;
-            return take(stream, first);
+            return take(stream, first, budget);
         }
         // The number of blocks, their size, and that of the last one if it is shorter.
-        let [size, last] = self.words(stream)?;
-        let header = take(stream, first.saturating_mul(self.word as u64))?;
+        let [size, last] = self.words(stream, budget)?;
+        let header = take(stream, first.saturating_mul(self.word as u64), budget)?;
+        // Several arrays may have the same header.
+        budget.work(header.len() as u64)?;
         let compressed: Vec<u64> = header.chunks(self.word).map(|word| self.number(word)).collect();
         let mut data = Vec::new();
         for (block, &length) in compressed.iter().enumerate() {
             let is_short = last > 0 && block + 1 == compressed.len();
             let expanded = if is_short { last } else { size };
-            let bytes = take(stream, length)?;
+            let bytes = take(stream, length, budget)?;
+            budget.work(BLOCK.saturating_add(length))?;
             data.append(&mut self.expand(&bytes, expanded, budget)?);
         }
         Ok(data)
     }
 
     /// The data of a block, of which the size is known.
-    fn expand(&self, block: &[u8], size: u64, budget: &mut Budget) -> Result<Vec<u8>, Fault> {
+    fn expand(&self, block: &[u8], size: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
         let wrong = |found: String| Fault::expected(format!("a block of {size} bytes"), found);
         let data = match self.compression {
             Compression::None => block.to_vec(),
-            Compression::Zlib => budget.read_all(ZlibDecoder::new(block), "zlib")?,
+            Compression::Zlib => budget.read_all(ZlibDecoder::new(block), "zlib", size)?,
             Compression::Lz4 => {
                 budget.take(size)?;
                 // The size is within the budget.
@@ -70,8 +77,8 @@ impl Layout {
     }
 
     /// The next numbers of a header.
-    fn words<const N: usize>(&self, stream: &mut Stream) -> Result<[u64; N], Fault> {
-        let bytes = take(stream, (N * self.word) as u64)?;
+    fn words<const N: usize>(&self, stream: &mut Stream, budget: &Budget) -> Result<[u64; N], Fault> {
+        let bytes = take(stream, (N * self.word) as u64, budget)?;
         Ok(std::array::from_fn(|k| {
             self.number(&bytes[k * self.word..][..self.word])
         }))
@@ -86,8 +93,9 @@ impl Layout {
     }
 }
 
-fn take(stream: &mut Stream, count: u64) -> Result<Vec<u8>, Fault> {
-    stream
-        .take(count)
-        .map_err(|(expected, found)| Fault::expected(expected, found))
+fn take(stream: &mut Stream, count: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
+    let taken = stream.take(count);
+    let bytes = taken.map_err(|(expected, found)| Fault::expected(expected, found))?;
+    budget.step(bytes.len() as u64);
+    Ok(bytes)
 }

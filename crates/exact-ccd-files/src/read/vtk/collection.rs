@@ -1,12 +1,13 @@
 //! Collections: times and the files that belong to them.
 
+use super::super::budget::Budget;
 use super::super::text::parse;
 use super::xml::{File, parse_xml};
 use crate::error::{ParseError, quoted};
 
 /// The times, which are finite, and paths in a collection.
-pub(in super::super) fn read(bytes: &[u8]) -> Result<Vec<(f64, String)>, ParseError> {
-    let document = parse_xml(bytes)?;
+pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Vec<(f64, String)>, ParseError> {
+    let document = parse_xml(bytes, budget)?;
     let file = File::new(&document, "Collection")?;
     let collection = file.child(file.root, "Collection")?;
     let entries = collection

@@ -2,6 +2,7 @@
 
 use roxmltree::Node;
 
+use super::super::budget::Budget;
 use super::super::cells::Cells;
 use super::super::text::parse;
 use super::appended;
@@ -20,11 +21,11 @@ const LISTS: [(&str, &str, i64); 4] = [
 ];
 
 /// The root of a file, which has this type: `UnstructuredGrid` or `PolyData`.
-pub(in super::super) fn read(bytes: &[u8], kind: &str) -> Result<Cells, ParseError> {
-    let parts = appended::split(bytes);
-    let document = parse_xml(&parts.xml)?;
+pub(in super::super) fn read(bytes: &[u8], kind: &str, budget: &Budget) -> Result<Cells, ParseError> {
+    let parts = appended::split(bytes, budget);
+    let document = parse_xml(&parts.xml, budget)?;
     let file = File::new(&document, kind)?;
-    let encoding = Encoding::of(&file, parts.appended, bytes.len())?;
+    let encoding = Encoding::of(&file, parts.appended, budget)?;
     let mut reader = Reader {
         file: &file,
         encoding,

@@ -17,10 +17,7 @@ pub(super) enum Stream<'a> {
 impl<'a> Stream<'a> {
     pub(super) fn base64(text: &'a [u8]) -> Self {
         let decoded = Vec::new();
-        Self::Base64 {
-            text: text.trim_ascii(),
-            decoded,
-        }
+        Self::Base64 { text, decoded }
     }
 
     /// The next bytes; or the expected thing and the one in its place.

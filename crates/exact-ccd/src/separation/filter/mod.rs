@@ -21,7 +21,7 @@ mod turning;
 use super::{Separation, SeparationStage};
 pub(crate) use screening::Screening;
 
-use crate::environment::flushes_subnormals;
+use crate::environment;
 use crate::filter::{UNIT, dot};
 use crate::kind::Kind;
 use crate::query::Query;
@@ -35,8 +35,7 @@ pub(super) fn first_within<K: Kind>(
     query: &Query<K>,
     d: Separation,
 ) -> Option<(Option<ContactTime>, SeparationStage)> {
-    // The bounds assume gradual underflow.
-    if flushes_subnormals() {
+    if !environment::is_default() {
         return None;
     }
     let corners = Corners::new(query);
@@ -58,7 +57,7 @@ pub(super) fn first_within<K: Kind>(
 }
 
 /// The same for a query whose primitives are known to be beyond d before the first of two times, until the
-/// second one, which is above 0, in an environment with gradual underflow.
+/// second one, which is above 0, in the default environment.
 pub(super) fn first_between<K: Kind>(
     query: &Query<K>,
     d: Separation,

@@ -1,9 +1,9 @@
 //! A program for x86-64 Linux that links the kernel without the standard library, and uses it in
-//! the floating-point environments of a C program: the default one, and that of `-ffast-math`,
-//! which flushes subnormal numbers to zero.
+//! the floating-point environments of a C program: rounding in each direction, with gradual underflow or,
+//! as after `-ffast-math`, with subnormal numbers flushed to zero.
 //!
-//! The exit status is 0 if all answers are exact, otherwise the number of the first wrong one; 101
-//! is a panic.
+//! The exit status is 0 if all answers are exact, otherwise the number of the first wrong one, in
+//! environment i from 1 + 10 i; 101 is a panic.
 
 #![no_std]
 #![no_main]
@@ -13,6 +13,7 @@ mod symbols;
 use core::alloc::{GlobalAlloc, Layout};
 use core::arch::{asm, global_asm};
 use core::cmp::Ordering;
+use core::hint::black_box;
 use core::panic::PanicInfo;
 use core::ptr::null_mut;
 use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -20,7 +21,9 @@ use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::predicates::{EdgeFace, orient3d};
 use exact_ccd::separation::Separation;
-use exact_ccd::{ContactTime, EdgeEdge, Point, Query, Stage, VertexEdge, VertexFace};
+use exact_ccd::{
+    Collision, ContactTime, EdgeEdge, Kind, Point, Query, Stage, VertexEdge, VertexFace, environment, exact,
+};
 
 /// The smallest subnormal number.
 const TINY: f64 = f64::from_bits(1);
@@ -73,42 +76,133 @@ fn exit(status: i32) -> ! {
     unsafe { asm!("syscall", in("rax") 231, in("rdi") status, options(noreturn)) }
 }
 
-/// Sets or clears the bits FTZ and DAZ of the control register.
-fn flush_subnormals(flush: bool) {
+/// The bits of the control register that flush subnormal numbers (FTZ, DAZ), and those of the rounding.
+const FLUSH: u32 = 0x8040;
+const DOWN: u32 = 0x2000;
+const UP: u32 = 0x4000;
+const TO_ZERO: u32 = 0x6000;
+
+/// All environments: the default one first.
+const ENVIRONMENTS: [u32; 8] = [
+    0,
+    DOWN,
+    UP,
+    TO_ZERO,
+    FLUSH,
+    FLUSH | DOWN,
+    FLUSH | UP,
+    FLUSH | TO_ZERO,
+];
+
+/// Sets the environment of this thread.
+fn set(environment: u32) {
     let mut control = 0_u32;
-    // SAFETY: only the treatment of subnormal numbers changes, and the kernel detects it.
+    // SAFETY: only the rounding and the treatment of subnormal numbers change, and the kernel detects it.
     unsafe {
         asm!("stmxcsr [{}]", in(reg) &raw mut control, options(nostack));
-        control = if flush {
-            control | 0x8040
-        } else {
-            control & !0x8040
-        };
+        control = control & !(FLUSH | TO_ZERO) | environment;
         asm!("ldmxcsr [{}]", in(reg) &raw const control, options(nostack));
     }
 }
 
 /// The number of the first wrong answer.
 fn wrong_answer() -> Option<i32> {
-    let ordinary = answers(1.0);
-    let subnormal = answers(TINY);
-    flush_subnormals(true);
-    let ordinary_flushed = answers(1.0);
-    let subnormal_flushed = answers(TINY);
-    let stage = vertex_face(1.0).collides_with_stage().1;
-    flush_subnormals(false);
-    [
-        ordinary == Some(EXPECTED),
-        subnormal == Some(EXPECTED),
-        ordinary_flushed == Some(EXPECTED),
-        subnormal_flushed == Some(EXPECTED),
-        // The environment is detected, and filters are in use without it.
-        stage == Stage::Exact,
-        vertex_face(1.0).collides_with_stage().1 != Stage::Exact,
-    ]
-    .iter()
-    .position(|&is_right| !is_right)
-    .map(|index| index as i32 + 1)
+    let falling = vertex_face(1.0);
+    let collision = falling.collision()?;
+    let times = collision.contact_times();
+    let coplanar = Coplanar::new();
+    for (first, environment) in (1..).step_by(10).zip(ENVIRONMENTS) {
+        let is_default = environment == 0;
+        set(environment);
+        let ordinary = answers(1.0);
+        let subnormal = answers(TINY);
+        let stage = vertex_face(1.0).collides_with_stage().1;
+        // Decided in the default environment, read in this one.
+        let (later, later_stage) = collision.contact_times_with_stage();
+        let detected = !environment::is_default();
+        let are_contacts_exact = coplanar.are_decided();
+        set(0);
+        let is_right = [
+            ordinary == Some(EXPECTED),
+            subnormal == Some(EXPECTED),
+            // The environment is detected, and filters are in use only in the default one.
+            detected != is_default,
+            (stage == Stage::Exact) != is_default,
+            (later_stage == Stage::Exact) != is_default,
+            later == times,
+            are_contacts_exact,
+        ];
+        if let Some(index) = is_right.iter().position(|&is_right| !is_right) {
+            return Some(first + index as i32);
+        }
+    }
+    None
+}
+
+/// Queries whose points are all in the plane x = −y, so that rounding in different directions tears their
+/// coordinates apart, and their answers in integers.
+struct Coplanar {
+    queries: [[[Point; 4]; 2]; Self::COUNT],
+    collide: [[bool; 2]; Self::COUNT],
+}
+
+impl Coplanar {
+    const COUNT: usize = 300;
+
+    fn new() -> Self {
+        let mut bits = 0;
+        let mut point = || {
+            let [x, z] = [0; 2].map(|_| random(&mut bits));
+            [x, -x, z]
+        };
+        let queries = [(); Self::COUNT].map(|()| [[(); 4]; 2].map(|points| points.map(|()| point())));
+        let collide = queries.map(|[t0, t1]| {
+            let start = ALLOCATOR.used.load(Relaxed);
+            let vertex_face = Query::<VertexFace>::new(t0, t1).is_ok_and(|query| exact::collides(&query));
+            let edge_edge = Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| exact::collides(&query));
+            ALLOCATOR.used.store(start, Relaxed);
+            [vertex_face, edge_edge]
+        });
+        Self { queries, collide }
+    }
+
+    /// True if single queries and batches, for contact and within a distance, are decided as in integers.
+    fn are_decided(&self) -> bool {
+        let count = |of: usize| self.collide.iter().filter(|collide| collide[of]).count();
+        count(0) > 30
+            && count(1) > 30
+            && self.is_decided::<VertexFace>(0)
+            && self.is_decided::<EdgeEdge>(1)
+    }
+
+    fn is_decided<K: Kind<Points = [Point; 4]>>(&self, of: usize) -> bool {
+        let Ok(tiny) = Separation::new(f64::MIN_POSITIVE) else {
+            return false;
+        };
+        // Of 300 queries, those of index 0, 7, 14, … within a distance: they take long.
+        self.queries.iter().zip(&self.collide).enumerate().all(|(index, (&[t0, t1], collide))| {
+            let start = ALLOCATOR.used.load(Relaxed);
+            let is_right = Query::<K>::new(t0, t1).is_ok_and(|query| {
+                let within = index % 7 != 0 || !collide[of] || query.comes_within(tiny);
+                query.collides() == collide[of] && within
+            });
+            let mut found = false;
+            let batch = [[t0, t1]];
+            let batch = batch::Queries::<K>::new(&batch);
+            let mut of_batch = |_: usize, _: Collision<'_, K>| found = true;
+            let is_valid = batch.collisions(&mut of_batch).is_ok();
+            ALLOCATOR.used.store(start, Relaxed);
+            is_right && is_valid && found == collide[of]
+        })
+    }
+}
+
+/// The next number of a sequence of pseudo-random ones in [−1, 1) (SplitMix64).
+fn random(state: &mut u64) -> f64 {
+    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    ((z ^ (z >> 31)) as i64 >> 11) as f64 / (1_u64 << 52) as f64
 }
 
 /// The answers to some queries, which do not depend on the unit of length.
@@ -120,7 +214,9 @@ struct Answers {
     array: [bool; 2],
     orientation: Ordering,
     intersects: bool,
-    first_within: [u64; 2],
+    first_within: [[u64; 2]; 2],
+    is_above_zero: bool,
+    refused: [bool; 2],
 }
 
 const EXPECTED: Answers = Answers {
@@ -128,9 +224,11 @@ const EXPECTED: Answers = Answers {
     parallel: None,
     batch: [true, false],
     array: [true, false],
-    orientation: Ordering::Less,
+    orientation: Ordering::Greater,
     intersects: true,
-    first_within: [1, 1],
+    first_within: [[1, 2], [1, 2]],
+    is_above_zero: true,
+    refused: [true, true],
 };
 
 const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
@@ -190,18 +288,25 @@ fn answers(unit: f64) -> Option<Answers> {
         orientation: orient3d([v1, v2, v3, b]).ok()?,
         intersects: EdgeFace::new([a, b], [v1, v2, v3]).ok()?.intersects(),
         first_within: first_within()?,
+        is_above_zero: !Separation::new(black_box(TINY)).ok()?.is_zero(),
+        refused: [
+            Separation::new(black_box(-TINY)).is_err(),
+            resting.distance_at(black_box(-TINY)).is_err(),
+        ],
     })
 }
 
-/// The bits of a subnormal time at which a vertex and an edge are first within a distance, of two
-/// functions. The edge gets there at 1.6 times the smallest subnormal number, its ends much later.
-fn first_within() -> Option<[u64; 2]> {
+/// The bits of the two f64 around a subnormal time at which a vertex and an edge are first within a distance,
+/// of two functions. The edge gets there at 1.6 times the smallest subnormal number, its ends much later.
+fn first_within() -> Option<[[u64; 2]; 2]> {
     const HUGE: f64 = 1.25 * f64::from_bits(2046 << 52);
     let at = |y: f64| [[0.0, 1.0 + 4.0 * f64::EPSILON, 0.0], [-0.5, y, 0.0], [0.5, y, 0.0]];
     let query = Query::<VertexEdge>::new(at(0.0), at(HUGE)).ok()?;
     let d = Separation::new(1.0).ok()?;
     let first = query.first_within(d)?;
     let impact = query.impact_within(d)?;
-    let bits = |time: ContactTime| (!time.is_start() && !time.is_exact()).then(|| time.lower().to_bits());
+    let bits = |time: ContactTime| {
+        (!time.is_start() && !time.is_exact()).then(|| [time.lower(), time.upper()].map(f64::to_bits))
+    };
     Some([bits(first)?, bits(impact.time)?])
 }

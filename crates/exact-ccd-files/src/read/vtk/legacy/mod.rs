@@ -5,14 +5,15 @@
 
 mod values;
 
+use super::super::budget::Budget;
 use super::super::cells::Cells;
 use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
 use super::list::CellList;
 use crate::error::{Fault, ParseError, Place, quoted};
 use values::Values;
 
-pub(in super::super) fn read(bytes: &[u8]) -> Result<Cells, ParseError> {
-    let mut values = Values::new(bytes)?;
+pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
+    let mut values = Values::new(bytes, budget)?;
     values.keyword("DATASET")?;
     let (place, kind) = values.word("the kind of the data set")?;
     match kind.to_ascii_uppercase().as_slice() {
@@ -106,6 +107,7 @@ impl Sections<'_> {
         } else {
             split(&self.values.integers(size, b"int")?, count).map_err(|fault| fault.at(place))?
         };
+        self.values.budget().hold::<List>(1);
         self.lists.push(List {
             place,
             kind,

@@ -3,12 +3,14 @@
 use std::str::FromStr;
 
 use super::super::super::binary::{ByteOrder, Bytes};
+use super::super::super::budget::Budget;
 use super::super::super::scalar::Scalar;
 use super::super::super::text::parse;
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The file from the current position on.
 pub(super) struct Values<'a> {
+    budget: &'a Budget,
     file: &'a [u8],
     bytes: Bytes<'a>,
     is_binary: bool,
@@ -18,8 +20,8 @@ pub(super) struct Values<'a> {
 
 impl<'a> Values<'a> {
     /// Reads the first three lines: the version, a title, and the encoding.
-    pub(super) fn new(file: &'a [u8]) -> Result<Self, ParseError> {
-        let mut bytes = Bytes::new(file, 0);
+    pub(super) fn new(file: &'a [u8], budget: &'a Budget) -> Result<Self, ParseError> {
+        let mut bytes = Bytes::new(file, 0, budget);
         let version = bytes.line();
         let major = version
             .strip_prefix(b"# vtk DataFile Version ")
@@ -39,11 +41,16 @@ impl<'a> Values<'a> {
             }
         };
         Ok(Self {
+            budget,
             file,
             bytes,
             is_binary,
             counted: (0, 0),
         })
+    }
+
+    pub(super) fn budget(&self) -> &'a Budget {
+        self.budget
     }
 
     /// The line of a text file, or the byte of a binary one.
@@ -109,6 +116,7 @@ impl<'a> Values<'a> {
             return self.texts(count, "a number");
         }
         let data = self.data(count, scalar)?;
+        self.budget.hold::<f64>(data.len() / scalar.size());
         Ok(scalar.reals(data, ByteOrder::BigEndian))
     }
 
@@ -118,6 +126,7 @@ impl<'a> Values<'a> {
             return self.texts(count, "an integer");
         }
         let data = self.data(count, scalar)?;
+        self.budget.hold::<i64>(data.len() / scalar.size());
         scalar
             .integers(data, ByteOrder::BigEndian)
             .ok_or_else(|| Fault::expected("a type of integers", quoted(kind)).at(self.place()))
@@ -185,6 +194,7 @@ impl<'a> Values<'a> {
             });
             numbers.push(number?);
         }
+        self.budget.hold::<T>(numbers.len());
         Ok(numbers)
     }
 

@@ -1,0 +1,33 @@
+//! The lengths of the scene of three octocats, whose meshes come with the published data.
+
+use std::path::{Path, PathBuf};
+
+use exact_ccd_sim::scene::Scene;
+use exact_ccd_sim::{StepFilter, System};
+
+/// The box of the bodies, without the bowl, and the lengths that follow from it are those of the code of
+/// *Incremental Potential Contact*, whose box has a diagonal of 8.381 m.
+#[test]
+#[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
+fn octocats_have_the_lengths_of_incremental_potential_contact() {
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let data = std::env::var_os("EXACT_CCD_DATA");
+    let data = data.map_or_else(|| repository.join("../shared/data"), PathBuf::from);
+    let scene = repository.join("examples/scenes/octocats.toml");
+    let exact = |_: &str, _: &System| Ok(StepFilter::default());
+    let scene = Scene::read(scene, Some(&data.join("meshes")), &exact).unwrap();
+    let size = scene.system.size();
+    assert!((size - 8.381).abs() < 5e-4, "{size}");
+    let settings = &scene.settings;
+    let lengths = [
+        settings.contact_distance,
+        settings.tolerance,
+        settings.friction.static_velocity,
+    ];
+    for (length, share) in lengths.into_iter().zip([1e-3, 1e-2, 1e-3]) {
+        assert!(
+            (length.meters(size) / (share * 8.381) - 1.0).abs() < 1e-4,
+            "{length:?}"
+        );
+    }
+}

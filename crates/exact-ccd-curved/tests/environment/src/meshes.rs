@@ -1,0 +1,97 @@
+//! Triangles that move: contacts by a detector, and candidates.
+
+use exact_ccd_mesh::{
+    BoxKind, CandidateOptions, Candidates, Detector, MinDistance, Pair, Point, Step, TriangleMesh,
+};
+use exact_ccd_mesh::{Bvh, Sweep};
+
+use crate::random::Random;
+
+/// Enough that the work is shared among threads.
+const TRIANGLES: usize = 400;
+
+/// A mesh in a step.
+pub struct Scene {
+    name: &'static str,
+    mesh: TriangleMesh,
+    ends: [Vec<Point>; 2],
+}
+
+/// The contacts of a scene: their pairs, and the two f64 around their times.
+pub type Contacts = Vec<(Pair, u64, u64)>;
+
+impl Scene {
+    /// Small triangles that move a little, by the function that makes a point from three numbers around those of
+    /// the centre of a triangle.
+    fn new(name: &'static str, seed: u64, point: impl Fn(&mut Random, [f64; 2]) -> Point) -> Self {
+        let mut random = Random(seed);
+        let faces = (0..TRIANGLES as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+        let mut ends = [Vec::new(), Vec::new()];
+        for _ in 0..TRIANGLES {
+            let centre = [random.number(), random.number()];
+            for _ in 0..3 {
+                ends[0].push(point(&mut random, centre));
+                ends[1].push(point(&mut random, centre));
+            }
+        }
+        let mesh = TriangleMesh::new(3 * TRIANGLES, faces.collect()).expect("the faces are valid");
+        Self { name, mesh, ends }
+    }
+
+    /// All scenes: in the plane x = −y, in units of the smallest subnormal number, and in space.
+    pub fn all() -> [Self; 3] {
+        let near = |random: &mut Random, x: f64| x + 0.03 * random.number();
+        [
+            Self::new("plane", 1, |random, [a, b]| {
+                let x = near(random, a);
+                [x, -x, near(random, b)]
+            }),
+            Self::new("subnormal", 2, |random, [a, b]| {
+                let mut coordinate = |x: f64| {
+                    let size = (300.0 * x).round() + random.integer(4);
+                    let magnitude = f64::from_bits(size.abs() as u64);
+                    if size < 0.0 { -magnitude } else { magnitude }
+                };
+                [coordinate(a), coordinate(b), coordinate(0.0)]
+            }),
+            Self::new("space", 3, |random, [a, b]| {
+                [near(random, a), near(random, b), near(random, 0.0)]
+            }),
+        ]
+    }
+
+    /// The contacts of the step, of all and the earliest one; among candidates of both kinds of boxes; and with
+    /// a minimum distance.
+    pub fn contacts(&self) -> [Contacts; 5] {
+        let [x0, x1] = &self.ends;
+        let key = |contact: &exact_ccd_mesh::Contact| {
+            let time = contact.impact.time;
+            (contact.pair, time.lower().to_bits(), time.upper().to_bits())
+        };
+        let mut detector = Detector::new(self.mesh.clone());
+        let all = detector.contacts(x0, x1, 1.0).expect("the step is valid");
+        let earliest = detector.earliest_contact(x0, x1).expect("the step is valid");
+        let mut sweep = Detector::with_broad_phase(self.mesh.clone(), Sweep);
+        let d = exact_ccd::separation::Separation::new(f64::from_bits(3)).expect("it is above 0");
+        let sweep_within = sweep.set_min_distance(MinDistance::uniform(d));
+        sweep_within.expect("a uniform distance suits any mesh");
+        let within = sweep.contacts(x0, x1, 1.0).expect("the step is valid");
+        let among = |boxes: BoxKind| {
+            let step = Step::new(&self.mesh, x0, x1).expect("the step is valid");
+            let options = CandidateOptions::default().with_boxes(boxes);
+            let candidates = Candidates::with_options(step, &Bvh, &options).expect("the options are valid");
+            candidates.contacts(step).iter().map(key).collect()
+        };
+        [
+            all.iter().map(key).collect(),
+            earliest.iter().map(key).collect(),
+            within.iter().map(key).collect(),
+            among(BoxKind::Swept),
+            among(BoxKind::Moving),
+        ]
+    }
+
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+}

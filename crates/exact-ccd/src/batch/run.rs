@@ -1,0 +1,73 @@
+//! A batch of one kind: in vectors, or query by query.
+
+use super::row::Row;
+use super::vectors::{self, Instructions};
+use crate::collision::Collision;
+use crate::environment;
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::separation::Separations;
+
+/// The callback for collisions. Behind a pointer: contacts are few, and the vector code is compiled
+/// only once for all callbacks.
+pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
+
+/// A batch of one kind: calls `found` with each query of rows that comes within its separation at a time
+/// not above `until`, and its index, in order. All indices of rows exist.
+#[expect(
+    unnameable_types,
+    reason = "an argument of a hidden function of a sealed trait"
+)]
+pub struct Batch<'a, K: Kind> {
+    pub(super) instructions: Instructions,
+    pub(super) rows: &'a [Row],
+    pub(super) queries: &'a [K::Vertices],
+    pub(super) separations: Separations<'a>,
+    pub(super) until: f64,
+    pub(super) found: Found<'a, K>,
+}
+
+impl<K: Kind> Batch<'_, K> {
+    pub(crate) fn run(self) {
+        let Self { until, found, .. } = self;
+        let found: Found<'_, K> = &mut |index, collision| {
+            if until >= 1.0 || collision.first_contact_time().is_at_most(until) {
+                found(index, collision);
+            }
+        };
+        let batch = Batch { found, ..self };
+        if environment::is_default() {
+            vectors::run(batch);
+        } else {
+            batch.one_by_one();
+        }
+    }
+
+    /// The same for single queries.
+    #[cold]
+    pub(super) fn one_by_one(self) {
+        for (index, vertices) in self.queries.iter().enumerate() {
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            let query: Query<K> = query_of(self.rows, vertices);
+            if let Some(collision) = query.collision_within(self.separations.between(a, b)) {
+                (self.found)(index, collision);
+            }
+        }
+    }
+}
+
+/// The rows of x₀ … x₃.
+#[inline(always)]
+pub(super) fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [&'a Row; 4] {
+    K::LAYOUT.map(|i| &rows[vertices.as_ref()[i] as usize])
+}
+
+/// The query of vertices whose rows exist, with finite coordinates.
+pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
+    query(rows_of::<K>(rows, vertices))
+}
+
+pub(super) fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
+    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = rows.map(Row::points);
+    Query::from_finite([[a0, b0, c0, d0], [a1, b1, c1, d1]])
+}

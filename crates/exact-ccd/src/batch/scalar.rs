@@ -1,0 +1,28 @@
+//! Batches on processors without vectors: query by query, with the same answers.
+
+use super::run::Batch;
+use crate::kind::Kind;
+
+/// A set of vector instructions of this processor: the empty one.
+///
+/// No answer depends on it. A choice is useful for tests and measurements only.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Instructions;
+
+impl Instructions {
+    /// The widest set of this processor.
+    #[must_use]
+    pub fn best() -> Self {
+        Self
+    }
+
+    /// All sets of this processor, from the narrowest to the widest.
+    pub fn available() -> impl Iterator<Item = Self> {
+        core::iter::once(Self)
+    }
+}
+
+/// Calls `found` with each query of a batch that comes within its separation, and its index, in order.
+pub(super) fn run<K: Kind>(batch: Batch<'_, K>) {
+    batch.one_by_one();
+}

@@ -1,0 +1,73 @@
+//! The next filters, [`Stage::Normals`](crate::Stage::Normals) and
+//! [`Stage::Coplanarity`](crate::Stage::Coplanarity): eight queries at a time.
+
+use fearless_simd::f64x8;
+use fearless_simd::prelude::*;
+
+use crate::batch::row::Row;
+use crate::filter::{Cubic, Points, Screened, screen_planes};
+use crate::kind::Kind;
+
+/// The number of queries in a vector.
+pub(super) const LANES: usize = 8;
+
+/// The results of these filters for eight queries.
+pub(super) struct Rest {
+    /// The queries that are not settled, a bit for each.
+    pub(super) lanes: u64,
+    /// The queries with coordinates out of the range of all filters.
+    pub(super) out_of_range: u64,
+    /// Their coplanarity cubics.
+    bernstein: [[f64; LANES]; 4],
+    magnitude: [f64; LANES],
+}
+
+impl Rest {
+    /// The cubic of a query.
+    #[inline(always)]
+    pub(super) fn cubic(&self, lane: usize) -> Cubic<f64> {
+        Cubic {
+            bernstein: self.bernstein.map(|lanes| lanes[lane]),
+            magnitude: self.magnitude[lane],
+        }
+    }
+}
+
+/// Passes eight queries through the filters.
+#[inline(always)]
+pub(super) fn screen<S: Simd, K: Kind>(simd: S, rows: &[[&Row; 4]; LANES]) -> Rest {
+    let Screened {
+        settled,
+        out_of_range,
+        cubic,
+    } = screen_planes::<K, _>(&transposed(simd, rows));
+    Rest {
+        lanes: (!settled).to_bitmask(),
+        out_of_range: out_of_range.to_bitmask(),
+        bernstein: cubic.bernstein.map(Into::into),
+        magnitude: cubic.magnitude.into(),
+    }
+}
+
+/// The points of eight queries side by side.
+#[inline(always)]
+pub(super) fn transposed<S: Simd>(simd: S, rows: &[[&Row; 4]; LANES]) -> Points<f64x8<S>> {
+    let mut transposed = [[[0.0; LANES]; 8]; 4];
+    for (lane, rows) in rows.iter().enumerate() {
+        for (point, row) in rows.iter().enumerate() {
+            for (place, &x) in row.0.iter().enumerate() {
+                transposed[point][place][lane] = x;
+            }
+        }
+    }
+    let zero = f64x8::splat(simd, 0.0);
+    let mut points: Points<f64x8<S>> = [[[zero; 3]; 4]; 2];
+    for time in 0..2 {
+        for point in 0..4 {
+            for axis in 0..3 {
+                points[time][point][axis] = f64x8::from_slice(simd, &transposed[point][4 * time + axis]);
+            }
+        }
+    }
+    points
+}

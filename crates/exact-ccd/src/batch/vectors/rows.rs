@@ -1,0 +1,116 @@
+//! The first two filters, [`Stage::BoundingBox`](crate::Stage::BoundingBox) and
+//! [`Stage::Diagonals`](crate::Stage::Diagonals): one query at a time, the coordinates of both
+//! times side by side.
+//!
+//! Both only compare differences of coordinates, place by place, so that no transposition is needed.
+
+use core::f64::consts::SQRT_2;
+
+use fearless_simd::prelude::*;
+use fearless_simd::{f64x8, mask64x8};
+
+use crate::batch::row::{PLACES, Row};
+use crate::filter::UNIT;
+use crate::kind::Kind;
+
+/// Returns true if a plane x = 0, y = 0 or z = 0, or one at 45° between two of them, separates the
+/// primitives.
+#[inline(always)]
+pub(super) fn are_separated<S: Simd, K: Kind>(simd: S, rows: [&Row; 4]) -> bool {
+    let corners = corners::<S, K>(simd, rows);
+    let zero = f64x8::splat(simd, 0.0);
+    are_beyond_axis(corners, zero)
+        || on_one_side(
+            corners,
+            #[inline(always)]
+            |x, next| {
+                [
+                    x.simd_gt(next),
+                    x.simd_lt(next),
+                    x.simd_gt(-next),
+                    x.simd_lt(-next),
+                ]
+            },
+        )
+}
+
+/// Returns true if all corners are farther than d from such a plane, on one side: the filters
+/// `BoundingBox` and `Diagonals` of [`SeparationStage`](crate::separation::SeparationStage).
+///
+/// The distance from a plane x = ±y is |x ± y| / √2. With x and y rounded once, the sum once more, it
+/// is off by at most 2 u (|x| + |y|) (1 + u). `SQRT_2` is above √2; the product may be subnormal.
+#[inline(always)]
+pub(super) fn are_beyond<S: Simd, K: Kind>(simd: S, rows: [&Row; 4], d: f64) -> bool {
+    let corners = corners::<S, K>(simd, rows);
+    if are_beyond_axis(corners, f64x8::splat(simd, d)) {
+        return true;
+    }
+    let [a, b, c, e] = corners;
+    let reach = a.abs().max(b.abs()).max(c.abs().max(e.abs()));
+    let slack = (reach + reach.slide::<1>(reach)) * (16.0 * UNIT);
+    let least = slack + (d * SQRT_2 * (1.0 + 8.0 * UNIT) + f64::MIN_POSITIVE);
+    on_one_side(
+        corners,
+        #[inline(always)]
+        |x, next| {
+            let (sum, difference) = (x + next, x - next);
+            [
+                difference.simd_gt(least),
+                (-difference).simd_gt(least),
+                sum.simd_gt(least),
+                (-sum).simd_gt(least),
+            ]
+        },
+    )
+}
+
+#[inline(always)]
+fn corners<S: Simd, K: Kind>(simd: S, rows: [&Row; 4]) -> [f64x8<S>; 4] {
+    let points = rows.map(
+        #[inline(always)]
+        |row| f64x8::from_slice(simd, &row.0),
+    );
+    let corner = |index: usize| {
+        let (i, j) = K::CORNERS[index];
+        points[i] - points[j]
+    };
+    [corner(0), corner(1), corner(2), corner(3)]
+}
+
+/// Returns true if all components on an axis are above d, or below −d. Exact: rounding is monotone and
+/// d an f64, so that a difference that exceeds d when rounded exceeds it before.
+#[inline(always)]
+fn are_beyond_axis<S: Simd>([first, rest @ ..]: [f64x8<S>; 4], d: f64x8<S>) -> bool {
+    let (mut above, mut below) = (first.simd_gt(d), first.simd_lt(-d));
+    for corner in rest {
+        above &= corner.simd_gt(d);
+        below &= corner.simd_lt(-d);
+    }
+    is_certain(above.to_bitmask()) | is_certain(below.to_bitmask())
+}
+
+/// Returns true if all corners are on the same of four sides, of a plane through the next axis.
+#[inline(always)]
+fn on_one_side<S: Simd>(
+    [first, rest @ ..]: [f64x8<S>; 4],
+    sides_of: impl Fn(f64x8<S>, f64x8<S>) -> [mask64x8<S>; 4],
+) -> bool {
+    let [mut a, mut b, mut c, mut d] = sides_of(first, first.slide::<1>(first));
+    for corner in rest {
+        let [more_a, more_b, more_c, more_d] = sides_of(corner, corner.slide::<1>(corner));
+        a &= more_a;
+        b &= more_b;
+        c &= more_c;
+        d &= more_d;
+    }
+    is_certain(a.to_bitmask())
+        | is_certain(b.to_bitmask())
+        | is_certain(c.to_bitmask())
+        | is_certain(d.to_bitmask())
+}
+
+/// Returns true if a place is set for both times.
+#[inline(always)]
+fn is_certain(places: u64) -> bool {
+    places & (places >> 4) & PLACES != 0
+}
