@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use exact_ccd::separation::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
-use crate::contacts::{ContactList, ListFile};
+use crate::contacts::{ContactList, ContactRecord, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
 use crate::half_spaces::HalfSpaceOption;

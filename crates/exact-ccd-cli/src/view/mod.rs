@@ -10,7 +10,7 @@ mod up;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::{Contact, Intersection, Motion, Point};
+use exact_ccd_mesh::Point;
 use exact_ccd_sim::scene::Rendering;
 use exact_ccd_sim::{HalfSpace, Simulation};
 use exact_ccd_view::Page;
