@@ -47,7 +47,7 @@ fn check(of_threads: usize) -> ExitCode {
     let expected = default.install(|| scenes.each_ref().map(Scene::contacts));
     let curved = default.install(|| (curves::step(), curves::points()));
     let sides = sides();
-    let environment = |thread: usize| match of_threads {
+    let environment = move |thread: usize| match of_threads {
         MIXED => ENVIRONMENTS[1 + thread],
         index => ENVIRONMENTS[index],
     };
