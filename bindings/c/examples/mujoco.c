@@ -11,7 +11,7 @@
 
 #include "rigid_mesh.h"
 
-static void check(exact_ccd_status status)
+static void check(exact_ccd_status_t status)
 {
     if (status != EXACT_CCD_STATUS_OK) {
         fprintf(stderr, "%s\n", exact_ccd_last_error());
@@ -73,8 +73,8 @@ int main(int argc, char** argv)
         }
     }
 
-    exact_ccd_mesh* mesh = NULL;
-    exact_ccd_detector* detector = NULL;
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
     check(exact_ccd_mesh_new(vertex_count, faces, face_count, NULL, 0, &mesh));
     check(exact_ccd_detector_new(mesh, &detector));
     check(exact_ccd_detector_set_groups(detector, bodies, vertex_count));

@@ -17,7 +17,7 @@ static const uint32_t bodies[VERTICES] = {0, 0, 0, 0, 1, 1, 1, 1};
 static const double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 static const double quarter_turn[9] = {0, -1, 0, 1, 0, 0, 0, 0, 1};
 
-static int failed(exact_ccd_status status)
+static int failed(exact_ccd_status_t status)
 {
     if (status != EXACT_CCD_STATUS_OK) {
         fprintf(stderr, "%s\n", exact_ccd_last_error());
@@ -34,8 +34,8 @@ int main(void)
     place_vertices(bullet, BULLET, above, identity, x0 + 3 * PLATE);
     place_vertices(bullet, BULLET, below, quarter_turn, x1 + 3 * PLATE);
 
-    exact_ccd_mesh* mesh = NULL;
-    exact_ccd_detector* detector = NULL;
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
     bool is_found = false;
     exact_ccd_contact_t contact;
     const int error = failed(exact_ccd_mesh_new(VERTICES, faces, 6, NULL, 0, &mesh))

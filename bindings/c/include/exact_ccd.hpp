@@ -28,19 +28,34 @@ namespace exact_ccd {
 /// A call that failed: `what()` names the argument, the vertex or the query that is wrong.
 class Error : public std::runtime_error {
 public:
-    Error(exact_ccd_status status, const char* message) : std::runtime_error(message), status_(status) {}
+    explicit Error(const exact_ccd_error_t& error)
+        : std::runtime_error(error.message),
+          status_(error.status),
+          query_(error.has_query ? std::optional(error.query) : std::nullopt),
+          edge_(error.edge),
+          face_(error.face)
+    {}
 
-    exact_ccd_status status() const noexcept { return status_; }
+    exact_ccd_status_t status() const noexcept { return status_; }
+
+    /// The index, from 0, of the first query of a batch that is wrong.
+    std::optional<std::size_t> query() const noexcept { return query_; }
+
+    /// The edge and the face that cross at the start, for EXACT_CCD_STATUS_CROSSING; else 4294967295.
+    std::uint32_t edge() const noexcept { return edge_; }
+    std::uint32_t face() const noexcept { return face_; }
 
 private:
-    exact_ccd_status status_;
+    exact_ccd_status_t status_;
+    std::optional<std::size_t> query_;
+    std::uint32_t edge_, face_;
 };
 
 /// Throws the error of a call that failed.
-inline void check(exact_ccd_status status)
+inline void check(exact_ccd_status_t status)
 {
     if (status != EXACT_CCD_STATUS_OK) {
-        throw Error(status, exact_ccd_last_error());
+        throw Error(exact_ccd_last_error_fields());
     }
 }
 
@@ -49,12 +64,14 @@ enum class Kind : std::uint32_t {
     edge_edge = EXACT_CCD_KIND_EDGE_EDGE,
     vertex_edge = EXACT_CCD_KIND_VERTEX_EDGE,
     vertex_vertex = EXACT_CCD_KIND_VERTEX_VERTEX,
+    /// An intersection at rest, which is no query.
+    edge_face = EXACT_CCD_KIND_EDGE_FACE,
 };
 
-/// The number of points of a query.
+/// The number of points of both primitives.
 constexpr std::size_t point_count(Kind kind)
 {
-    return kind == Kind::vertex_vertex ? 2 : kind == Kind::vertex_edge ? 3 : 4;
+    return kind == Kind::edge_face ? 5 : kind == Kind::vertex_vertex ? 2 : kind == Kind::vertex_edge ? 3 : 4;
 }
 
 using Point = std::array<double, 3>;
@@ -75,22 +92,12 @@ namespace detail {
 template <typename Container>
 using Element = std::remove_cv_t<std::remove_pointer_t<decltype(std::declval<const Container&>().data())>>;
 
-// Matrices of Eigen have these members. Rows are elements, and vectors are arrays of numbers.
-template <typename Matrix, typename T, std::size_t N, typename = void>
+template <typename Container, typename = void>
 struct is_matrix : std::false_type {};
 
-template <typename Matrix, typename T, std::size_t N>
-struct is_matrix<Matrix, T, N, std::void_t<decltype(Matrix::ColsAtCompileTime), Element<Matrix>>>
-    : std::bool_constant<std::is_same_v<Element<Matrix>, T>
-                         && (N == 1 ? static_cast<bool>(Matrix::IsVectorAtCompileTime)
-                                    : Matrix::ColsAtCompileTime == static_cast<int>(N)
-                                          && static_cast<bool>(Matrix::IsRowMajor))> {};
-
-template <typename Container, typename = void>
-struct has_columns : std::false_type {};
-
+// Matrices of Eigen have this member. Rows are elements, and vectors are arrays of numbers.
 template <typename Container>
-struct has_columns<Container, std::void_t<decltype(Container::ColsAtCompileTime)>> : std::true_type {};
+struct is_matrix<Container, std::void_t<decltype(Container::ColsAtCompileTime)>> : std::true_type {};
 
 }  // namespace detail
 
@@ -104,7 +111,7 @@ public:
     /// A contiguous container of elements of `N` numbers `T`.
     template <typename Container,
               typename Element = detail::Element<Container>,
-              std::enable_if_t<is_element<Element, T, N>::value && !detail::has_columns<Container>::value, int> = 0>
+              std::enable_if_t<is_element<Element, T, N>::value && !detail::is_matrix<Container>::value, int> = 0>
     View(const Container& container)
         : data_(reinterpret_cast<const T*>(container.data())), size_(container.size())
     {
@@ -113,10 +120,20 @@ public:
     }
 
     /// A row-major matrix of `N` columns, or a vector of numbers, without gaps.
-    template <typename Matrix, std::enable_if_t<detail::is_matrix<Matrix, T, N>::value, long> = 0>
+    template <typename Matrix, std::enable_if_t<detail::is_matrix<Matrix>::value, long> = 0>
     View(const Matrix& matrix)
         : data_(matrix.data()), size_(static_cast<std::size_t>(matrix.size()) / N)
     {
+        static_assert(std::is_same_v<detail::Element<Matrix>, T>,
+                      "exact_ccd: positions are matrices of double, indices matrices of std::uint32_t: "
+                      "call cast<double>() or cast<std::uint32_t>(), and eval()");
+        static_assert(N == 1 ? static_cast<bool>(Matrix::IsVectorAtCompileTime)
+                             : Matrix::ColsAtCompileTime == static_cast<int>(N),
+                      "exact_ccd: positions and faces have 3 columns and edges 2, known at compile time; "
+                      "other arguments are vectors");
+        static_assert(N == 1 || static_cast<bool>(Matrix::IsRowMajor),
+                      "exact_ccd: the matrix is not row-major: declare it, for positions, as "
+                      "Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>");
         const bool is_contiguous = matrix.innerStride() == 1
                                    && (N == 1 || matrix.rows() < 2 || matrix.outerStride() == matrix.cols());
         if (!is_contiguous) {
@@ -186,6 +203,17 @@ inline std::optional<double> time_of_impact(Kind kind, Points t0, Points t1, dou
     return std::isnan(time) ? std::nullopt : std::optional(time);
 }
 
+/// `time_of_impact` until a time: none if the exact time is after it.
+inline std::optional<double> time_of_impact_until(
+    Kind kind, Points t0, Points t1, double min_distance, double until)
+{
+    detail::check_points(kind, t0, t1);
+    double time = 0;
+    check(exact_ccd_time_of_impact_until(
+        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, until, &time));
+    return std::isnan(time) ? std::nullopt : std::optional(time);
+}
+
 /// The first time within a distance, with the closest points and the normal then.
 inline std::optional<Impact> impact(Kind kind, Points t0, Points t1, double min_distance = 0)
 {
@@ -225,30 +253,37 @@ inline std::pair<double, double> distance_at(Kind kind, Points t0, Points t1, do
 }
 
 /// The first time of each of many queries about the same vertices, NaN for none. `indices` has the
-/// vertices of each query, as many as the kind has points.
+/// vertices of each query, as many as the kind has points; `threads` is the number of threads, 0 for that of
+/// `set_threads`.
 inline std::vector<double> times_of_impact(Kind kind,
                                            Points x0,
                                            Points x1,
                                            View<std::uint32_t, 1> indices,
-                                           double min_distance = 0)
+                                           double min_distance = 0,
+                                           std::uint32_t threads = 0)
 {
     detail::check_counts(x0, x1);
     std::vector<double> times(detail::query_count(kind, indices));
-    check(exact_ccd_batch_times(static_cast<std::uint32_t>(kind),
-                                x0.data(),
-                                x1.data(),
-                                x0.size(),
-                                indices.data(),
-                                times.size(),
-                                min_distance,
-                                times.data()));
+    check(exact_ccd_batch_times_on(threads,
+                                   static_cast<std::uint32_t>(kind),
+                                   x0.data(),
+                                   x1.data(),
+                                   x0.size(),
+                                   indices.data(),
+                                   times.size(),
+                                   min_distance,
+                                   times.data()));
     return times;
 }
 
 /// `times_of_impact` for vertices of different thickness: the distance of a query is the sum of the largest
 /// thickness of the vertices of each primitive, rounded up.
-inline std::vector<double> times_of_impact_thick(
-    Kind kind, Points x0, Points x1, View<std::uint32_t, 1> indices, View<double, 1> thickness)
+inline std::vector<double> times_of_impact_thick(Kind kind,
+                                                 Points x0,
+                                                 Points x1,
+                                                 View<std::uint32_t, 1> indices,
+                                                 View<double, 1> thickness,
+                                                 std::uint32_t threads = 0)
 {
     detail::check_counts(x0, x1);
     if (thickness.size() != x0.size()) {
@@ -257,18 +292,20 @@ inline std::vector<double> times_of_impact_thick(
                                     + std::to_string(x0.size()) + " vertices");
     }
     std::vector<double> times(detail::query_count(kind, indices));
-    check(exact_ccd_batch_times_thick(static_cast<std::uint32_t>(kind),
-                                      x0.data(),
-                                      x1.data(),
-                                      x0.size(),
-                                      indices.data(),
-                                      times.size(),
-                                      thickness.data(),
-                                      times.data()));
+    check(exact_ccd_batch_times_thick_on(threads,
+                                         static_cast<std::uint32_t>(kind),
+                                         x0.data(),
+                                         x1.data(),
+                                         x0.size(),
+                                         indices.data(),
+                                         times.size(),
+                                         thickness.data(),
+                                         times.data()));
     return times;
 }
 
-/// Sets the number of threads of the library, 0 for the number of cores; before the first batch or detector.
+/// Sets the number of threads of the batches, detectors and audits that have none of their own, 0 for the
+/// number of cores.
 inline void set_threads(std::uint32_t count) { check(exact_ccd_set_threads(count)); }
 
 /// Throws if the loaded library has another binary interface than this header.
@@ -286,7 +323,7 @@ class Mesh {
 public:
     Mesh(std::size_t vertex_count, Faces faces, Edges edges = {})
     {
-        exact_ccd_mesh* mesh = nullptr;
+        exact_ccd_mesh_t* mesh = nullptr;
         check(exact_ccd_mesh_new(
             vertex_count, faces.data(), faces.size(), edges.data(), edges.size(), &mesh));
         handle_.reset(mesh);
@@ -303,13 +340,13 @@ public:
         return edges;
     }
 
-    const exact_ccd_mesh* handle() const noexcept { return handle_.get(); }
+    const exact_ccd_mesh_t* handle() const noexcept { return handle_.get(); }
 
 private:
     struct Free {
-        void operator()(exact_ccd_mesh* mesh) const noexcept { exact_ccd_mesh_free(mesh); }
+        void operator()(exact_ccd_mesh_t* mesh) const noexcept { exact_ccd_mesh_free(mesh); }
     };
-    std::unique_ptr<exact_ccd_mesh, Free> handle_;
+    std::unique_ptr<exact_ccd_mesh_t, Free> handle_;
 };
 
 /// Contact in successive steps of one mesh. Not for several threads at the same time.
@@ -328,7 +365,7 @@ public:
 
     explicit Detector(const Mesh& mesh)
     {
-        exact_ccd_detector* detector = nullptr;
+        exact_ccd_detector_t* detector = nullptr;
         check(exact_ccd_detector_new(mesh.handle(), &detector));
         handle_.reset(detector);
     }
@@ -354,7 +391,28 @@ public:
         check(exact_ccd_detector_set_groups(handle(), groups.data(), groups.size()));
     }
 
-    /// The callback and its data are used as long as the detector exists, from several threads.
+    /// The number of threads, 0 for that of `exact_ccd::set_threads`.
+    void set_threads(std::uint32_t count) { check(exact_ccd_detector_set_threads(handle(), count)); }
+
+    /// Only primitives can collide of which `rule` allows two vertices: a function object with a call
+    /// `bool(std::uint32_t, std::uint32_t)`, which the detector owns. It is called from several threads, and
+    /// ends the program if it throws.
+    template <typename Rule,
+              std::enable_if_t<std::is_invocable_r_v<bool, Rule&, std::uint32_t, std::uint32_t>, int> = 0>
+    void set_can_collide(Rule rule)
+    {
+        auto data = std::make_unique<Rule>(std::move(rule));
+        check(exact_ccd_detector_set_can_collide_owned(
+            handle(),
+            [](std::uint32_t a, std::uint32_t b, void* rule) noexcept -> bool {
+                return (*static_cast<Rule*>(rule))(a, b);
+            },
+            data.get(),
+            [](void* rule) noexcept { delete static_cast<Rule*>(rule); }));
+        data.release();
+    }
+
+    /// The callback and its data are used until another rule replaces them, from several threads.
     void set_can_collide(exact_ccd_can_collide_t can_collide, void* data)
     {
         check(exact_ccd_detector_set_can_collide(handle(), can_collide, data));
@@ -379,6 +437,12 @@ public:
     /// True if an edge and a face that can collide and have no common vertex meet at rest.
     bool has_intersections(Points x) const { return intersection(x).has_value(); }
 
+    /// With the check of the start, an answer about a step throws an Error with EXACT_CCD_STATUS_CROSSING if an
+    /// edge passes through a face at `x0`. Without it, which is the default, such a mesh may be free of contact.
+    void set_start_check(bool is_on) { check(exact_ccd_detector_set_start_check(handle(), is_on)); }
+
+    /// True if no two primitives touch. A mesh that is pierced at `x0` may be free: see `set_start_check`, and
+    /// docs/pairs.md for the pairs that are compared.
     bool is_free(Points x0, Points x1)
     {
         detail::check_counts(x0, x1);
@@ -387,6 +451,8 @@ public:
         return answer;
     }
 
+    /// The earliest contact. A mesh that is pierced at `x0` may have none: see `set_start_check`, and
+    /// docs/pairs.md for the pairs that are compared.
     std::optional<Contact> earliest_contact(Points x0, Points x1)
     {
         detail::check_counts(x0, x1);
@@ -397,20 +463,21 @@ public:
         return is_found ? std::optional(contact) : std::nullopt;
     }
 
-    /// The contacts until a time, the earliest first.
+    /// The contacts until a time, the earliest first. A mesh that is pierced at `x0` may have none: see
+    /// `set_start_check`.
     std::vector<Contact> contacts(Points x0, Points x1, double until = 1)
     {
         detail::check_counts(x0, x1);
-        exact_ccd_contacts* contacts = nullptr;
+        exact_ccd_contacts_t* contacts = nullptr;
         check(exact_ccd_detector_contacts(
             handle(), x0.data(), x1.data(), x0.size(), until, &contacts));
         struct Free {
-            void operator()(exact_ccd_contacts* contacts) const noexcept
+            void operator()(exact_ccd_contacts_t* contacts) const noexcept
             {
                 exact_ccd_contacts_free(contacts);
             }
         };
-        const std::unique_ptr<exact_ccd_contacts, Free> owner(contacts);
+        const std::unique_ptr<exact_ccd_contacts_t, Free> owner(contacts);
         const Contact* data = nullptr;
         std::size_t count = 0;
         check(exact_ccd_contacts_data(contacts, &data, &count));
@@ -418,7 +485,8 @@ public:
     }
 
     /// The size of a step without contact, at most `keep` times the time of impact, and the certified
-    /// positions at its end. The size is 0 if no positive one is certified.
+    /// positions at its end. The size is 0 if no positive one is certified. A mesh that is pierced at `x0` may be
+    /// free of contact, with size 1: see `set_start_check`, and docs/pairs.md for the pairs that are compared.
     FreeStep free_step(Points x0, Points x1, double keep = 0.9)
     {
         detail::check_counts(x0, x1);
@@ -433,29 +501,32 @@ public:
         return step;
     }
 
-    exact_ccd_detector* handle() const noexcept { return handle_.get(); }
+    exact_ccd_detector_t* handle() const noexcept { return handle_.get(); }
 
 private:
     struct Free {
-        void operator()(exact_ccd_detector* detector) const noexcept { exact_ccd_detector_free(detector); }
+        void operator()(exact_ccd_detector_t* detector) const noexcept { exact_ccd_detector_free(detector); }
     };
-    std::unique_ptr<exact_ccd_detector, Free> handle_;
+    std::unique_ptr<exact_ccd_detector_t, Free> handle_;
 };
 
 /// Examines the frames of a mesh one after the other.
 class Audit {
 public:
     struct Violation {
-        exact_ccd_audit_result kind;
+        exact_ccd_audit_result_t kind;
         Contact contact;
     };
 
     explicit Audit(const Mesh& mesh, double min_distance = 0)
     {
-        exact_ccd_audit* audit = nullptr;
+        exact_ccd_audit_t* audit = nullptr;
         check(exact_ccd_audit_new(mesh.handle(), min_distance, &audit));
         handle_.reset(audit);
     }
+
+    /// The number of threads, 0 for that of `exact_ccd::set_threads`.
+    void set_threads(std::uint32_t count) { check(exact_ccd_audit_set_threads(handle_.get(), count)); }
 
     /// Examines the next frame and the step that leads to it.
     std::optional<Violation> examine(Points x)
@@ -468,9 +539,9 @@ public:
 
 private:
     struct Free {
-        void operator()(exact_ccd_audit* audit) const noexcept { exact_ccd_audit_free(audit); }
+        void operator()(exact_ccd_audit_t* audit) const noexcept { exact_ccd_audit_free(audit); }
     };
-    std::unique_ptr<exact_ccd_audit, Free> handle_;
+    std::unique_ptr<exact_ccd_audit_t, Free> handle_;
 };
 
 }  // namespace exact_ccd

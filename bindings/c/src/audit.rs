@@ -10,11 +10,13 @@ use crate::contact::Contact;
 use crate::error::Status;
 use crate::mesh::Mesh;
 use crate::pointers::{Out, positions, reference, reference_mut};
+use crate::threads::Threads;
 
 /// Examines the frames of a mesh one after the other, between which vertices move in straight lines.
 pub struct Audit {
     mesh: Arc<TriangleMesh>,
     audit: exact_ccd_mesh::Audit,
+    threads: Threads,
 }
 
 /// The result of a frame of an audit.
@@ -44,7 +46,19 @@ pub unsafe extern "C" fn exact_ccd_audit_new(
         audit.write(Box::into_raw(Box::new(Audit {
             mesh: mesh.clone(),
             audit: exact_ccd_mesh::Audit::with_min_distance(min_distance),
+            threads: Threads::default(),
         })));
+        Ok(())
+    })
+}
+
+/// The number of threads of an audit, as in `exact_ccd_detector_set_threads`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_audit_set_threads(audit: *mut Audit, count: u32) -> Status {
+    call(|| {
+        // SAFETY: the documentation of the function states the promise.
+        let audit = unsafe { reference_mut("audit", audit)? };
+        audit.threads = Threads::new(count)?;
         Ok(())
     })
 }
@@ -52,9 +66,9 @@ pub unsafe extern "C" fn exact_ccd_audit_new(
 /// Examines the next frame, and the step that leads to it. The first frame is examined at rest.
 /// `contact` is written unless the result is `EXACT_CCD_AUDIT_RESULT_FREE`.
 ///
-/// For an intersection, `contact->first` is the edge and `contact->second` the face, and nothing else
-/// of it is meaningful. A contact is in the step from the frame before: its time is 0 there and 1 at
-/// this frame; in the first frame it is 0.
+/// For an intersection, `contact->kind` is `EXACT_CCD_KIND_EDGE_FACE`, `contact->first` the edge and
+/// `contact->second` the face; the vertices are 4294967295, and all other numbers 0. A contact is in the
+/// step from the frame before: its time is 0 there and 1 at this frame; in the first frame it is 0.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_audit_examine(
     audit: *mut Audit,
@@ -70,17 +84,23 @@ pub unsafe extern "C" fn exact_ccd_audit_examine(
             let (result, contact) = (Out::new("result", result)?, Out::new("contact", contact)?);
             (audit, positions("x", x, vertex_count)?, result, contact)
         };
-        let positions = x.to_vec();
-        let violation = if audit.audit.last().is_none() {
-            let mesh = audit.mesh.as_ref().clone();
-            audit.audit.examine(Frame { mesh, positions })?
-        } else {
-            audit.audit.examine_positions(positions)?
-        };
+        let Audit { mesh, audit, threads } = audit;
+        let last = audit.last().map(|last| last.positions.clone());
+        let violation = threads.run(|| {
+            let positions = x.to_vec();
+            Ok(match &last {
+                None => audit.examine(Frame {
+                    mesh: mesh.as_ref().clone(),
+                    positions,
+                })?,
+                Some(_) => audit.examine_positions(positions)?,
+            })
+        })?;
         result.write(match violation {
             None => AuditResult::Free,
             Some(Violation::Contact { contact: found, .. }) => {
-                contact.write(Contact::of(&audit.mesh, &found));
+                let start = last.as_deref().unwrap_or(x);
+                contact.write(Contact::of(mesh, [start, x], &found));
                 AuditResult::Contact
             }
             Some(Violation::Intersection { intersection, .. }) => {

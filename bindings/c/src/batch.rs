@@ -11,6 +11,7 @@ use crate::border::call;
 use crate::error::{Error, Status};
 use crate::kind::with_kind;
 use crate::pointers::{array, places, positions};
+use crate::threads::Threads;
 
 /// The number of queries that a thread answers at a time.
 const GRAIN: usize = 4096;
@@ -20,7 +21,7 @@ const GRAIN: usize = 4096;
 ///
 /// `x0` and `x1` are the positions of `vertex_count` vertices at t = 0 and t = 1. `vertices` has the
 /// indices of the vertices of each query, as many as the kind has points, in its order. `times` has
-/// room for `query_count` numbers. Runs on all threads of the library.
+/// room for `query_count` numbers. Runs on as many threads as `exact_ccd_set_threads` has set.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_batch_times(
     kind: u32,
@@ -32,7 +33,38 @@ pub unsafe extern "C" fn exact_ccd_batch_times(
     min_distance: f64,
     times: *mut f64,
 ) -> Status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        exact_ccd_batch_times_on(
+            0,
+            kind,
+            x0,
+            x1,
+            vertex_count,
+            vertices,
+            query_count,
+            min_distance,
+            times,
+        )
+    }
+}
+
+/// `exact_ccd_batch_times` on a number of threads of this call: from 1 to 1024, or 0 for the number that
+/// `exact_ccd_set_threads` has set.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_batch_times_on(
+    threads: u32,
+    kind: u32,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    vertices: *const u32,
+    query_count: usize,
+    min_distance: f64,
+    times: *mut f64,
+) -> Status {
     call(|| {
+        let threads = Threads::new(threads)?;
         let separations = Separations::Uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
         unsafe {
@@ -40,7 +72,7 @@ pub unsafe extern "C" fn exact_ccd_batch_times(
             let times = places("times", times, query_count)?;
             with_kind!(kind, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
-                first_times::<K>(&trajectories, vertices, separations, times)
+                threads.run(|| first_times::<K>(&trajectories, vertices, separations, times))
             })
         }
     })
@@ -60,7 +92,37 @@ pub unsafe extern "C" fn exact_ccd_batch_times_thick(
     thickness: *const f64,
     times: *mut f64,
 ) -> Status {
+    // SAFETY: the caller's promise.
+    unsafe {
+        exact_ccd_batch_times_thick_on(
+            0,
+            kind,
+            x0,
+            x1,
+            vertex_count,
+            vertices,
+            query_count,
+            thickness,
+            times,
+        )
+    }
+}
+
+/// `exact_ccd_batch_times_thick` on a number of threads of this call, as in `exact_ccd_batch_times_on`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_batch_times_thick_on(
+    threads: u32,
+    kind: u32,
+    x0: *const f64,
+    x1: *const f64,
+    vertex_count: usize,
+    vertices: *const u32,
+    query_count: usize,
+    thickness: *const f64,
+    times: *mut f64,
+) -> Status {
     call(|| {
+        let threads = Threads::new(threads)?;
         // SAFETY: the documentation of the function states the promise.
         unsafe {
             let thickness = Thickness::new(array("thickness", thickness, vertex_count)?)?;
@@ -68,7 +130,8 @@ pub unsafe extern "C" fn exact_ccd_batch_times_thick(
             let times = places("times", times, query_count)?;
             with_kind!(kind, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
-                first_times::<K>(&trajectories, vertices, Separations::Thickness(&thickness), times)
+                let separations = Separations::Thickness(&thickness);
+                threads.run(|| first_times::<K>(&trajectories, vertices, separations, times))
             })
         }
     })

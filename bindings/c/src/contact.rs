@@ -1,7 +1,8 @@
 //! Contacts as C structures.
 
+use exact_ccd::Point;
 use exact_ccd::separation::TimeInterval;
-use exact_ccd_mesh::{Pair, TriangleMesh};
+use exact_ccd_mesh::{Pair, TriangleMesh, contact_points};
 
 use crate::kind::Kind;
 
@@ -21,17 +22,36 @@ pub struct Impact {
     pub parameters: [f64; 2],
     /// The unit normal, from the second primitive towards the first; zero if there is none.
     pub normal: [f64; 3],
+    /// x, y and z of the points of the first and of the second primitive that touch or are closest at that
+    /// time. They are rounded: at contact, both are the same up to a few units in the last place of the
+    /// largest coordinate.
+    pub points: [[f64; 3]; 2],
 }
 
-impl From<&exact_ccd::Impact> for Impact {
-    fn from(impact: &exact_ccd::Impact) -> Self {
+impl Impact {
+    /// The impact of two primitives, given by their vertices, whose positions at both ends of the step are
+    /// `positions`.
+    fn new(impact: &exact_ccd::Impact, primitives: [&[u32]; 2], positions: [&[Point]; 2]) -> Self {
         Self {
             time: impact.time.lower(),
             time_is_exact: impact.time.is_exact(),
             has_normal: impact.normal.is_some(),
             parameters: impact.parameters,
             normal: impact.normal.unwrap_or_default(),
+            // All vertices have positions.
+            points: contact_points(primitives, positions, impact).unwrap_or_default(),
         }
+    }
+
+    /// The impact of a query of kind `K` with these points at both ends of the step.
+    pub(crate) fn of_query<K: exact_ccd::Kind>(
+        impact: &exact_ccd::Impact,
+        t0: &K::Points,
+        t1: &K::Points,
+    ) -> Self {
+        let (t0, t1) = (t0.as_ref(), t1.as_ref());
+        let (first, second) = [0, 1, 2, 3][..t0.len()].split_at(K::FIRST);
+        Self::new(impact, [first, second], [t0, t1])
     }
 }
 
@@ -59,7 +79,7 @@ impl From<&TimeInterval> for Interval {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Contact {
-    /// The kind of the pair, of `exact_ccd_kind`.
+    /// The kind of the pair, of `exact_ccd_kind_t`; `EXACT_CCD_KIND_EDGE_FACE` for an intersection at rest.
     pub kind: u32,
     /// The index of the first primitive: the vertex, or the edge of the smaller index.
     pub first: u32,
@@ -74,11 +94,17 @@ pub struct Contact {
 }
 
 impl Contact {
-    pub(crate) fn of(mesh: &TriangleMesh, contact: &exact_ccd_mesh::Contact) -> Self {
+    /// A contact in the step between two arrays of positions.
+    pub(crate) fn of(
+        mesh: &TriangleMesh,
+        positions: [&[Point]; 2],
+        contact: &exact_ccd_mesh::Contact,
+    ) -> Self {
         let (kind, first, second) = ids(contact.pair);
         let mut vertices = [u32::MAX; 4];
         // A contact is between primitives that the mesh has.
         let of_pair = contact.pair.vertices(mesh).unwrap_or_default();
+        let (a, b) = of_pair.split_at(contact.pair.first_len().min(of_pair.len()));
         for (place, &vertex) in vertices.iter_mut().zip(&of_pair) {
             *place = vertex;
         }
@@ -88,16 +114,14 @@ impl Contact {
             second,
             vertices,
             distance: [contact.distance.lower, contact.distance.upper],
-            impact: (&contact.impact).into(),
+            impact: Impact::new(&contact.impact, [a, b], positions),
         }
     }
-}
 
-impl Contact {
     /// An edge that meets a face at rest: only the indices have a meaning.
     pub(crate) fn of_intersection(edge: u32, face: u32) -> Self {
         Self {
-            kind: u32::MAX,
+            kind: Kind::EdgeFace as u32,
             first: edge,
             second: face,
             vertices: [u32::MAX; 4],

@@ -1,13 +1,28 @@
 //! Detectors: contact in the steps of one mesh.
 
 use crate::border::call;
-use crate::error::Status;
+use crate::error::{Error, Status};
 use crate::mesh::Mesh;
 use crate::pointers::{Out, reference};
+use crate::threads::Threads;
 
 /// Finds contact in successive steps of one mesh. It keeps memory from step to step, and no answer
 /// depends on earlier steps.
-pub struct Detector(pub(crate) exact_ccd_mesh::Detector);
+pub struct Detector {
+    pub(crate) inner: exact_ccd_mesh::Detector,
+    pub(crate) threads: Threads,
+}
+
+impl Detector {
+    /// The result of a computation with the detector, on its threads.
+    pub(crate) fn run<T: Send>(
+        &mut self,
+        compute: impl FnOnce(&mut exact_ccd_mesh::Detector) -> Result<T, Error> + Send,
+    ) -> Result<T, Error> {
+        let Self { inner, threads } = self;
+        threads.run(|| compute(inner))
+    }
+}
 
 /// The detector for steps of a mesh, to be freed with `exact_ccd_detector_free`.
 #[unsafe(no_mangle)]
@@ -15,8 +30,9 @@ pub unsafe extern "C" fn exact_ccd_detector_new(mesh: *const Mesh, detector: *mu
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         let (Mesh(mesh), detector) = unsafe { (reference("mesh", mesh)?, Out::new("detector", detector)?) };
-        let new = exact_ccd_mesh::Detector::new(mesh.clone());
-        detector.write(Box::into_raw(Box::new(Detector(new))));
+        let inner = exact_ccd_mesh::Detector::new(mesh.clone());
+        let threads = Threads::default();
+        detector.write(Box::into_raw(Box::new(Detector { inner, threads })));
         Ok(())
     })
 }

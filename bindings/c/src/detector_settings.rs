@@ -1,6 +1,5 @@
-//! The settings of a detector: its distance, and the pairs that can collide.
-
-use core::ffi::c_void;
+//! The settings of a detector: its distance, the groups that can collide, its threads, the
+//! check of the start.
 
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::MinDistance;
@@ -9,17 +8,7 @@ use crate::border::call;
 use crate::detector::Detector;
 use crate::error::{Error, Status};
 use crate::pointers::{array, reference_mut};
-
-/// Decides if two vertices can collide; called from several threads at the same time. Two primitives
-/// can collide if any vertex of one can collide with any vertex of the other, the rule of the IPC
-/// Toolkit. Must return: no exception may leave it.
-pub type CanCollide = Option<unsafe extern "C" fn(u32, u32, *mut c_void) -> bool>;
-
-/// Decides if two primitives, given by their vertices, can collide; called from several threads at the
-/// same time. The numbers of vertices are 1 and 3, 2 and 2, 1 and 2, or 1 and 1, as in the kinds of
-/// query; at rest 2 and 3, an edge and a face. Must return: no exception may leave it.
-pub type PairCanCollide =
-    Option<unsafe extern "C" fn(*const u32, usize, *const u32, usize, *mut c_void) -> bool>;
+use crate::threads::Threads;
 
 /// Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 /// default.
@@ -31,8 +20,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_min_distance(
     call(|| {
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
-        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
-        Ok(detector.set_min_distance(min_distance)?)
+        let detector = unsafe { reference_mut("detector", detector)? };
+        Ok(detector.inner.set_min_distance(min_distance)?)
     })
 }
 
@@ -46,12 +35,12 @@ pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), thickness) = unsafe {
+        let (detector, thickness) = unsafe {
             let detector = reference_mut("detector", detector)?;
             (detector, array("thickness", thickness, vertex_count)?)
         };
         let min_distance = MinDistance::thickness(Thickness::new(thickness)?);
-        Ok(detector.set_min_distance(min_distance)?)
+        Ok(detector.inner.set_min_distance(min_distance)?)
     })
 }
 
@@ -68,8 +57,8 @@ pub unsafe extern "C" fn exact_ccd_detector_set_inner_distance(
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         let min_distance = min_distance.with_inner(Separation::new(inner_distance)?);
         // SAFETY: the documentation of the function states the promise.
-        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
-        Ok(detector.set_min_distance(min_distance)?)
+        let detector = unsafe { reference_mut("detector", detector)? };
+        Ok(detector.inner.set_min_distance(min_distance)?)
     })
 }
 
@@ -83,77 +72,49 @@ pub unsafe extern "C" fn exact_ccd_detector_set_groups(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), groups) = unsafe {
+        let (detector, groups) = unsafe {
             let detector = reference_mut("detector", detector)?;
             (detector, array("groups", groups, vertex_count)?)
         };
-        if groups.len() != detector.mesh().vertex_count() {
+        if groups.len() != detector.inner.mesh().vertex_count() {
             return Err(Error::argument(format_args!(
                 "{} groups, expected one for each of the {} vertices",
                 groups.len(),
-                detector.mesh().vertex_count()
+                detector.inner.mesh().vertex_count()
             )));
         }
-        detector.set_can_collide(exact_ccd_mesh::CanCollide::different_groups(groups.to_vec()));
+        detector
+            .inner
+            .set_can_collide(exact_ccd_mesh::CanCollide::different_groups(groups.to_vec()));
         Ok(())
     })
 }
 
-/// Only primitives that the callback allows can collide; all, if it is null. It replaces an earlier
-/// rule. `data` is passed on to the callback, which is called as long as the detector exists.
+/// The number of threads of a detector: from 1 to 1024, or 0 for the number that `exact_ccd_set_threads`
+/// has set, which is the default. The number does not change any answer.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_detector_set_can_collide(
-    detector: *mut Detector,
-    can_collide: CanCollide,
-    data: *mut c_void,
-) -> Status {
+pub unsafe extern "C" fn exact_ccd_detector_set_threads(detector: *mut Detector, count: u32) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
-        let data = Data(data);
-        detector.set_can_collide(match can_collide {
-            None => exact_ccd_mesh::CanCollide::all(),
-            Some(callback) => exact_ccd_mesh::CanCollide::any_vertices(move |a, b| {
-                // SAFETY: the caller's promise.
-                unsafe { callback(a, b, data.get()) }
-            }),
-        });
+        let detector = unsafe { reference_mut("detector", detector)? };
+        detector.threads = Threads::new(count)?;
         Ok(())
     })
 }
 
-/// `exact_ccd_detector_set_can_collide` for a callback that decides about whole primitives.
+/// Turns the check of the start on or off; it is off in a new detector. With it, an answer about a step
+/// has the status `EXACT_CCD_STATUS_CROSSING` if an edge passes through a face at `x0`, among the pairs
+/// that can collide; `exact_ccd_last_error_fields` has both. Primitives that merely touch are contacts at
+/// t = 0, as always.
+///
+/// The check is a pass over the mesh at rest. No pass is made if `x0` is, bit for bit, the start of the
+/// step before, or, without a callback, the end of the last step that was found free.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_detector_set_pair_can_collide(
-    detector: *mut Detector,
-    can_collide: PairCanCollide,
-    data: *mut c_void,
-) -> Status {
+pub unsafe extern "C" fn exact_ccd_detector_set_start_check(detector: *mut Detector, is_on: bool) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let Detector(detector) = unsafe { reference_mut("detector", detector)? };
-        let data = Data(data);
-        detector.set_can_collide(match can_collide {
-            None => exact_ccd_mesh::CanCollide::all(),
-            Some(callback) => exact_ccd_mesh::CanCollide::new(move |a, b| {
-                // SAFETY: the caller's promise.
-                unsafe { callback(a.as_ptr(), a.len(), b.as_ptr(), b.len(), data.get()) }
-            }),
-        });
+        let detector = unsafe { reference_mut("detector", detector)? };
+        detector.inner.set_start_check(is_on);
         Ok(())
     })
 }
-
-/// The data of the caller, who has promised that the callback can be called on any thread.
-struct Data(*mut c_void);
-
-impl Data {
-    fn get(&self) -> *mut c_void {
-        self.0
-    }
-}
-
-// SAFETY: the pointer is only passed on, to a callback that can be called on any thread.
-unsafe impl Send for Data {}
-// SAFETY: as above.
-unsafe impl Sync for Data {}

@@ -12,6 +12,9 @@ use crate::pointers::{Out, fill, places, positions, reference_mut};
 
 /// Decides if a step is free of contact. `x0` and `x1` are the positions of the `vertex_count`
 /// vertices at t = 0 and t = 1. Ends soon after the first contact found.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+/// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_is_free(
     detector: *mut Detector,
@@ -22,7 +25,7 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x0, x1, is_free) = unsafe {
+        let (detector, x0, x1, is_free) = unsafe {
             let detector = reference_mut("detector", detector)?;
             let is_free = Out::new("is_free", is_free)?;
             (
@@ -32,13 +35,16 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
                 is_free,
             )
         };
-        is_free.write(detector.is_free(x0, x1)?);
+        is_free.write(detector.run(|detector| Ok(detector.is_free(x0, x1)?))?);
         Ok(())
     })
 }
 
 /// The earliest contact of a step; `contact` is written only if there is one. Positions as in
 /// `exact_ccd_detector_is_free`.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+/// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
     detector: *mut Detector,
@@ -50,7 +56,7 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x0, x1, is_found, contact) = unsafe {
+        let (detector, x0, x1, is_found, contact) = unsafe {
             let detector = reference_mut("detector", detector)?;
             let (x0, x1) = (
                 positions("x0", x0, vertex_count)?,
@@ -59,10 +65,10 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
             let is_found = Out::new("is_found", is_found)?;
             (detector, x0, x1, is_found, Out::new("contact", contact)?)
         };
-        let earliest = detector.earliest_contact(x0, x1)?;
+        let earliest = detector.run(|detector| Ok(detector.earliest_contact(x0, x1)?))?;
         is_found.write(earliest.is_some());
         if let Some(earliest) = &earliest {
-            contact.write(Contact::of(detector.mesh(), earliest));
+            contact.write(Contact::of(detector.inner.mesh(), [x0, x1], earliest));
         }
         Ok(())
     })
@@ -70,6 +76,9 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
 
 /// The contacts of a step whose first time is not after `until`, from 0 to 1, the earliest first; all
 /// for 1. The list is freed with `exact_ccd_contacts_free`. Positions as in `exact_ccd_detector_is_free`.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
+/// `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_contacts(
     detector: *mut Detector,
@@ -81,7 +90,7 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x0, x1, contacts) = unsafe {
+        let (detector, x0, x1, contacts) = unsafe {
             let detector = reference_mut("detector", detector)?;
             let contacts = Out::new("contacts", contacts)?;
             (
@@ -91,9 +100,9 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
                 contacts,
             )
         };
-        let found = detector.contacts(x0, x1, until)?;
-        let mesh = detector.mesh();
-        let list = found.iter().map(|contact| Contact::of(mesh, contact)).collect();
+        let found = detector.run(|detector| Ok(detector.contacts(x0, x1, until)?))?;
+        let of = |contact| Contact::of(detector.inner.mesh(), [x0, x1], contact);
+        let list = found.iter().map(of).collect();
         contacts.write(Box::into_raw(Box::new(Contacts(list))));
         Ok(())
     })
@@ -106,6 +115,10 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
 /// if the full step is free. It is 0 if no positive size is certified: the mesh is in contact at the
 /// start, or within the smallest `double` of it. `positions` has room for `vertex_count` points, and
 /// may be `x0` or `x1`.
+///
+/// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact, and the
+/// size is 1: without `exact_ccd_detector_set_start_check`, this is not found. docs/pairs.md has the pairs
+/// that are compared.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_free_step(
     detector: *mut Detector,
@@ -120,12 +133,13 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
         // SAFETY: the documentation of the function states the promise. The result is written after
         // the last use of the positions, which may be the same memory.
         unsafe {
-            let Detector(detector) = reference_mut("detector", detector)?;
+            let detector = reference_mut("detector", detector)?;
             let size = Out::new("size", size)?;
             let step = {
                 let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
                 let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
-                detector.free_step(x0, x1, &FreeStepOptions::default().with_keep(keep))?
+                let options = FreeStepOptions::default().with_keep(keep);
+                detector.run(|detector| Ok(detector.free_step(x0, x1, &options)?))?
             };
             let places = places("positions", positions.cast::<Point>(), vertex_count)?;
             fill(places, step.positions);

@@ -24,6 +24,9 @@ pub enum Status {
     InvalidMesh = 3,
     /// A defect of the library. The handle of the call may only be freed.
     Internal = 4,
+    /// An edge passes through a face at the start of the step, and the detector has the check of the
+    /// start: see `exact_ccd_detector_set_start_check`.
+    Crossing = 5,
 }
 
 /// The reason why a call has no result.
@@ -32,12 +35,39 @@ pub enum Status {
 pub(crate) struct Error {
     pub(crate) status: Status,
     message: String,
+    /// The query of a batch that is wrong.
+    query: Option<usize>,
+    /// The edge and the face that cross at the start.
+    crossing: Option<[u32; 2]>,
+}
+
+/// A call that failed.
+#[repr(C)]
+#[derive(Clone, Copy, Debug)]
+pub struct LastError {
+    /// The status that the call returned; `EXACT_CCD_STATUS_OK` if no call on this thread has failed.
+    pub status: Status,
+    /// The message, as from `exact_ccd_last_error`.
+    pub message: *const c_char,
+    /// True if `query` has a meaning.
+    pub has_query: bool,
+    /// The index, from 0, of the first query of a batch that is wrong; 0 if there is none.
+    pub query: usize,
+    /// The edge that passes through a face, for `EXACT_CCD_STATUS_CROSSING`; else 4294967295.
+    pub edge: u32,
+    /// That face; else 4294967295.
+    pub face: u32,
 }
 
 impl Error {
     pub(crate) fn new(status: Status, message: impl ToString) -> Self {
         let message = message.to_string();
-        Self { status, message }
+        Self {
+            status,
+            message,
+            query: None,
+            crossing: None,
+        }
     }
 
     pub(crate) fn argument(message: impl ToString) -> Self {
@@ -46,11 +76,12 @@ impl Error {
 
     /// The error of a part of a batch that begins with query `first`.
     pub(crate) fn of_batch(error: VertexOutOfRange, first: usize) -> Self {
-        VertexOutOfRange {
-            query: first + error.query,
-            ..error
+        let query = first + error.query;
+        let error = VertexOutOfRange { query, ..error };
+        Self {
+            query: Some(query),
+            ..Self::new(Status::InvalidMesh, error)
         }
-        .into()
     }
 
     /// Keeps the message for `exact_ccd_last_error`, and returns the status.
@@ -58,7 +89,15 @@ impl Error {
     pub(crate) fn record(self) -> Status {
         // A message has no zero bytes: numbers and names of this library.
         let message = CString::new(self.message).unwrap_or_default();
-        LAST.with_borrow_mut(|last| *last = message);
+        let fields = LastError {
+            status: self.status,
+            message: message.as_ptr(),
+            has_query: self.query.is_some(),
+            query: self.query.unwrap_or(0),
+            edge: self.crossing.map_or(u32::MAX, |[edge, _]| edge),
+            face: self.crossing.map_or(u32::MAX, |[_, face]| face),
+        };
+        LAST.set(Some((message, fields)));
         self.status
     }
 }
@@ -80,7 +119,6 @@ status_of! {
     TimeOutOfStep => InvalidArgument,
     exact_ccd::NonFinite => InvalidPositions,
     TrajectoriesError => InvalidPositions,
-    VertexOutOfRange => InvalidMesh,
     MeshError => InvalidMesh,
     TooManyPrimitives => InvalidMesh,
 }
@@ -90,6 +128,10 @@ impl From<StepError> for Error {
         match error {
             StepError::TooManyPrimitives(error) => error.into(),
             StepError::Time(error) => error.into(),
+            StepError::Crossing { edge, face, .. } => Self {
+                crossing: Some([edge, face]),
+                ..Self::new(Status::Crossing, error)
+            },
             _ => Self::new(Status::InvalidPositions, error),
         }
     }
@@ -125,7 +167,8 @@ impl From<LineSearchError> for Error {
 }
 
 thread_local! {
-    static LAST: RefCell<CString> = RefCell::default();
+    /// The last call that failed, and the message that its fields point to.
+    static LAST: RefCell<Option<(CString, LastError)>> = const { RefCell::new(None) };
 }
 
 /// The message of the last call on this thread that failed; empty if none has. It names the argument,
@@ -133,5 +176,22 @@ thread_local! {
 /// thread.
 #[unsafe(no_mangle)]
 pub extern "C" fn exact_ccd_last_error() -> *const c_char {
-    LAST.with_borrow(|last| last.as_ptr())
+    exact_ccd_last_error_fields().message
+}
+
+/// The last call on this thread that failed, with the query, the edge and the face that are wrong as
+/// numbers. The message is valid as long as that of `exact_ccd_last_error`.
+#[unsafe(no_mangle)]
+pub extern "C" fn exact_ccd_last_error_fields() -> LastError {
+    LAST.with_borrow(|last| match last {
+        Some((_, fields)) => *fields,
+        None => LastError {
+            status: Status::Ok,
+            message: c"".as_ptr(),
+            has_query: false,
+            query: 0,
+            edge: u32::MAX,
+            face: u32::MAX,
+        },
+    })
 }

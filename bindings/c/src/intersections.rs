@@ -19,7 +19,7 @@ pub unsafe extern "C" fn exact_ccd_detector_has_intersections(
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (Detector(detector), x, has_intersections, edge, face) = unsafe {
+        let (detector, x, has_intersections, edge, face) = unsafe {
             (
                 reference("detector", detector)?,
                 positions("x", x, vertex_count)?,
@@ -28,7 +28,7 @@ pub unsafe extern "C" fn exact_ccd_detector_has_intersections(
                 Out::optional("face", face)?,
             )
         };
-        let found = detector.intersections(x)?;
+        let found = detector.threads.run(|| Ok(detector.inner.intersections(x)?))?;
         has_intersections.write(!found.is_empty());
         if let Some(first) = found.first() {
             if let Some(edge) = edge {

@@ -14,6 +14,8 @@ pub enum Kind {
     VertexEdge = 2,
     /// Two vertices: 2 points.
     VertexVertex = 3,
+    /// An edge and a face that meet at rest: the kind of an intersection, which is no query.
+    EdgeFace = 4,
 }
 
 /// Evaluates an expression with a type `$K`, the kind that the number stands for.
@@ -36,7 +38,7 @@ pub(crate) use with_kind;
 #[cold]
 pub(crate) fn unknown(number: u32) -> Error {
     Error::argument(format_args!(
-        "kind is {number}, expected a value of exact_ccd_kind, 0 to {}",
+        "kind is {number}, expected that of a query, 0 to {}: see exact_ccd_kind_t",
         Kind::VertexVertex as u32
     ))
 }

@@ -20,6 +20,7 @@
 mod audit;
 mod batch;
 mod border;
+mod callbacks;
 mod contact;
 mod contacts;
 mod detector;
@@ -37,6 +38,7 @@ mod version;
 
 pub use audit::*;
 pub use batch::*;
+pub use callbacks::*;
 pub use contact::*;
 pub use contacts::*;
 pub use detector::*;

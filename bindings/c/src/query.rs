@@ -1,7 +1,7 @@
 //! Single queries.
 
-use exact_ccd::Query;
 use exact_ccd::separation::Separation;
+use exact_ccd::{ContactTime, Query};
 
 use crate::border::call;
 use crate::contact::{Impact, Interval};
@@ -89,6 +89,36 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact(
     })
 }
 
+/// `exact_ccd_time_of_impact` until a time: NaN also if the primitives come within the distance only
+/// after `until`. The exact time is compared, not the rounded one. `until` may be any number but NaN.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn exact_ccd_time_of_impact_until(
+    kind: u32,
+    points_t0: *const f64,
+    points_t1: *const f64,
+    min_distance: f64,
+    until: f64,
+    time: *mut f64,
+) -> Status {
+    call(|| {
+        let d = Separation::new(min_distance)?;
+        if until.is_nan() {
+            return Err(Error::argument("until is NaN, expected a time"));
+        }
+        // SAFETY: the documentation of the function states the promise.
+        let (time, answer) = unsafe {
+            let time = Out::new("time", time)?;
+            let answer = with_kind!(kind, K => {
+                Ok(query::<K>(points_t0, points_t1)?.first_within(d))
+            })?;
+            (time, answer)
+        };
+        let answer = answer.filter(|first| first.is_at_most(until));
+        time.write(answer.map_or(f64::NAN, ContactTime::lower));
+        Ok(())
+    })
+}
+
 /// The first time at which two primitives come within a distance of each other, with the closest
 /// points and the normal then. `impact` is written only if `collides` is.
 ///
@@ -109,13 +139,15 @@ pub unsafe extern "C" fn exact_ccd_impact(
             let collides = Out::new("collides", collides)?;
             let impact = Out::new("impact", impact)?;
             let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.impact_within(d))
+                let found = query::<K>(points_t0, points_t1)?.impact_within(d);
+                let (t0, t1) = (points::<K>("points_t0", points_t0)?, points::<K>("points_t1", points_t1)?);
+                Ok(found.map(|found| Impact::of_query::<K>(&found, t0, t1)))
             })?;
             (collides, impact, answer)
         };
         collides.write(answer.is_some());
-        if let Some(answer) = &answer {
-            impact.write(answer.into());
+        if let Some(answer) = answer {
+            impact.write(answer);
         }
         Ok(())
     })

@@ -1,5 +1,9 @@
 // The C++ interface: views, exceptions, optional results.
 
+#include <mutex>
+#include <set>
+#include <thread>
+
 #include <exact_ccd.hpp>
 
 #include "check.h"
@@ -87,6 +91,13 @@ void errors()
     const std::vector<double> few{0, 0, 0};
     throws<std::invalid_argument>(
         [&] { exact_ccd::times_of_impact_thick(Kind::vertex_face, start, start, four, few); });
+    const std::vector<std::uint32_t> second_is_wrong{0, 1, 2, 3, 0, 1, 2, 4};
+    try {
+        exact_ccd::times_of_impact(Kind::vertex_face, start, start, second_is_wrong);
+        CHECK(!"vertex 4 does not exist");
+    } catch (const exact_ccd::Error& error) {
+        CHECK(error.query() == 1 && error.status() == EXACT_CCD_STATUS_INVALID_MESH);
+    }
     const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 4}};
     throws<exact_ccd::Error>([&] { exact_ccd::Mesh(4, faces); });
 }
@@ -107,6 +118,15 @@ void meshes()
     CHECK(!detector.intersection(x0));
     const auto intersection = detector.intersection(x1);
     CHECK(intersection && intersection->face == 0 && intersection->edge < 6);
+    CHECK(detector.is_free(x1, x1));
+    detector.set_start_check(true);
+    try {
+        detector.is_free(x1, x1);
+        CHECK(!"the mesh is pierced at the start");
+    } catch (const exact_ccd::Error& error) {
+        CHECK(error.status() == EXACT_CCD_STATUS_CROSSING && !error.query());
+        CHECK(error.edge() == intersection->edge && error.face() == intersection->face);
+    }
     CHECK(!detector.is_free(x0, x1));
     CHECK(detector.earliest_contact(x0, x1)->impact.time == 0.5);
     CHECK(detector.contacts(x0, x1).size() == 1);
@@ -121,12 +141,72 @@ void meshes()
     CHECK(audit.examine(x1)->contact.impact.time == 0.5);
 }
 
+// The threads on which a detector of some triangles calls its rule.
+std::set<std::thread::id> threads_of(exact_ccd::Detector& detector)
+{
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    detector.set_can_collide([&](std::uint32_t, std::uint32_t) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        threads.insert(std::this_thread::get_id());
+        return true;
+    });
+    std::vector<Point> x;
+    for (int i = 0; i < 6 * 40; ++i) {
+        x.push_back({double(i % 2), double(i % 3), 0.25 * double(i % 5)});
+    }
+    CHECK(detector.contacts(x, x).size() > 100);
+    detector.set_can_collide(nullptr, nullptr);
+    return threads;
+}
+
+// A detector runs on its own number of threads, or on that of the process, which may be replaced.
+void threads()
+{
+    std::vector<std::array<std::uint32_t, 3>> faces;
+    for (std::uint32_t i = 0; i < 2 * 40; ++i) {
+        faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    const exact_ccd::Mesh mesh(6 * 40, faces);
+    exact_ccd::Detector own(mesh), of_process(mesh);
+    own.set_threads(1);
+    exact_ccd::set_threads(4);
+    const auto one = threads_of(own);
+    CHECK(one.size() == 1 && one.count(std::this_thread::get_id()) == 0);
+    CHECK(threads_of(own) == one);
+    CHECK(threads_of(of_process).count(*one.begin()) == 0);
+    exact_ccd::set_threads(1);
+    CHECK(threads_of(of_process) == one);
+    own.set_threads(0);
+    CHECK(threads_of(own) == one);
+    throws<exact_ccd::Error>([&] { own.set_threads(1025); });
+    exact_ccd::set_threads(2);
+}
+
+// The detector owns its rule.
+void rules()
+{
+    const std::vector<std::array<std::uint32_t, 3>> faces{{0, 1, 2}, {3, 4, 5}};
+    const exact_ccd::Mesh mesh(6, faces);
+    const auto data = std::make_shared<int>(0);
+    {
+        exact_ccd::Detector detector(mesh);
+        detector.set_can_collide([data](std::uint32_t, std::uint32_t) { return false; });
+        CHECK(data.use_count() == 2);
+        detector.set_can_collide([data](std::uint32_t, std::uint32_t) { return true; });
+        CHECK(data.use_count() == 2);
+    }
+    CHECK(data.use_count() == 1);
+}
+
 }  // namespace
 
 int main()
 {
     exact_ccd::check_version();
     exact_ccd::set_threads(2);
+    threads();
+    rules();
     queries();
     errors();
     meshes();

@@ -1,12 +1,15 @@
-# Installs the library and compiles the program of docs/c.md against it: by pkg-config, shared and static,
-# and as a CMake package.
+# Installs the library, moves the installed tree, and compiles the program of docs/c.md against it: by
+# pkg-config, shared and static, and as a CMake package. The prefix is not the configured one, and no option
+# names it.
 
-set(prefix "${BUILD}/installed")
+set(first "${BUILD}/installed first")
+set(prefix "${BUILD}/installed and moved")
 set(work "${BUILD}/installed-test")
-file(REMOVE_RECURSE "${prefix}" "${work}")
+file(REMOVE_RECURSE "${first}" "${prefix}" "${work}")
 file(MAKE_DIRECTORY "${work}")
-execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${prefix}"
+execute_process(COMMAND "${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${first}"
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME "${first}" "${prefix}")
 
 # The first block of C is the program.
 file(READ "${SOURCE}/../../docs/c.md" page)
@@ -33,7 +36,7 @@ if(PKG_CONFIG)
         if(kind STREQUAL static)
             list(APPEND flags --static)
         endif()
-        execute_process(COMMAND "${PKG_CONFIG}" ${flags} "--define-variable=prefix=${prefix}" exact_ccd
+        execute_process(COMMAND "${PKG_CONFIG}" ${flags} exact_ccd
                         OUTPUT_VARIABLE options OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
         if(kind STREQUAL static)
             string(REPLACE "-lexact_ccd" "-l:libexact_ccd.a" options "${options}")

@@ -10,7 +10,7 @@
 
 #define OK(call) CHECK((call) == EXACT_CCD_STATUS_OK)
 
-static void fails(exact_ccd_status status, exact_ccd_status expected, const char* word)
+static void fails(exact_ccd_status_t status, exact_ccd_status_t expected, const char* word)
 {
     CHECK(status == expected);
     if (strstr(exact_ccd_last_error(), word) == NULL) {
@@ -42,10 +42,36 @@ static void queries(void)
     OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_START, 0.5, &time));
     CHECK(isnan(time));
 
+    // A time that is exactly 0.5, and one at 1/3 between two numbers.
+    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 0.5, &time));
+    CHECK(time == 0.5);
+    double third[12];
+    memcpy(third, FACE_END, sizeof third);
+    third[2] = -2;
+    const double below = 1.0 / 3;
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, &time));
+    CHECK(time == below);
+    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, below, &time));
+    CHECK(isnan(time));
+    OK(exact_ccd_time_of_impact_until(
+        EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, 0x1.5555555555556p-2, &time));
+    CHECK(time == below);
+    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, INFINITY, &time));
+    CHECK(time == below);
+    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 1, -1, &time));
+    CHECK(isnan(time));
+
     exact_ccd_impact_t impact;
     OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, &collides, &impact));
     CHECK(collides && impact.time == 0.5 && impact.time_is_exact && impact.has_normal);
     CHECK(fabs(impact.normal[2] - 1) < 1e-9 && fabs(impact.parameters[0] - 0.25) < 1e-9);
+    const double meeting[3] = {0.25, 0.25, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        CHECK(fabs(impact.points[0][axis] - meeting[axis]) < 1e-9);
+        CHECK(fabs(impact.points[1][axis] - meeting[axis]) < 1e-9);
+    }
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, &collides, &impact));
+    CHECK(impact.points[0][2] == 0.5 && impact.points[1][2] == 0);
 
     exact_ccd_interval_t intervals[32];
     size_t count = 99;
@@ -68,16 +94,30 @@ static void queries(void)
     // The point of the edge is the middle.
     OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, &collides, &impact));
     CHECK(collides && fabs(impact.parameters[1] - 0.5) < 1e-9);
+    CHECK(impact.points[0][1] == 3 && impact.points[0][2] == -4 && fabs(impact.points[1][0]) < 1e-9);
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_VERTEX, point_start, point_end, 5, &collides, &impact));
+    CHECK(collides && impact.points[0][2] == -4 && impact.points[1][2] == 0);
+    // Edges that cross in the middle.
+    const double cross_start[12] = {-1, 0, 1, 1, 0, 1, 0, -1, 0, 0, 3, 0};
+    const double cross_end[12] = {-1, 0, -1, 1, 0, -1, 0, -1, 0, 0, 3, 0};
+    OK(exact_ccd_impact(EXACT_CCD_KIND_EDGE_EDGE, cross_start, cross_end, 0.5, &collides, &impact));
+    CHECK(collides && impact.time == 0.25 && fabs(impact.parameters[1] - 0.25) < 1e-9);
+    CHECK(impact.points[0][2] == 0.5 && impact.points[1][2] == 0 && fabs(impact.points[1][1]) < 1e-9);
 }
 
 static void errors(void)
 {
     bool collides;
     double time;
-    const exact_ccd_status argument = EXACT_CCD_STATUS_INVALID_ARGUMENT;
+    const exact_ccd_status_t argument = EXACT_CCD_STATUS_INVALID_ARGUMENT;
     fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, NULL, FACE_END, 0, &collides), argument, "points_t0");
     fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NULL), argument, "collides");
     fails(exact_ccd_collides(7, FACE_START, FACE_END, 0, &collides), argument, "kind is 7");
+    fails(exact_ccd_collides(EXACT_CCD_KIND_EDGE_FACE, FACE_START, FACE_END, 0, &collides), argument, "kind is 4");
+    CHECK(!exact_ccd_last_error_fields().has_query && exact_ccd_last_error_fields().edge == UINT32_MAX);
+    fails(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NAN, &time),
+          argument,
+          "until");
     fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, -1, &collides), argument, "-1");
     fails(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, NAN, &time), argument, "NaN");
 
@@ -94,13 +134,13 @@ static void errors(void)
           EXACT_CCD_STATUS_INVALID_MESH,
           "vertex 4");
 
-    exact_ccd_mesh* mesh = NULL;
+    exact_ccd_mesh_t* mesh = NULL;
     const uint32_t face[3] = {0, 1, 9};
     fails(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh), EXACT_CCD_STATUS_INVALID_MESH, "vertex 9");
     CHECK(mesh == NULL);
     if (sizeof(size_t) > 4) {
         // More vertices than the indices of pairs can name.
-        exact_ccd_detector* detector = NULL;
+        exact_ccd_detector_t* detector = NULL;
         OK(exact_ccd_mesh_new((size_t)UINT32_MAX + 1, NULL, 0, NULL, 0, &mesh));
         OK(exact_ccd_detector_new(mesh, &detector));
         fails(exact_ccd_detector_is_free(detector, FACE_START, FACE_END, 4, &collides),
@@ -156,6 +196,13 @@ static void wrong_batches(void)
               EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, thickness, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
+    const exact_ccd_error_t error = exact_ccd_last_error_fields();
+    CHECK(error.status == EXACT_CCD_STATUS_INVALID_MESH && error.has_query && error.query == 9001);
+    CHECK(strcmp(error.message, exact_ccd_last_error()) == 0);
+    fails(exact_ccd_batch_times_on(
+              3, EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, times),
+          EXACT_CCD_STATUS_INVALID_MESH,
+          "query 9001");
     for (int i = 0; i < COUNT; ++i) {
         CHECK(times[i] == -7);
     }
@@ -175,9 +222,42 @@ static bool are_edge_and_face(const uint32_t* a, size_t a_count, const uint32_t*
     return a_count == 2 && b_count == 3 && b[0] == *(const uint32_t*)face;
 }
 
-static void intersections(const exact_ccd_mesh* mesh, const double* apart, const double* crossing)
+static void count_destruction(void* count) { ++*(int*)count; }
+
+static bool always(uint32_t a, uint32_t b, void* data)
 {
-    exact_ccd_detector* detector = NULL;
+    (void)a;
+    (void)b;
+    (void)data;
+    return true;
+}
+
+// The data of a callback that the detector owns is destroyed once: by the next rule, by the end of the
+// detector, at once without a callback; and not by a call that fails.
+static void owned_data(const exact_ccd_mesh_t* mesh)
+{
+    int first = 0, second = 0, third = 0, fourth = 0;
+    exact_ccd_detector_t* detector = NULL;
+    OK(exact_ccd_detector_new(mesh, &detector));
+    OK(exact_ccd_detector_set_can_collide_owned(detector, always, &first, count_destruction));
+    CHECK(first == 0);
+    uint32_t corner = 0;
+    OK(exact_ccd_detector_set_pair_can_collide(detector, are_edge_and_face, &corner));
+    CHECK(first == 1);
+    OK(exact_ccd_detector_set_can_collide_owned(detector, NULL, &second, count_destruction));
+    CHECK(second == 1);
+    OK(exact_ccd_detector_set_pair_can_collide_owned(detector, are_edge_and_face, &third, count_destruction));
+    fails(exact_ccd_detector_set_can_collide_owned(NULL, always, &fourth, count_destruction),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "detector");
+    CHECK(third == 0);
+    exact_ccd_detector_free(detector);
+    CHECK(first == 1 && second == 1 && third == 1 && fourth == 0);
+}
+
+static void intersections(const exact_ccd_mesh_t* mesh, const double* apart, const double* crossing)
+{
+    exact_ccd_detector_t* detector = NULL;
     OK(exact_ccd_detector_new(mesh, &detector));
     bool intersects = true;
     OK(exact_ccd_detector_has_intersections(detector, apart, 6, &intersects, NULL, NULL));
@@ -216,9 +296,9 @@ static void smallest_times(void)
     memcpy(x1, FACE_START, sizeof x1);
     x0[2] = 1.5e-323;
     x1[2] = -1e300;
-    exact_ccd_mesh* mesh = NULL;
-    exact_ccd_detector* detector = NULL;
-    exact_ccd_contacts* contacts = NULL;
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
+    exact_ccd_contacts_t* contacts = NULL;
     OK(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh));
     OK(exact_ccd_detector_new(mesh, &detector));
     OK(exact_ccd_detector_free_step(detector, x0, x1, 4, 0.9, &size, positions));
@@ -238,6 +318,40 @@ static void smallest_times(void)
     exact_ccd_mesh_free(mesh);
 }
 
+// A mesh that is pierced at the start is free of contact, unless the start is checked.
+static void start_check(const exact_ccd_mesh_t* mesh, const double* apart, const double* crossing)
+{
+    exact_ccd_detector_t* detector = NULL;
+    exact_ccd_contacts_t* contacts = NULL;
+    exact_ccd_contact_t contact;
+    bool is_free = false, is_found = false;
+    double size = -1, positions[18];
+    const exact_ccd_status_t status = EXACT_CCD_STATUS_CROSSING;
+    OK(exact_ccd_detector_new(mesh, &detector));
+    OK(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free));
+    CHECK(is_free);
+    OK(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions));
+    CHECK(size == 1);
+
+    uint32_t edge = 99, face = 99;
+    OK(exact_ccd_detector_has_intersections(detector, crossing, 6, &is_found, &edge, &face));
+    OK(exact_ccd_detector_set_start_check(detector, true));
+    size = -1;
+    fails(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free), status, "passes through face");
+    fails(exact_ccd_detector_free_step(detector, crossing, crossing, 6, 0.9, &size, positions), status, "face");
+    fails(exact_ccd_detector_earliest_contact(detector, crossing, apart, 6, &is_found, &contact), status, "edge");
+    fails(exact_ccd_detector_contacts(detector, crossing, apart, 6, 1, &contacts), status, "edge");
+    CHECK(size == -1 && contacts == NULL);
+    const exact_ccd_error_t error = exact_ccd_last_error_fields();
+    CHECK(error.status == status && error.edge == edge && error.face == face && !error.has_query);
+    OK(exact_ccd_detector_is_free(detector, apart, apart, 6, &is_free));
+    CHECK(is_free);
+    OK(exact_ccd_detector_set_start_check(detector, false));
+    OK(exact_ccd_detector_is_free(detector, crossing, crossing, 6, &is_free));
+    CHECK(is_free);
+    exact_ccd_detector_free(detector);
+}
+
 static void meshes(void)
 {
     const uint32_t faces[6] = {0, 1, 2, 3, 4, 5};
@@ -248,7 +362,7 @@ static void meshes(void)
         x1[3 * vertex + 2] -= 2;
     }
 
-    exact_ccd_mesh* mesh = NULL;
+    exact_ccd_mesh_t* mesh = NULL;
     OK(exact_ccd_mesh_new(6, faces, 2, NULL, 0, &mesh));
     size_t face_count, edge_count, loose;
     OK(exact_ccd_mesh_counts(mesh, &face_count, &edge_count, &loose));
@@ -259,12 +373,14 @@ static void meshes(void)
     fails(exact_ccd_mesh_edges(mesh, edges, 5), EXACT_CCD_STATUS_INVALID_ARGUMENT, "6 edges");
 
     intersections(mesh, x0, x1);
+    owned_data(mesh);
+    start_check(mesh, x0, x1);
     // Results may have the same place.
     size_t same = 99;
     OK(exact_ccd_mesh_counts(mesh, &same, &same, &same));
     CHECK(same == 0);
 
-    exact_ccd_detector* detector = NULL;
+    exact_ccd_detector_t* detector = NULL;
     OK(exact_ccd_detector_new(mesh, &detector));
     bool is_free = true, is_found = false;
     OK(exact_ccd_detector_is_free(detector, x0, x1, 6, &is_free));
@@ -273,13 +389,18 @@ static void meshes(void)
     OK(exact_ccd_detector_earliest_contact(detector, x0, x1, 6, &is_found, &contact));
     CHECK(is_found && contact.impact.time == 0.5 && contact.kind == EXACT_CCD_KIND_VERTEX_FACE);
     CHECK(contact.first == 3 && contact.second == 0 && contact.vertices[0] == 3 && contact.vertices[3] == 2);
+    const double meeting[3] = {1, 1, 0};
+    for (int axis = 0; axis < 3; ++axis) {
+        CHECK(fabs(contact.impact.points[0][axis] - meeting[axis]) < 1e-9);
+        CHECK(fabs(contact.impact.points[1][axis] - meeting[axis]) < 1e-9);
+    }
 
-    exact_ccd_contacts* contacts = NULL;
+    exact_ccd_contacts_t* contacts = NULL;
     OK(exact_ccd_detector_contacts(detector, x0, x1, 6, 1, &contacts));
     const exact_ccd_contact_t* data = NULL;
     size_t count = 0;
     OK(exact_ccd_contacts_data(contacts, &data, &count));
-    CHECK(count == 1 && data[0].impact.time == 0.5);
+    CHECK(count == 1 && data[0].impact.time == 0.5 && data[0].impact.points[0][0] == 1);
     exact_ccd_contacts_free(contacts);
 
     double size = -1, positions[18];
@@ -318,19 +439,40 @@ static void meshes(void)
     CHECK(!is_free);
     exact_ccd_detector_free(detector);
 
-    exact_ccd_audit* audit = NULL;
+    exact_ccd_audit_t* audit = NULL;
     OK(exact_ccd_audit_new(mesh, 0, &audit));
-    exact_ccd_audit_result result;
+    exact_ccd_audit_result_t result;
     OK(exact_ccd_audit_examine(audit, x0, 6, &result, &contact));
     CHECK(result == EXACT_CCD_AUDIT_RESULT_FREE);
     OK(exact_ccd_audit_examine(audit, x1, 6, &result, &contact));
     CHECK(result == EXACT_CCD_AUDIT_RESULT_CONTACT && contact.impact.time == 0.5);
+    CHECK(fabs(contact.impact.points[0][2]) < 1e-9 && fabs(contact.impact.points[0][1] - 1) < 1e-9);
     exact_ccd_audit_free(audit);
     OK(exact_ccd_audit_new(mesh, 0, &audit));
     OK(exact_ccd_audit_examine(audit, x1, 6, &result, &contact));
     CHECK(result == EXACT_CCD_AUDIT_RESULT_INTERSECTION && contact.second == 0);
+    CHECK(contact.kind == EXACT_CCD_KIND_EDGE_FACE);
     exact_ccd_audit_free(audit);
     exact_ccd_mesh_free(mesh);
+}
+
+// The number of threads may change between any two calls, and belong to a call.
+static void numbers_of_threads(void)
+{
+    const uint32_t counts[] = {3, 1, 0, 2};
+    for (int i = 0; i < 4; ++i) {
+        OK(exact_ccd_set_threads(counts[i]));
+        batches();
+        const uint32_t query[4] = {0, 1, 2, 3};
+        double time = -1;
+        OK(exact_ccd_batch_times_on(
+            counts[3 - i], EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, &time));
+        CHECK(time == 0.5);
+    }
+    fails(exact_ccd_set_threads(1025), EXACT_CCD_STATUS_INVALID_ARGUMENT, "1025 threads");
+    fails(exact_ccd_batch_times_on(UINT32_MAX, EXACT_CCD_KIND_VERTEX_FACE, NULL, NULL, 0, NULL, 0, 0, NULL),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "4294967295 threads");
 }
 
 int main(void)
@@ -343,5 +485,6 @@ int main(void)
     wrong_batches();
     smallest_times();
     meshes();
+    numbers_of_threads();
     return 0;
 }

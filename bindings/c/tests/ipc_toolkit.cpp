@@ -22,6 +22,14 @@ int main()
     toi = 7;
     CHECK(!ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 0.0, 0.25));
     CHECK(std::isinf(toi));
+    // At 1/3, which is above the number 1.0 / 3: no contact until there.
+    const Vector3d deep(0.25, 0.25, -2);
+    CHECK(!ccd->point_triangle_ccd(p0, a, b, c, deep, a, b, c, toi, 0.0, 1.0 / 3));
+    CHECK(std::isinf(toi));
+    CHECK(ccd->point_triangle_ccd(p0, a, b, c, deep, a, b, c, toi, 0.0, std::nextafter(1.0 / 3, 1)));
+    CHECK(toi == 0.5 * (1.0 / 3));
+    // Exactly at 1/2.
+    CHECK(ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 0.0, 0.5));
     // Within the distance at the start: time 0.
     CHECK(ccd->point_triangle_ccd(p0, a, b, c, p1, a, b, c, toi, 1.0));
     CHECK(toi == 0);

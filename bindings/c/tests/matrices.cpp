@@ -1,4 +1,4 @@
-// Eigen matrices as views: rows of row-major matrices, and vectors, without copies; others are refused.
+// Eigen matrices as views: rows of row-major matrices, and vectors, without copies. refused.cpp has others.
 
 #include <Eigen/Core>
 
@@ -9,7 +9,6 @@
 namespace {
 
 using Eigen::Dynamic;
-using exact_ccd::Edges;
 using exact_ccd::Faces;
 using exact_ccd::Points;
 using Positions = Eigen::Matrix<double, Dynamic, 3, Eigen::RowMajor>;
@@ -21,15 +20,6 @@ static_assert(std::is_constructible_v<Points, Positions>);
 static_assert(std::is_constructible_v<Points, Eigen::Map<const Positions>>);
 static_assert(std::is_constructible_v<Faces, Rows<std::uint32_t, 3>>);
 static_assert(std::is_constructible_v<Numbers, Eigen::VectorXd>);
-// Columns one after the other, other numbers of columns, other numbers.
-static_assert(!std::is_constructible_v<Points, Eigen::Matrix<double, Dynamic, 3>>);
-static_assert(!std::is_constructible_v<Points, Eigen::MatrixXd>);
-static_assert(!std::is_constructible_v<Points, Rows<double, 2>>);
-static_assert(!std::is_constructible_v<Points, Rows<float, 3>>);
-static_assert(!std::is_constructible_v<Faces, Rows<int, 3>>);
-static_assert(!std::is_constructible_v<Edges, Rows<std::uint32_t, 3>>);
-static_assert(!std::is_constructible_v<Numbers, Positions>);
-static_assert(!std::is_constructible_v<Numbers, Eigen::VectorXf>);
 
 template <typename View, typename Matrix>
 bool is_refused(const Matrix& matrix)

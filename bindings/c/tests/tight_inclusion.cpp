@@ -18,6 +18,14 @@ int main()
     CHECK(!vertexFaceCCD(v0, f0, f1, f2, v1, f0, f1, f2, err, 0, toi, 1e-6, 0.49, -1, output_tolerance));
     CHECK(std::isinf(toi));
 
+    // At 1/3, which is above the number 1.0 / 3: no contact until there.
+    const Vector3 deep(0.25, 0.25, -2);
+    CHECK(!vertexFaceCCD(v0, f0, f1, f2, deep, f0, f1, f2, err, 0, toi, 1e-6, 1.0 / 3, -1, output_tolerance));
+    CHECK(std::isinf(toi));
+    const double next = std::nextafter(1.0 / 3, 1);
+    CHECK(vertexFaceCCD(v0, f0, f1, f2, deep, f0, f1, f2, err, 0, toi, 1e-6, next, -1, output_tolerance));
+    CHECK(toi == 1.0 / 3);
+
     // Edge a falls on edge b across it. With the ends crosswise, the edges are others, which never meet.
     const Vector3 a0(-1, 0, 1), a1(1, 0, 1), b0(0, -1, 0), b1(0, 1, 0), down(0, 0, 2);
     CHECK(edgeEdgeCCD(

@@ -1,45 +1,71 @@
 //! Contact in successive steps of a mesh.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
 use exact_ccd::Point;
 use exact_ccd::separation::{Separation, Thickness};
 use exact_ccd_mesh::{
-    CanCollide, CandidateOptions, Contact, FreeStepOptions, MinDistance, Pair, PairCounts, Step, StepReport,
-    TriangleMesh, intersections_by,
+    CanCollide, CandidateOptions, Contact, FreeStepOptions, Intersection, MinDistance, Pair, PairCounts,
+    Step, StepError, StepReport, TriangleMesh, crossings_by, intersections_by,
 };
 use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
 use crate::broad_phase::Interruptible;
 use crate::compute::{Watch, compute};
 use crate::contacts::{Columns, Table};
-use crate::error::refused;
+use crate::error::{refused, refused_search, refused_step};
 use crate::mesh::{Mesh, rows};
+use crate::page::Page;
 use crate::pool;
 
 type Inner = exact_ccd_mesh::Detector<Interruptible>;
 type Positions<'py> = PyReadonlyArray2<'py, f64>;
 
-/// Finds contact in successive steps of one mesh.
+/// Finds contact in successive steps of one mesh, for one call at a time.
+#[pyclass(frozen, module = "exact_ccd._native")]
+pub(crate) struct Detector(Mutex<Work>);
+
+impl Detector {
+    /// The detector, unless it works for another call.
+    fn begin(&self) -> PyResult<MutexGuard<'_, Work>> {
+        match self.0.try_lock() {
+            Ok(work) => Ok(work),
+            // A panic ends its own call only.
+            Err(TryLockError::Poisoned(error)) => Ok(error.into_inner()),
+            Err(TryLockError::WouldBlock) => Err(PyRuntimeError::new_err(
+                "the detector is at work, for another thread or for the call whose rule or progress this is: \
+                 make a detector for each",
+            )),
+        }
+    }
+}
+
+/// The detectors of a mesh.
 ///
 /// A rule of the caller is a function in Python, too slow for every candidate. Hence the first search
 /// ignores it, and its answer stands if it has no contact or if the rule holds for the contact.
-#[pyclass(module = "exact_ccd._native")]
-pub(crate) struct Detector {
+struct Work {
     mesh: Arc<TriangleMesh>,
     /// Ignores the rule.
     open: Inner,
     /// Obeys it, if there is one.
     ruled: Option<Inner>,
+    groups: CanCollide,
     rule: CanCollide,
     min_distance: MinDistance,
     failure: Arc<Mutex<Option<PyErr>>>,
     watch: Arc<Watch>,
     threads: Option<usize>,
+    /// True if the start of each step is checked. Without a rule, `open` does so, and knows the ends of free
+    /// steps.
+    checks_start: bool,
+    /// The bits of the last start that was checked here.
+    checked: Vec<[u64; 3]>,
 }
 
-impl Detector {
+impl Work {
     /// The result of `work`; the exception of the rule, if there is one.
     fn compute<T: Send>(
         &mut self,
@@ -50,6 +76,9 @@ impl Detector {
         let (watch, threads) = (self.watch.clone(), self.threads);
         watch.reset();
         let result = compute(py, threads, progress, &watch, || work(self));
+        if watch.is_cancelled() {
+            self.forget_checks();
+        }
         let failure = self.failure.lock().unwrap_or_else(PoisonError::into_inner).take();
         failure.map_or(result, Err)
     }
@@ -58,6 +87,77 @@ impl Detector {
     fn table(&self, x0: &[Point], x1: &[Point], contacts: &[Contact]) -> PyResult<Table> {
         let step = Step::new(&self.mesh, x0, x1).map_err(refused)?;
         Ok(Table::new(&step, contacts))
+    }
+
+    /// Makes certain that no edge passes through a face at the start of a step, if that is to be checked. The
+    /// rule is asked for the edges and faces that were found.
+    fn check_start(&mut self, x0: &[Point]) -> PyResult<()> {
+        let bits: Vec<_> = x0.iter().map(|point| point.map(f64::to_bits)).collect();
+        if !self.checks_start || bits == self.checked {
+            return Ok(());
+        }
+        let (mesh, watch) = (&self.mesh, self.watch.clone());
+        let found = crossings_by(&Interruptible { watch }, mesh, x0, &self.groups);
+        for Intersection { edge, face } in found.map_err(|error| refused_step(error.into()))? {
+            let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
+            if self.rule.allows(&ends, &corners) {
+                return Err(refused_step(StepError::Crossing {
+                    edge,
+                    ends,
+                    face,
+                    corners,
+                }));
+            }
+        }
+        self.checked = bits;
+        Ok(())
+    }
+
+    /// The same for a search, in which the detector without a rule makes the check.
+    fn check_start_of_search(&mut self, x0: &[Point]) -> PyResult<()> {
+        if self.ruled.is_some() {
+            self.check_start(x0)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Forgets the positions that were checked, in a computation that may not have come to its end.
+    fn forget_checks(&mut self) {
+        self.checked = Vec::new();
+        if self.open.start_passes() > 0 {
+            self.open.set_start_check(false);
+            self.open.set_start_check(true);
+        }
+    }
+
+    /// The earliest contact of a step.
+    fn earliest(&mut self, x0: &[Point], x1: &[Point]) -> PyResult<Option<Contact>> {
+        self.check_start_of_search(x0)?;
+        let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused_step);
+        self.search(run, |contact| *contact)
+    }
+
+    /// All contacts of a step until a time.
+    fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> PyResult<Vec<Contact>> {
+        self.check_start_of_search(x0)?;
+        let mut contacts = self.open.contacts(x0, x1, until).map_err(refused_step)?;
+        if self.ruled.is_some() {
+            contacts.retain(|contact| allows(&self.rule, &self.mesh, contact.pair));
+        }
+        Ok(contacts)
+    }
+
+    /// The edges and faces that meet at rest.
+    fn intersections(&self, x: &[Point]) -> PyResult<Vec<Intersection>> {
+        let (mesh, watch) = (&self.mesh, self.watch.clone());
+        let broad_phase = Interruptible { watch };
+        let mut found = intersections_by(&broad_phase, mesh, x, &CanCollide::all()).map_err(refused)?;
+        found.retain(|pair| {
+            let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
+            !self.watch.is_cancelled() && self.rule.allows(&edge, &face)
+        });
+        Ok(found)
     }
 
     /// The result of a search, first without the rule.
@@ -112,13 +212,14 @@ impl Distance<'_> {
 #[pymethods]
 impl Detector {
     /// The distance is one for all pairs, or a thickness for each vertex; the inner one is for pairs
-    /// that start within it.
+    /// that start within it. With `start_check`, no edge may pass through a face at the start of a step.
     #[new]
     fn new(
         mesh: &Mesh,
         min_distance: Distance<'_>,
         inner_distance: Option<f64>,
         threads: Option<usize>,
+        start_check: bool,
     ) -> PyResult<Self> {
         pool::check(threads)?;
         let min_distance = min_distance.with_inner(inner_distance)?;
@@ -132,58 +233,61 @@ impl Detector {
                 .with_min_distance(min_distance.clone())
                 .map_err(refused)
         };
-        Ok(Self {
+        Ok(Self(Mutex::new(Work {
             mesh: mesh.mesh().clone(),
-            open: detector(mesh.groups())?,
+            open: detector(mesh.groups())?.with_start_check(start_check && !mesh.has_rule()),
             ruled: mesh.has_rule().then(|| detector(rule.clone())).transpose()?,
             min_distance: min_distance.clone(),
+            groups: mesh.groups(),
             rule,
             failure,
             watch,
             threads,
-        })
+            checks_start: start_check,
+            checked: Vec::new(),
+        })))
     }
 
     /// The earliest contact: one row or none.
     fn earliest_contact<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         x0: Positions<'py>,
         x1: Positions<'py>,
     ) -> PyResult<Columns<'py>> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        let table = self.compute(py, None, |detector| {
-            let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused);
-            let contact = detector.search(run, |contact| *contact)?;
+        let table = self.begin()?.compute(py, None, |detector| {
+            let contact = detector.earliest(x0, x1)?;
             detector.table(x0, x1, contact.as_slice())
         })??;
         table.into_arrays(py)
     }
 
     /// Free of contact.
-    fn is_free(&mut self, py: Python<'_>, x0: Positions<'_>, x1: Positions<'_>) -> PyResult<bool> {
+    fn is_free(&self, py: Python<'_>, x0: Positions<'_>, x1: Positions<'_>) -> PyResult<bool> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        self.compute(py, None, |detector| {
+        self.begin()?.compute(py, None, |detector| {
+            if detector.ruled.is_none() {
+                return detector.open.is_free(x0, x1).map_err(refused_step);
+            }
+            detector.check_start(x0)?;
             let (rule, mesh) = (&detector.rule, &detector.mesh);
             let free = detector.open.is_free_of(x0, x1, |pair| allows(rule, mesh, pair));
-            free.map_err(refused)
+            free.map_err(refused_step)
         })?
     }
 
     /// All contacts until a time.
     fn contacts<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         x0: Positions<'py>,
         x1: Positions<'py>,
         until: f64,
     ) -> PyResult<Columns<'py>> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        let table = self.compute(py, None, |detector| {
-            let mut contacts = detector.open.contacts(x0, x1, until).map_err(refused)?;
-            if detector.ruled.is_some() {
-                contacts.retain(|contact| allows(&detector.rule, &detector.mesh, contact.pair));
-            }
+        let table = self.begin()?.compute(py, None, |detector| {
+            let contacts = detector.contacts(x0, x1, until)?;
             detector.table(x0, x1, &contacts)
         })??;
         table.into_arrays(py)
@@ -193,7 +297,7 @@ impl Detector {
     /// numbers of pairs that touch at the start.
     #[expect(clippy::type_complexity, reason = "a tuple for Python")]
     fn free_step<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         x0: Positions<'py>,
         x1: Positions<'py>,
@@ -201,8 +305,9 @@ impl Detector {
     ) -> PyResult<(f64, Bound<'py, PyArray2<f64>>, Columns<'py>, [usize; 4])> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         let options = FreeStepOptions::default().with_keep(keep);
-        let (free, table) = self.compute(py, None, |detector| {
-            let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused);
+        let (free, table) = self.begin()?.compute(py, None, |detector| {
+            detector.check_start_of_search(x0)?;
+            let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused_search);
             let mut free = detector.search(run, |free| free.contact)?;
             // The pairs that touch at the start have been counted without the rule.
             if free.touching.total() > 0
@@ -224,14 +329,15 @@ impl Detector {
 
     /// The numbers of candidates, of colliding pairs and of touching ones, and the earliest contact.
     fn step<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         x0: Positions<'py>,
         x1: Positions<'py>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<([[usize; 4]; 3], Columns<'py>)> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
-        let (report, table) = self.compute(py, progress.as_ref(), |detector| {
+        let (report, table) = self.begin()?.compute(py, progress.as_ref(), |detector| {
+            detector.check_start(x0)?;
             let broad_phase = Interruptible {
                 watch: detector.watch.clone(),
             };
@@ -249,26 +355,47 @@ impl Detector {
     }
 
     /// The edges and faces that meet at rest.
-    fn intersections<'py>(
-        &mut self,
-        py: Python<'py>,
-        x: Positions<'py>,
-    ) -> PyResult<Bound<'py, PyArray2<u32>>> {
+    fn intersections<'py>(&self, py: Python<'py>, x: Positions<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
         let x = points(&x)?;
-        let found = self.compute(py, None, |detector| {
-            let mesh = &detector.mesh;
-            let broad_phase = Interruptible {
-                watch: detector.watch.clone(),
-            };
-            let mut found = intersections_by(&broad_phase, mesh, x, &CanCollide::all()).map_err(refused)?;
-            found.retain(|pair| {
-                let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
-                !detector.watch.is_cancelled() && detector.rule.allows(&edge, &face)
-            });
-            Ok::<_, PyErr>(found)
-        })??;
+        let found = self
+            .begin()?
+            .compute(py, None, |detector| detector.intersections(x))??;
         let pairs: Vec<[u32; 2]> = found.iter().map(|pair| [pair.edge, pair.face]).collect();
         rows(py, &pairs)
+    }
+
+    /// Adds the edges and faces that meet in the last frame to a page.
+    fn show_intersections(
+        &self,
+        py: Python<'_>,
+        mut page: PyRefMut<'_, Page>,
+        x: Positions<'_>,
+    ) -> PyResult<()> {
+        let x = points(&x)?;
+        let found = self
+            .begin()?
+            .compute(py, None, |detector| detector.intersections(x))??;
+        page.add_intersections(&found)
+    }
+
+    /// Adds the contacts between the last two frames to a page: all of them, or the earliest.
+    fn show_contacts(
+        &self,
+        py: Python<'_>,
+        mut page: PyRefMut<'_, Page>,
+        x0: Positions<'_>,
+        x1: Positions<'_>,
+        all: bool,
+    ) -> PyResult<()> {
+        let (x0, x1) = (points(&x0)?, points(&x1)?);
+        let contacts = self.begin()?.compute(py, None, |detector| {
+            if all {
+                detector.contacts(x0, x1, 1.0)
+            } else {
+                Ok(detector.earliest(x0, x1)?.into_iter().collect())
+            }
+        })??;
+        page.add_contacts(&contacts)
     }
 }
 

@@ -10,10 +10,13 @@ mod contacts;
 mod detector;
 mod error;
 mod files;
+#[cfg(feature = "program")]
+mod half_spaces;
 mod impact;
 mod kind;
 mod mesh;
 mod overlaps;
+mod page;
 mod pool;
 #[cfg(feature = "program")]
 mod program;
@@ -32,14 +35,23 @@ mod _native {
     #[pymodule_export]
     use crate::detector::Detector;
     #[pymodule_export]
+    use crate::error::CrossingError;
+    #[pymodule_export]
     use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
+    #[cfg(feature = "program")]
+    #[pymodule_export]
+    use crate::half_spaces::HalfSpaces;
     #[pymodule_export]
     use crate::mesh::Mesh;
     #[pymodule_export]
     use crate::overlaps::overlaps;
+    #[pymodule_export]
+    use crate::page::Page;
     #[cfg(feature = "program")]
     #[pymodule_export]
     use crate::program::main;
     #[pymodule_export]
-    use crate::queries::{collides, contact_count, contact_times, impacts, time_and_count, time_of_impact};
+    use crate::queries::{
+        collides, contact_count, contact_times, impacts, time_and_count, time_of_impact, time_until,
+    };
 }

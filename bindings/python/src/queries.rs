@@ -40,6 +40,26 @@ pub(crate) fn time_of_impact<'py>(
     Ok(PyArray1::from_vec(py, answers))
 }
 
+/// As [`time_of_impact`], and NaN too if the first contact is after `until`: the contact itself is compared,
+/// not the f64 below it. On the thread of the caller.
+#[pyfunction]
+pub(crate) fn time_until<'py>(
+    py: Python<'py>,
+    kind: &str,
+    arrays: Arrays<'py>,
+    min_distance: f64,
+    until: f64,
+) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    let answers = for_kind!(kind, K => {
+        let of = |collision: &Collision<'_, K>| {
+            let first = collision.first_contact_time();
+            if first.is_at_most(until) { first.lower() } else { f64::NAN }
+        };
+        answers::<K, _>(py, &arrays, min_distance, Some(1), f64::NAN, of)
+    })?;
+    Ok(PyArray1::from_vec(py, answers))
+}
+
 /// The number of contact times, −1 for infinitely many; with a distance, the number of intervals.
 #[pyfunction]
 pub(crate) fn contact_count<'py>(

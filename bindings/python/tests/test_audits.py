@@ -30,6 +30,23 @@ def test_the_first_violation() -> None:
     assert (rods.violation.frame, rods.violation.contact.kind) == (0, "ee")
 
 
+def test_groups_and_rules() -> None:
+    passing = frames(3, 1, -3)
+    assert audit(passing, FACES, groups=[0] * 6).is_free
+    assert audit(passing, FACES, groups=[0, 0, 0, 1, 1, 1]) == audit(passing, FACES)
+    assert audit(passing, FACES, can_collide=lambda i, j: False).is_free
+    # The rule holds for edges that meet faces at rest, too.
+    assert audit(frames(-1), FACES, can_collide=lambda i, j: False).is_free
+    with pytest.raises(ValueError, match="groups has the shape"):
+        audit(passing, FACES, groups=[0])
+
+
+def test_groups_of_files(tmp_path) -> None:
+    np.savez(tmp_path / "recording.npz", positions=frames(3, 1, -3), faces=FACES)
+    assert audit(tmp_path / "recording.npz", groups=[0] * 6).is_free
+    assert not audit(tmp_path / "recording.npz", groups=[0, 0, 0, 1, 1, 1]).is_free
+
+
 def test_an_iterator_that_reuses_its_array() -> None:
     def positions():
         array = np.empty((6, 3))

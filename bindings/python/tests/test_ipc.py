@@ -123,7 +123,8 @@ def test_single_pairs(dim: int) -> None:
                 assert not their_hit or their_toi > 0.0
             if hit:
                 assert getattr(exact, name)(*points, d) == (True, 0.9 * toi)
-                assert getattr(ipc, name)(*points, d, tmax=toi) == (True, 0.9 * toi)
+                # The contact may be just above the float64 that it is rounded down to.
+                assert getattr(ipc, name)(*points, d, tmax=math.nextafter(toi, 2.0)) == (True, 0.9 * toi)
                 if toi > 0.0:
                     assert getattr(ipc, name)(*points, d, math.nextafter(toi, 0.0)) == (False, math.inf)
             else:

@@ -166,7 +166,7 @@ def test_wrong_arguments() -> None:
         with pytest.raises(ValueError, match="separation"):
             exact_ccd.collides("vf", points, min_distance=distance)
     for threads in (0, 2000):
-        with pytest.raises(ValueError, match="threads must be from 1 to 1024"):
+        with pytest.raises(ValueError, match="expected an integer from 1 to 1024"):
             exact_ccd.collides("vf", queries("vf", 5000), threads=threads)
 
 

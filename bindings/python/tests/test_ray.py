@@ -98,6 +98,21 @@ def test_any_number_of_chunks(cluster, steps: int) -> None:
     assert sum(done) >= 389
 
 
+def test_groups_rules_and_half_spaces(cluster, tmp_path) -> None:
+    frames = recording(12, 6)
+    groups = np.zeros(2 * GRID.size, int)
+    settings = [{"groups": groups}, {"can_collide": lambda i, j: abs(i - j) < 3}]
+    if hasattr(exact_ccd._native, "HalfSpaces"):
+        settings.append({"groups": groups, "half_spaces": [[[0, 0, -0.99], [0, 0, 1]]]})
+    for given in settings:
+        assert same(exact_ccd.ray.audit(frames, FACES, steps=3, **given), exact_ccd.audit(frames, FACES, **given))
+    assert exact_ccd.ray.audit(frames, FACES, steps=3, groups=groups, results=tmp_path).is_free
+    # Other settings have other results.
+    assert not exact_ccd.ray.audit(frames, FACES, steps=3, results=tmp_path).is_free
+    with pytest.raises(ValueError, match="results are not kept for a function"):
+        exact_ccd.ray.audit(frames, FACES, can_collide=lambda i, j: True, results=tmp_path)
+
+
 def test_a_violation_at_rest_or_in_the_first_step(cluster) -> None:
     for shift in (0, 1):
         frames = recording(9)

@@ -88,13 +88,15 @@ fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
     })
 }
 
+/// Runs a command on threads of its own, which end with it: a process may run several, one after the other
+/// or at the same time.
 fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
     // 0 stands for the number of cores.
     let threads = program.threads.unwrap_or(0);
-    rayon::ThreadPoolBuilder::new()
+    let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
-        .build_global()?;
-    match &program.command {
+        .build()?;
+    pool.install(|| match &program.command {
         Command::Step(arguments) => step::run(arguments),
         Command::Audit(arguments) => audit::run(arguments),
         Command::Queries(arguments) => queries::run(arguments),
@@ -103,5 +105,5 @@ fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Fail
         Command::Bench(arguments) => bench::run(arguments),
         Command::Simulate(arguments) => simulate::run(arguments, command),
         Command::Import(arguments) => import::run(arguments),
-    }
+    })
 }

@@ -5,8 +5,8 @@ use dashu_ratio::RBig;
 
 use crate::excerpt::excerpt;
 
-/// The most digits of a number in exact arithmetic, whose time grows with the square of this number. Numerator
-/// and denominator of a finite f64 have at most 324 digits when the fraction is in lowest terms.
+/// The most digits of a number in exact arithmetic, whose time grows with the square of this number.
+/// Numerator and denominator of a finite f64 have at most 324 digits when the fraction is in lowest terms.
 pub(crate) const LONGEST: usize = 4096;
 
 /// The treatment of a coordinate that is not exactly an f64.

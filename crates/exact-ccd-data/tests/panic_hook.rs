@@ -1,7 +1,5 @@
 //! The panic hook of the process: it belongs to the program, not to a library.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use std::fs;
 use std::panic::{self, PanicHookInfo};
 use std::sync::Arc;

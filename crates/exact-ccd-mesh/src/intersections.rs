@@ -152,8 +152,11 @@ pub fn crossings(
     crossings_by(&Bvh, mesh, positions, can_collide)
 }
 
-/// The same, among the pairs that a broad phase finds.
-pub(crate) fn crossings_by(
+/// The same, among the pairs that a broad phase finds. If it ends its search early, the result is of no use.
+///
+/// # Errors
+/// As [`intersections`].
+pub fn crossings_by(
     broad_phase: &impl BroadPhase,
     mesh: &TriangleMesh,
     positions: &[Point],

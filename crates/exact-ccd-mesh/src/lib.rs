@@ -91,7 +91,8 @@ pub use detector::Detector;
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
 pub use intersections::{
-    Intersection, IntersectionsError, crossings, intersections, intersections_among, intersections_by,
+    Intersection, IntersectionsError, crossings, crossings_by, intersections, intersections_among,
+    intersections_by,
 };
 pub use line_search::{
     FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,

@@ -46,10 +46,11 @@ impl OtherEnds {
         }
     }
 
-    /// Returns true if an edge of the vertex has no vertex in common with an edge that does not contain it.
+    /// Returns true if an edge of the vertex has no vertex in common with an edge that does not contain it. A
+    /// broad phase may pass any pair on: it is true for a vertex that is not one of these.
     pub(crate) fn has_edge_apart_from(&self, vertex: u32, edge: [u32; 2]) -> bool {
-        let (count, others) = self.of[vertex as usize];
-        let others = others.get(..usize::from(count));
+        let others = self.of.get(vertex as usize);
+        let others = others.and_then(|(count, others)| others.get(..usize::from(*count)));
         others.is_none_or(|others| others.iter().any(|other| !edge.contains(other)))
     }
 }

@@ -165,8 +165,8 @@ impl ShownContact {
         })
     }
 
-    /// A vertex that is not apart from the half space of this number, at a time of the step from the frame with
-    /// this number; `None` if the vertex has no position.
+    /// A vertex that is not apart from the half space of this number, at a time of the step from the
+    /// frame with this number; `None` if the vertex has no position.
     pub(crate) fn in_half_space(
         (frame, time): (usize, f64),
         positions: [&[Point]; 2],

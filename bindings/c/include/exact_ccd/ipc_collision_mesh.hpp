@@ -43,7 +43,8 @@ public:
     CollisionDetector(const CollisionDetector&) = delete;
     CollisionDetector& operator=(const CollisionDetector&) = delete;
 
-    /// As ipc::is_step_collision_free, exactly.
+    /// As ipc::is_step_collision_free, exactly. A mesh that is pierced at the start may be free, as there:
+    /// `has_intersections` finds it.
     bool is_step_collision_free(Eigen::ConstRef<Eigen::MatrixXd> vertices_t0,
                                 Eigen::ConstRef<Eigen::MatrixXd> vertices_t1,
                                 double min_distance = 0.0)

@@ -10,7 +10,8 @@
 // rounded down. A step of exactly that size may end in contact. Hence `toi` is that time multiplied by
 // `conservative_rescaling`, 0.9 unless it is set.
 //
-// `tmax` is compared with the time before it is multiplied: a contact after `tmax` is none. The step size
+// `tmax` is compared with the exact time, before it is rounded and multiplied: a contact after `tmax` is
+// none. The step size
 // of the toolkit passes the least `toi` so far, which is multiplied, as `tmax` of the next pair. So it
 // depends on the order of the pairs, which the threads of the toolkit change from run to run. Let t be the
 // first contact of all pairs. If its pair comes first, the step is 0.9 t. If another pair comes first, with
@@ -32,8 +33,8 @@ namespace exact_ccd {
 /// The narrow phase, pair by pair. In two dimensions, z is 0.
 ///
 /// `toi` is at most `tmax`, 0 if the primitives are within `min_distance` at the start, and infinite if
-/// there is no contact until `tmax`. Coordinates that are not finite, and a negative `min_distance`, throw
-/// exact_ccd::Error; then `toi` keeps its value.
+/// there is no contact until `tmax`. Coordinates that are not finite, a negative `min_distance` and a
+/// `tmax` that is not a number throw exact_ccd::Error; then `toi` keeps its value.
 class ExactCCD : public ipc::NarrowPhaseCCD {
 public:
     static constexpr double DEFAULT_CONSERVATIVE_RESCALING = 0.9;
@@ -132,11 +133,9 @@ private:
              double min_distance,
              double tmax) const
     {
-        const auto time = time_of_impact(kind, t0, t1, min_distance);
-        // A time just above tmax that is rounded down to it counts: the earlier answer is the safe one.
-        const bool is_hit = time && *time <= tmax;
-        toi = is_hit ? conservative_rescaling * *time : std::numeric_limits<double>::infinity();
-        return is_hit;
+        const auto time = time_of_impact_until(kind, t0, t1, min_distance, tmax);
+        toi = time ? conservative_rescaling * *time : std::numeric_limits<double>::infinity();
+        return time.has_value();
     }
 };
 

@@ -14,7 +14,7 @@
 // - `err`, `tolerance`, `max_itr` and the method have no influence. `output_tolerance` is 0.
 // - `no_zero_toi` has no influence: `toi` is 0 for primitives within `ms` at the start, or within the
 //   smallest double of it.
-// - Coordinates that are not finite, and a negative `ms`, throw exact_ccd::Error.
+// - Coordinates that are not finite, a negative `ms` and a `t_max` that is not a number throw exact_ccd::Error.
 
 #ifndef EXACT_CCD_TIGHT_INCLUSION_HPP
 #define EXACT_CCD_TIGHT_INCLUSION_HPP
@@ -46,17 +46,17 @@ inline bool first_time(Kind kind,
     for (std::size_t i = 0; i < points.size(); ++i) {
         copies[i] = {points[i]->x(), points[i]->y(), points[i]->z()};
     }
-    const auto time = time_of_impact(kind, Points(copies[0].data(), 4), Points(copies[4].data(), 4), ms);
+    const auto time =
+        time_of_impact_until(kind, Points(copies[0].data(), 4), Points(copies[4].data(), 4), ms, t_max);
     output_tolerance = 0;
-    const bool is_hit = time && *time <= t_max;
-    toi = is_hit ? *time : std::numeric_limits<Scalar>::infinity();
-    return is_hit;
+    toi = time.value_or(std::numeric_limits<Scalar>::infinity());
+    return time.has_value();
 }
 
 }  // namespace detail
 
-/// Two edges, a and b. Returns true if the first time at which their distance is at most `ms`, rounded down,
-/// is at most `t_max`: the exact time may be above it by a rounding. `toi` is that time, or infinite.
+/// Two edges, a and b. Returns true if their distance is at most `ms` at a time until `t_max`, exactly. `toi`
+/// is the first such time, rounded down, or infinite.
 inline bool edgeEdgeCCD(const Vector3& ea0_t0,
                         const Vector3& ea1_t0,
                         const Vector3& eb0_t0,

@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use exact_ccd_c::{
     Impact, Interval, exact_ccd_collides, exact_ccd_distance_at, exact_ccd_impact, exact_ccd_intervals,
-    exact_ccd_time_of_impact,
+    exact_ccd_time_of_impact, exact_ccd_time_of_impact_until,
 };
 
 use super::{input, succeeds};
@@ -52,6 +52,20 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<bool> {
         assert_eq!([is_found, !time.is_nan(), interval_count > 0], [collides; 3]);
         if collides {
             assert_eq!([impact.time, intervals[0].start], [time; 2]);
+            let until = |until: f64| {
+                let mut found = UNWRITTEN;
+                // SAFETY: as above.
+                let status =
+                    unsafe { exact_ccd_time_of_impact_until(kind, t0, t1, d, until, &raw mut found) };
+                assert!(succeeds(status));
+                (!found.is_nan()).then_some(found)
+            };
+            // A time that is rounded down is after the number that it is rounded to.
+            assert_eq!(until(time), impact.time_is_exact.then_some(time));
+            assert_eq!(
+                [until(time.next_up()), until(time.next_down())],
+                [Some(time), None]
+            );
             let written = &intervals[..interval_count.min(3)];
             assert!(
                 written

@@ -9,7 +9,7 @@
 - :mod:`exact_ccd.ipc` has functions of ipctk, with the same arguments.
 """
 
-from ._native import __version__
+from ._native import CrossingError, __version__
 from .audits import AuditReport, Violation, audit
 from .contacts import CONTACT, Contact
 from .meshes import Detector, FreeStep, Mesh, MeshFile, PairCounts, Progress, StepReport, read_mesh
@@ -32,6 +32,7 @@ __all__ = [
     "AuditReport",
     "Contact",
     "ContactTimes",
+    "CrossingError",
     "Detector",
     "FreeStep",
     "Kind",

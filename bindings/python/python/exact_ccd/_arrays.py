@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional
+from typing import Any, Optional, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
 Indices = NDArray[np.uint32]
+_Number = TypeVar("_Number", bound=np.generic)
+
+MOST_THREADS = 1024
+"""The largest number of threads, as in the program."""
 
 
 def _array(name: str, values: ArrayLike) -> NDArray[Any]:
@@ -19,6 +23,13 @@ def _array(name: str, values: ArrayLike) -> NDArray[Any]:
     if array.size == 0 and not isinstance(values, np.ndarray):
         # An empty list has no type of its own.
         array = array.astype(np.float64)
+    return array
+
+
+def _without_rows(array: NDArray[Any], shape: tuple[Optional[int], ...]) -> NDArray[Any]:
+    """An array without rows, such as an empty list, in the shape that is expected; others as they are."""
+    if array.shape[:1] == (0,) and shape[:1] == (None,):
+        return array.reshape(0, *(size or 0 for size in shape[1:]))
     return array
 
 
@@ -37,7 +48,7 @@ def floats(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> Fl
     ValueError
         If the shape differs, or if a number is not exactly a float64.
     """
-    array = _array(name, values)
+    array = _without_rows(_array(name, values), shape)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name} has the dtype {array.dtype}, expected real numbers")
     _check_shape(name, array, shape)
@@ -57,8 +68,8 @@ def _check_exact(name: str, array: NDArray[Any], converted: Floats) -> None:
         differs = converted >= 2.0 ** (63 if array.dtype.kind == "i" else 64)
         differs |= np.where(differs, 0.0, converted).astype(array.dtype) != array
     if differs.any():
-        row = _first_row(differs)
-        raise ValueError(f"row {row} of {name} has a number that is not exactly a float64")
+        place = f"row {_first_row(differs)} of {name}" if array.ndim > 0 else name
+        raise ValueError(f"{place} has a number that is not exactly a float64")
 
 
 def indices(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> Indices:
@@ -71,7 +82,7 @@ def indices(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> I
     ValueError
         If the shape differs, or if an index is negative or above 2**32 - 1.
     """
-    array = _array(name, values)
+    array = _without_rows(_array(name, values), shape)
     if array.size == 0:
         array = np.empty(array.shape, np.uint32)
     if array.dtype.kind not in "iu":
@@ -85,6 +96,41 @@ def indices(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> I
     if array.dtype == np.int32:
         return np.require(array, np.int32, ["C", "A"]).view(np.uint32)
     return np.require(array, np.uint32, ["C", "A"])
+
+
+def number(name: str, value: ArrayLike) -> float:
+    """The same number as a float, with the exceptions of :func:`floats`."""
+    return value if type(value) is float else float(floats(name, value, ()))
+
+
+def integer(name: str, value: object, low: int, high: int) -> int:
+    """An integer from `low` to `high`.
+
+    Raises
+    ------
+    TypeError
+        If the value is no integer.
+    ValueError
+        If it is below or above.
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
+        raise TypeError(f"{name} is of type {type(value).__name__}, expected an integer")
+    if not low <= value <= high:
+        raise ValueError(f"{name} is {value}, expected an integer from {low} to {high}")
+    return int(value)
+
+
+def thread_count(threads: Optional[int]) -> Optional[int]:
+    """A number of threads; None for that of the cores."""
+    return None if threads is None else integer("threads", threads, 1, MOST_THREADS)
+
+
+def frozen(array: NDArray[_Number]) -> NDArray[_Number]:
+    """The same array, which cannot be written to: a copy, if the caller could."""
+    own = array.copy() if array.flags.writeable else array
+    own.flags.writeable = False
+    # Of a view, the flag cannot be set again.
+    return own.view()
 
 
 def _check_shape(name: str, array: NDArray[Any], shape: tuple[Optional[int], ...]) -> None:

@@ -14,9 +14,12 @@ _Columns = tuple[NDArray[np.uint8], _Integers, NDArray[np.int64], _Floats, _Floa
 
 __all__ = [
     "KINDS",
+    "CrossingError",
     "Detector",
     "FrameSequence",
+    "HalfSpaces",
     "Mesh",
+    "Page",
     "Welding",
     "__version__",
     "collides",
@@ -31,10 +34,15 @@ __all__ = [
     "read_mesh",
     "time_and_count",
     "time_of_impact",
+    "time_until",
 ]
 
 __version__: str
 KINDS: list[tuple[str, int]]
+
+class CrossingError(ValueError):
+    edge: int
+    face: int
 
 def main(arguments: Sequence[str]) -> int: ...
 def collides(
@@ -43,6 +51,7 @@ def collides(
 def time_of_impact(
     kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
 ) -> _Floats: ...
+def time_until(kind: str, arrays: _Arrays, min_distance: float, until: float) -> _Floats: ...
 def contact_count(
     kind: str, arrays: _Arrays, min_distance: float, threads: Optional[int]
 ) -> NDArray[np.int64]: ...
@@ -99,6 +108,17 @@ class Mesh:
     def loose_edge_count(self) -> int: ...
 
 @final
+class HalfSpaces:
+    def __new__(cls, rows: _Floats) -> HalfSpaces: ...
+    def touching(self, positions: _Floats, distances: _Floats) -> Optional[tuple[int, int]]: ...
+
+@final
+class Page:
+    def __new__(cls, title: str, mesh: Mesh, positions: _Floats) -> Page: ...
+    def add_frame(self, label: str, positions: _Floats) -> None: ...
+    def html(self, summary: list[str]) -> bytes: ...
+
+@final
 class Detector:
     def __new__(
         cls,
@@ -106,6 +126,7 @@ class Detector:
         min_distance: Union[float, _Floats],
         inner_distance: Optional[float],
         threads: Optional[int],
+        start_check: bool,
     ) -> Detector: ...
     def earliest_contact(self, x0: _Floats, x1: _Floats) -> _Columns: ...
     def is_free(self, x0: _Floats, x1: _Floats) -> bool: ...
@@ -117,3 +138,5 @@ class Detector:
         self, x0: _Floats, x1: _Floats, progress: Optional[Callable[[int], object]]
     ) -> tuple[list[list[int]], _Columns]: ...
     def intersections(self, x: _Floats) -> _Integers: ...
+    def show_intersections(self, page: Page, x: _Floats) -> None: ...
+    def show_contacts(self, page: Page, x0: _Floats, x1: _Floats, all: bool) -> None: ...

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from itertools import chain
+from collections.abc import Callable, Iterable, Iterator
+from itertools import chain, count
 from os import PathLike
 from typing import Any, NamedTuple, Optional, Union
 
@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .contacts import Contact
-from .frames import FileFrames, FilePath, files_in
+from .frames import FileFrames, FilePath, Rules, files_in
+from .half_spaces import HalfSpaces
 from .meshes import Detector, Mesh, Progress
+from .pages import Page, line
 
 
 class Violation(NamedTuple):
@@ -26,11 +28,15 @@ class Violation(NamedTuple):
         The earliest contact after that frame; its time is 0 at that frame and 1 at the next.
     intersection : tuple of int, or None
         In place of a contact: the indices of an edge and a face that meet in the first frame.
+    half_space : tuple of int, or None
+        In place of both: the number of a half space and the index of a vertex that is not apart from it in
+        that frame. It reaches the half space in the step that leads there, if there is one.
     """
 
     frame: int
     contact: Optional[Contact]
     intersection: Optional[tuple[int, int]]
+    half_space: Optional[tuple[int, int]] = None
 
 
 class AuditReport(NamedTuple):
@@ -58,9 +64,13 @@ def audit(
     faces: Optional[ArrayLike] = None,
     *,
     edges: Optional[ArrayLike] = None,
+    groups: Optional[ArrayLike] = None,
+    can_collide: Optional[Callable[[int, int], object]] = None,
+    half_spaces: Optional[ArrayLike] = None,
     min_distance: Union[float, ArrayLike] = 0.0,
     progress: Optional[Progress] = None,
     threads: Optional[int] = None,
+    view: Optional[FilePath] = None,
 ) -> AuditReport:
     """Certify a recorded motion: the mesh never touches itself.
 
@@ -68,6 +78,8 @@ def audit(
     edge. From each frame to the next, every vertex moves in a straight line, and no contact may occur. If
     there is none, no frame passes through itself, nor does the mesh at any time between. Primitives that
     share a vertex may touch; `docs/pairs.md` of the repository lists all pairs that are never a contact.
+
+    With `half_spaces`, no vertex may touch one of them in any frame, hence at any time between.
 
     Parameters
     ----------
@@ -80,12 +92,20 @@ def audit(
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
         Loose edges, if the frames are positions.
+    groups, can_collide
+        The pairs that can collide, see :class:`Mesh`. Of STL files, the vertices are those that remain.
+    half_spaces : array of shape (H, 2, 3), optional
+        Half spaces that no vertex may touch, nor come within the minimum distance of: for each, a point of
+        its boundary, and the outward normal, of any length.
     min_distance : float or array of shape (V,)
         Primitives that come within this distance of each other count as touching, see :class:`Detector`.
     progress : callable, optional
         Called with the number of frames examined since its last call, as ``tqdm.update``.
     threads : int, optional
         The number of threads; by default that of the cores. The result does not depend on it.
+    view : path, optional
+        An HTML file to write, which shows the frames that were examined and the violation in a browser. It
+        needs no network.
 
     Raises
     ------
@@ -104,39 +124,80 @@ def audit(
     >>> report.violation.frame, report.violation.contact.time
     (1, 0.25)
     """
-    mesh, positions = _begin(frames, faces, edges)
+    mesh, positions = _begin(frames, faces, edges, Rules(groups, can_collide))
     detector = Detector(mesh, min_distance=min_distance, threads=threads)
-    return AuditReport(*examine(detector, positions, progress=progress))
+    planes = None if half_spaces is None else HalfSpaces(half_spaces, min_distance)
+    if view is None:
+        return AuditReport(*examine(detector, positions, progress=progress, half_spaces=planes))
+    page = Page("Audit", mesh)
+    names = positions.names() if isinstance(positions, FileFrames) else map("frame {}".format, count())
+
+    def show(frame: Any) -> None:
+        page.add_frame(next(names), frame)
+
+    report = AuditReport(*examine(detector, positions, progress=progress, half_spaces=planes, examined=show))
+    _write(page, view, detector, report)
+    return report
+
+
+def _write(page: Page, file: FilePath, detector: Detector, report: AuditReport) -> None:
+    """Write the page of an audit."""
+    lines = [f"frames examined: {report.frames}"]
+    violation = report.violation
+    if violation is None:
+        lines.insert(0, "free of contact")
+    elif violation.contact is not None:
+        page.add_contacts(detector, every=False)
+        lines.insert(0, f"step {violation.frame}: {line(violation.contact)}")
+    elif violation.intersection is not None:
+        page.add_intersections(detector)
+        edge, face = violation.intersection
+        lines.insert(0, f"frame {violation.frame}: edge {edge} meets face {face}")
+    elif violation.half_space is not None:
+        number, vertex = violation.half_space
+        lines.insert(0, f"frame {violation.frame}: vertex {vertex} is not apart from half space {number}")
+    page.write(file, lines)
 
 
 def examine(
-    detector: Detector, frames: Iterable[Any], first: int = 0, progress: Optional[Progress] = None
+    detector: Detector,
+    frames: Iterable[Any],
+    first: int = 0,
+    progress: Optional[Progress] = None,
+    half_spaces: Optional[HalfSpaces] = None,
+    examined: Optional[Callable[[Any], None]] = None,
 ) -> tuple[int, Optional[Violation]]:
     """The number of the last frame examined, plus 1, and the first violation in frames from `first` on.
 
-    Frame 0 is examined at rest.
+    Frame 0 is examined at rest. `examined` is called with each frame that is examined.
     """
     last: Optional[NDArray[np.float64]] = None
-    count = first
+    done = first
     for number, frame in enumerate(frames, first):
         try:
-            violation = _examine(detector, last, frame, number)
+            violation = _examine(detector, half_spaces, last, frame, number)
         except ValueError as error:
             raise ValueError(f"frame {number}: {error}") from error
-        count = number + 1
+        done = number + 1
+        if examined is not None:
+            examined(frame)
         if violation is not None:
-            return count, violation
+            return done, violation
         # A copy: the iterator may reuse its array.
         last = np.array(frame, np.float64)
         if progress is not None:
             progress(1)
-    return count, None
+    return done, None
 
 
 def _examine(
-    detector: Detector, last: Optional[ArrayLike], frame: ArrayLike, number: int
+    detector: Detector,
+    half_spaces: Optional[HalfSpaces],
+    last: Optional[ArrayLike],
+    frame: ArrayLike,
+    number: int,
 ) -> Optional[Violation]:
-    """The violation in frame 0, or in the step that leads to another frame."""
+    """The violation in frame 0, or in the step that leads to another frame and in that frame."""
     if last is None:
         if number > 0:
             return None
@@ -145,26 +206,29 @@ def _examine(
             return Violation(0, None, (int(found[0, 0]), int(found[0, 1])))
         last = frame
     contact = detector.earliest_contact(last, frame)
-    return None if contact is None else Violation(max(number - 1, 0), contact, None)
+    if contact is not None:
+        return Violation(max(number - 1, 0), contact, None)
+    touching = None if half_spaces is None else half_spaces.touching(frame)
+    return None if touching is None else Violation(number, None, None, touching)
 
 
 def _begin(
-    frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]
+    frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike], rules: Rules
 ) -> tuple[Mesh, Iterable[Any]]:
     """The mesh, and the positions of its frames."""
     files = in_files(frames, faces, edges)
     if files is not None:
-        return files.mesh(), files
+        return files.mesh(rules), files
     remaining: Iterator[Any] = iter(frames)
     try:
         start = next(remaining)
     except StopIteration:
         raise ValueError("there are no frames") from None
     if isinstance(start, (str, PathLike)):
-        return _begin([start, *remaining], faces, edges)
+        return _begin([start, *remaining], faces, edges, rules)
     if faces is None:
         raise TypeError("expected the faces of the mesh")
-    return Mesh(len(start), faces, edges), chain([start], remaining)
+    return Mesh(len(start), faces, edges, *rules), chain([start], remaining)
 
 
 def in_files(frames: Any, faces: Optional[ArrayLike], edges: Optional[ArrayLike]) -> Optional[FileFrames]:

@@ -7,6 +7,7 @@ from typing import NamedTuple, Optional
 import numpy as np
 from numpy.typing import NDArray
 
+from ._records import by_value
 from .queries import IMPACT, POINTS, Kind
 
 _PAIR = [
@@ -24,8 +25,11 @@ Columns = tuple[
 ]
 
 
+@by_value
 class Contact(NamedTuple):
     """Two primitives of a mesh that touch in a step, and the first time at which they do.
+
+    Two contacts are equal if all of their numbers are.
 
     Attributes
     ----------

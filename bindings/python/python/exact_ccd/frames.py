@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from os import PathLike, fspath
 from pathlib import Path
-from typing import Any, Optional, Protocol, Union
+from typing import Any, NamedTuple, Optional, Protocol, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,16 @@ from . import _native
 from .meshes import Mesh, MeshFile
 
 FilePath = Union[str, PathLike[str]]
+
+
+class Rules(NamedTuple):
+    """The pairs of a mesh that can collide, see :class:`Mesh`."""
+
+    groups: Optional[ArrayLike]
+    can_collide: Optional[Callable[[int, int], object]]
+
+
+NO_RULES = Rules(None, None)
 
 
 class FileSystem(Protocol):
@@ -32,8 +42,8 @@ class Frames(Protocol):
         """The positions in the order of time, read one frame at a time."""
         ...
 
-    def mesh(self) -> Mesh:
-        """The mesh of all frames."""
+    def mesh(self, rules: Rules = NO_RULES) -> Mesh:
+        """The mesh of all frames, with the pairs that can collide."""
         ...
 
     def part(self, first: int, last: int) -> Frames:
@@ -55,11 +65,11 @@ class ArrayFrames:
     def __iter__(self) -> Iterator[NDArray[Any]]:
         return iter(self.positions)
 
-    def mesh(self) -> Mesh:
-        """The mesh of all frames."""
+    def mesh(self, rules: Rules = NO_RULES) -> Mesh:
+        """The mesh of all frames, with the pairs that can collide."""
         if self.positions.ndim != 3:
             raise ValueError(f"frames has the shape {self.positions.shape}, expected (T, V, 3)")
-        return Mesh(self.positions.shape[1], self.faces, self.edges)
+        return Mesh(self.positions.shape[1], self.faces, self.edges, *rules)
 
     def part(self, first: int, last: int) -> ArrayFrames:
         """The frames from `first` to `last`, both included."""
@@ -126,10 +136,15 @@ class FileFrames:
                 name, sequence = file, _native.FrameSequence(file)
             yield MeshFile(*sequence.read(frame))
 
-    def mesh(self) -> Mesh:
-        """The mesh of all frames."""
+    def mesh(self, rules: Rules = NO_RULES) -> Mesh:
+        """The mesh of all frames, with the pairs that can collide."""
         count = len(self._first.vertices) if self._kept is None else len(self._kept)
-        return Mesh(count, self._faces, self._edges)
+        return Mesh(count, self._faces, self._edges, *rules)
+
+    def names(self) -> Iterator[str]:
+        """The names of the frames, for titles: the files, and the numbers in those that have several."""
+        several = len({file for file, _ in self._places}) < len(self._places)
+        return (f"{Path(file).name} {frame}" if several else Path(file).name for file, frame in self._places)
 
     def identity(self) -> list[tuple[str, int, int, int]]:
         """Name, number, size and time of change of each frame."""

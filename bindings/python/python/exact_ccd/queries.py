@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._arrays import Floats, Indices, floats, indices as integers
+from ._arrays import Floats, Indices, floats, indices as integers, number, thread_count
+from ._records import by_value
 
 Kind = Literal["vf", "ee", "ve", "vv"]
 """The kind of a query: ``"vf"``, ``"ee"``, ``"ve"`` or ``"vv"``."""
@@ -28,6 +29,7 @@ IMPACT = np.dtype(
 """The fields of an impact, see :func:`impacts`."""
 
 
+@by_value
 class ContactTimes(NamedTuple):
     """The times of contact of many queries.
 
@@ -51,8 +53,10 @@ _Arrays = Union[Floats, tuple[Indices, Floats, Floats]]
 
 def check_kind(kind: str, place: str = "") -> None:
     """Refuse a name that is not that of a kind; `place` is a prefix of the message."""
+    names = ", ".join(f'"{name}"' for name in POINTS)
+    if not isinstance(kind, str):
+        raise TypeError(f"{place}kind is of type {type(kind).__name__}, expected one of {names}")
     if kind not in POINTS:
-        names = ", ".join(f'"{name}"' for name in POINTS)
         raise ValueError(f"{place}kind {kind!r}, expected one of {names}")
 
 
@@ -75,6 +79,11 @@ def _arrays(
         floats("vertices_t0", vertices_t0, (None, 3)),
         floats("vertices_t1", vertices_t1, (None, 3)),
     )
+
+
+def _settings(min_distance: float, threads: Optional[int]) -> tuple[float, Optional[int]]:
+    """The distance and the number of threads, as the compiled part takes them."""
+    return number("min_distance", min_distance), thread_count(threads)
 
 
 def collides(
@@ -147,7 +156,7 @@ def collides(
     array([ True])
     """
     arrays = _arrays(kind, points, indices, vertices_t0, vertices_t1)
-    return _native.collides(kind, arrays, min_distance, threads)
+    return _native.collides(kind, arrays, *_settings(min_distance, threads))
 
 
 def time_of_impact(
@@ -179,7 +188,7 @@ def time_of_impact(
     [0.3333333333333333]
     """
     arrays = _arrays(kind, points, indices, vertices_t0, vertices_t1)
-    return _native.time_of_impact(kind, arrays, min_distance, threads)
+    return _native.time_of_impact(kind, arrays, *_settings(min_distance, threads))
 
 
 def contact_count(
@@ -211,7 +220,7 @@ def contact_count(
     array([1])
     """
     arrays = _arrays(kind, points, indices, vertices_t0, vertices_t1)
-    return _native.contact_count(kind, arrays, min_distance, threads)
+    return _native.contact_count(kind, arrays, *_settings(min_distance, threads))
 
 
 def contact_times(
@@ -246,7 +255,7 @@ def contact_times(
     [0, 0]
     """
     arrays = _arrays(kind, points, indices, vertices_t0, vertices_t1)
-    return ContactTimes(*_native.contact_times(kind, arrays, min_distance, threads))
+    return ContactTimes(*_native.contact_times(kind, arrays, *_settings(min_distance, threads)))
 
 
 def impacts(
@@ -281,4 +290,4 @@ def impacts(
     ([0.5], [[0.0, 0.0, 1.0]])
     """
     arrays = _arrays(kind, points, indices, vertices_t0, vertices_t1)
-    return _native.impacts(kind, arrays, min_distance, threads).view(IMPACT).reshape(-1)
+    return _native.impacts(kind, arrays, *_settings(min_distance, threads)).view(IMPACT).reshape(-1)

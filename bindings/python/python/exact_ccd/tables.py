@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._arrays import Floats, floats
+from ._arrays import Floats, floats, number, thread_count
 from .queries import POINTS, Kind, check_kind
 
 if TYPE_CHECKING:
@@ -89,7 +89,8 @@ def check(
         if name not in get_args(Answer):
             raise ValueError(f'answer {name!r}, expected "collides", "count" or "toi"')
     arrow = _as_arrow(table)
-    columns = _answers(arrow, chosen, kind, min_distance, threads)
+    distance = number("min_distance", min_distance)
+    columns = _answers(arrow, chosen, kind, distance, thread_count(threads))
     for column, values in columns.items():
         index = arrow.schema.get_field_index(column)
         arrow = arrow.append_column(column, values) if index < 0 else arrow.set_column(index, column, values)

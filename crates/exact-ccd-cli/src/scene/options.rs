@@ -23,8 +23,8 @@ pub(crate) struct SceneOptions {
     /// lowest vertex.
     #[arg(long)]
     pub(super) triangles_only: bool,
-    /// Refuse files of more than this number of bytes, and files whose data expand to more: compressed data, or
-    /// data that a file names several times. The memory of reading is proportional to it.
+    /// Refuse files of more than this number of bytes, and files whose data expand to more: compressed
+    /// data, or data that a file names several times. The memory of reading is proportional to it.
     #[arg(long, value_name = "BYTES")]
     pub(super) max_size: Option<u64>,
 }

@@ -42,8 +42,8 @@ impl View {
         self.view.as_deref()
     }
 
-    /// Writes the page of a step, if there is to be one, with the answer that is printed, of which one line is
-    /// the verdict.
+    /// Writes the page of a step, if there is to be one, with the answer that is printed, of which one
+    /// line is the verdict.
     pub(crate) fn step(
         &self,
         files: &[PathBuf],

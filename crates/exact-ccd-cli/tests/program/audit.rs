@@ -47,7 +47,7 @@ fn an_edge_that_pierces_a_face_in_the_first_frame_is_named() {
     let frame = tip_above_square(-1.0);
     assert_eq!(frame.mesh.edges()[5], [4, 5]);
     let run = folder.run(&["audit", "0.ply", "1.ply"]);
-    let report = "intersection in frame 0 (0.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3); ids count from 0\n\
+    let report = "intersection in frame 0 (0.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
                   frames: 1 of 2 examined\n";
     assert_report(&run, 1, report);
 }
@@ -62,7 +62,7 @@ fn a_single_frame_is_examined_at_rest() {
     );
     let run = folder.run(&["audit", "1.ply"]);
     // The tip lies in the face. It is also the end of an edge.
-    let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3); ids count from 0\n\
+    let report = "intersection in frame 0 (1.ply): edge 5 (vertices 4, 5) and face 1 (vertices 2, 1, 3)\n\
                   frames: 1 of 1 examined\n";
     assert_report(&run, 1, report);
 }

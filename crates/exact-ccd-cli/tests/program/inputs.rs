@@ -153,25 +153,3 @@ fn outputs_without_a_place_are_named_with_a_remedy() {
         }
     }
 }
-
-#[cfg(unix)]
-#[test]
-fn a_file_without_permission_is_named() {
-    use std::os::unix::fs::PermissionsExt;
-
-    let folder = folder();
-    let file = folder.path("start.ply");
-    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0)).unwrap();
-    let expected = if std::fs::File::open(&file).is_ok() {
-        // The superuser may read it.
-        ""
-    } else {
-        "start.ply: reading is not permitted, expected a mesh file"
-    };
-    let run = folder.run(&["step", "start.ply", "end.ply"]);
-    if expected.is_empty() {
-        assert_eq!(run.status, 1, "{run:?}");
-    } else {
-        assert!(run.error().starts_with(expected), "{run:?}");
-    }
-}

@@ -133,7 +133,9 @@ fn the_kind_is_recognised_where_it_is_certain() {
     assert!(differ.status == 2 && differ.stderr.ends_with(last), "{differ:?}");
     let missing = run(&["missing.csv"]);
     assert!(
-        missing.error().starts_with("missing.csv: No such file"),
+        missing
+            .error()
+            .starts_with("missing.csv: no such file or folder, "),
         "{missing:?}"
     );
 }

@@ -48,8 +48,8 @@ pub(super) fn check(file: &GuardedFile) -> Result<()> {
     }
 }
 
-/// Returns true if these are the numbers of children of the nodes of a tree, each before its children, without
-/// many levels.
+/// Returns true if these are the numbers of children of the nodes of a tree, each before its children,
+/// without many levels.
 fn is_tree(children: &[usize]) -> bool {
     // The numbers of children that are still to come, of the nodes above.
     let mut open = vec![1_usize];

@@ -14,8 +14,8 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData, RowGroupMetaData};
 use parquet::file::reader::{ChunkReader, Length};
 
-/// The largest allowed ratio of the queries in a file, or of a page, and the size of the file; and the number of
-/// bytes that they may have in any case. Usual queries take a half to a fifth of their size.
+/// The largest allowed ratio of the queries in a file, or of a page, and the size of the file; and the
+/// number of bytes that they may have in any case. Usual queries take a half to a fifth of their size.
 const RATIO: u64 = 200;
 const ALLOWANCE: u64 = 1 << 20;
 

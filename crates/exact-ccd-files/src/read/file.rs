@@ -11,8 +11,8 @@ use crate::error::{ParseError, Place, ReadError};
 use crate::format::{Format, is_gzip};
 use crate::unsupported::Unsupported;
 
-/// Reads a whole file of at most `max_size` bytes, and parses its contents. A file whose name ends in `.gz` is
-/// decompressed.
+/// Reads a whole file of at most `max_size` bytes, and parses its contents. A file whose name ends in `.gz`
+/// is decompressed.
 pub(super) fn parse_file<T>(
     path: &Path,
     max_size: u64,

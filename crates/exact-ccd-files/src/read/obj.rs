@@ -34,8 +34,8 @@ impl Elements {
         self.ends.len()
     }
 
-    /// Adds the element on the rest of a line. An index below 0 counts back from the latest of the vertices so
-    /// far, which is −1.
+    /// Adds the element on the rest of a line. An index below 0 counts back from the latest of the vertices
+    /// so far, which is −1.
     fn add(&mut self, line: &mut Line, vertices_before: usize) -> Result<(), ParseError> {
         self.lines.push(line.number());
         while let Some(word) = line.word() {

@@ -1,7 +1,7 @@
 //! Zip archives: the list of members at the end of the file, and the members.
 //!
-//! PKWARE, *APPNOTE.TXT: .ZIP File Format Specification*. Members are stored or compressed by deflate, which is
-//! all that numpy writes.
+//! PKWARE, *APPNOTE.TXT: .ZIP File Format Specification*. Members are stored or compressed by deflate, which
+//! is all that numpy writes.
 
 use std::io::Read;
 

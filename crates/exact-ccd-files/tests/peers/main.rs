@@ -1,7 +1,8 @@
 //! Files that trimesh, meshio, pyvista and numpy write, read as the same motion.
 //!
 //! `write.py` writes them, with the Python of the environment variable `EXACT_CCD_PYTHON`, or
-//! `python3`. `scripts/check-peers` runs the test, which is ignored elsewhere, with all packages that it needs.
+//! `python3`. `scripts/check-peers` runs the test, which is ignored elsewhere, with all packages that it
+//! needs.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 

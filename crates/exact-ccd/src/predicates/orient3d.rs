@@ -8,9 +8,10 @@ use crate::filter::{UNIT, certain_sign};
 use crate::point::Point;
 use crate::query::NonFinite;
 
-/// The side of the plane through a, b and c on which d lies, exactly: the sign of (a − d) · ((b − d) × (c − d)),
-/// as Shewchuk's predicate of this name has it (Adaptive precision floating-point arithmetic and fast robust
-/// geometric predicates, 1997).
+/// The side of the plane through a, b and c on which d lies, exactly.
+///
+/// It is the sign of (a − d) · ((b − d) × (c − d)), that of Shewchuk's predicate of this name (Adaptive
+/// precision floating-point arithmetic and fast robust geometric predicates, 1997).
 ///
 /// It is `Less` if a, b and c turn counterclockwise as seen from d, `Greater` if they turn clockwise, and
 /// `Equal` if all four points lie in one plane. So it is `Less` for a tetrahedron of positive volume

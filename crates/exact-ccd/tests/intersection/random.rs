@@ -120,8 +120,8 @@ proptest! {
         prop_assert_eq!(orient3d([d, c, b, a]), Ok(expected));
     }
 
-    /// Shewchuk's predicate, as implemented by another crate, on points of ordinary magnitude: few integers, so
-    /// that many are in one plane, and fractions.
+    /// Shewchuk's predicate, as implemented by another crate, on points of ordinary magnitude: few integers,
+    /// so that many are in one plane, and fractions.
     #[test]
     fn orientations_are_those_of_the_literature(
         integers in uniform4([-3..=3i8, -3..=3i8, -3..=3i8]),

@@ -1,4 +1,4 @@
-//! The oracle on motions whose times within a distance are known by hand, so that a test that compares with it
+//! The oracle on motions whose times within a distance are known by hand. So a test that compares with it
 //! does not depend on the oracle alone.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
@@ -8,7 +8,7 @@ mod definition;
 use definition::Primitives::{self, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd::Point;
 
-/// An interval from one f64 to another one, or between f64: a time that is not an f64 is given by the one below.
+/// Intervals by their ends. A time that is not an f64 is given by the one below it.
 type Expected<'a> = &'a [[(f64, bool); 2]];
 
 fn assert_within(primitives: Primitives, start: &[Point], end: &[Point], d: f64, expected: Expected<'_>) {
@@ -104,8 +104,8 @@ fn a_vertex_slides_over_a_face() {
     assert_within(VertexFace, &at(-2.0), &at(6.0), 0.0, &[slides]);
 }
 
-/// The ends of the first edge, at x = −1 and x = 1, have the heights 4 t − 1 and 3 − 4 t. The second edge is at
-/// x = 2 t − 1. There, the first edge has the height 1 − 2 (2 t − 1)², which is 0 at t = 1/2 ± √(1/8).
+/// The ends of the first edge, at x = −1 and x = 1, have the heights 4 t − 1 and 3 − 4 t. The second edge is
+/// at x = 2 t − 1. There, the first edge has the height 1 − 2 (2 t − 1)², which is 0 at t = 1/2 ± √(1/8).
 #[test]
 fn edges_touch_twice() {
     let start = [

@@ -79,8 +79,8 @@ fn nearly_parallel_queries_are() {
     are_nearly_parallel::<EdgeEdge>();
 }
 
-/// The digests of the answers of the exact path to the families, vertex-face and edge-edge. They detect changes,
-/// of parameters and normals too; the truth is the definition.
+/// The digests of the answers of the exact path to the families, vertex-face and edge-edge. They detect
+/// changes, of parameters and normals too; the truth is the definition.
 const RECORDED: [[u64; 2]; 19] = [
     [0x171b_587b_d2b1_92a8, 0x7d71_c11c_65d3_e2c0],
     [0x67eb_458d_86a6_5825, 0xae15_8f9a_4485_a22b],

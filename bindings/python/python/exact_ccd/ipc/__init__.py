@@ -4,9 +4,9 @@ Change the import of ipctk for these functions:
 
 >>> from exact_ccd.ipc import compute_collision_free_stepsize, is_step_collision_free
 
-They take an ``ipctk.CollisionMesh`` as it is, or any object with its attributes ``edges``, ``faces``,
-``num_vertices`` and, optionally, ``can_collide`` and ``codim_vertices``; ipctk itself is not needed.
-Positions have two or three columns.
+They take an ``ipctk.CollisionMesh`` as it is, a :class:`CollisionMesh` of this module, an
+:class:`exact_ccd.Mesh`, or any object with the attributes ``edges``, ``faces``, ``num_vertices`` and,
+optionally, ``can_collide``; ipctk itself is not needed. Positions have two or three columns.
 
 Where they differ from ipctk:
 
@@ -17,6 +17,7 @@ Where they differ from ipctk:
   ``min(0.2 * d, 1e-4)`` instead, d being the distance at the start.
 - `broad_phase` is accepted and has no effect, as every pair that touches is found. A `narrow_phase_ccd` has no
   effect either, unless it is an :class:`ExactCCD`: its ``conservative_rescaling`` is taken.
+- The lists of :class:`Candidates` have all pairs whose boxes meet; ``can_collide`` restricts the answers only.
 - Static planes (``CollisionMesh.planes``) are refused.
 - In ipctk 1.6, `can_collide` gets the wrong numbers of vertices for pairs of codimensional vertices; here it gets
   those of the mesh.
@@ -31,13 +32,22 @@ from __future__ import annotations
 from typing import Any
 
 from .candidates import Candidates
+from .collision_mesh import CollisionMesh
 from .pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
+from .primitives import edges
+from .stencils import EdgeEdgeCandidate, EdgeVertexCandidate, FaceVertexCandidate, VertexVertexCandidate
 from .steps import compute_collision_free_stepsize, has_intersections, is_step_collision_free
 
 __all__ = [
     "Candidates",
+    "CollisionMesh",
+    "EdgeEdgeCandidate",
+    "EdgeVertexCandidate",
+    "FaceVertexCandidate",
+    "VertexVertexCandidate",
     "compute_collision_free_stepsize",
     "edge_edge_ccd",
+    "edges",
     "has_intersections",
     "is_step_collision_free",
     "point_edge_ccd",

@@ -2,70 +2,45 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from math import inf
-from typing import Any, NamedTuple, Optional, Protocol
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._arrays import Floats, Indices, indices
+from .._arrays import Floats, Indices, number
 from ..queries import Kind, time_of_impact
-from .pairs import three_dimensional
+from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
+from .stencils import (
+    Candidate,
+    EdgeEdgeCandidate,
+    EdgeVertexCandidate,
+    FaceVertexCandidate,
+    VertexVertexCandidate,
+)
 
-
-class CollisionMesh(Protocol):
-    """The attributes of ``ipctk.CollisionMesh`` that are used; ``can_collide`` and ``codim_vertices`` too, if any."""
-
-    @property
-    def num_vertices(self) -> int: ...
-    @property
-    def edges(self) -> Any: ...
-    @property
-    def faces(self) -> Any: ...
-
-
-class Primitives(NamedTuple):
-    """The primitives of a mesh, by their vertices."""
-
-    vertices: Indices
-    edges: Indices
-    faces: Indices
-    loose_vertices: Indices
-    loose_edges: Indices
-
-
-def primitives(mesh: CollisionMesh) -> Primitives:
-    """The primitives of a mesh, with its loose vertices and edges."""
-    edges = indices("edges", _two_dimensional(mesh.edges, 2), (None, 2))
-    faces = indices("faces", _two_dimensional(mesh.faces, 3), (None, 3))
-    for name, rows in (("edges", edges), ("faces", faces)):
-        if rows.size and rows.max() >= mesh.num_vertices:
-            row = int(np.argmax((rows >= mesh.num_vertices).any(axis=1)))
-            raise ValueError(f"row {row} of {name} names a vertex that does not exist")
-    vertices = np.arange(mesh.num_vertices, dtype=np.uint32)[:, None]
-    used = np.zeros(mesh.num_vertices, bool)
-    used[edges.ravel()] = True
-    used[faces.ravel()] = True
-    # An edge as one number: the edges of faces in any direction.
-    sides = np.sort(faces[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2).astype(np.uint64), axis=1)
-    own = np.sort(edges.astype(np.uint64), axis=1)
-    loose = ~np.isin(own[:, 0] << 32 | own[:, 1], sides[:, 0] << 32 | sides[:, 1])
-    return Primitives(vertices, edges, faces, vertices[~used], np.ascontiguousarray(edges[loose]))
-
-
-def _two_dimensional(rows: Any, width: int) -> NDArray[Any]:
-    """The rows; an empty array of ipctk may have another width."""
-    array = np.asarray(rows)
-    return array.reshape(0, width) if array.size == 0 else array
+_STENCILS: dict[Kind, tuple[Callable[[int, int], Candidate], int]] = {
+    "vv": (VertexVertexCandidate, 1),
+    "ve": (EdgeVertexCandidate, -1),
+    "ee": (EdgeEdgeCandidate, 1),
+    "vf": (FaceVertexCandidate, -1),
+}
+"""The kinds in the order of ipctk, and the direction in which it names the two primitives."""
 
 
 class Candidates:
     """Pairs of primitives that come near each other in a step: decided together, as often as needed.
 
-    The methods are those of ``ipctk.Candidates``. The pairs of a step hold for every step from the same
-    start to positions on the way.
+    The methods, the lists and the order of the items are those of ``ipctk.Candidates``. The pairs of a step
+    hold for every step from the same start to positions on the way.
+
+    In three dimensions, a rod may also fold through the rod before it: a vertex that has edges meets the edge
+    of a rod. Such pairs are compared for contact, whatever the distance, and are not in the lists of ipctk.
+
+    The rule ``can_collide`` of a mesh restricts the answers, not the lists: it is called for pairs in contact.
 
     Examples
     --------
@@ -79,14 +54,20 @@ class Candidates:
     (1, False)
     >>> candidates.compute_collision_free_stepsize(mesh, x0, x1)
     0.45
+    >>> candidates.fv_candidates
+    [FaceVertexCandidate(face_id=0, vertex_id=3)]
     """
 
     def __init__(self) -> None:
+        # Of each kind, the indices of both primitives, and the vertices, in the order of the queries.
+        self._ids: dict[Kind, Indices] = {}
         self._pairs: dict[Kind, Indices] = {}
+        # The vertices of pairs that are compared for contact only, whatever the distance.
+        self._folds = np.empty((0, 3), np.uint32)
 
     def build(
         self,
-        mesh: CollisionMesh,
+        mesh: AnyMesh,
         vertices_t0: ArrayLike,
         vertices_t1: Optional[ArrayLike] = None,
         inflation_radius: float = 0.0,
@@ -98,31 +79,77 @@ class Candidates:
         """
         if vertices_t1 is not None and np.ndim(vertices_t1) == 0:
             # The form without the end: build(mesh, vertices, inflation_radius).
-            inflation_radius, vertices_t1 = float(np.asarray(vertices_t1)), None
-        check_distance("inflation_radius", inflation_radius)
-        x0, x1 = ends(mesh, vertices_t0, vertices_t0 if vertices_t1 is None else vertices_t1)
-        every = primitives(mesh)
-        is_flat = np.shape(vertices_t0)[1] == 2
+            inflation_radius, vertices_t1 = number("inflation_radius", vertices_t1), None
+        radius = check_distance("inflation_radius", inflation_radius)
+        given = surface(mesh)
+        x0, x1 = ends(given, vertices_t0, vertices_t0 if vertices_t1 is None else vertices_t1)
+        every = primitives(given)
+        self.clear()
 
-        def near(first: Indices, second: Indices) -> Indices:
-            pairs = _native.overlaps(first, second, x0, x1, inflation_radius, None)
-            if first is second:
+        def near(first: Indices, second: Indices, of_first: Indices, of_second: Indices) -> Indices:
+            """The pairs of primitives with these indices."""
+            pairs = _native.overlaps(of_first[first], of_second[second], x0, x1, radius, None)
+            if of_first is of_second:
                 pairs = pairs[pairs[:, 0] < pairs[:, 1]]
-            return np.hstack([first[pairs[:, 0]], second[pairs[:, 1]]])
+            return np.column_stack([first[pairs[:, 0]], second[pairs[:, 1]]])
 
+        def add(kind: Kind, first: Indices, second: Indices, of_first: Indices, of_second: Indices) -> None:
+            self._ids[kind] = ids = near(first, second, of_first, of_second)
+            self._pairs[kind] = np.hstack([of_first[ids[:, 0]], of_second[ids[:, 1]]])
+
+        vertices, edges, faces = (_all(rows) for rows in every[:3])
+        is_flat = np.shape(vertices_t0)[1] == 2
+        loose, rods = every.loose_vertices, every.loose_edges
+        add("vv", loose, loose, every.vertices, every.vertices)
         if is_flat:
-            self._pairs = {"ve": near(every.vertices, every.edges)}
+            add("ve", vertices, edges, every.vertices, every.edges)
         else:
-            self._pairs = {
-                "vf": near(every.vertices, every.faces),
-                "ee": near(every.edges, every.edges),
-                "ve": near(every.loose_vertices, every.loose_edges),
-                "vv": near(every.loose_vertices, every.loose_vertices),
-            }
+            add("ve", loose, rods, every.vertices, every.edges)
+            add("ee", edges, edges, every.edges, every.edges)
+            add("vf", vertices, faces, every.vertices, every.faces)
+            folds = near(np.setdiff1d(vertices, loose), rods, every.vertices, every.edges)
+            self._folds = np.column_stack([folds[:, 0], every.edges[folds[:, 1]]])
 
     def __len__(self) -> int:
         """The number of pairs."""
         return sum(len(pairs) for pairs in self._pairs.values())
+
+    def __getitem__(self, index: int) -> Candidate:
+        """The candidate with an index, in the order of ipctk: vertex-vertex, edge-vertex, edge-edge, face-vertex."""
+        place = index + len(self) if index < 0 else index
+        if place >= 0:
+            for kind, ids in self._ids.items():
+                if place < len(ids):
+                    return _stencil(kind, ids[place])
+                place -= len(ids)
+        raise IndexError(f"candidate {index}, but there are only {len(self)} candidates")
+
+    def __iter__(self) -> Iterator[Candidate]:
+        """The candidates in the order of their indices."""
+        return (_stencil(kind, row) for kind, ids in self._ids.items() for row in ids)
+
+    @property
+    def vv_candidates(self) -> list[VertexVertexCandidate]:
+        """The pairs of two vertices."""
+        return self._list("vv")
+
+    @property
+    def ev_candidates(self) -> list[EdgeVertexCandidate]:
+        """The pairs of an edge and a vertex."""
+        return self._list("ve")
+
+    @property
+    def ee_candidates(self) -> list[EdgeEdgeCandidate]:
+        """The pairs of two edges."""
+        return self._list("ee")
+
+    @property
+    def fv_candidates(self) -> list[FaceVertexCandidate]:
+        """The pairs of a face and a vertex."""
+        return self._list("vf")
+
+    def _list(self, kind: Kind) -> list[Any]:
+        return [_stencil(kind, row) for row in self._ids.get(kind, ())]
 
     def empty(self) -> bool:
         """Return True if there are no pairs."""
@@ -130,7 +157,7 @@ class Candidates:
 
     def clear(self) -> None:
         """Remove all pairs."""
-        self._pairs = {}
+        self._ids, self._pairs, self._folds = {}, {}, self._folds[:0]
 
     @property
     def pairs(self) -> dict[Kind, NDArray[np.uint32]]:
@@ -139,18 +166,22 @@ class Candidates:
 
     def is_step_collision_free(
         self,
-        mesh: CollisionMesh,
+        mesh: AnyMesh,
         vertices_t0: ArrayLike,
         vertices_t1: ArrayLike,
         min_distance: float = 0.0,
         narrow_phase_ccd: object = None,
     ) -> bool:
-        """Return True if none of the pairs comes within `min_distance` in the step, exactly."""
-        return self._earliest(mesh, *ends(mesh, vertices_t0, vertices_t1), min_distance) is None
+        """Return True if none of the pairs comes within `min_distance` in the step, exactly.
+
+        See :func:`exact_ccd.ipc.is_step_collision_free`, for meshes that are pierced at the start, too.
+        """
+        given = surface(mesh)
+        return self._earliest(given, *ends(given, vertices_t0, vertices_t1), min_distance) is None
 
     def compute_collision_free_stepsize(
         self,
-        mesh: CollisionMesh,
+        mesh: AnyMesh,
         vertices_t0: ArrayLike,
         vertices_t1: ArrayLike,
         min_distance: float = 0.0,
@@ -162,25 +193,25 @@ class Candidates:
         See :func:`exact_ccd.ipc.compute_collision_free_stepsize`.
         """
         rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
-        x0, x1 = ends(mesh, vertices_t0, vertices_t1)
-        time = self._earliest(mesh, x0, x1, min_distance)
+        given = surface(mesh)
+        x0, x1 = ends(given, vertices_t0, vertices_t1)
+        time = self._earliest(given, x0, x1, min_distance)
         if time is None:
             return 1.0
         size = whole = rescaling * time
         retreat = whole - np.nextafter(whole, 0.0)
         while size > 0.0:
-            if self._earliest(mesh, x0, x0 + size * (x1 - x0), min_distance) is None:
+            if self._earliest(given, x0, x0 + size * (x1 - x0), min_distance) is None:
                 return size
             size, retreat = float(whole - retreat), 2.0 * retreat
         return 0.0
 
-    def _earliest(self, mesh: CollisionMesh, x0: Floats, x1: Floats, min_distance: float) -> Optional[float]:
+    def _earliest(self, mesh: SurfaceMesh, x0: Floats, x1: Floats, min_distance: float) -> Optional[float]:
         """The first time at which a pair that can collide comes within the distance."""
         first: Optional[float] = None
-        for kind, pairs in self._pairs.items():
-            times = time_of_impact(
-                kind, indices=pairs, vertices_t0=x0, vertices_t1=x1, min_distance=min_distance
-            )
+        fold: tuple[Kind, Indices, float] = ("ve", self._folds, 0.0)
+        for kind, pairs, d in [*((kind, pairs, min_distance) for kind, pairs in self._pairs.items()), fold]:
+            times = time_of_impact(kind, indices=pairs, vertices_t0=x0, vertices_t1=x1, min_distance=d)
             near = np.flatnonzero(~np.isnan(times))
             for row in near[np.argsort(times[near], kind="stable")]:
                 if first is not None and times[row] >= first:
@@ -191,9 +222,19 @@ class Candidates:
         return first
 
 
-def allows(mesh: CollisionMesh, kind: Kind, vertices: NDArray[np.uint32]) -> bool:
+def _all(rows: Indices) -> Indices:
+    """The indices of all rows."""
+    return np.arange(len(rows), dtype=np.uint32)
+
+
+def _stencil(kind: Kind, ids: NDArray[np.uint32]) -> Candidate:
+    stencil, direction = _STENCILS[kind]
+    return stencil(*ids[::direction].tolist())
+
+
+def allows(mesh: SurfaceMesh, kind: Kind, vertices: NDArray[np.uint32]) -> bool:
     """Return True if any vertex of the first primitive and any of the second can collide."""
-    can_collide = getattr(mesh, "can_collide", None)
+    can_collide = rule_of(mesh)
     if can_collide is None:
         return True
     size = 2 if kind == "ee" else 1
@@ -201,19 +242,9 @@ def allows(mesh: CollisionMesh, kind: Kind, vertices: NDArray[np.uint32]) -> boo
     return any(can_collide(v, w) for v in a for w in b)
 
 
-def check_distance(name: str, distance: float) -> None:
-    """Refuse a number that is not finite or below 0."""
+def check_distance(name: str, value: ArrayLike) -> float:
+    """Return a distance; refuse a number that is not finite or below 0."""
+    distance = number(name, value)
     if not 0.0 <= distance < inf:
         raise ValueError(f"{name} is {distance}, expected a finite number of at least 0")
-
-
-def ends(mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike) -> tuple[Floats, Floats]:
-    """The positions at both ends, with z = 0 in two dimensions."""
-    if len(getattr(mesh, "planes", ())):
-        raise ValueError("static planes are not supported: add triangles in their place")
-    x0 = three_dimensional("vertices_t0", vertices_t0)
-    x1 = three_dimensional("vertices_t1", vertices_t1)
-    for name, x in (("vertices_t0", x0), ("vertices_t1", x1)):
-        if len(x) != mesh.num_vertices:
-            raise ValueError(f"{name} has {len(x)} rows, expected one for each of {mesh.num_vertices} vertices")
-    return x0, x1
+    return distance

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
-from .._arrays import floats
+from .._arrays import floats, number
 from ..queries import Kind
 from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
 
@@ -19,11 +19,12 @@ def _ccd(
 ) -> tuple[bool, float]:
     """The decision for one query, and its time; infinity if there is no contact until `tmax`."""
     check_rescaling(conservative_rescaling)
+    distance, last = number("min_distance", min_distance), number("tmax", tmax)
+    if isnan(last):
+        raise ValueError("tmax is nan, expected a number")
     query = three_dimensional("points", points)[None]
-    (time,) = _native.time_of_impact(kind, query, float(min_distance), 1).tolist()
-    if isnan(time) or time > tmax:
-        return False, inf
-    return True, conservative_rescaling * time
+    (time,) = _native.time_until(kind, query, distance, last).tolist()
+    return (False, inf) if isnan(time) else (True, conservative_rescaling * time)
 
 
 def three_dimensional(name: str, points: Union[ArrayLike, tuple[ArrayLike, ...]]) -> NDArray[np.float64]:
@@ -53,7 +54,8 @@ def point_point_ccd(
     min_distance : float
         The distance at which they count as touching.
     tmax : float
-        The end of the time that is examined.
+        The end of the time that is examined, and part of it. A contact at 1/3, which is no float64, is after
+        the largest float64 below it.
     conservative_rescaling : float
         The factor of the exact time that is returned, above 0 and at most 1.
 

@@ -13,12 +13,14 @@ from numpy.typing import ArrayLike
 from .. import _native
 from ..meshes import Detector, Mesh
 from ..queries import collides
-from .candidates import Candidates, CollisionMesh, allows, check_distance, ends, primitives
+from .candidates import Candidates, allows, check_distance
+from .collision_mesh import CollisionMesh
+from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
 
 
 def is_step_collision_free(
-    mesh: CollisionMesh,
+    mesh: AnyMesh,
     vertices_t0: ArrayLike,
     vertices_t1: ArrayLike,
     min_distance: float = 0.0,
@@ -27,9 +29,12 @@ def is_step_collision_free(
 ) -> bool:
     """Decide if a step of a mesh is free of contact, exactly.
 
+    A mesh that is pierced at the start is not in contact by that, as in ipctk: :func:`has_intersections` decides
+    it, and ``docs/pairs.md`` lists all pairs that are never in contact.
+
     Parameters
     ----------
-    mesh : ipctk.CollisionMesh
+    mesh : ipctk.CollisionMesh, CollisionMesh or exact_ccd.Mesh
         Or an object with the same attributes.
     vertices_t0, vertices_t1 : arrays of shape (V, 2) or (V, 3)
         The positions of the vertices at the start and at the end.
@@ -51,7 +56,7 @@ def is_step_collision_free(
     >>> is_step_collision_free(mesh, x0, x0 - [0, 0, 2] * (np.arange(4) == 3)[:, None])
     False
     """
-    x0, x1 = ends(mesh, vertices_t0, vertices_t1)
+    x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
     detector = _detector(mesh, vertices_t0, min_distance)
     if detector is not None:
         return detector.is_free(x0, x1)
@@ -60,7 +65,7 @@ def is_step_collision_free(
 
 
 def compute_collision_free_stepsize(
-    mesh: CollisionMesh,
+    mesh: AnyMesh,
     vertices_t0: ArrayLike,
     vertices_t1: ArrayLike,
     min_distance: float = 0.0,
@@ -69,6 +74,9 @@ def compute_collision_free_stepsize(
     conservative_rescaling: Optional[float] = None,
 ) -> float:
     """Compute a step size at which a mesh has not touched itself.
+
+    A mesh that is pierced at the start is not in contact by that, as in ipctk: :func:`has_intersections` decides
+    it, and ``docs/pairs.md`` lists all pairs that are never in contact.
 
     Parameters
     ----------
@@ -94,7 +102,7 @@ def compute_collision_free_stepsize(
     0.45
     """
     rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
-    x0, x1 = ends(mesh, vertices_t0, vertices_t1)
+    x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
     detector = _detector(mesh, vertices_t0, min_distance)
     if detector is not None:
         return detector.free_step(x0, x1, rescaling).size
@@ -103,48 +111,49 @@ def compute_collision_free_stepsize(
     )
 
 
-def has_intersections(mesh: CollisionMesh, vertices: ArrayLike, broad_phase: object = None) -> bool:
+def has_intersections(mesh: AnyMesh, vertices: ArrayLike, broad_phase: object = None) -> bool:
     """Decide if a mesh at rest passes through itself, exactly: an edge through a face, in 2D through an edge.
 
     Primitives that share a vertex are not compared. Touching counts.
 
     Parameters
     ----------
-    mesh : ipctk.CollisionMesh
+    mesh : ipctk.CollisionMesh, CollisionMesh or exact_ccd.Mesh
         Or an object with the same attributes.
     vertices : array of shape (V, 2) or (V, 3)
         The positions.
     broad_phase : object
         Accepted as in ipctk, without effect.
     """
-    x, _ = ends(mesh, vertices, vertices)
+    given = surface(mesh)
+    x, _ = ends(given, vertices, vertices)
     if np.shape(vertices)[1] == 3:
         return len(_known(mesh).detector.intersections(x)) > 0
-    edges = primitives(mesh).edges
+    edges = primitives(given).edges
     pairs = _native.overlaps(edges, edges, x, x, 0.0, None)
     pairs = pairs[pairs[:, 0] < pairs[:, 1]]
     fours = np.hstack([edges[pairs[:, 0]], edges[pairs[:, 1]]])
     meet = collides("ee", indices=fours, vertices_t0=x, vertices_t1=x)
-    return any(allows(mesh, "ee", four) for four in fours[meet])
+    return any(allows(given, "ee", four) for four in fours[meet])
 
 
 def _candidates(
-    mesh: CollisionMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike, min_distance: float
+    mesh: AnyMesh, vertices_t0: ArrayLike, vertices_t1: ArrayLike, min_distance: float
 ) -> Candidates:
-    check_distance("min_distance", min_distance)
+    distance = check_distance("min_distance", min_distance)
     # Half of an odd multiple of the smallest float64 is rounded, perhaps down: the rest is not less then.
-    half = 0.5 * min_distance
+    half = 0.5 * distance
     candidates = Candidates()
-    candidates.build(mesh, vertices_t0, vertices_t1, max(half, min_distance - half))
+    candidates.build(mesh, vertices_t0, vertices_t1, max(half, distance - half))
     return candidates
 
 
-def _detector(mesh: CollisionMesh, vertices: ArrayLike, min_distance: float) -> Optional[Detector]:
+def _detector(mesh: AnyMesh, vertices: ArrayLike, min_distance: float) -> Optional[Detector]:
     """The detector of a mesh in three dimensions."""
     if np.shape(vertices)[1] == 2:
         return None
-    known = _known(mesh)
-    return known.detector if min_distance == 0.0 else Detector(known.mesh, min_distance=min_distance)
+    known, distance = _known(mesh), check_distance("min_distance", min_distance)
+    return known.detector if distance == 0.0 else Detector(known.mesh, min_distance=distance)
 
 
 class _Known(NamedTuple):
@@ -155,28 +164,37 @@ class _Known(NamedTuple):
 
 
 class _Cache(threading.local):
-    """The meshes of ipctk that a thread has seen: their faces and edges never change."""
+    """The meshes that a thread has seen: their faces and edges never change."""
 
     def __init__(self) -> None:
-        self.known = weakref.WeakKeyDictionary[CollisionMesh, _Known]()
+        self.known = weakref.WeakKeyDictionary[AnyMesh, _Known]()
 
 
 _cache = _Cache()
 
 
-def _known(mesh: CollisionMesh) -> _Known:
-    if type(mesh).__module__.split(".")[0] != "ipctk":
-        return _new(mesh, lambda: mesh)
+def _known(mesh: AnyMesh) -> _Known:
+    is_kept = isinstance(mesh, (Mesh, CollisionMesh)) or type(mesh).__module__.split(".")[0] == "ipctk"
+    if not is_kept:
+        return _new(surface(mesh), lambda: surface(mesh))
     if mesh not in _cache.known:
         # Not kept alive by its own detector.
-        _cache.known[mesh] = _new(mesh, weakref.ref(mesh))
+        _cache.known[mesh] = _of_mesh(mesh) if isinstance(mesh, Mesh) else _new(mesh, weakref.ref(mesh))
     return _cache.known[mesh]
 
 
-def _new(mesh: CollisionMesh, reference: Callable[[], Optional[CollisionMesh]]) -> _Known:
+def _of_mesh(mesh: Mesh) -> _Known:
+    """A mesh of this package, as another object with the same compiled part."""
+    twin = object.__new__(Mesh)
+    twin.__dict__.update(mesh.__dict__)
+    return _Known(twin, Detector(twin))
+
+
+def _new(mesh: SurfaceMesh, reference: Callable[[], Optional[SurfaceMesh]]) -> _Known:
     def can_collide(v: int, w: int) -> object:
         # The rule of a mesh may be replaced between two calls.
-        rule = getattr(reference(), "can_collide", None)
+        now = reference()
+        rule = None if now is None else rule_of(now)
         return rule is None or rule(v, w)
 
     every = primitives(mesh)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from os import PathLike, fspath
 from typing import Any, NamedTuple, Optional, Union
 
@@ -12,7 +12,8 @@ import ray
 from numpy.typing import ArrayLike, NDArray
 
 from ..audits import AuditReport, examine, in_files
-from ..frames import ArrayFrames, FileFrames, FilePath, Frames, ordered
+from ..frames import ArrayFrames, FileFrames, FilePath, Frames, Rules, ordered
+from ..half_spaces import HalfSpaces
 from ..meshes import Detector, Progress
 from .chunks import Chunk, Results, absolute, chunks, digest, file_system
 
@@ -22,6 +23,9 @@ def audit(
     faces: Optional[ArrayLike] = None,
     *,
     edges: Optional[ArrayLike] = None,
+    groups: Optional[ArrayLike] = None,
+    can_collide: Optional[Callable[[int, int], object]] = None,
+    half_spaces: Optional[ArrayLike] = None,
     min_distance: Union[float, ArrayLike] = 0.0,
     filesystem: Optional[pyarrow.fs.FileSystem] = None,
     steps: int = 32,
@@ -39,7 +43,7 @@ def audit(
 
     Parameters
     ----------
-    frames, faces, edges, min_distance
+    frames, faces, edges, groups, can_collide, half_spaces, min_distance
         As of :func:`exact_ccd.audit`. Files must be at the same place on all machines. An array is sent in
         chunks.
     filesystem : pyarrow.fs.FileSystem, optional
@@ -51,7 +55,8 @@ def audit(
         The largest number of chunks in work at once; by default twice the number of cores of the cluster.
     results : path, optional
         A folder for the results of finished chunks. The same audit, started again with the same folder, does
-        not repeat them. Files count as the same by name, size and time of change.
+        not repeat them. Files count as the same by name, size and time of change. Not with `can_collide`,
+        as two functions cannot be compared: `groups` can.
     progress : callable, optional
         Called with the number of steps done since its last call, as ``tqdm.update``.
     retries : int
@@ -67,23 +72,42 @@ def audit(
         raise ValueError("there are no frames")
     if steps < 1 or window is not None and window < 1:
         raise ValueError("steps and window must be 1 or more")
-    distance = np.asarray(min_distance, np.float64)
-    # Errors of the mesh and of the distance are those of the caller.
-    Detector(source.mesh(), min_distance=distance)
+    if results is not None and can_collide is not None:
+        raise ValueError("results are not kept for a function can_collide: give groups, or no results")
+    settings = Settings(np.asarray(min_distance, np.float64), Rules(groups, can_collide), half_spaces)
+    # Errors of the mesh and of the settings are those of the caller.
+    settings.detector(source, threads=None)
+    settings.planes()
     kept: Optional[Results] = None
     if results is not None:
         place, folder = file_system(results, filesystem)
-        kept = Results(folder, digest(distance, *identity), place)
+        given = (settings.distance, *(None if value is None else np.asarray(value) for value in (groups, half_spaces)))
+        kept = Results(folder, digest(*given, *identity), place)
     if not ray.is_initialized():
         ray.init()
-    work = _Work(source, distance, kept, progress, retries)
+    work = _Work(source, settings, kept, progress, retries)
     return work.run(window or 2 * max(1, int(ray.cluster_resources().get("CPU", 1))), steps)
 
 
-def examine_chunk(part: Frames, distance: NDArray[np.float64], first: int) -> AuditReport:
+class Settings(NamedTuple):
+    """All that an audit depends on besides its frames."""
+
+    distance: NDArray[np.float64]
+    rules: Rules
+    half_spaces: Optional[ArrayLike]
+
+    def detector(self, frames: Frames, threads: Optional[int]) -> Detector:
+        """The detector of the mesh of the frames."""
+        return Detector(frames.mesh(self.rules), min_distance=self.distance, threads=threads)
+
+    def planes(self) -> Optional[HalfSpaces]:
+        """The half spaces."""
+        return None if self.half_spaces is None else HalfSpaces(self.half_spaces, self.distance)
+
+
+def examine_chunk(part: Frames, settings: Settings, first: int) -> AuditReport:
     """The report of a chunk, whose first frame has this number."""
-    detector = Detector(part.mesh(), min_distance=distance, threads=1)
-    return AuditReport(*examine(detector, part, first))
+    return AuditReport(*examine(settings.detector(part, threads=1), part, first, half_spaces=settings.planes()))
 
 
 _examine_chunk = ray.remote(num_cpus=1)(examine_chunk)
@@ -93,7 +117,7 @@ class _Work(NamedTuple):
     """An audit in chunks."""
 
     frames: Frames
-    distance: NDArray[np.float64]
+    settings: Settings
     results: Optional[Results]
     progress: Optional[Progress]
     retries: int
@@ -138,7 +162,7 @@ class _Work(NamedTuple):
     def _start(self, chunk: Chunk) -> Any:
         part = self.frames.part(chunk.first, chunk.last)
         task = _examine_chunk.options(max_retries=self.retries)
-        return task.remote(part, self.distance, chunk.first)
+        return task.remote(part, self.settings, chunk.first)
 
     def _finish(self, chunk: Chunk, task: Any) -> Union[AuditReport, Exception]:
         try:

@@ -104,9 +104,10 @@ def from_json(text: Union[str, bytes]) -> AuditReport:
         fields["normal"] = fields["normal"] or [np.nan] * 3
         types = {"vertices": np.int64, "normal": np.float64, "points": np.float64, "distance": np.float64}
         contact = Contact(**{**fields, **{name: np.array(fields[name], type) for name, type in types.items()}})
-    pair = found["intersection"]
-    intersection = None if pair is None else (pair[0], pair[1])
-    return AuditReport(value["frames"], Violation(found["frame"], contact, intersection))
+    intersection, half_space = (
+        None if pair is None else (pair[0], pair[1]) for pair in (found["intersection"], found["half_space"])
+    )
+    return AuditReport(value["frames"], Violation(found["frame"], contact, intersection, half_space))
 
 
 def absolute(path: Union[str, PathLike[str]]) -> str:

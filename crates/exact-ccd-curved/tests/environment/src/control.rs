@@ -8,9 +8,7 @@ const FLUSH: u32 = 0x8040;
 const ROUNDING: u32 = 0x6000;
 
 /// All environments: the default one first.
-pub const ENVIRONMENTS: [u32; 8] = [
-    0, 0x2000, 0x4000, 0x6000, 0x8040, 0xa040, 0xc040, 0xe040,
-];
+pub const ENVIRONMENTS: [u32; 8] = [0, 0x2000, 0x4000, 0x6000, 0x8040, 0xa040, 0xc040, 0xe040];
 
 /// Sets the environment of this thread.
 pub fn set(environment: u32) {

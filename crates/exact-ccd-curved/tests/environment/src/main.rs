@@ -38,8 +38,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Checks the answers with the threads of rayon in an environment: with the main thread in the default one, and
-/// with the main thread in the same one.
+/// Checks the answers with the threads of rayon in an environment: with the main thread in the default
+/// one, and with the main thread in the same one.
 fn check(of_threads: usize) -> ExitCode {
     let scenes = Scene::all();
     let default = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build();
@@ -47,7 +47,7 @@ fn check(of_threads: usize) -> ExitCode {
     let expected = default.install(|| scenes.each_ref().map(Scene::contacts));
     let curved = default.install(|| (curves::step(), curves::points()));
     let sides = sides();
-    let environment = |thread: usize| match of_threads {
+    let environment = move |thread: usize| match of_threads {
         MIXED => ENVIRONMENTS[1 + thread],
         index => ENVIRONMENTS[index],
     };

@@ -115,7 +115,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// The vertices of a primitive, in the order in which they form its elements. There are `count` positions.
+    /// The vertices of a primitive, in the order in which they form its elements, of `count` positions.
     fn vertices(&self, part: &Part, first: usize, count: u64) -> Result<Vec<u32>, Fault> {
         let indices = match part.primitive.indices {
             None => {

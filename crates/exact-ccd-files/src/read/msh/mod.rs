@@ -91,7 +91,7 @@ fn read_sections<'a>(
                 }
                 groups.read_entities(&mut values)?;
             }
-            // Without another `$`, no two places where the end may begin overlap: the search for it is linear.
+            // Without another `$`, no two places where the end may begin overlap: its search is linear.
             ([b'$', name @ ..], _) if name.iter().all(u8::is_ascii_alphanumeric) => {
                 let name = String::from_utf8_lossy(name);
                 values.skip_to(&format!("$End{name}"))?;

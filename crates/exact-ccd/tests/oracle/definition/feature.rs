@@ -18,8 +18,8 @@ type Vector = [Polynomial; 3];
 /// Two features at the distance √(N / M), if their closest points lie inside of both: if M > 0 and all guards
 /// are at least 0.
 pub(crate) struct Feature {
-    /// N − d² M. At d = 0, N is a sum of squares that is at most 0 where all of them vanish: there, this is their
-    /// greatest common divisor, which has a lower degree.
+    /// N − d² M. At d = 0, N is a sum of squares that is at most 0 where all of them vanish: there, this is
+    /// their greatest common divisor, which has a lower degree.
     excess: Function,
     is_contact: bool,
     /// M.

@@ -124,8 +124,8 @@ impl Root {
                 Less
             };
         }
-        // The polynomial changes its sign at the root, and nowhere else in the interval; only at its ends may it
-        // have other roots.
+        // The polynomial changes its sign at the root, and nowhere else in the interval. It may have other
+        // roots at its ends only.
         let [sign, end] = [t, &self.high].map(|t| self.sturm.simple().sign_at(t));
         let is_less = || {
             if end == Equal {

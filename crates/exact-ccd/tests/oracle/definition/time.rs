@@ -43,7 +43,7 @@ impl Time {
         ([a, b].map(|t| &t.numerator << (shift - t.shift)), shift)
     }
 
-    /// A time strictly between two: that in the middle, or, if these are much nearer to 0 or to 1 than to each
+    /// A time strictly between two: the middle, or, if these are much nearer to 0 or to 1 than to each
     /// other, a power of two from there with the mean exponent. So a few halvings reach a root at 2⁻³⁰⁰⁰.
     pub(crate) fn between(low: &Self, high: &Self) -> Self {
         let ([a, b], shift) = Self::aligned(low, high);
