@@ -201,8 +201,8 @@ impl Coplanar {
     }
 }
 
-/// The next number of a sequence of pseudo-random ones (SplitMix64): of either sign, with 53 bits and a magnitude
-/// from 1/16 to 1, so that most differences are not f64.
+/// The next number of a sequence of pseudo-random ones (SplitMix64): of either sign, with 53 bits and a
+/// magnitude from 1/16 to 1, so that most differences are not f64.
 fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
