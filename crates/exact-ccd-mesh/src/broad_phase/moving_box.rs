@@ -81,10 +81,9 @@ fn nearest(x: f64) -> f32 {
 /// An f32 that is not above [`nearest`] of a difference, which was rounded to x in any floating-point
 /// environment, and that is not subnormal.
 ///
-/// x as an f32 is off by at most 2⁻²³ |x| + 2⁻¹²⁶, `nearest` by half of that and 2⁻¹²⁶, the difference itself
-/// by far less, and the three operations here by 2⁻²³ of their results: 2⁻²⁰ |x| + 2⁻¹⁰⁰ exceeds the
-/// sum. In any environment an overflow is above [`LARGE`]. The result is a multiple of 2⁻¹²⁴ where it is
-/// near 0.
+/// x as an f32 is off by at most 2⁻²³ |x| + 2⁻¹²⁶, `nearest` by half of that and 2⁻¹²⁶, the difference
+/// itself by far less, and the three operations here by 2⁻²³ of their results: 2⁻²⁰ |x| + 2⁻¹⁰⁰ exceeds the
+/// sum. In any environment an overflow is above 2¹²⁶. The result is a multiple of 2⁻¹²⁴ where it is near 0.
 #[cold]
 fn below(x: f64) -> f32 {
     /// 2¹²⁶, a quarter of the range of f32.

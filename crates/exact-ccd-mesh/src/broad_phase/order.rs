@@ -49,8 +49,10 @@ fn sort(points: &[Point], keyed: &mut [(u64, u32)]) {
         *key = spread(x) << 2 | spread(y) << 1 | spread(z);
     });
     keyed.par_sort_unstable();
+    let count = keyed.len();
     for run in keyed.chunk_by_mut(|(a, _), (b, _)| a == b) {
-        if run.len() > SMALL {
+        // Threads that round subnormal numbers differently may put all points into one cell.
+        if run.len() > SMALL && run.len() < count {
             sort(points, run);
         }
     }

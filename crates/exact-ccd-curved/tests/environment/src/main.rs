@@ -38,8 +38,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Checks the answers with the threads of rayon in an environment: with the main thread in the default
-/// one, and with the main thread in the same one.
+/// Checks the answers with the threads of rayon in an environment: with the main thread in the default one,
+/// and with the main thread in the same one.
 fn check(of_threads: usize) -> ExitCode {
     let scenes = Scene::all();
     let default = rayon::ThreadPoolBuilder::new().num_threads(THREADS).build();

@@ -21,8 +21,7 @@ pub struct Scene {
 pub type Contacts = Vec<(Pair, u64, u64)>;
 
 impl Scene {
-    /// Small triangles that move a little, by the function that makes a point from three numbers around
-    /// those of the centre of a triangle.
+    /// Small triangles that move a little, by the function that makes a point near the centre of a triangle.
     fn new(name: &'static str, seed: u64, point: impl Fn(&mut Random, [f64; 2]) -> Point) -> Self {
         let mut random = Random(seed);
         let faces = (0..TRIANGLES as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
@@ -61,8 +60,8 @@ impl Scene {
         ]
     }
 
-    /// The contacts of the step, of all and the earliest one; among candidates of both kinds of boxes;
-    /// and with a minimum distance.
+    /// The contacts of the step, all and the earliest; those within a minimum distance; and those among the
+    /// candidates of both kinds of boxes.
     pub fn contacts(&self) -> [Contacts; 5] {
         let [x0, x1] = &self.ends;
         let key = |contact: &exact_ccd_mesh::Contact| {
