@@ -194,3 +194,17 @@ fn two_contacts_between_adjacent_numbers() {
     assert_eq!(first, ([just_above(0.5f64.next_down()); 2], true));
     assert_eq!(second, ([just_above(0.5); 2], true));
 }
+
+/// The vertex reaches the plane of the face and the line of a side at 1/4: a root of different polynomials.
+#[test]
+fn different_polynomials_have_a_common_root() {
+    let at = |x: f64, z: f64| [[x, 1.0, z], [0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    assert_within(
+        VertexFace,
+        &at(-1.0, 1.0),
+        &at(3.0, -3.0),
+        0.0,
+        &[[exactly(0.25); 2]],
+    );
+    assert_within(VertexFace, &at(-1.0, 1.0), &at(-5.0, -3.0), 0.0, &[]);
+}

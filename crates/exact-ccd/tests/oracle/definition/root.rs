@@ -155,14 +155,15 @@ impl Root {
             return other.compare_to_time(&self.low).reverse();
         }
         for halvings in 0.. {
+            // Of two equal times, neither is before the other.
+            if self.is_point() || other.is_point() {
+                return self.compare(other);
+            }
             if self.high <= other.low {
                 return Less;
             }
             if other.high <= self.low {
                 return Greater;
-            }
-            if self.is_point() || other.is_point() {
-                return self.compare(other);
             }
             let low = self.low.clone().max(other.low.clone());
             let high = self.high.clone().min(other.high.clone());
