@@ -3,6 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
+use exact_ccd::batch::Trajectories;
 use exact_ccd::{EdgeEdge, Impact, Kind, Point, Query, VertexFace, exact};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -307,20 +308,29 @@ fn no_contact_no_impact() {
     assert_eq!(exact::impact(&query), None);
 }
 
-/// An end of one edge moves through the plane y = 0 along the other edge: its parameter is 0 or 1, and a zero
-/// has no sign.
+/// The end b0 of one edge meets the other edge, at v = 0: by itself and in a batch, for each reflection and
+/// order of the points. A zero has no sign.
 #[test]
 fn zeros_of_parameters_are_positive() {
-    let (a0, a1) = ([1.0, 0.0, -1.0], [1e-5, 0.0, 0.0]);
-    let (b0, b1) = ([0.1, 0.0, 0.1], [1e-5, -0.7, 0.0]);
+    let start = [
+        [221.0, 60.0, -1.0],
+        [220.00001, 60.0, 0.0],
+        [220.1, 60.0, 0.1],
+        [220.00001, 59.3, 0.0],
+    ];
     let raised = |[x, y, z]: Point| [x, y, z + 0.25];
+    let end = [raised(start[0]), raised(start[1]), start[2], start[3]];
+    let mut zeros = 0;
+    let mut check = |impact: Impact| {
+        let parameters = impact.parameters;
+        zeros += parameters.into_iter().filter(|u| *u == 0.0).count();
+        assert!(parameters.into_iter().all(f64::is_sign_positive), "{impact:?}");
+    };
     for flip in 0..8 {
         let reflect = |[x, y, z]: Point| {
             let sign = |bit: u8| if flip >> bit & 1 == 0 { 1.0 } else { -1.0 };
             [sign(0) * x, sign(1) * y, sign(2) * z]
         };
-        let start = [a0, a1, b0, b1].map(reflect);
-        let end = [raised(a0), raised(a1), b0, b1].map(reflect);
         for order in [
             [0, 1, 2, 3],
             [1, 0, 2, 3],
@@ -328,18 +338,13 @@ fn zeros_of_parameters_are_positive() {
             [2, 3, 0, 1],
             [3, 2, 1, 0],
         ] {
-            let [start, end] = [start, end].map(|points| order.map(|i: usize| points[i]));
-            let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
-            let is_end = |u: f64| u == 0.0 || u == 1.0;
-            assert!(
-                impact.parameters.into_iter().any(is_end),
-                "{flip} {order:?} {impact:?}"
-            );
-            let is_positive = |u: f64| u.is_sign_positive();
-            assert!(
-                impact.parameters.into_iter().all(is_positive),
-                "{flip} {order:?} {impact:?}"
-            );
+            let [start, end] = [start, end].map(|points| order.map(|i: usize| reflect(points[i])));
+            check(Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap());
+            let batch = Trajectories::new(&start, &end).unwrap();
+            let found =
+                batch.collisions::<EdgeEdge>(&[[0, 1, 2, 3]; 8], |_, collision| check(collision.impact()));
+            found.unwrap();
         }
     }
+    assert!(zeros > 0);
 }

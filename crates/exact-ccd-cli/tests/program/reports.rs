@@ -255,6 +255,42 @@ fn a_list_has_the_intersections_at_the_start() {
     assert!(!moving.is_empty());
 }
 
+/// An edge rises through the end of another one: the parameter there is 0. A vertex rises to the point
+/// (0, 0, 0) of a face.
+#[test]
+fn zeros_of_places_and_parameters_have_no_sign() {
+    let folder = Folder::new();
+    let mesh = |name: &str, rise: f64| {
+        let rising = [[219.0, 60.0, 2.0], [221.0, 60.0, -1.0], [220.00001, 60.0, 0.0]];
+        let mut positions: Vec<_> = rising.map(|[x, y, z]| [x, y, z + rise]).to_vec();
+        positions.extend([[221.0, 60.1, 1e-5], [220.1, 60.0, 0.1], [220.00001, 59.3, 0.0]]);
+        positions.extend([[-1.0, -1.0, 0.0], [1.0, -1.0, -0.0], [-0.0, 1.0, 0.0]]);
+        positions.extend([[-0.0, -0.0, 4.0 * rise - 0.5], [0.0, 1.0, -9.0], [1.0, 1.0, -9.0]]);
+        let faces = vec![[0, 1, 2], [3, 4, 5], [6, 7, 8], [9, 10, 11]];
+        folder.write(name, ply(&Frame::new(positions, faces).unwrap()));
+    };
+    mesh("start.ply", 0.0);
+    mesh("end.ply", 0.25);
+    let run = folder.run(&["step", "start.ply", "end.ply", "--all", "all.jsonl"]);
+    assert_eq!(run.status, 1);
+    let found = lines(&folder, "all.jsonl");
+    let mut zeros = 0;
+    for record in &found {
+        for name in ["point", "normal", "parameters"] {
+            for number in record[name].as_array().into_iter().flatten() {
+                let number = number.as_f64().unwrap();
+                zeros += usize::from(number == 0.0);
+                assert!(number != 0.0 || number.is_sign_positive(), "{name} of {record}");
+            }
+        }
+    }
+    assert!(zeros >= 4, "{found:?}");
+    assert!(
+        found.iter().any(|record| record["ids"] == json!([2, 5])),
+        "{found:?}"
+    );
+}
+
 /// The point on the segment from a to b at height 0.
 fn at_height_0(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     let s = a[2] / (a[2] - b[2]);
