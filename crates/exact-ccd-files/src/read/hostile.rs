@@ -229,32 +229,7 @@ const EXPANDING: &[(&str, Format, Make)] = &[
         let mut deflate = DeflateEncoder::new(Vec::new(), Compression::best());
         deflate.write_all(&[&member[..], &[0; 1 << 20]].concat()).unwrap();
         let data = deflate.finish().unwrap();
-        let sizes = [data.len() as u32, 1 << 20].map(u32::to_le_bytes).concat();
-        let local = [
-            b"PK\x03\x04\0\0\0\0\x08\0\0\0\0\0\0\0\0\0",
-            &sizes[..],
-            b"\x05\0\0\0a.npy",
-            &data,
-        ];
-        let entry = [
-            b"PK\x01\x02\0\0\0\0\0\0\x08\0\0\0\0\0\0\0\0\0",
-            &sizes[..],
-            b"\x05\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0a.npy",
-        ];
-        let (local, list) = (local.concat(), entry.concat().repeat(count));
-        let numbers = [(count as u16).to_le_bytes(); 2].concat();
-        let place = [list.len() as u32, local.len() as u32]
-            .map(u32::to_le_bytes)
-            .concat();
-        [
-            &local[..],
-            &list,
-            b"PK\x05\x06\0\0\0\0",
-            &numbers,
-            &place,
-            b"\0\0",
-        ]
-        .concat()
+        npz(&data, 1 << 20, count)
     }),
 ];
 
@@ -281,6 +256,17 @@ fn files_that_expand_cost_in_proportion_to_their_size() {
     for &(name, format, make) in EXPANDING {
         assert_linear(name, make, 1000, |file, budget| read(file, format, budget));
     }
+}
+
+/// A decompressor reads blocks of deflate that are empty, and returns nothing.
+#[test]
+fn compressed_data_that_many_members_have_in_common_are_work_for_each() {
+    let empty_blocks = b"\0\0\0\xff\xff".repeat(20_000);
+    let file = npz(&empty_blocks, 1, 2_000);
+    let budget = Budget::new(u64::MAX);
+    budget.add_file(file.len() as u64).unwrap();
+    let error = read(&file, Format::Npz, &budget).unwrap_err();
+    assert!(error.to_string().contains("expand"), "{error}");
 }
 
 #[test]
@@ -345,4 +331,34 @@ fn npy(shape: &str) -> Vec<u8> {
     let header = format!("{{'descr': '<f8', 'fortran_order': True, 'shape': {shape}, }}\n");
     let length = (header.len() as u32).to_le_bytes();
     [b"\x93NUMPY\x02\x00", &length[..], header.as_bytes(), &[0; 8]].concat()
+}
+
+/// An archive of compressed members that have their data in common.
+fn npz(data: &[u8], size: u32, count: usize) -> Vec<u8> {
+    let sizes = [data.len() as u32, size].map(u32::to_le_bytes).concat();
+    let local = [
+        b"PK\x03\x04\0\0\0\0\x08\0\0\0\0\0\0\0\0\0",
+        &sizes[..],
+        b"\x05\0\0\0a.npy",
+        data,
+    ];
+    let entry = [
+        b"PK\x01\x02\0\0\0\0\0\0\x08\0\0\0\0\0\0\0\0\0",
+        &sizes[..],
+        b"\x05\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0a.npy",
+    ];
+    let (local, list) = (local.concat(), entry.concat().repeat(count));
+    let numbers = [(count as u16).to_le_bytes(); 2].concat();
+    let place = [list.len() as u32, local.len() as u32]
+        .map(u32::to_le_bytes)
+        .concat();
+    [
+        &local[..],
+        &list,
+        b"PK\x05\x06\0\0\0\0",
+        &numbers,
+        &place,
+        b"\0\0",
+    ]
+    .concat()
 }

@@ -101,7 +101,11 @@ impl<'a> Zip<'a> {
         bytes.take(22, expected)?;
         let [name, extra] = [number(&mut bytes)?, number(&mut bytes)?].map(u64::from);
         bytes.take(name + extra, expected)?;
-        bytes.take(member.compressed_size, expected)
+        let data = bytes.take(member.compressed_size, expected)?;
+        // Members may have their data in common, and compressed data need not expand to anything.
+        let work = self.budget.work(data.len() as u64);
+        work.map_err(|fault| fault.at(Place::File))?;
+        Ok(data)
     }
 }
 
