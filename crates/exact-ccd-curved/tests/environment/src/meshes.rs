@@ -44,18 +44,18 @@ impl Scene {
             Self::new("plane", 1, |random, [a, b]| {
                 // Near 0, where most differences are not f64.
                 let x = near(random, 0.0);
-                [x, -x, near(random, 16.0 * a + b)]
+                [x, -x, near(random, 64.0 * a + b)]
             }),
             Self::new("subnormal", 2, |random, [a, b]| {
                 let mut coordinate = |x: f64| {
-                    let size = (300.0 * x).round() + random.integer(4);
+                    let size = (900.0 * x).round() + random.integer(4);
                     let magnitude = f64::from_bits(size.abs() as u64);
                     if size < 0.0 { -magnitude } else { magnitude }
                 };
                 [coordinate(a), coordinate(b), coordinate(0.0)]
             }),
             Self::new("space", 3, |random, [a, b]| {
-                [near(random, a), near(random, b), near(random, 0.0)]
+                [near(random, 3.0 * a), near(random, 3.0 * b), near(random, 0.0)]
             }),
         ]
     }
