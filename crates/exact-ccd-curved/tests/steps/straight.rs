@@ -42,3 +42,19 @@ fn the_times_are_those_of_the_exact_step() {
     }
     assert!((30..270).contains(&free), "{free}");
 }
+
+/// A rod of two edges that folds through itself. Its edges are shorter than the larger distance.
+#[test]
+fn a_rod_that_folds_touches_at_distance_zero_only() {
+    let mesh = TriangleMesh::with_edges(3, Vec::new(), &[[0, 1], [0, 2]]).unwrap();
+    let rest = |x: f64| Polynomial::new([[x, 0.0, 0.0]; 2]);
+    let falling = |end: f64| Polynomial::new([[2.0, 0.0, 1.0], [2.0, 0.0, end]]);
+    for d in [0.0, 100.0] {
+        let until = |end: f64| {
+            let trajectories = [rest(0.0), rest(4.0), falling(end)];
+            let step = curved_step(&mesh, &trajectories, within(d), &CurvedStepOptions::default()).unwrap();
+            step.answer.free_until
+        };
+        assert_eq!((until(0.25), until(-1.0)), (1.0, 0.5), "{d}");
+    }
+}
