@@ -29,13 +29,13 @@ fn every_crate_is_published_after_its_dependencies() {
         .collect();
     let crates = dependencies(&repository.join("crates"));
     assert_eq!(order.len(), crates.len(), "{order:?}");
-    let position = |name: &str| order.iter().position(|other| *other == name).ok_or(name);
+    let position = |name: &str| {
+        let place = order.iter().position(|other| *other == name);
+        place.unwrap_or_else(|| panic!("{name} is missing"))
+    };
     for (name, dependencies) in &crates {
         for dependency in dependencies.iter().filter(|dependency| *dependency != name) {
-            assert!(
-                position(dependency).unwrap() < position(name).unwrap(),
-                "{name}: {dependency}"
-            );
+            assert!(position(dependency) < position(name), "{name}: {dependency}");
         }
     }
     let of_sim = &crates["exact-ccd-sim"];

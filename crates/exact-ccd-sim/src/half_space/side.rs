@@ -49,7 +49,7 @@ fn in_integers(normal: Point, point: Point, x: Point, offset: f64) -> bool {
 }
 
 /// The number times 2¹⁰⁷⁴, which is an integer for every finite f64.
-fn integer(number: f64) -> IBig {
+pub(super) fn integer(number: f64) -> IBig {
     let bits = number.to_bits();
     let fraction = bits & ((1 << 52) - 1);
     let exponent = (bits >> 52 & 0x7ff) as usize;
