@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use exact_ccd::separation::{Separation, Thickness};
-use exact_ccd::{EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{ContactTime, EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{
     Audit, Bvh, CandidateOptions, Candidates, Detector, Frame, FreeStepOptions, MinDistance, Pair, Point,
     Step, TriangleMesh, Violation, intersections, step,
@@ -200,7 +200,7 @@ fn first(mesh: &TriangleMesh, [x0, x1]: [&[Point]; 2], d: f64) -> Option<f64> {
             }
         }
     }
-    let lower = times.into_iter().flatten().map(|time| time.lower());
+    let lower = times.into_iter().flatten().map(ContactTime::lower);
     lower.min_by(f64::total_cmp)
 }
 
