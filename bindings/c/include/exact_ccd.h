@@ -261,6 +261,9 @@ void exact_ccd_detector_free(struct exact_ccd_detector_t *detector);
 
 // Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 // default.
+// 
+// A vertex and an edge of rods that another edge connects are in contact at distance 0 only; `docs/pairs.md`
+// has the reason.
 enum exact_ccd_status_t exact_ccd_detector_set_min_distance(struct exact_ccd_detector_t *detector,
                                                             double min_distance);
 
@@ -294,7 +297,7 @@ enum exact_ccd_status_t exact_ccd_detector_set_threads(struct exact_ccd_detector
 // t = 0, as always.
 //
 // The check is a pass over the mesh at rest. No pass is made if `x0` is, bit for bit, the start of the
-// step before, or, without a callback, the end of the last step that was found free.
+// step before, or, without groups and without a callback, the end of the last step that was found free.
 enum exact_ccd_status_t exact_ccd_detector_set_start_check(struct exact_ccd_detector_t *detector,
                                                            bool is_on);
 
@@ -471,7 +474,7 @@ enum exact_ccd_status_t exact_ccd_distance_at(uint32_t kind,
 // 1024, or 0 for the number of cores, which it is without this call. It holds from the next call on, on
 // all threads of the process.
 //
-// The number does not change any answer. Threads are kept for later calls with the same number.
+// The number does not change any answer. The threads are kept until there is another number.
 enum exact_ccd_status_t exact_ccd_set_threads(uint32_t count);
 
 // The version of the library, such as "0.1.0". The string is never freed.

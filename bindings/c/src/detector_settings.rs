@@ -12,6 +12,9 @@ use crate::threads::Threads;
 
 /// Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 /// default.
+/// 
+/// A vertex and an edge of rods that another edge connects are in contact at distance 0 only; `docs/pairs.md`
+/// has the reason.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_min_distance(
     detector: *mut Detector,
@@ -108,7 +111,7 @@ pub unsafe extern "C" fn exact_ccd_detector_set_threads(detector: *mut Detector,
 /// t = 0, as always.
 ///
 /// The check is a pass over the mesh at rest. No pass is made if `x0` is, bit for bit, the start of the
-/// step before, or, without a callback, the end of the last step that was found free.
+/// step before, or, without groups and without a callback, the end of the last step that was found free.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_detector_set_start_check(detector: *mut Detector, is_on: bool) -> Status {
     call(|| {

@@ -98,7 +98,8 @@ impl<B: BroadPhase> Detector<B> {
     /// passes through a face there, as [`crossings`](crate::crossings) defines it, among the pairs that can
     /// collide. Primitives that merely touch are contacts at t = 0, as always. The check is a pass over the
     /// mesh at rest. No pass is made if `x0` is, bit for bit, the start of the step before, or the end of the
-    /// last step that was found free, such as the positions of a [`free_step`](Self::free_step). With a
+    /// last step that [`is_free`](Self::is_free) or [`earliest_contact`](Self::earliest_contact) found free,
+    /// such as the positions of a [`free_step`](Self::free_step). With a
     /// predicate of [`with_can_collide`](Self::with_can_collide), only the first holds: it may leave out the
     /// pairs through which an edge comes to cross a face.
     ///

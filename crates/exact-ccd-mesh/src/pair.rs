@@ -45,10 +45,11 @@ use crate::by_kind::PairCounts;
 /// # All distances
 ///
 /// Within a distance d above 0, the same holds, except for the pairs that are connected. They touch at
-/// distance 0 only, whatever d. The distance of a vertex p and an edge e is at most the length of the edge
-/// that connects them. So a rod of edges not longer than d would touch itself at rest, whatever its motion,
-/// and d says nothing about a fold. Pairs of e and p in contact at distance 0 keep the rod from passing
-/// through itself. So there are two more cases for distances, and both are compared for contact:
+/// distance 0 only, whatever d. In a triangle of rods, or where rods meet at a small angle, p is nearer to e
+/// at rest than any of the edges is long: with such a d, the mesh would touch itself in every motion. The
+/// price is that the end of a rod may fold to within d of the edge before the last; it touches that edge only
+/// at distance 0, so that the rod does not pass through itself. So there are two more cases for distances,
+/// and both are compared for contact:
 ///
 /// - p against e, if p has edges, none of them is apart from e, and e is loose;
 /// - p against q, if both have edges, no edge of p is apart from one of q, and all faces of either contain

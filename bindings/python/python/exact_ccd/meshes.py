@@ -252,6 +252,7 @@ class Detector:
         Primitives that come within this distance of each other count as touching, in all that follows; in
         the unit of the coordinates, taken exactly. Or a thickness for each vertex: a primitive has the
         largest of its vertices, and the distance of a pair is the sum of both, rounded up.
+        A vertex and an edge of rods that another edge connects touch at distance 0 only (docs/pairs.md).
     inner_distance : float, optional
         In place of `min_distance` for pairs that start within that: for a line search that has to move on
         from there.
@@ -260,7 +261,8 @@ class Detector:
     start_check : bool
         Refuse a step that begins with an edge that passes through a face, by a :class:`CrossingError`. This
         takes a pass over the mesh at rest, which is not repeated for a start that is the one before, or the
-        end of a step that was found free. With a rule `can_collide`, only for the one before.
+        end of a step that was found free. With `groups` or a rule `can_collide`, only for
+        the one before.
 
     Notes
     -----

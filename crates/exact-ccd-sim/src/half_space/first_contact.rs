@@ -17,7 +17,7 @@ impl HalfSpace {
     /// such time.
     ///
     /// The motion is that of the numbers as they are, without rounding. If a number is not finite, the answer
-    /// is 0, as the vertex is then not [apart](Self::is_apart) at the start.
+    /// is 0. The offset counts by its magnitude.
     ///
     /// ```
     /// use exact_ccd_sim::HalfSpace;

@@ -44,7 +44,6 @@ impl<K: Kind> Batch<'_, K> {
     }
 
     /// The same for single queries.
-    #[cold]
     pub(super) fn one_by_one(self) {
         for (index, vertices) in self.queries.iter().enumerate() {
             let (a, b) = vertices.as_ref().split_at(K::FIRST);
