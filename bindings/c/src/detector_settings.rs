@@ -12,7 +12,7 @@ use crate::threads::Threads;
 
 /// Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 /// default.
-/// 
+///
 /// A vertex and an edge of rods that another edge connects are in contact at distance 0 only; `docs/pairs.md`
 /// has the reason.
 #[unsafe(no_mangle)]

@@ -229,7 +229,10 @@ fn extreme_half_spaces() {
             serde_json::json!([1.0, 0.0, 0.0])
         );
         let foot = &json["contacts"][number]["closest"][1];
-        assert!(foot.as_array().unwrap().iter().all(serde_json::Value::is_f64), "{foot}");
+        assert!(
+            foot.as_array().unwrap().iter().all(serde_json::Value::is_f64),
+            "{foot}"
+        );
     }
 }
 
