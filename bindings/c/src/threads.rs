@@ -1,7 +1,7 @@
 //! The threads of the library: pools of a number of threads, which calls and handles share.
 //!
-//! A handle keeps the pool of its number of threads. Of the others, the pool of the default number and that of
-//! the last call are kept; the threads of any other pool end.
+//! A handle keeps the pool of its number of threads. Of the others, the pool of the default number and
+//! that of the last call are kept; the threads of any other pool end.
 //!
 //! The threads are created in a call, and inherit its floating-point environment: the standard one where
 //! [`Environment`](crate::environment::Environment) can set it.

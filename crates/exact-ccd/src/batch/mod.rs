@@ -36,8 +36,8 @@ mod array;
 mod row;
 mod run;
 mod trajectories;
-// The only place of the kernel that names the targets with vectors: those for which `fearless_simd` has more than its
-// fallback, whose code for eight queries without vectors takes ten minutes to compile.
+// The only place of the kernel that names the targets with vectors: those for which `fearless_simd` has
+// more than its fallback, whose code for eight queries without vectors takes ten minutes to compile.
 #[cfg_attr(
     not(any(
         target_arch = "x86",

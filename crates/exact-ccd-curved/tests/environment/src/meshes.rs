@@ -1,9 +1,8 @@
 //! Triangles that move: contacts by a detector, and candidates.
 
 use exact_ccd_mesh::{
-    BoxKind, CandidateOptions, Candidates, Detector, MinDistance, Pair, Point, Step, TriangleMesh,
+    BoxKind, Bvh, CandidateOptions, Candidates, Detector, Pair, Point, Step, Sweep, TriangleMesh,
 };
-use exact_ccd_mesh::{Bvh, Sweep};
 
 use crate::random::Random;
 
@@ -60,7 +59,7 @@ impl Scene {
         ]
     }
 
-    /// The contacts of the step, all and the earliest; those within a minimum distance; and those among the
+    /// The contacts of the step, all and the earliest; those of the other broad phase; and those among the
     /// candidates of both kinds of boxes.
     pub fn contacts(&self) -> [Contacts; 5] {
         let [x0, x1] = &self.ends;
@@ -72,10 +71,7 @@ impl Scene {
         let all = detector.contacts(x0, x1, 1.0).expect("the step is valid");
         let earliest = detector.earliest_contact(x0, x1).expect("the step is valid");
         let mut sweep = Detector::with_broad_phase(self.mesh.clone(), Sweep);
-        let d = exact_ccd::separation::Separation::new(f64::from_bits(3)).expect("it is above 0");
-        let sweep_within = sweep.set_min_distance(MinDistance::uniform(d));
-        sweep_within.expect("a uniform distance suits any mesh");
-        let within = sweep.contacts(x0, x1, 1.0).expect("the step is valid");
+        let swept = sweep.contacts(x0, x1, 1.0).expect("the step is valid");
         let among = |boxes: BoxKind| {
             let step = Step::new(&self.mesh, x0, x1).expect("the step is valid");
             let options = CandidateOptions::default().with_boxes(boxes);
@@ -85,7 +81,7 @@ impl Scene {
         [
             all.iter().map(key).collect(),
             earliest.iter().map(key).collect(),
-            within.iter().map(key).collect(),
+            swept.iter().map(key).collect(),
             among(BoxKind::Swept),
             among(BoxKind::Moving),
         ]
