@@ -10,13 +10,17 @@ fn file(metadata: &[u8]) -> Vec<u8> {
     [b"PAR1", metadata, &length, b"PAR1"].concat()
 }
 
-/// Version 1 and a schema of these elements.
-fn schema(elements: &[&[u8]]) -> Vec<u8> {
+/// A schema of these elements, without the number of its field.
+fn elements(elements: &[&[u8]]) -> Vec<u8> {
     let count = elements.len();
     assert!(count < 1 << 14);
     let count = [0x80 | (count & 0x7f) as u8, (count >> 7) as u8];
-    let head = [&[0x15, 0x02, 0x19, 0xfc][..], &count].concat();
-    file(&[&head, elements.concat().as_slice(), &[0]].concat())
+    [&[0xfc][..], &count, &elements.concat()].concat()
+}
+
+/// Version 1 and a schema of these elements.
+fn schema(list: &[&[u8]]) -> Vec<u8> {
+    file(&[&[0x15, 0x02, 0x19][..], &elements(list), &[0]].concat())
 }
 
 /// A group `a` with one child: fields 4 and 5.
@@ -46,6 +50,64 @@ fn groups_that_announce_many_children_are_refused() {
     let many = [0x48, 0x01, b'a', 0x15, 0xfe, 0xff, 0xff, 0xff, 0x0f, 0];
     let error = Reader::new().error::<VertexFace>(&schema(&[&many, COLUMN]));
     assert!(error.contains("one tree of few levels"), "{error}");
+}
+
+/// The library would recurse in these files too, which state the levels in another form than its writers.
+#[track_caller]
+fn assert_damaged(file: &[u8]) {
+    let error = Reader::new().error::<VertexFace>(file);
+    assert_eq!(
+        error,
+        ": expected a Parquet file of queries: the metadata are damaged"
+    );
+}
+
+/// A file of many columns, each of which states in this way that it has one child.
+fn hidden_levels(child: &[u8]) -> Vec<u8> {
+    // 32,000, which is 16,000 as a signed number.
+    let root = [0x48, 0x01, b'a', 0x15, 0x80, 0xfa, 0x01, 0];
+    let level = [&[0x15, 0x00, 0x38, 0x01, b'a'], child, &[0]].concat();
+    let levels = vec![level.as_slice(); 15_999];
+    schema(&[vec![&root[..]], levels, vec![COLUMN]].concat())
+}
+
+/// The library takes the first of two schemas.
+#[test]
+fn a_second_schema_is_refused() {
+    let levels = elements(&[vec![GROUP; 16_000], vec![COLUMN]].concat());
+    let few = elements(&[GROUP, COLUMN]);
+    assert_damaged(&file(
+        &[&[0x15, 0x02, 0x19], &levels[..], &[0x09, 0x04], &few, &[0]].concat(),
+    ));
+}
+
+/// The library takes an i64 where an i32 belongs.
+#[test]
+fn numbers_of_children_of_another_type_are_refused() {
+    assert_damaged(&hidden_levels(&[0x16, 0x02]));
+}
+
+/// The library takes the low 16 bits: 65,541 is field 5.
+#[test]
+fn numbers_of_fields_beyond_16_bits_are_refused() {
+    assert_damaged(&hidden_levels(&[0x05, 0x8a, 0x80, 0x08, 0x02]));
+}
+
+/// Truth values in a list take a byte each. The library takes these bytes for the next fields.
+#[test]
+fn collections_of_truth_values_are_refused() {
+    for kind in [1, 2] {
+        let children = [0x05, 0x0a, 0x02];
+        for collection in [0x79, 0x7a] {
+            assert_damaged(&hidden_levels(
+                &[&[collection, 0x30 | kind], &children[..]].concat(),
+            ));
+        }
+        let children = [0x05, 0x0a, 0x82, 0x00];
+        assert_damaged(&hidden_levels(
+            &[&[0x7b, 0x02, kind << 4 | kind], &children[..]].concat(),
+        ));
+    }
 }
 
 /// Dictionaries and runs make a million equal queries a few bytes each column.
