@@ -128,3 +128,28 @@ const BOX: Kind = Struct(&[
     (7, DOUBLE),
     (8, DOUBLE),
 ]);
+
+pub(super) const PAGE_HEADER: Kind = Struct(&[
+    (1, I32),
+    (2, I32),
+    (3, I32),
+    (4, I32),
+    (
+        5,
+        Struct(&[(1, I32), (2, I32), (3, I32), (4, I32), (5, STATISTICS)]),
+    ),
+    (6, EMPTY),
+    (7, Struct(&[(1, I32), (2, I32), (3, Truth)])),
+    (8, DATA_PAGE_V2),
+]);
+
+const DATA_PAGE_V2: Kind = Struct(&[
+    (1, I32),
+    (2, I32),
+    (3, I32),
+    (4, I32),
+    (5, I32),
+    (6, I32),
+    (7, Truth),
+    (8, STATISTICS),
+]);

@@ -8,6 +8,7 @@ mod footer;
 mod format;
 mod group;
 mod guard;
+mod header;
 mod leaf;
 mod read;
 mod row;

@@ -110,6 +110,38 @@ fn collections_of_truth_values_are_refused() {
     }
 }
 
+/// A header can state the size of its page elsewhere than the library writes it.
+#[test]
+fn headers_of_pages_in_another_form_are_refused() {
+    let sound = written(&[full(0)]);
+    // The type is dictionary, and the size is a number of one byte.
+    assert_eq!(sound[4..8], [0x15, 0x04, 0x15, sound[7] & 0x7f]);
+    let size = [0x80, 0x80, 0x80, 0x80, 0x08];
+    for header in [
+        // The size before the type.
+        [&[0x25][..], &size, &[0x05, 0x02, 0x04]].concat(),
+        // Another size before the size.
+        [&[0x15, 0x04, 0x15, 0x00, 0x05, 0x04], &size[..]].concat(),
+        // The number of the field in more than 16 bits.
+        [&[0x15, 0x04, 0x05, 0x84, 0x80, 0x08], &size[..]].concat(),
+        // An i64.
+        [&[0x15, 0x04, 0x16], &size[..]].concat(),
+    ] {
+        let mut bytes = sound.clone();
+        bytes.splice(4..8, header);
+        let error = Reader::new().error::<VertexFace>(&bytes);
+        assert_eq!(
+            error,
+            ": expected a Parquet file of queries: the header of a page is damaged"
+        );
+    }
+    // The number of the field in full, where the size is checked.
+    let mut bytes = sound;
+    bytes.splice(4..8, [&[0x15, 0x04, 0x05, 0x04], &size[..]].concat());
+    let error = Reader::new().error::<VertexFace>(&bytes);
+    assert!(error.contains("a page of 1073741824 bytes"), "{error}");
+}
+
 /// Dictionaries and runs make a million equal queries a few bytes each column.
 #[test]
 fn queries_of_a_far_larger_size_than_the_file_are_refused() {
