@@ -11,8 +11,9 @@ use parquet::file::reader::{ChunkReader, Length};
 use super::format::PAGE_HEADER;
 use super::thrift::{STRUCT, Thrift};
 
-/// The bytes in which a header is expected, as powers of two. Usual headers have less than a hundred bytes, and
-/// more with the least and the greatest of long strings. Eight times as many each time keep the work linear.
+/// The bytes in which a header is expected, as powers of two. Usual headers have less than a hundred bytes,
+/// and more with the least and the greatest of long strings. Eight times as many each time keep the work
+/// linear.
 const LENGTHS: [u32; 5] = [9, 12, 15, 18, 21];
 
 /// The bytes of the header of a page.
