@@ -1,10 +1,10 @@
 //! Checks of a file before the library allocates memory for its contents.
 //!
-//! A damaged or forged file of a few bytes can announce pages of gigabytes. Every announced size is
-//! checked against the size of the file or against a limit.
+//! A damaged or forged file of a few bytes can announce pages of gigabytes. The size of every page is
+//! checked against the size of the file, and the metadata and the headers of pages are refused in a form that
+//! the library may read otherwise than the check.
 
 use std::fs::File;
-use std::io::{BufRead, BufReader};
 use std::panic::{self, AssertUnwindSafe};
 
 use bytes::Bytes;
@@ -13,6 +13,8 @@ use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
 use parquet::file::metadata::{ColumnChunkMetaData, ParquetMetaData, RowGroupMetaData};
 use parquet::file::reader::{ChunkReader, Length};
+
+use super::header::HeaderReader;
 
 /// The largest allowed ratio of the queries in a file, or of a page, and the size of the file; and the
 /// number of bytes that they may have in any case. Usual queries take a half to a fifth of their size.
@@ -76,17 +78,11 @@ impl Length for GuardedFile {
 }
 
 impl ChunkReader for GuardedFile {
-    type T = BufReader<File>;
+    type T = HeaderReader;
 
-    /// The library reads the header of a page with this.
+    /// The library reads the header of a page with this, and nothing else.
     fn get_read(&self, start: u64) -> Result<Self::T> {
-        let mut reader = self.0.get_read(start)?;
-        match page_size(reader.fill_buf()?) {
-            Some(size) if size > most(self.len()) => {
-                Err(ParquetError::General(format!("a page of {size} bytes")))
-            }
-            _ => Ok(reader),
-        }
+        Ok(HeaderReader::new(self.0.try_clone()?, start, most(self.len())))
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
@@ -100,26 +96,6 @@ impl ChunkReader for GuardedFile {
         }
         self.0.get_bytes(start, length)
     }
-}
-
-/// The uncompressed size in the header of a page: its second field, after the type, both i32 in
-/// Thrift's compact protocol, where 0x15 begins an i32 with the next number. Another form is left
-/// to the library.
-fn page_size(header: &[u8]) -> Option<u64> {
-    let after_type = varint(header.strip_prefix(&[0x15])?)?.1;
-    let (zigzag, _) = varint(after_type.strip_prefix(&[0x15])?)?;
-    Some(zigzag / 2)
-}
-
-/// A number in groups of seven bits, the lowest first, and what comes after it.
-fn varint(bytes: &[u8]) -> Option<(u64, &[u8])> {
-    let last = bytes.iter().take(9).position(|byte| byte & 0x80 == 0)?;
-    let (groups, rest) = bytes.split_at(last + 1);
-    let number = groups
-        .iter()
-        .rev()
-        .fold(0, |number, group| number << 7 | u64::from(group & 0x7f));
-    Some((number, rest))
 }
 
 /// The pages of a column chunk. Their values are not more than announced, and a dictionary comes
@@ -191,29 +167,5 @@ impl<P: PageReader> Iterator for GuardedPages<P> {
 
     fn next(&mut self) -> Option<Self::Item> {
         self.get_next_page().transpose()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_size_of_a_page_is_the_second_field_of_its_header() {
-        // 0xd8 0x04 is 600 in groups of seven bits, which is 300 as a signed number.
-        assert_eq!(page_size(&[0x15, 0x04, 0x15, 0xd8, 0x04, 0x15]), Some(300));
-        assert_eq!(
-            page_size(&[0x15, 0x04, 0x15, 0xff, 0xff, 0xff, 0xff, 0x0f]),
-            Some((1 << 31) - 1)
-        );
-        for other in [
-            &[][..],
-            &[0x15],
-            &[0x15, 0x04, 0x25, 0x00],
-            &[0x15, 0xff, 0xff],
-            &[0x15, 0x04, 0x15, 0x80],
-        ] {
-            assert_eq!(page_size(other), None);
-        }
     }
 }

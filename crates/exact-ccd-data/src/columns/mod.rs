@@ -5,11 +5,14 @@
 //! of Parquet supports it, it needs no C library, and its checksum detects damaged data.
 
 mod footer;
+mod format;
 mod group;
 mod guard;
+mod header;
 mod leaf;
 mod read;
 mod row;
+mod thrift;
 mod write;
 
 use crate::query_kind::QueryKind;

@@ -49,8 +49,8 @@ impl<K: QueryKind> ColumnReader<K> {
         let file = File::open(path).map_err(|source| DataError::io(path, source))?;
         let file = Arc::new(GuardedFile(file));
         let wrong = |error: ParquetError| DataError::columns(path, ColumnProblem::from(error));
-        footer::check(&file).map_err(wrong)?;
-        let metadata = catch(|| ParquetMetaDataReader::new().parse_and_finish(&*file)).map_err(wrong)?;
+        let metadata = footer::metadata(&file).map_err(wrong)?;
+        let metadata = catch(|| ParquetMetaDataReader::decode_metadata(&metadata)).map_err(wrong)?;
         check_size(&file, &metadata, coordinates::<K>()).map_err(wrong)?;
         let leaves = Leaves::find(&metadata).map_err(|problem| DataError::columns(path, problem))?;
         Ok(Self {

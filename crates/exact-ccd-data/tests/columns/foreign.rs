@@ -52,6 +52,8 @@ impl Foreign {
     fn written(&self, schema: &str) -> Vec<u8> {
         let properties = WriterProperties::builder()
             .set_compression(Compression::SNAPPY)
+            .set_write_page_header_statistics(true)
+            .set_statistics_truncate_length(None)
             .build();
         let schema = Arc::new(parse_message_type(schema).unwrap());
         let fields = schema.get_fields().to_vec();
@@ -133,6 +135,19 @@ fn other_software_can_write_the_columns() {
         Some([3, 4]),
     );
     assert_eq!(records, [record(points, rest)]);
+}
+
+/// Other software can write the least and the greatest value into the header of a page.
+#[test]
+fn headers_of_pages_can_be_long() {
+    let foreign = Foreign {
+        scene: &[b'a'; 100_000],
+        ..Foreign::default()
+    };
+    let bytes = foreign.written(FOREIGN);
+    assert!(bytes.len() > 200_000);
+    let records = Reader::new().read::<VertexFace>(&bytes).unwrap();
+    assert_eq!(records[0].scene.as_deref().map(str::len), Some(100_000));
 }
 
 #[test]
