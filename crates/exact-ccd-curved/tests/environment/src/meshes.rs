@@ -7,7 +7,7 @@ use exact_ccd_mesh::{
 use crate::random::Random;
 
 /// Enough that the work is shared among threads.
-const TRIANGLES: usize = 400;
+const TRIANGLES: usize = 60;
 
 /// A mesh in a step.
 pub struct Scene {
@@ -43,11 +43,11 @@ impl Scene {
             Self::new("plane", 1, |random, [a, b]| {
                 // Near 0, where most differences are not f64.
                 let x = near(random, 0.0);
-                [x, -x, near(random, 64.0 * a + b)]
+                [x, -x, near(random, 2.0 * a + 0.1 * b)]
             }),
             Self::new("subnormal", 2, |random, [a, b]| {
                 let mut coordinate = |x: f64| {
-                    let size = (900.0 * x).round() + random.integer(4);
+                    let size = (40.0 * x).round() + random.integer(4);
                     let magnitude = f64::from_bits(size.abs() as u64);
                     if size < 0.0 { -magnitude } else { magnitude }
                 };
