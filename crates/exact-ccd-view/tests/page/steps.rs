@@ -3,6 +3,7 @@
 use exact_ccd_mesh::{Aabb, Bvh, Candidates, Contact, Intersection, Pair, Step, TriangleMesh};
 use exact_ccd_view::{Body, Chart, Curve, History, MOST_CONTACTS, Page, PageError};
 use proptest::prelude::*;
+use serde_json::Value;
 
 use crate::html::Html;
 
@@ -229,10 +230,7 @@ fn extreme_half_spaces() {
             serde_json::json!([1.0, 0.0, 0.0])
         );
         let foot = &json["contacts"][number]["closest"][1];
-        assert!(
-            foot.as_array().unwrap().iter().all(serde_json::Value::is_f64),
-            "{foot}"
-        );
+        assert!(foot.as_array().unwrap().iter().all(Value::is_f64), "{foot}");
     }
 }
 
