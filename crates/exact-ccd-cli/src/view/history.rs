@@ -6,25 +6,24 @@ use exact_ccd_view::{Chart, Curve, History};
 /// The charts of time steps: energies, minimal distance and contacts. `start` is the time of the first frame,
 /// before the first of these steps; `contact_distance` is d̂, in m.
 pub(super) fn of(start: f64, steps: &[Statistics], contact_distance: f64) -> History {
-    let curve = |name: &str, value: &dyn Fn(&Statistics) -> Option<f64>| Curve {
-        name: name.to_owned(),
-        values: std::iter::once(None).chain(steps.iter().map(value)).collect(),
-    };
-    let minimal = curve("minimal distance", &|step| step.minimal_distance);
+    let minimal = curve("minimal distance", steps, |step| step.minimal_distance);
     let has_contact = minimal.values.iter().any(Option::is_some);
     let distance = Chart {
         title: "Minimal distance".to_owned(),
         unit: "m".to_owned(),
         logarithmic: true,
-        curves: vec![minimal, curve("contact distance", &|_| Some(contact_distance))],
+        curves: vec![
+            minimal,
+            curve("contact distance", steps, |_| Some(contact_distance)),
+        ],
     };
     let contacts = Chart {
         title: "Contacts".to_owned(),
-        curves: vec![curve("contacts", &|step| Some(step.contacts as f64))],
+        curves: vec![curve("contacts", steps, |step| Some(step.contacts as f64))],
         ..Chart::default()
     };
     let charts = [
-        Some(energies(steps, &curve)),
+        Some(energies(steps)),
         has_contact.then_some(distance),
         Some(contacts),
     ];
@@ -37,16 +36,21 @@ pub(super) fn of(start: f64, steps: &[Statistics], contact_distance: f64) -> His
     }
 }
 
+/// The curve of a value over the time steps, with none at the start.
+fn curve(name: &str, steps: &[Statistics], value: impl Fn(&Statistics) -> Option<f64>) -> Curve {
+    Curve {
+        name: name.to_owned(),
+        values: std::iter::once(None).chain(steps.iter().map(value)).collect(),
+    }
+}
+
 /// The chart of all energies that are not zero. The energy of gravity is relative to its least value.
-fn energies(
-    steps: &[Statistics],
-    curve: &dyn Fn(&str, &dyn Fn(&Statistics) -> Option<f64>) -> Curve,
-) -> Chart {
+fn energies(steps: &[Statistics]) -> Chart {
     let lowest = steps
         .iter()
         .fold(f64::INFINITY, |least, step| least.min(step.energies.gravity));
     let energy = |name: &str, energy: &dyn Fn(&Energies) -> f64| {
-        curve(name, &|step: &Statistics| Some(energy(&step.energies)))
+        curve(name, steps, |step| Some(energy(&step.energies)))
     };
     let curves = vec![
         energy("sum", &|energies| energies.mechanical() - lowest),

@@ -115,7 +115,7 @@ fn push(path: &mut String, key: &str) {
 /// Appends the entry of an array to a path: its name, or else its place.
 fn push_entry(path: &mut String, index: usize, entry: Option<&DeValue<'_>>) {
     let name = match entry {
-        Some(DeValue::Table(table)) => table.get("name").map(|name| name.get_ref()),
+        Some(DeValue::Table(table)) => table.get("name").map(toml::Spanned::get_ref),
         _ => None,
     };
     match name {

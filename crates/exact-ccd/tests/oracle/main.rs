@@ -1,8 +1,6 @@
 //! The oracle on motions whose times within a distance are known by hand. So a test that compares with it
 //! does not depend on the oracle alone.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 mod definition;
 
 use definition::Primitives::{self, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
