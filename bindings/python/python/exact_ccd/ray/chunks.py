@@ -93,7 +93,7 @@ def _fields(contact: Optional[Contact]) -> Optional[dict[str, Any]]:
 
 
 def from_json(text: Union[str, bytes]) -> AuditReport:
-    """The report that :func:`to_json` has written."""
+    """The report that :func:`to_json` has written. Reports of earlier versions have no half space."""
     value = json.loads(text)
     found = value["violation"]
     if found is None:
@@ -104,9 +104,8 @@ def from_json(text: Union[str, bytes]) -> AuditReport:
         fields["normal"] = fields["normal"] or [np.nan] * 3
         types = {"vertices": np.int64, "normal": np.float64, "points": np.float64, "distance": np.float64}
         contact = Contact(**{**fields, **{name: np.array(fields[name], type) for name, type in types.items()}})
-    intersection, half_space = (
-        None if pair is None else (pair[0], pair[1]) for pair in (found["intersection"], found["half_space"])
-    )
+    pairs = (found.get(name) for name in ("intersection", "half_space"))
+    intersection, half_space = (None if pair is None else (pair[0], pair[1]) for pair in pairs)
     return AuditReport(value["frames"], Violation(found["frame"], contact, intersection, half_space))
 
 
