@@ -261,7 +261,7 @@ void exact_ccd_detector_free(struct exact_ccd_detector_t *detector);
 
 // Pairs count as in contact from this distance on: a finite number of at least 0, which is the
 // default.
-// 
+//
 // A vertex and an edge of rods that another edge connects are in contact at distance 0 only; `docs/pairs.md`
 // has the reason.
 enum exact_ccd_status_t exact_ccd_detector_set_min_distance(struct exact_ccd_detector_t *detector,
