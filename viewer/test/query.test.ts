@@ -3,7 +3,7 @@ import { type Point, type Query } from "../src/page";
 import { bernstein, cubicOf, rootsOf } from "../src/query/cubic";
 import { DomainImage } from "../src/query/image";
 import { lastBefore } from "../src/panel/plot";
-import { decadesOf, linearTicks, rangeOf, ticksOf, tickText } from "../src/panel/scale";
+import { decadesOf, linearTicks, powerTicks, rangeOf, ticksOf, tickText } from "../src/panel/scale";
 
 const query = (kind: Query["kind"], start: Point[], end: Point[]): Query => ({
   kind,
@@ -91,6 +91,11 @@ describe("plots", () => {
     expect(decadesOf([null, 0, 2e-5, 3e-3])).toEqual([-5, -2]);
     expect(decadesOf([1e-3])).toEqual([-3, -2]);
     expect(decadesOf([null, 0])).toEqual([-1, 1]);
+  });
+  it("have at most six powers of ten", () => {
+    expect(powerTicks(-3, -2)).toEqual([1e-3, 1e-2]);
+    expect(powerTicks(0, 11)).toEqual([1, 1e2, 1e4, 1e6, 1e8, 1e10]);
+    expect(powerTicks(0, 12)).toEqual([1, 1e3, 1e6, 1e9, 1e12]);
   });
   it("have round times", () => {
     expect(linearTicks(0, 1)).toEqual([0, 0.25, 0.5, 0.75, 1]);

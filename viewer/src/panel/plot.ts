@@ -1,6 +1,6 @@
 /** Curves over time, as SVG, with a cursor. */
 
-import { decadesOf, linearTicks, rangeOf, ticksOf, tickText } from "./scale";
+import { decadesOf, linearTicks, powerTicks, rangeOf, ticksOf, tickText } from "./scale";
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
 const [WIDTH, HEIGHT] = [340, 170];
@@ -67,9 +67,7 @@ export class Plot {
       svg.append(element("text", { x: x(t), y: HEIGHT - BOTTOM + 14, class: "tick middle" }, tickText(t)));
     }
     svg.append(element("text", { x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 4, class: "tick middle" }, time));
-    const powers = Array.from({ length: high - low + 1 }, (_, i) => 10 ** (low + i));
-    const step = Math.ceil(powers.length / 6);
-    for (const value of logarithmic ? powers.filter((_, i) => i % step === 0) : ticksOf(all)) {
+    for (const value of logarithmic ? powerTicks(low, high) : ticksOf(all)) {
       svg.append(element("line", { x1: x(first), x2: x(first + span), y1: y(value), y2: y(value), class: value === 0 ? "zero" : "grid" }));
       svg.append(element("text", { x: LEFT - 5, y: y(value) + 4, class: "tick end" }, tickText(value)));
     }

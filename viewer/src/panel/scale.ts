@@ -37,6 +37,12 @@ export function decadesOf(values: (number | null)[]): [number, number] {
   return [least, Math.max(most, least + 1)];
 }
 
+/** At most six powers of ten between two exponents, at equal distances. */
+export function powerTicks(low: number, high: number): number[] {
+  const step = Math.ceil((high - low + 1) / 6);
+  return Array.from({ length: Math.floor((high - low) / step) + 1 }, (_, i) => 10 ** (low + i * step));
+}
+
 /** About four multiples of 1, 2, 2.5 or 5 times a power of ten between two numbers. */
 export function linearTicks(first: number, last: number): number[] {
   const rough = (last - first) / 4;
