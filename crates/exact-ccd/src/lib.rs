@@ -4,24 +4,30 @@
 //! ([`EdgeEdge`]), move in straight lines from t = 0 to t = 1. For every finite input, without
 //! rounding it, this crate
 //!
-//! - decides contact: [`Query::collides`], without false positives or false negatives;
-//! - counts the contacts: [`Query::contact_times`];
+//! - decides whether they touch: [`Query::collides`], without false positives or false negatives;
 //! - computes the time of impact, correctly rounded down: [`Query::time_of_impact`];
-//! - computes the parameters and the normal of the earliest contact: [`Query::impact`];
-//! - computes the times within a distance: [`Query::intervals_within`], see [`separation`].
+//! - finds all times of contact, as maximal closed intervals: [`Query::intervals`];
+//! - computes the parameters and the normal of the earliest contact: [`Query::impact`].
+//!
+//! Contact is the distance 0. With a [`Separation`] d in place of [`CONTACT`], all of this is about a
+//! distance of at most d, in the same sense.
 //!
 //! ```
-//! use exact_ccd::{Query, VertexFace};
+//! use exact_ccd::{CONTACT, Query, Separation, VertexFace};
 //!
 //! // A vertex falls through a resting triangle.
 //! let query = Query::<VertexFace>::new(
 //!     [[0.25, 0.25, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //!     [[0.25, 0.25, -2.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //! )?;
-//! assert!(query.collides());
+//! assert!(query.collides(CONTACT));
 //! // t = 1/3 is not an f64: this is the largest f64 below it, and [0, toi) is certainly free of contact.
-//! assert_eq!(query.time_of_impact(), Some(0.3333333333333333));
-//! # Ok::<(), exact_ccd::NonFinite>(())
+//! assert_eq!(query.time_of_impact(CONTACT), Some(0.3333333333333333));
+//! assert_eq!(query.intervals(CONTACT).count(), Some(1));
+//!
+//! let within = query.intervals(Separation::new(0.25)?);
+//! assert_eq!((within[0].start.lower(), within[0].end.upper()), (0.25, 0.4166666666666667));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! *Contact* is a common point of the closed primitives at a time of the closed step: touching
@@ -31,6 +37,7 @@
 //! | item | contents |
 //! |---|---|
 //! | [`Query`] | one query and its answers |
+//! | [`Options`] | the distance at which primitives touch, and the last time that counts |
 //! | [`Collision`] | a query that collides; times and impact continue from the decision |
 //! | [`batch`] | many queries at a time, by vector instructions |
 //! | [`predicates`] | orientation and intersection of points at rest |
@@ -68,36 +75,43 @@ mod axis;
 pub mod batch;
 mod ccd;
 mod collision;
+mod distance;
 pub mod environment;
 pub mod exact;
 mod filter;
 mod impact;
+mod interval;
 mod kind;
 mod non_negative;
+mod options;
 pub mod parity;
 mod point;
 pub mod predicates;
 mod query;
-pub mod separation;
 mod stage;
+mod thickness;
 mod time;
 
 pub use axis::Axis;
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use collision::Collision;
+pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
 pub use impact::Impact;
+pub use interval::{Interval, Intervals};
 pub use kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
+pub use options::{CONTACT, Options};
 pub use point::Point;
 pub use query::{NonFinite, Query};
 pub use stage::Stage;
-pub use time::{ContactTime, ContactTimes, Times};
+pub use thickness::{InvalidThickness, Separations, Thickness};
+pub use time::ContactTime;
 
 /// All public types can be sent to and shared with other threads.
 const _: () = {
     const fn assert_send_and_sync<T: Send + Sync>() {}
     assert_send_and_sync::<(Query<VertexFace>, Query<EdgeEdge>, NonFinite, Axis, Stage)>();
     assert_send_and_sync::<(Collision<'_, VertexFace>, Collision<'_, EdgeEdge>)>();
-    assert_send_and_sync::<(ContactTime, ContactTimes, Times, Impact)>();
+    assert_send_and_sync::<(ContactTime, Interval, Intervals, Impact, Options, Thickness)>();
     assert_send_and_sync::<(Exact, Guarantees, TimeGuarantee, &dyn Ccd)>();
     assert_send_and_sync::<(batch::Trajectories, batch::Instructions)>();
     assert_send_and_sync::<(

@@ -1,6 +1,6 @@
 //! Ratios of polynomials and directions of vectors at an instant, by signs.
 
-use super::motion::Vector;
+use super::polynomial::Vector;
 use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
 use crate::impact::unit;

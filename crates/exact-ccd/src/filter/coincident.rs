@@ -7,9 +7,10 @@
 
 use super::cubic::Cubic;
 use crate::impact::Impact;
+use crate::interval::{Interval, Intervals};
 use crate::kind::{Difference, Kind};
 use crate::query::Query;
-use crate::time::{ContactTime, ContactTimes, Times};
+use crate::time::ContactTime;
 
 /// Contact that is certain because coordinates are equal.
 #[derive(Clone, Copy, Debug)]
@@ -32,15 +33,12 @@ impl Coincidence {
         }
     }
 
-    /// All contact times, if they are certain.
-    pub(super) fn times(self) -> Option<ContactTimes> {
-        let first = self.first()?;
-        if matches!(self, Self::FromStart) {
-            return Some(ContactTimes::Interval { first });
+    /// All intervals of contact, if they are certain.
+    pub(super) fn intervals(self) -> Option<Intervals> {
+        match self {
+            Self::Only(time) => Some(Intervals::from_iter([Interval::moment(time)])),
+            Self::FromStart | Self::SomeTime => None,
         }
-        let mut times = Times::default();
-        times.push(first);
-        Some(ContactTimes::Finite(times))
     }
 }
 

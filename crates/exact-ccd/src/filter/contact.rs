@@ -6,13 +6,14 @@ use super::coincident::{self, Coincidence};
 use super::coplanarity;
 use super::cubic::Root;
 use super::impact::parameters_and_normal;
-use super::planar::{Beginning, Planar};
+use super::planar::{Event, Planar};
 use super::position::{self, Position};
 use crate::impact::Impact;
+use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::stage::Stage;
-use crate::time::{ContactTime, ContactTimes, Times};
+use crate::time::ContactTime;
 
 /// A proved contact, with the intermediate results of the proof.
 #[derive(Clone, Debug)]
@@ -28,7 +29,7 @@ pub(crate) enum Contact {
     },
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
-    Sliding(Beginning),
+    Sliding(Event),
     /// The primitives touch because coordinates are equal.
     Coincident(Coincidence),
 }
@@ -82,32 +83,37 @@ impl Contact {
         }
     }
 
-    /// All contact times, if the filters determine them.
-    pub(crate) fn times<K: Kind>(&self, query: &Query<K>) -> Option<ContactTimes> {
+    /// All intervals of contact, if the filters determine them.
+    pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
         match self {
             Self::AtRoot {
                 roots,
                 touching,
                 is_first: true,
             } => {
-                let (_, [first, later @ ..]) = roots.split_at_checked(*touching)? else {
-                    return None;
-                };
+                let (first, later) = roots.get(*touching..)?.split_first()?;
                 let precise = coplanarity::precise(query);
-                let mut times = Times::default();
-                times.push(precise.round(first)?);
-                for root in later {
-                    if position::at(query, root)? == Position::Inside {
-                        times.push(precise.round(root)?);
-                    }
-                }
-                Some(ContactTimes::Finite(times))
+                let moment = |root: &Root| precise.round(root).map(Interval::moment);
+                let of_later = later.iter().filter_map(|root| match position::at(query, root) {
+                    Some(Position::Inside) => Some(moment(root)),
+                    Some(Position::Outside) => None,
+                    None => Some(None),
+                });
+                [moment(first)].into_iter().chain(of_later).collect()
             }
             Self::AtRoot { is_first: false, .. } => None,
-            Self::Sliding(_) => Some(ContactTimes::Interval {
-                first: self.first(query)?,
-            }),
-            Self::Coincident(coincidence) => coincidence.times(),
+            Self::Sliding(_) => {
+                let planar = Planar::new(query)?;
+                let interval = |[beginning, end]: &[Event; 2]| {
+                    Some(Interval {
+                        start: planar.round(beginning)?,
+                        end: planar.round(end)?,
+                        is_moment: false,
+                    })
+                };
+                planar.stretches()?.iter().map(interval).collect()
+            }
+            Self::Coincident(coincidence) => coincidence.intervals(),
         }
     }
 

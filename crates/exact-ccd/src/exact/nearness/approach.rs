@@ -5,17 +5,18 @@ use alloc::vec::Vec;
 use dashu_int::IBig;
 
 use super::feature::{Feature, Pair};
-use crate::exact::dyadic::{decompose, to_integers};
-use crate::exact::motion::{Vector, common, cross, dot, subtract};
-use crate::exact::polynomial::Polynomial;
+use crate::distance::Separation;
+use crate::exact::dyadic::decompose;
+use crate::exact::motion::common;
+use crate::exact::points::Points;
+use crate::exact::polynomial::{Polynomial, Vector, cross, dot};
 use crate::kind::{Difference, Kind};
 use crate::query::Query;
-use crate::separation::Separation;
 
 /// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
 /// contact, distance is not invariant under a scaling of one axis.
 pub(super) struct Approach {
-    points: [Vector; 4],
+    points: Points,
     squared_separation: Polynomial,
     /// The coordinates are integers times two to this power.
     pub(super) unit: i32,
@@ -23,7 +24,18 @@ pub(super) struct Approach {
 
 impl Approach {
     pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        Self::with(query, d.get(), Polynomial::between)
+        let points = Points::new(query);
+        let (mantissa, exponent) = decompose(d.get());
+        let of_separation = (mantissa != 0).then_some(exponent);
+        let unit = points.least_unit().into_iter().chain(of_separation).min();
+        let unit = unit.unwrap_or_default();
+        let separation = IBig::from(mantissa) << of_separation.map_or(0, |own| (own - unit) as usize);
+        let separation = Polynomial::between(&separation, &separation);
+        Self {
+            points: points.scaled_to(unit),
+            squared_separation: &separation * &separation,
+            unit,
+        }
     }
 
     /// The points at one time, as constant polynomials, and d = 0.
@@ -31,32 +43,21 @@ impl Approach {
         let (numerator, exponent) = decompose(t);
         // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
         let exponent = exponent.min(0);
-        let at_time = |start: &IBig, end: &IBig| {
-            let moved = (end - start) * IBig::from(numerator);
+        let approach = Self::new(query, Separation::ZERO);
+        let at_time = |coordinate: &Polynomial| {
+            let (start, end) = (coordinate.at_start(), coordinate.at_end());
+            let moved = (end - &start) * IBig::from(numerator);
             Polynomial::constant((start << exponent.unsigned_abs() as usize) + moved)
         };
-        let approach = Self::with(query, 0.0, at_time);
         Self {
+            points: approach.points.map(at_time),
+            squared_separation: Polynomial::constant(IBig::ZERO),
             unit: approach.unit + exponent,
-            ..approach
-        }
-    }
-
-    fn with<K: Kind>(query: &Query<K>, d: f64, motion: impl Fn(&IBig, &IBig) -> Polynomial) -> Self {
-        let mut numbers = [d; 25];
-        numbers[..24].copy_from_slice(query.points().as_flattened().as_flattened());
-        let (integers, unit) = to_integers(numbers);
-        let separation = motion(&integers[24], &integers[24]);
-        let coordinate = |i: usize| motion(&integers[i], &integers[12 + i]);
-        Self {
-            points: [0, 3, 6, 9].map(|point| [0, 1, 2].map(|axis| coordinate(point + axis))),
-            squared_separation: &separation * &separation,
-            unit,
         }
     }
 
     pub(super) fn difference(&self, difference: Difference) -> Vector {
-        subtract(&self.points, difference)
+        self.points.difference(difference)
     }
 
     /// The features of the primitives.

@@ -4,8 +4,11 @@
 use core::ops::{Mul, Neg};
 
 use super::closest::Closest;
-use super::corners::Scaled;
-use crate::filter::{DoubleDouble, Number, ROUNDOFF, UNDERFLOW, cross, dot, minus, subtract};
+use super::scaled::Scaled;
+use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
+use crate::filter::number::{Number, subtract};
+use crate::filter::roundoff::UNDERFLOW;
+use crate::filter::vector::{cross, dot, minus};
 use crate::kind::Kind;
 use crate::query::Query;
 

@@ -1,11 +1,26 @@
 //! Advancement: stretches of time, from the left, in which a turning direction keeps the primitives
 //! farther than d apart. For one query, or for many side by side.
 
-use super::corners::Scaled;
+use super::scaled::Scaled;
 use super::nearest::nearest;
 use super::turning::{Heading, limit};
-use crate::filter::{Lanes, add, scaled};
+use crate::filter::gap::Within;
+use crate::filter::hull::Hull;
+use crate::filter::number::Lanes;
+use crate::filter::vector::{add, scaled};
 use crate::kind::Kind;
+
+/// The time before which the distance is certainly above d, in each lane: `until`, above 0, if it is so at
+/// all times until then. It is 0 where the coordinates or d are out of range.
+#[inline(always)]
+pub(crate) fn free_until<K: Kind, T: Lanes>(hull: &Hull<T>, d: T, until: f64) -> T {
+    /// A proof is tried in stretches that are longer than this fraction of the time until which it is tried.
+    const SHORTEST: f64 = 1.0 / 64.0;
+    let advancement = Advancement::new([hull.corners(0), hull.corners(1)], d, hull.reaches());
+    let [zero, half, whole] = [0.0, 0.5 * until, until].map(|t| d.splat(t));
+    let to = T::select(hull.is_out_of_range(Within(d)), zero, whole);
+    advancement.free_until::<K>(zero, to, half, d.splat(SHORTEST * until))
+}
 
 /// The corners of F at t = 0 and at t = 1, and d with all errors.
 pub(super) struct Advancement<T> {

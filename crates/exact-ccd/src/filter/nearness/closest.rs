@@ -1,6 +1,6 @@
 //! A guess of the closest points at one time, without bound.
 
-use crate::filter::{dot, minus, towards};
+use crate::filter::vector::{dot, minus, towards};
 use crate::kind::Kind;
 use crate::point::Point;
 

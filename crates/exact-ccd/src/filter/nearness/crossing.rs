@@ -1,9 +1,11 @@
 //! The first time within d between two adjacent f64, where D decreases through d.
 
 use super::advance::Advancement;
-use super::corners::Scaled;
 use super::moment::{Moving, Precision};
-use crate::filter::{DoubleDouble, Number, dot};
+use super::scaled::Scaled;
+use crate::filter::double_double::DoubleDouble;
+use crate::filter::number::Number;
+use crate::filter::vector::dot;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;

@@ -1,6 +1,7 @@
 //! A guess of the direction to the nearest point, without a branch for each query.
 
-use crate::filter::{Lanes, cross, dot, minus, select, towards};
+use crate::filter::number::Lanes;
+use crate::filter::vector::{cross, dot, minus, select, towards};
 use crate::kind::Kind;
 
 /// A vector across the features of the closest points at one time: [`Closest`](super::closest::Closest)

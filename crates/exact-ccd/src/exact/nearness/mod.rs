@@ -1,4 +1,4 @@
-//! The definition of separation: the distance of the primitives compared with d, in integers.
+//! The definition for a separation d above 0: the distance of the primitives compared with d, in integers.
 //!
 //! The squared distance of the primitives is the least of those of their features (`feature.rs`),
 //! each a quotient of polynomials in t. The times at which the distance is at most d form closed
@@ -13,12 +13,14 @@ mod feature;
 use alloc::vec::Vec;
 
 use super::instant::Instant;
+use super::intervals::intervals_of;
 use super::narrowing::Narrowing;
 use super::split::Split;
+use crate::distance::{DistanceBounds, Separation, TimeOutOfStep};
 use crate::impact::Impact;
+use crate::interval::Intervals;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::separation::{DistanceBounds, Separation, TimeInterval, TimeOutOfStep};
 use crate::time::ContactTime;
 use approach::Approach;
 use feature::Feature;
@@ -26,16 +28,14 @@ use feature::Feature;
 /// The first and the last time.
 static STEP: [Split; 2] = [Split::START, Split::END];
 
-/// [`Query::comes_within`], decided in integers alone.
-#[must_use]
-pub fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
+/// True if the primitives come within d.
+pub(super) fn comes_within<K: Kind>(query: &Query<K>, d: Separation) -> bool {
     let features = Approach::new(query, d).features::<K>();
     is_within_at(&features, &STEP[0]) || first_crossings(&features, &STEP).next().is_some()
 }
 
-/// [`Query::first_within`], computed in integers alone.
-#[must_use]
-pub fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactTime> {
+/// The first time at which the primitives are within d.
+pub(crate) fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactTime> {
     let features = Approach::new(query, d).features::<K>();
     if is_within_at(&features, &STEP[0]) {
         return Some(ContactTime::exactly(0.0));
@@ -45,9 +45,8 @@ pub fn first_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<ContactT
     times.reduce(|a, b| if b < a { b } else { a })
 }
 
-/// [`Query::intervals_within`], computed in integers alone.
-#[must_use]
-pub fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInterval> {
+/// All times at which the primitives are within d.
+pub(crate) fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
     let features = Approach::new(query, d).features::<K>();
     let mut events = Vec::new();
     for feature in &features {
@@ -59,32 +58,10 @@ pub fn intervals_within<K: Kind>(query: &Query<K>, d: Separation) -> Vec<TimeInt
         Instant::At(end.clone()).insert_into(&mut events);
     }
     // The distance is at most d at each of them, and nothing changes between two.
-    let mut intervals = Vec::new();
-    let mut start = None;
-    for (i, event) in events.iter().enumerate() {
-        let first = *start.get_or_insert(event);
-        let continues = |next: &Instant| is_within_at(&features, &event.before(next));
-        if !events.get(i + 1).is_some_and(continues) {
-            intervals.push(TimeInterval {
-                start: first.round(),
-                end: event.round(),
-            });
-            start = None;
-        }
-    }
-    intervals
+    intervals_of(&events, |t| is_within_at(&features, t))
 }
 
-/// [`Query::impact_within`] for d > 0, computed in integers alone.
-#[must_use]
-pub fn impact_within<K: Kind>(query: &Query<K>, d: Separation) -> Option<Impact> {
-    let approach = Approach::new(query, d);
-    let features = approach.features::<K>();
-    let first = first_instant(&features, &STEP)?;
-    closest::impact::<K>(&approach, &features, &first)
-}
-
-/// [`impact_within`] for d > 0, given the first time.
+/// The closest points at the first time at which the primitives are within d, given that time.
 pub(crate) fn impact_at<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Impact> {
     let approach = Approach::new(query, d);
     let features = approach.features::<K>();

@@ -2,18 +2,18 @@
 
 use alloc::vec::Vec;
 
-use super::{InvalidSeparation, Separation};
+use crate::distance::{InvalidSeparation, Separation};
 
 /// A thickness for each vertex of a mesh: primitives are as thick as the thickest of their vertices,
 /// and the separation of two primitives is the sum of theirs.
 ///
 /// ```
-/// use exact_ccd::separation::{Separations, Thickness};
+/// use exact_ccd::{Separations, Thickness};
 ///
 /// let thickness = Thickness::new(&[0.5, 0.25, 2.0])?;
 /// let separations = Separations::Thickness(&thickness);
 /// assert_eq!(separations.between(&[0], &[1, 2]).get(), 2.5);
-/// # Ok::<(), exact_ccd::separation::InvalidThickness>(())
+/// # Ok::<(), exact_ccd::InvalidThickness>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Thickness(Vec<Separation>);
@@ -92,6 +92,12 @@ impl Separations<'_> {
     #[inline]
     pub(crate) fn is_contact(self) -> bool {
         matches!(self, Self::Uniform(separation) if separation.is_zero())
+    }
+}
+
+impl Default for Separations<'_> {
+    fn default() -> Self {
+        Self::Uniform(Separation::ZERO)
     }
 }
 

@@ -5,8 +5,8 @@ use crate::non_negative::NonNegative;
 /// A distance d below which two primitives count as close: a finite f64, at least 0, in the unit of
 /// the coordinates.
 ///
-/// It is taken exactly. −0.0 is 0.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+/// It is taken exactly. −0.0 is 0. The default is 0, which is contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Separation(NonNegative);
 
 /// A separation is negative, infinite or not a number.
@@ -18,6 +18,9 @@ pub struct InvalidSeparation {
 }
 
 impl Separation {
+    /// The separation 0: contact.
+    pub const ZERO: Self = Self(NonNegative::ZERO);
+
     /// The separation d.
     ///
     /// # Errors
@@ -39,7 +42,7 @@ impl Separation {
     #[must_use]
     #[inline]
     pub fn is_zero(self) -> bool {
-        self.0 == NonNegative::ZERO
+        self == Self::ZERO
     }
 
     /// The least f64 that is not below the sum of two separations, which is at most the largest f64.
@@ -48,7 +51,7 @@ impl Separation {
     /// larger summand, the smaller one is rounded up, and the sum then has at most 54 bits; if it has
     /// more than 53, half of it is rounded up. Both roundings together are one: ⌈⌈x⌉ / 2⌉ = ⌈x / 2⌉.
     #[inline]
-    pub(super) fn plus(self, other: Self) -> Self {
+    pub(crate) fn plus(self, other: Self) -> Self {
         const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
         let (a, b) = (self.get().to_bits(), other.get().to_bits());
         // A subnormal number has the unit of the smallest normal one.

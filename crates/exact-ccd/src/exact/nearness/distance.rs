@@ -5,6 +5,7 @@ use core::cmp::Ordering;
 use dashu_int::IBig;
 
 use super::approach::Approach;
+use crate::distance::DistanceBounds;
 use crate::exact::dyadic::decompose;
 use crate::exact::instant::Instant;
 use crate::exact::narrowing::Narrowing;
@@ -12,7 +13,6 @@ use crate::exact::polynomial::Polynomial;
 use crate::exact::split::Split;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::separation::DistanceBounds;
 
 /// The distance of the primitives at a time, by bisection over the bit patterns of f64, which are
 /// ordered like the numbers.

@@ -1,6 +1,8 @@
 //! A direction that turns from one time to another and keeps the primitives farther than d apart.
 
-use crate::filter::{Lanes, UNDERFLOW, UNIT, dot, scaled, select};
+use crate::filter::number::Lanes;
+use crate::filter::roundoff::{UNDERFLOW, UNIT};
+use crate::filter::vector::{dot, scaled, select};
 use crate::kind::Kind;
 
 /// The corners of F at one time, each component off by at most 5 u times the reach on its axis, and a
