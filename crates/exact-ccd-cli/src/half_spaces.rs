@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::str::FromStr;
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_mesh::{Frame, Motion, Point};
 use exact_ccd_sim::HalfSpace;
 use rayon::prelude::*;

@@ -5,8 +5,7 @@ use std::str::FromStr;
 use std::sync::Arc;
 
 use exact_ccd::parity::{self, Parity, Rounded, RoundingError};
-use exact_ccd::separation::Separation;
-use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, TimeGuarantee};
+use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, Separation, TimeGuarantee};
 use exact_ccd_methods::{UnknownMethod, by_name};
 use serde_json::Value;
 
@@ -64,7 +63,7 @@ impl Method {
                 method: method(),
                 kind,
             }),
-            _ if d != Separation::default() => Err(Failure::MethodDistance { method: method() }),
+            _ if !d.is_zero() => Err(Failure::MethodDistance { method: method() }),
             _ => Ok(()),
         }
     }
@@ -103,19 +102,16 @@ pub(crate) struct Answer {
 impl Answer {
     /// The answer of the exact method: contact, or the times within a distance above 0.
     pub(crate) fn exact<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let (count, first) = if d == Separation::default() {
-            let times = query.contact_times();
-            let count = times.count().map_or("-1".to_owned(), |count| count.to_string());
-            (count, times.first())
+        let intervals = query.intervals(d);
+        let count = if d.is_zero() {
+            intervals.count()
         } else {
-            let intervals = query.intervals_within(d);
-            let first = intervals.first().map(|interval| interval.start);
-            (intervals.len().to_string(), first)
+            Some(intervals.len())
         };
         Self {
-            collides: first.is_some(),
-            count,
-            toi: first.map(ContactTime::lower),
+            collides: !intervals.is_empty(),
+            count: count.map_or("-1".to_owned(), |count| count.to_string()),
+            toi: intervals.first_time().map(ContactTime::lower),
         }
     }
 }

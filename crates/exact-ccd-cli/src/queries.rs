@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use exact_ccd::parity::RoundingError;
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{QueryKind, Rounding, Sample};
 use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;

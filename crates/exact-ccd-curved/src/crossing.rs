@@ -1,8 +1,7 @@
 //! Proof of a contact that is stable: the primitives pass through each other.
 
 use exact_ccd::parity::{Displacement, Parity, Rounded};
-use exact_ccd::separation::Separation;
-use exact_ccd::{Query, VertexEdge};
+use exact_ccd::{Query, Separation, VertexEdge};
 
 use crate::kind::{CurvedKind, points};
 use crate::rounding::{above, length};
@@ -39,11 +38,11 @@ pub(crate) fn is_certain<K: CurvedKind>(straight: &Straight<K>) -> bool {
     };
     let is_apart_at = |time: usize| {
         let at_rest = points::<K>(|point| four[time][point]);
-        Query::<K>::new(at_rest, at_rest).is_ok_and(|query| !query.comes_within(margin))
+        Query::<K>::new(at_rest, at_rest).is_ok_and(|query| !query.collides(margin))
     };
     let is_apart_on = |side: &[usize; 3]| {
         let at = |time: usize| side.map(|point| four[time][point]);
-        Query::<VertexEdge>::new(at(0), at(1)).is_ok_and(|query| !query.comes_within(margin))
+        Query::<VertexEdge>::new(at(0), at(1)).is_ok_and(|query| !query.collides(margin))
     };
     [0, 1].into_iter().all(is_apart_at) && rounded.parity() == Parity::Odd && sides.iter().all(is_apart_on)
 }

@@ -1,7 +1,6 @@
 //! Pairs that come within their minimum distance.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{Collision, ContactTime, Kind};
+use exact_ccd::{Collision, ContactTime, Kind, Separation};
 
 /// A pair of primitives that come within their minimum distance.
 pub(crate) struct Approach<'a, K> {
@@ -28,19 +27,21 @@ impl<'a, K: Kind> Approach<'a, K> {
     /// up to the inner one.
     pub(crate) fn contact(self) -> Option<Collision<'a, K>> {
         match self.nearer() {
-            Some(inner) if self.collision.first_contact_time().is_start() => {
-                self.collision.query().collision_within(inner)
-            }
+            Some(inner) if self.collision.time().is_start() => self.collision.query().collision(inner),
             _ => Some(self.collision),
         }
     }
 
     /// The times of the approach.
     pub(crate) fn times(&self) -> Times {
-        let first = self.collision.first_contact_time();
+        let first = self.collision.time();
         let starts_within = first.is_start();
         let contact = match self.nearer() {
-            Some(inner) if starts_within => self.collision.query().first_within(inner),
+            Some(inner) if starts_within => self
+                .collision
+                .query()
+                .collision(inner)
+                .map(|collision| collision.time()),
             _ => Some(first),
         };
         Times {

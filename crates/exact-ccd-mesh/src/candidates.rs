@@ -2,8 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::separation::TimeOutOfStep;
-use exact_ccd::{Ccd, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Ccd, EdgeEdge, TimeOutOfStep, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
 use crate::broad_phase::{BroadPhase, PairCollector};

@@ -4,8 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use exact_ccd::ContactTime;
-use exact_ccd::separation::TimeOutOfStep;
+use exact_ccd::{ContactTime, TimeOutOfStep};
 
 use crate::by_kind::PairCounts;
 use crate::contact::{Contact, earlier};
@@ -201,7 +200,7 @@ impl Collect for ContactsUntil {
             let Some(collision) = approach.contact() else {
                 return;
             };
-            if collision.first_contact_time().is_at_most(self.time) {
+            if collision.time().is_at_most(self.time) {
                 found.push(Contact::new(K::pair(ids), &collision));
             }
         });

@@ -2,8 +2,7 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::separation::DistanceBounds;
-use exact_ccd::{Collision, ContactTime, Impact, Kind};
+use exact_ccd::{Collision, ContactTime, DistanceBounds, Impact, Kind};
 
 use crate::pair::Pair;
 

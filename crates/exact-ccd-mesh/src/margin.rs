@@ -1,6 +1,6 @@
 //! The amounts by which boxes are larger than their primitives.
 
-use exact_ccd::separation::Separations;
+use exact_ccd::Separations;
 
 use crate::mesh::TriangleMesh;
 use crate::min_distance::MinDistance;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::separation::{Separation, Separations, Thickness};
+use exact_ccd::{Separation, Separations, Thickness};
 
 use crate::mesh::TriangleMesh;
 use crate::pair_kind::PairKind;
@@ -19,7 +19,7 @@ use crate::pair_kind::PairKind;
 /// near each other too.
 ///
 /// ```
-/// use exact_ccd::separation::Separation;
+/// use exact_ccd::Separation;
 /// use exact_ccd_mesh::{Detector, MinDistance, TriangleMesh};
 ///
 /// // A point falls on a triangle.

@@ -1,8 +1,7 @@
 //! The narrow phase: exact tests of candidates, in batches.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::separation::{Separation, Separations};
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Options, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
 
 use crate::approach::Approach;
 use crate::can_collide::CanCollide;
@@ -106,6 +105,7 @@ impl NarrowPhase {
         mut found: impl FnMut([u32; 2], Approach<'_, K>),
     ) {
         let inner = self.min_distance.inner();
+        let options = Options::within(separations).until(until);
         let (mut kept, mut queries) = ([[0; 2]; CHUNK], [K::Vertices::default(); CHUNK]);
         for pairs in pairs.chunks(CHUNK) {
             let mut count = 0;
@@ -118,7 +118,7 @@ impl NarrowPhase {
                 }
             }
             self.trajectories
-                .collisions_until::<K>(&queries[..count], separations, until, |index, collision| {
+                .collisions::<K>(&queries[..count], options, |index, collision| {
                     found(kept[index], Approach::new(collision, inner));
                 })
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
@@ -139,7 +139,7 @@ impl NarrowPhase {
     fn contact_of<K: PairKind>(&self, mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Contact> {
         let vertices = K::vertices(mesh, ids)?;
         let query = self.trajectories.query::<K>(vertices)?;
-        let collision = query.collision_within(self.min_distance.between::<K>(mesh, &vertices))?;
+        let collision = query.collision(self.min_distance.between::<K>(mesh, &vertices))?;
         let collision = Approach::new(collision, self.min_distance.inner()).contact()?;
         Some(Contact::new(K::pair(ids), &collision))
     }

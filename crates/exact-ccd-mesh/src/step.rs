@@ -1,7 +1,6 @@
 //! One time step of a mesh.
 
-use exact_ccd::separation::TimeOutOfStep;
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, TimeOutOfStep, VertexFace};
 
 use crate::mesh::TriangleMesh;
 use crate::pair_kind::PairKind;

@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd::{Separation, Thickness};
 use exact_ccd_mesh::{Aabb, Audit, MinDistance, Point, TriangleMesh, intersections, step};
 use exact_ccd_sim::scene::Scene;
 use exact_ccd_sim::{BodyKind, Simulation, State, Statistics, StepFilter, System, shapes};

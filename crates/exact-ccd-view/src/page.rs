@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use exact_ccd::Query;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Query, Separation};
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
 use crate::block;
@@ -121,7 +120,7 @@ impl Page {
         for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(positions) {
             page.push_frame(label.to_owned(), positions);
         }
-        if let Some(collision) = query.collision_within(separation) {
+        if let Some(collision) = query.collision(separation) {
             let ([x0, x1], distance) = (positions, collision.distance().lower);
             let primitives = query::primitives_of::<K>();
             let shown = ShownContact::new(primitives, 0, [x0, x1], &collision.impact(), distance);

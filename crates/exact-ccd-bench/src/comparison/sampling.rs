@@ -1,6 +1,6 @@
 //! A random sample of queries, half of them in contact.
 
-use exact_ccd::{ContactTime, Kind, Query};
+use exact_ccd::{CONTACT, Kind, Query};
 
 /// A query and its ground truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,12 +20,12 @@ impl<K: Kind> Subject<K> {
     pub fn new(query: Query<K>, truth: Option<bool>) -> Self {
         let first = match truth {
             Some(false) => None,
-            _ => query.contact_times().first(),
+            _ => query.time_of_impact(CONTACT),
         };
         Self {
             query,
             collides: truth.unwrap_or(first.is_some()),
-            first: first.map(ContactTime::lower),
+            first,
         }
     }
 }

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
 use crate::contacts::{ContactList, ContactRecord, ListFile};

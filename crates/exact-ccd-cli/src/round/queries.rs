@@ -3,8 +3,7 @@
 use std::path::Path;
 
 use exact_ccd::parity::{Displacement, Rounded, RoundingError};
-use exact_ccd::separation::Separation;
-use exact_ccd::{NonFinite, Query};
+use exact_ccd::{NonFinite, Query, Separation};
 use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
 use rayon::prelude::*;
 

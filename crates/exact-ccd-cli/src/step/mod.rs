@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, MinDistance, Motion, StepError,

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd::Query;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Query, Separation};
 use exact_ccd_view::{Page, PageKind};
 
 use crate::failure::Failure;

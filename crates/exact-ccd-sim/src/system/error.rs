@@ -1,6 +1,6 @@
 //! Errors of bodies and scripts.
 
-use exact_ccd::separation::{InvalidThickness, Thickness};
+use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
 use crate::elasticity::ModuliError;

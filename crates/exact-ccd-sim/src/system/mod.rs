@@ -12,7 +12,7 @@ mod parts;
 
 use std::ops::Range;
 
-use exact_ccd::separation::{InvalidThickness, Thickness};
+use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
     Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, MinDistance, Point,
     PositionsError, Step, TriangleMesh,

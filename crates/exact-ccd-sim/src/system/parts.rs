@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use exact_ccd::separation::Thickness;
+use exact_ccd::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 

@@ -1,6 +1,6 @@
 //! The candidate pairs of the broad phase, against all pairs of primitives.
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
 };
@@ -122,12 +122,12 @@ impl Scene {
             |v| {
                 Query::<VertexFace>::new(at(start, v), at(end, v))
                     .unwrap()
-                    .collides()
+                    .collides(CONTACT)
             },
             |v| {
                 Query::<EdgeEdge>::new(at(start, v), at(end, v))
                     .unwrap()
-                    .collides()
+                    .collides(CONTACT)
             },
         )
     }
