@@ -10,9 +10,9 @@ mod up;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{HalfSpace, Point};
+use exact_ccd_sim::Simulation;
 use exact_ccd_sim::scene::Rendering;
-use exact_ccd_sim::{HalfSpace, Simulation};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;

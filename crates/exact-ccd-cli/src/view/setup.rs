@@ -1,8 +1,8 @@
 //! The contents of a page before its first frame.
 
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Frame, Point};
-use exact_ccd_sim::{HalfSpace, Simulation};
+use exact_ccd_mesh::{Frame, HalfSpace, Point};
+use exact_ccd_sim::Simulation;
 use exact_ccd_view::{Body, Page};
 
 use crate::scene::Scene;
