@@ -29,6 +29,7 @@
 //! - [`MinDistance`] makes all of this about a distance that primitives keep: one for all, or a
 //!   thickness of each vertex. [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
+//! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
 //! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
 //!   certifies a sequence of frames.
 //! - [`Motion::shifted`] rounds a motion as [`exact_ccd::parity`] requires.
@@ -53,6 +54,7 @@ mod culled_search;
 mod detector;
 mod disjoint_sets;
 mod frame;
+mod half_space;
 mod intersections;
 mod line_search;
 mod margin;
@@ -90,6 +92,7 @@ pub use contact_points::contact_points;
 pub use detector::Detector;
 pub use exact_ccd::Point;
 pub use frame::{Frame, FrameError};
+pub use half_space::{HalfSpace, HalfSpaceError};
 pub use intersections::{
     Intersection, IntersectionsError, crossings, crossings_by, intersections, intersections_among,
     intersections_by,

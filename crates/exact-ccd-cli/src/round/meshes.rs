@@ -40,7 +40,10 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
 
 fn read(file: &Path) -> Result<Frame, Failure> {
     if Format::of_path(file).is_none() {
-        return Err(Failure::KindMissing(file.to_owned()));
+        return Err(Failure::of(
+            file,
+            "expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
+        ));
     }
     Ok(read_frame(file)?)
 }
@@ -54,7 +57,10 @@ fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failu
     let files: Vec<_> = inputs.iter().map(|input| output.join(name(input))).collect();
     let mut distinct = BTreeSet::new();
     if let Some(file) = files.iter().find(|file| !distinct.insert(*file)) {
-        return Err(Failure::SameOutput(file.clone()));
+        return Err(Failure::new(format_args!(
+            "two meshes would be written to {}",
+            file.display()
+        )));
     }
     Ok(files)
 }

@@ -18,7 +18,7 @@ use crate::failure::Failure;
 use crate::inputs::check_file;
 use crate::output::{print, write_file};
 use crate::progress::{self, during};
-use crate::query_files;
+use crate::queries::query_files;
 
 /// Queries or meshes shifted and rounded, so that differences of coordinates are exact
 ///

@@ -13,7 +13,7 @@ use super::recorder::Recording;
 use super::steps;
 use crate::failure::Failure;
 use crate::output::make_folder;
-use crate::query_files;
+use crate::queries::query_files;
 
 /// A folder with query files, a file for each time step and kind, and `counts.csv`.
 pub(super) struct QueryFolder {

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::group::GroupKey;
+use super::half_spaces;
 use super::placement::{Rotation, Scale};
 use super::rendering::Rendering;
 use crate::body::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
@@ -29,7 +30,7 @@ pub(super) struct Description {
     #[serde(default)]
     pub(super) body: Vec<BodyDescription>,
     /// The half spaces, `[[half-space]]`.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, with = "half_spaces", skip_serializing_if = "Vec::is_empty")]
     pub(super) half_space: Vec<HalfSpace>,
     /// The settings of the pictures.
     #[serde(default, skip_serializing_if = "Rendering::is_default")]

@@ -32,6 +32,7 @@ mod body;
 mod description;
 mod document;
 mod group;
+mod half_spaces;
 mod import;
 mod load;
 mod locate;

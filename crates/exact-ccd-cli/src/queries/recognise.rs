@@ -7,10 +7,10 @@ use std::path::{Path, PathBuf};
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{ColumnReader, DataError, QueryKind};
 
+use super::kind::Kind;
+use super::query_files::{is_dash, is_parquet};
 use crate::failure::Failure;
-use crate::kind::Kind;
 use crate::notes::Notes;
-use crate::query_files::{is_dash, is_parquet};
 
 /// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
 /// ends too early may have the rows of another one.
@@ -23,44 +23,54 @@ pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes)
         let kind = of_file(file, notes)?;
         match found {
             Some(other) if other != kind => {
-                return Err(Failure::KindsDiffer {
-                    file: file.clone(),
-                    kind,
-                    other,
-                });
+                return Err(Failure::of(
+                    file,
+                    format_args!("queries of the kind {kind}, after others of the kind {other}"),
+                ));
             }
             _ => found = Some(kind),
         }
     }
-    found.ok_or_else(|| Failure::KindUncertain(PathBuf::new()))
+    found.ok_or_else(|| uncertain(Path::new("")))
 }
 
 /// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
 /// whose queries fill the rows of the file.
 fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
-    let uncertain = || Failure::KindUncertain(file.to_owned());
     if is_dash(file) {
-        return Err(uncertain());
+        return Err(uncertain(file));
     }
     if is_parquet(file) {
-        return of_columns(file).ok_or_else(uncertain);
+        return of_columns(file).ok_or_else(|| uncertain(file));
     }
     let rows = row_count(file).map_err(|source| DataError::Io {
         file: file.to_owned(),
         source,
     })?;
     if rows == 0 {
-        return Err(Failure::NoQueries);
+        return Err(no_queries());
     }
     if let Some(kind) = of_folder(file) {
         return Ok(kind);
     }
-    let kind = of_count(rows).ok_or_else(uncertain)?;
+    let kind = of_count(rows).ok_or_else(|| uncertain(file))?;
     notes.note(format!(
         "{}: {rows} rows are queries of the kind {kind}; --kind names another",
         file.display()
     ));
     Ok(kind)
+}
+
+fn uncertain(file: &Path) -> Failure {
+    Failure::of(
+        file,
+        "the kind of the queries is not certain from the file; --kind vf|ee|ve|vv names it",
+    )
+}
+
+/// The failure of an input without a query.
+pub(crate) fn no_queries() -> Failure {
+    Failure::new("0 queries: the input is empty")
 }
 
 fn of_folder(file: &Path) -> Option<Kind> {

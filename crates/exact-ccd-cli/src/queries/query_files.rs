@@ -3,13 +3,16 @@
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use exact_ccd::parity::RoundingError;
 use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataError, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample,
     Seventh,
 };
 
-use crate::failure::Failure;
+use crate::failure::{Failure, failures};
 use crate::output::replace_file;
+
+failures! { DataError, RoundingError }
 
 /// The queries of a file, read one after the other.
 pub(crate) type Samples<K> = Box<dyn Iterator<Item = Result<Sample<K>, Failure>>>;
@@ -65,9 +68,9 @@ pub(crate) fn write<K: QueryKind>(
 ) -> Result<(), Failure> {
     if is_dash(file) {
         let mut output = io::stdout();
-        let written = write_rows(&mut output, seventh, records, Failure::Output);
+        let written = write_rows(&mut output, seventh, records, Failure::from);
         return written
-            .and_then(|()| output.flush().map_err(Failure::Output))
+            .and_then(|()| output.flush().map_err(Failure::from))
             .or_else(Failure::unless_closed_pipe);
     }
     let failed = |source| Failure::write(file, source);
@@ -93,6 +96,11 @@ fn write_rows<K: QueryKind>(
     let mut rows = QueryWriter::new(&mut writer, seventh);
     records.try_for_each(|record| rows.write(&record?).map_err(&failed))?;
     writer.flush().map_err(failed)
+}
+
+/// The failure of a query by its number in the file, from 0.
+pub(crate) fn failed(file: &Path, query: usize, source: RoundingError) -> Failure {
+    Failure::new(format_args!("{}, query {query}: {source}", name(file).display()))
 }
 
 /// The name of the file in errors.

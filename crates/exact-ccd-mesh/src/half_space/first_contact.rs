@@ -3,10 +3,10 @@
 use std::cmp::Ordering::{self, Equal, Greater};
 
 use dashu_int::IBig;
-use exact_ccd_mesh::Point;
+use exact_ccd::Point;
 
-use super::HalfSpace;
 use super::side::integer;
+use super::{HalfSpace, dot};
 
 /// 1074: [`integer`] is a number in units of 2⁻¹⁰⁷⁴.
 const UNIT: usize = 1074;
@@ -20,7 +20,7 @@ impl HalfSpace {
     /// is 0. The offset counts by its magnitude.
     ///
     /// ```
-    /// use exact_ccd_sim::HalfSpace;
+    /// use exact_ccd_mesh::HalfSpace;
     ///
     /// let ground = HalfSpace::new([0.0; 3], [0.0, 0.0, 2.0]);
     /// let falling = [[7.0, 0.0, 2.0], [8.0, 0.0, -1.0]];
@@ -49,8 +49,9 @@ impl HalfSpace {
 
     /// The first time in floating point. It may be any number.
     fn estimate(&self, positions: [Point; 2], offset: f64) -> f64 {
-        let plane = self.plane();
-        let [before, after] = positions.map(|x| plane.height(&x.into()) - offset);
+        let normal = self.unit_normal();
+        let height = |x: Point| dot(normal, [0, 1, 2].map(|axis| x[axis] - self.point[axis]));
+        let [before, after] = positions.map(|x| height(x) - offset);
         before / (before - after)
     }
 }

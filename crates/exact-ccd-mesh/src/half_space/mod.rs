@@ -1,25 +1,28 @@
-//! Half spaces as obstacles: grounds and walls without a mesh.
+//! Half spaces: grounds and walls without a mesh.
 
 mod first_contact;
 mod side;
 
-use exact_ccd_mesh::{Aabb, Point};
-use nalgebra::Vector3;
-use serde::{Deserialize, Serialize};
+use exact_ccd::Point;
 
-/// A half space that no body enters: all x with n · (x − p) ≤ 0, for a point p of its boundary and the
+/// A half space that no vertex enters: all x with n · (x − p) ≤ 0, for a point p of its boundary and the
 /// normal n of the boundary, which points outward.
 ///
 /// The boundary is exactly the plane of these floating-point numbers. Contact with it is decided exactly
-/// ([`HalfSpace::is_apart`]), friction and the barrier act on vertices.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+/// ([`HalfSpace::is_apart`]).
+///
+/// ```
+/// use exact_ccd_mesh::HalfSpace;
+///
+/// let ground = HalfSpace::new([0.0, 0.0, 0.1], [0.0, 0.0, 3.0]);
+/// assert!(ground.is_apart([0.0, 0.0, 0.1_f64.next_up()], 0.0));
+/// assert!(!ground.is_apart([0.0, 0.0, 0.1], 0.0));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
 pub struct HalfSpace {
     /// Its name, which several half spaces may share. Empty for no name.
-    #[serde(default, skip_serializing_if = "String::is_empty")]
     pub name: String,
-    /// A point of the boundary, in m.
-    #[serde(default)]
+    /// A point of the boundary.
     pub point: Point,
     /// The normal of the boundary, of any length.
     pub normal: Point,
@@ -69,7 +72,7 @@ impl HalfSpace {
         if !point.iter().all(|x| x.is_finite()) {
             return Err(error("point", point, "finite numbers"));
         }
-        if !Vector3::from(normal).norm_squared().is_normal() {
+        if !dot(normal, normal).is_normal() {
             return Err(error(
                 "normal",
                 normal,
@@ -79,29 +82,11 @@ impl HalfSpace {
         Ok(())
     }
 
-    /// The boundary in floating point, for the barrier and for friction.
+    /// The normal divided by its length, in floating point.
     #[must_use]
-    pub fn plane(&self) -> Plane {
-        Plane {
-            point: self.point.into(),
-            normal: Vector3::from(self.normal).normalize(),
-        }
-    }
-
-    /// A square of the boundary beneath a box, for pictures: its corners, counterclockwise for a viewer at
-    /// whom the normal points. Its sides are longer than the diagonal of the box.
-    #[must_use]
-    pub fn square(&self, bounds: &Aabb) -> [Point; 4] {
-        let plane = self.plane();
-        let [lower, upper] = [bounds.lower, bounds.upper].map(Vector3::from);
-        let middle = (lower + upper) * 0.5;
-        let center = middle - plane.normal * plane.height(&middle);
-        let axis = Vector3::ith(plane.normal.iamin(), 1.0);
-        let side = axis.cross(&plane.normal).normalize();
-        let other = plane.normal.cross(&side);
-        let half = 0.7 * (upper - lower).norm();
-        let corners = [[-half, -half], [half, -half], [half, half], [-half, half]];
-        corners.map(|[a, b]| (center + side * a + other * b).into())
+    pub fn unit_normal(&self) -> Point {
+        let length = dot(self.normal, self.normal).sqrt();
+        self.normal.map(|x| x / length)
     }
 
     /// True if a point is farther than `offset` ≥ 0 from the half space: n · (x − p) > `offset` |n|, exactly,
@@ -113,33 +98,8 @@ impl HalfSpace {
     pub fn is_apart(&self, x: Point, offset: f64) -> bool {
         side::is_beyond(self.normal, self.point, x, offset)
     }
-
-    /// The part of a linear motion in which a vertex stays apart, from 0 to 1, in floating point. It is not
-    /// certified: [`HalfSpace::is_apart`] decides the step that is taken.
-    pub(crate) fn free_part(&self, [from, to]: [Point; 2], offset: f64) -> f64 {
-        let plane = self.plane();
-        let [before, after] = [from, to].map(|x| plane.height(&x.into()) - offset);
-        if after < before {
-            (before / (before - after)).clamp(0.0, 1.0)
-        } else {
-            1.0
-        }
-    }
 }
 
-/// A plane in floating point.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane {
-    /// A point of the plane, in m.
-    pub point: Vector3<f64>,
-    /// Its unit normal.
-    pub normal: Vector3<f64>,
-}
-
-impl Plane {
-    /// The signed distance of a point, in m.
-    #[must_use]
-    pub fn height(&self, x: &Vector3<f64>) -> f64 {
-        self.normal.dot(&(x - self.point))
-    }
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -1,8 +1,7 @@
 //! The side of a plane, exactly.
 
 use dashu_int::IBig;
-use exact_ccd::environment;
-use exact_ccd_mesh::Point;
+use exact_ccd::{Point, environment};
 
 /// True if n · (x − p) > `offset` |n|, exactly, for `offset` ≥ 0. False if a number is not finite.
 pub(super) fn is_beyond(normal: Point, point: Point, x: Point, offset: f64) -> bool {

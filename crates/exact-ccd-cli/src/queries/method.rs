@@ -9,9 +9,11 @@ use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, Separation, TimeGuarantee
 use exact_ccd_methods::{UnknownMethod, by_name};
 use serde_json::Value;
 
-use crate::failure::Failure;
-use crate::kind::Kind as AnyKind;
+use super::kind::Kind as AnyKind;
+use crate::failure::{Failure, failures};
 use crate::shortest::shortest;
+
+failures! { UnknownMethod }
 
 /// A registered method, or the parity in integers. Those that count contacts are apart.
 #[derive(Clone)]
@@ -56,14 +58,15 @@ impl Method {
     /// Checks that the method has queries of a kind, and, if the distance is not 0, times within a
     /// distance. The exact method has both.
     pub(crate) fn check(&self, kind: AnyKind, d: Separation) -> Result<(), Failure> {
-        let method = || self.name().to_owned();
+        let method = self.name();
         match (self, kind) {
             (Self::Exact, _) => Ok(()),
-            (_, AnyKind::Ve | AnyKind::Vv) => Err(Failure::MethodKind {
-                method: method(),
-                kind,
-            }),
-            _ if !d.is_zero() => Err(Failure::MethodDistance { method: method() }),
+            (_, AnyKind::Ve | AnyKind::Vv) => Err(Failure::new(format_args!(
+                "--kind {kind} needs --method exact: the method {method} has the kinds vf and ee"
+            ))),
+            _ if !d.is_zero() => Err(Failure::new(format_args!(
+                "--min-distance above 0 needs --method exact: the method {method} decides contact"
+            ))),
             _ => Ok(()),
         }
     }

@@ -1,5 +1,12 @@
 //! `exact-ccd queries`: the contacts of the queries in files, by any method.
 
+mod answer_rows;
+pub(crate) mod kind;
+mod method;
+pub(crate) mod query_files;
+pub(crate) mod recognise;
+mod tally;
+
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -11,18 +18,18 @@ use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
-use crate::answer_rows::AnswerRows;
 use crate::failure::Failure;
 use crate::inputs::check_file;
-use crate::kind::Kind;
-use crate::method::{Answer, Method};
 use crate::min_distance;
 use crate::notes::Notes;
 use crate::progress::{self, during};
-use crate::query_files::{self, Samples};
-use crate::recognise::kind_of;
-use crate::tally::Tally;
 use crate::view::{ChosenQuery, QueryView};
+use answer_rows::AnswerRows;
+use kind::Kind;
+use method::{Answer, Method};
+use query_files::Samples;
+use recognise::{kind_of, no_queries};
+use tally::Tally;
 
 /// The number of queries that are read before they are answered in parallel.
 const BATCH: usize = 4096;
@@ -108,7 +115,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let bar = if io::stdout().is_terminal() {
         ProgressBar::hidden()
     } else {
-        progress::queries()
+        progress::count("queries")
     };
     let (method, d) = (&arguments.method, arguments.min_distance);
     query_files::check(&arguments.files, |file| {
@@ -123,7 +130,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Kind::Vv => answer_all::<VertexVertex>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
     });
     match tally {
-        Ok(tally) if tally.queries() == 0 => return Err(Failure::NoQueries),
+        Ok(tally) if tally.queries() == 0 => return Err(no_queries()),
         Ok(tally) => tally.report(),
         Err(failure) => failure.unless_closed_pipe()?,
     }
@@ -182,8 +189,7 @@ fn answer<K: QueryKind + PageKind>(
         let answers: Vec<_> = batch.par_iter().map(|sample| decide(&sample.query)).collect();
         for (sample, answer) in batch.iter().zip(answers) {
             let query = tally.queries();
-            let answer =
-                answer.map_err(|source| Failure::query(query_files::name(file), query - first, source))?;
+            let answer = answer.map_err(|source| query_files::failed(file, query - first, source))?;
             output.write(query, &answer)?;
             tally.add(answer.collides, sample.truth);
             choice.see(query_files::name(file), query, &sample.query, answer.collides);

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use serde::Serialize;
 use serde_json::Value;
 
-use crate::method::Answer;
+use super::method::Answer;
 
 /// A writer of answers.
 pub(crate) struct AnswerRows<W> {
