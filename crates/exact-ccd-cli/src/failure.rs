@@ -9,8 +9,8 @@ use exact_ccd_data::DataError;
 use exact_ccd_files::{ReadError, ReadMotionError};
 use exact_ccd_mesh::{CandidateError, StepError, ThicknessCount};
 use exact_ccd_methods::UnknownMethod;
+use exact_ccd_scene::SceneError;
 use exact_ccd_sim::SimulationError;
-use exact_ccd_sim::scene::SceneError;
 use exact_ccd_view::PageError;
 
 use crate::inputs::InputError;

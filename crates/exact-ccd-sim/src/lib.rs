@@ -12,7 +12,6 @@
 //!   of a system are those of its bodies, one body after the other ([`System::ranges`]).
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
-//! - [`scene`] reads a system and its settings from a file.
 //!
 //! See [`Integrator`] for what the integrators conserve, and [`elasticity`] for the limits of the elements.
 //!
@@ -51,7 +50,6 @@ mod hinges;
 mod integrator;
 mod load;
 pub mod psd;
-pub mod scene;
 mod script;
 mod scripted;
 mod settings;

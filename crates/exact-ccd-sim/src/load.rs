@@ -48,8 +48,12 @@ pub struct LoadError {
 }
 
 impl Load {
-    /// Checks that all numbers are in range, for a system with this number of vertices.
-    pub(crate) fn check(&self, load: usize, vertex_count: usize) -> Result<(), LoadError> {
+    /// Checks that all numbers of the load with this number are in range, for a system with this number of
+    /// vertices.
+    ///
+    /// # Errors
+    /// [`LoadError`] names the first number that is out of range.
+    pub fn check(&self, load: usize, vertex_count: usize) -> Result<(), LoadError> {
         let is_finite = match self.force {
             Force::Acceleration(force) | Force::Traction(force) => force.iter().all(|x| x.is_finite()),
             Force::Pressure(pressure) => pressure.is_finite(),

@@ -11,7 +11,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::scene::Rendering;
+use exact_ccd_scene::Rendering;
 use exact_ccd_sim::{HalfSpace, Simulation};
 use exact_ccd_view::Page;
 

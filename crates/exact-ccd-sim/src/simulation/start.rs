@@ -33,7 +33,8 @@ impl Primitive {
     }
 
     /// The primitive with its vertex indices mapped by a function.
-    pub(crate) fn map(self, number: impl Fn(u32) -> u32) -> Self {
+    #[must_use]
+    pub fn map(self, number: impl Fn(u32) -> u32) -> Self {
         match self {
             Self::Vertex(vertex) => Self::Vertex(number(vertex)),
             Self::Edge(edge) => Self::Edge(edge.map(number)),
