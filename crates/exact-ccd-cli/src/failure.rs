@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::parity::RoundingError;
-use exact_ccd_bench::comparison::PeerError;
+use exact_ccd_compare::PeerError;
 use exact_ccd_data::DataError;
 use exact_ccd_files::{ReadError, ReadMotionError};
 use exact_ccd_mesh::{CandidateError, StepError, ThicknessCount};

@@ -7,10 +7,10 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::contestant::Contestant;
-use super::plots;
-use super::setting::Setting;
-use super::table::{Row, Sizes, Table};
+use crate::charts;
+use crate::contestant::Contestant;
+use crate::setting::Setting;
+use crate::table::{Row, Sizes, Table};
 
 /// The results of a comparison.
 #[derive(Clone, Debug, Serialize)]
@@ -66,10 +66,10 @@ impl Report {
         }
         for table in &self.tables {
             let name = file_name(table);
-            replace(&folder.join(format!("tails-{name}.svg")), &plots::tails(table))?;
+            replace(&folder.join(format!("tails-{name}.svg")), &charts::tails(table))?;
             replace(
                 &folder.join(format!("accuracy-{name}.svg")),
-                &plots::accuracy(table),
+                &charts::accuracy(table),
             )?;
         }
         Ok(())

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
-use exact_ccd_bench::comparison::{Comparison, Contestant, Report, Source, Subject, Subjects, Table};
+use exact_ccd_compare::{Comparison, Contestant, Report, Source, Subject, Subjects, Table};
 use exact_ccd_data::{DataKind, QueryWriter, Record, Sample, Seventh};
 
 /// Points that move at random, with coordinates in 64ths, which are fast for the exact method.

@@ -9,9 +9,7 @@ use std::io::{self, BufRead, Read, Write};
 use std::time::Duration;
 
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Kind, Point, Query, TimeGuarantee, VertexFace};
-use exact_ccd_bench::comparison::{
-    Comparison, Contestant, Peer, PeerError, Report, Subject, Subjects, Table,
-};
+use exact_ccd_compare::{Comparison, Contestant, Peer, PeerError, Report, Subject, Subjects, Table};
 
 fn main() {
     // Other arguments, such as those of libtest, run the tests.

@@ -35,10 +35,10 @@ impl Setting {
             processor: processor(),
             cores: std::thread::available_parallelism().map_or(1, Into::into),
             threads: 1,
-            compiler: env!("CCD_BENCH_COMPILER").to_owned(),
-            target: env!("CCD_BENCH_TARGET").to_owned(),
-            optimisation: env!("CCD_BENCH_OPTIMISATION").to_owned(),
-            flags: env!("CCD_BENCH_FLAGS").to_owned(),
+            compiler: env!("CCD_COMPARE_COMPILER").to_owned(),
+            target: env!("CCD_COMPARE_TARGET").to_owned(),
+            optimisation: env!("CCD_COMPARE_OPTIMISATION").to_owned(),
+            flags: env!("CCD_COMPARE_FLAGS").to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
         }
     }

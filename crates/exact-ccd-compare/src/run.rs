@@ -5,11 +5,11 @@ use std::time::Duration;
 use exact_ccd::{Ccd, Decide, Query};
 use exact_ccd_data::DataKind;
 
-use super::contestant::Contestant;
-use super::peer::PeerError;
-use super::sampling::{Subject, Subjects};
-use super::table::Table;
-use super::timed::Timed;
+use crate::contestant::Contestant;
+use crate::peer::PeerError;
+use crate::sampling::{Subject, Subjects};
+use crate::table::Table;
+use crate::timed::Timed;
 
 /// A comparison of contestants with the same time budget.
 pub struct Comparison {

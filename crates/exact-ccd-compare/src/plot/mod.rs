@@ -1,7 +1,7 @@
-//! The style of the charts of exact-ccd: SVG drawings by [`plotters`] in one [`Frame`], with one
+//! The style of all charts: SVG drawings by [`plotters`] in one [`Frame`], with one
 //! [palette](color()) and logarithmic [axes](decades()) with marks at powers of ten.
 //!
-//! Series are drawn with plotters itself, which this crate re-exports.
+//! Series are drawn with plotters itself, which this module re-exports.
 
 mod axis;
 mod frame;
@@ -13,8 +13,3 @@ pub use frame::{Area, Axis, Chart, Drawn, Frame, svg, write};
 pub use palette::{COLOR_COUNT, color};
 pub use plotters;
 pub use unit::{Scale, power};
-
-/// The examples in the README of this crate, as tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

@@ -3,10 +3,10 @@
 use exact_ccd::Kind;
 use serde::Serialize;
 
-use super::contestant::Contestant;
-use super::sampling::{Subject, Subjects};
-use super::statistics::{TimeError, distribution, mean, quantile, weighted_mean};
-use super::timed::Timed;
+use crate::contestant::Contestant;
+use crate::sampling::{Subject, Subjects};
+use crate::statistics::{TimeError, distribution, mean, quantile, weighted_mean};
+use crate::timed::Timed;
 
 /// The answers of all contestants on one data set and kind of query.
 #[derive(Clone, Debug, Serialize)]

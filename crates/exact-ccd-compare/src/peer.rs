@@ -30,8 +30,8 @@ use exact_ccd::{Guarantees, Query, TimeGuarantee};
 use exact_ccd_data::DataKind;
 use serde::{Deserialize, Serialize};
 
-use super::process::Process;
-use super::timed::Timed;
+use crate::process::Process;
+use crate::timed::Timed;
 
 /// A method of another program.
 pub struct Peer {

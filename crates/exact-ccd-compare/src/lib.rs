@@ -1,8 +1,13 @@
-//! Comparison of methods on the same queries in the same run: table 1 of the paper.
+//! Comparison of methods of continuous collision detection on the same queries in the same run: table 1 of the
+//! paper.
+//!
+//! [`Source`] finds data sets in a folder, [`Comparison`] runs methods and [peers](Peer) on them, and [`Report`]
+//! writes tables and charts. [`plot`] has the style of the charts.
 
+mod charts;
 mod contestant;
 mod peer;
-mod plots;
+pub mod plot;
 mod process;
 mod report;
 mod run;

@@ -1,5 +1,5 @@
 //! Comparison of a user-defined method with two of this project, on random queries: `cargo run
-//! --release -p exact-ccd-bench --example own_method`.
+//! --release -p exact-ccd-compare --example own_method`.
 //!
 //! `Source::all` finds the data sets in a folder: see `exact-ccd bench`.
 
@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Point, Query, TimeGuarantee, VertexFace};
-use exact_ccd_bench::comparison::{Comparison, Contestant, Subject, Subjects};
+use exact_ccd_compare::{Comparison, Contestant, Subject, Subjects};
 
 /// Decides that primitives collide if the boxes around their motion overlap.
 struct Boxes;

@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
 use exact_ccd_data::DataKind;
 
-use super::peer::{Peer, PeerError};
-use super::timed::Timed;
+use crate::peer::{Peer, PeerError};
+use crate::timed::Timed;
 
 /// A method in a comparison.
 pub enum Contestant {

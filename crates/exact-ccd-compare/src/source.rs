@@ -8,7 +8,7 @@ use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_data::{ColumnReader, DataError, DataKind, QueryReader, Rounding, Sample, Scene, list};
 use exact_ccd_mesh::{Bvh, Candidates};
 
-use super::sampling::{Subject, Subjects};
+use crate::sampling::{Subject, Subjects};
 
 /// A data set in a folder, before it is read.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,12 +1,10 @@
 //! The plots of a table.
 
-use exact_ccd_plot::plotters::prelude::*;
-use exact_ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use exact_ccd_plot::{
-    Area, Axis, COLOR_COUNT, Drawn, Frame, color, decades, linear, logarithmic, svg, write,
-};
+use crate::plot::{Area, Axis, COLOR_COUNT, Drawn, Frame, color, decades, linear, logarithmic, svg, write};
+use plotters::prelude::*;
+use plotters::series::{DashedLineSeries, LineSeries};
 
-use super::table::{Row, Table};
+use crate::table::{Row, Table};
 
 const SIZE: (u32, u32) = (1000, 640);
 
@@ -58,7 +56,7 @@ fn title(table: &Table) -> String {
 
 /// A time in microseconds.
 fn duration(time: &f64) -> String {
-    exact_ccd_plot::seconds(&(1e-6 * time))
+    crate::plot::seconds(&(1e-6 * time))
 }
 
 /// The frame of a plot over times, with space for the names of the methods.
