@@ -1,7 +1,7 @@
 //! Scene files in TOML, and imports of the scenes of other programs.
 //!
-//! [`Scene::read`] makes a [`System`](exact_ccd_sim::System) and its [`Settings`](exact_ccd_sim::Settings) from a
-//! file. [`import`] makes such a file from a scene of IPC or of PolyFEM.
+//! [`Scene::read`] makes a [`System`](exact_ccd_sim::System) and its settings from a file. [`import`] makes such
+//! a file from a scene of IPC or of PolyFEM.
 //!
 //! ```
 //! use std::path::Path;

@@ -162,7 +162,7 @@ impl Scene {
                     from: load.from,
                     until: load.until,
                 };
-                load.check(number, usize::MAX)
+                load.check()
                     .map_err(|error| document.error_of(&of_load(error.field), &error.to_string()))?;
                 loads.push(load);
             }

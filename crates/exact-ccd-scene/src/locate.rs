@@ -14,60 +14,48 @@ pub(super) fn of_system(
     description: &Description,
     error: &SystemError,
 ) -> SceneError {
-    let (region, error) = match error {
-        SystemError::InRegion { region, source } => (Some(*region), &**source),
-        error => (None, error),
+    let of_body = |body: usize, path: &[Key<'_>], message: &str| {
+        let path: Vec<Key<'_>> = [Name("body"), Index(body)]
+            .into_iter()
+            .chain(path.iter().copied())
+            .collect();
+        document.error_of(&path, message)
     };
-    let (body, field) = match error {
-        SystemError::NotPositive { body, what, .. } => (*body, Some(*what)),
-        SystemError::Moduli { body, source } => (*body, Some(source.field())),
-        SystemError::Mass { body, .. } => (*body, Some("density")),
-        SystemError::Velocity { body, what, .. } => {
-            let field = if *what == "velocity" {
-                *what
-            } else {
-                "angular-velocity"
-            };
-            let path = [Name("body"), Index(*body), Name(field)];
-            return document.error_of(&path, &without_body(*body, error));
+    let described = |body: usize| description.body.get(body);
+    let material = |body| described(body).map_or("solid", BodyDescription::material);
+    match error {
+        SystemError::Body { body, source } => {
+            let of_motion = ["velocity", "angular-velocity", "offset"].contains(&source.field);
+            let material = (!of_motion).then(|| Name(material(*body)));
+            let path: Vec<Key<'_>> = material.into_iter().chain([Name(source.field)]).collect();
+            of_body(*body, &path, &source.to_string())
+        }
+        SystemError::Material { body, region, source } => {
+            let path = [Name("region"), Index(*region), Name("solid"), Name(source.field)];
+            of_body(*body, &path, &source.to_string())
+        }
+        SystemError::Mass { body, .. } => {
+            let path = [Name(material(*body)), Name("density")];
+            of_body(*body, &path, &without_body(*body, error))
         }
         // The points of a mesh are finite: the placement overflows.
-        SystemError::NotFinite { body, .. } => {
-            let path = [Name("body"), Index(*body)];
-            return document.error_of(&path, &without_body(*body, error));
-        }
+        SystemError::NotFinite { body, .. } => of_body(*body, &[], &without_body(*body, error)),
         SystemError::HalfSpace(HalfSpaceError { half_space, what, .. }) => {
             let path = [Name("half-space"), Index(*half_space), Name(what)];
-            return document.error_of(&path, &error.to_string());
-        }
-        SystemError::Offset { body, .. } => {
-            let path = [Name("body"), Index(*body), Name("offset")];
-            return document.error_of(&path, &without_body(*body, error));
+            document.error_of(&path, &error.to_string())
         }
         SystemError::Index { body, .. }
         | SystemError::Empty { body }
         | SystemError::Solid { body, .. }
         | SystemError::Folded { body, .. }
         | SystemError::Region { body, .. }
-        | SystemError::Flat { body, .. } => (*body, None),
-        _ => {
-            return document.error_of(&[Name("body")], &error.to_string());
+        | SystemError::Flat { body, .. } => {
+            let has_shape = described(*body).is_some_and(|described| described.shape.is_some());
+            let source = if has_shape { "shape" } else { "mesh" };
+            of_body(*body, &[Name(source)], &without_body(*body, error))
         }
-    };
-    let described = description.body.get(body);
-    let message = without_body(body, error);
-    let Some(field) = field else {
-        let has_shape = described.is_some_and(|described| described.shape.is_some());
-        let source = if has_shape { "shape" } else { "mesh" };
-        return document.error_of(&[Name("body"), Index(body), Name(source)], &message);
-    };
-    let material = described.map_or("solid", BodyDescription::material);
-    let region = region.map(|region| [Name("region"), Index(region)]);
-    let path = [Name("body"), Index(body)]
-        .into_iter()
-        .chain(region.into_iter().flatten())
-        .chain([Name(material), Name(field)]);
-    document.error_of(&path.collect::<Vec<_>>(), &message)
+        _ => document.error_of(&[Name("body")], &error.to_string()),
+    }
 }
 
 /// The message without the number of the body, which the path of the field has already.
@@ -105,7 +93,7 @@ pub(super) fn of_simulation(document: &Document<'_>, system: &System, error: &Si
             );
             return document.error_of(&[Name("body"), Index(body)], &message);
         }
-        SimulationError::Setting(setting) => setting.what,
+        SimulationError::Setting(setting) => setting.field,
         SimulationError::UnknownBody { .. } => "friction.pair",
         SimulationError::Method { .. } | SimulationError::Separation { .. } => "ccd",
         _ => "",

@@ -198,7 +198,7 @@ fn errors_of_the_scene_name_the_field() {
         .unwrap();
     assert!(error.starts_with("scene.txt as TOML, line "), "{error}");
     assert!(
-        error.ends_with("body[0].solid.density: the density is -1, expected a positive finite number"),
+        error.ends_with("body[0].solid.density: `density` is -1, expected a positive number"),
         "{error}"
     );
     let error = folder.scene("scene.txt", "ground 0 0\n").err().unwrap();

@@ -115,15 +115,15 @@ fn errors_of_rods_and_particles_name_their_field() {
         ),
         (
             vec![line, "rod = { density = 1.0, young = 1.0, radius = 0.0 }"],
-            "body[0].rod.radius: the radius is 0, expected a positive finite number",
+            "body[0].rod.radius: `radius` is 0, expected a positive number",
         ),
         (
             vec![line, "rod = { density = 1.0, young = -1.0, radius = 1.0 }"],
-            "body[0].rod.young: Young's modulus is -1, expected a positive number",
+            "body[0].rod.young: `young` is -1, expected a positive number",
         ),
         (
             vec![line, ROD, "offset = -1.0"],
-            "body[0].offset: the offset is -1, expected a number from 0 to 8.98",
+            "body[0].offset: `offset` is -1, expected a number from 0 to 8.98",
         ),
         (
             vec![line, ROD, BEADS],

@@ -36,12 +36,12 @@ fn errors_name_file_line_and_field() {
         (
             "young = 1e6, poisson = 0.4",
             "young = 1e6, poisson = 0.5",
-            "line 20, body[0].solid.poisson: Poisson's ratio is 0.5, expected a number in [0, 0.5)",
+            "line 20, body[0].solid.poisson: `poisson` is 0.5, expected a number in [0, 0.5)",
         ),
         (
             "density = 300.0",
             "density = 0.0",
-            "line 28, body[1].shell.density: the density is 0, expected a positive finite number",
+            "line 28, body[1].shell.density: `density` is 0, expected a positive number",
         ),
         (
             "shape = { grid = { cells = [1, 1], size = [9.0, 9.0] } }",
@@ -110,17 +110,17 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         (
             "velocity = [0.0, 1.0, 0.0]",
             "velocity = [0.0, nan, 0.0]",
-            "line 24, body[0].velocity: the velocity is [0.0, NaN, 0.0], expected finite numbers",
+            "line 24, body[0].velocity: `velocity` is [0.0, NaN, 0.0], expected finite numbers",
         ),
         (
             "velocity = [0.0, 1.0, 0.0]",
             "angular-velocity = [0.0, inf, 0.0]",
-            "line 24, body[0].angular-velocity: the angular velocity is [0.0, inf, 0.0], expected finite numbers",
+            "line 24, body[0].angular-velocity: `angular-velocity` is [0.0, inf, 0.0], expected finite numbers",
         ),
         (
             "translate = [0.0, -1.0, 0.0]",
             "translate = [0.0, -1.0, 0.0]\nvelocity = [1.0, 0.0, 0.0]",
-            "line 41, body[2].velocity: the velocity is [1.0, 0.0, 0.0], expected zero",
+            "line 41, body[2].velocity: `velocity` is [1.0, 0.0, 0.0], expected zero",
         ),
         (
             "axis = [1.0, 0.0, 0.0], rate",
@@ -140,28 +140,28 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         (
             "motion = \"fixed\"",
             "motion = \"fixed\"\naxes = []",
-            "line 37, body[1].script[1].axes: `axes` is out of range, expected at least one axis",
+            "line 37, body[1].script[1].axes: `axes` is empty, expected at least one axis",
         ),
         (
             "motion = \"fixed\"",
             "motion = \"fixed\"\nrelease = -1.0",
-            "line 37, body[1].script[1].release: `release` is out of range, expected a number not below 0",
+            "line 37, body[1].script[1].release: `release` is -1, expected a number not below 0",
         ),
         (
             "motion = \"fixed\"",
             "motion = \"fixed\"\nfrom = nan",
-            "line 37, body[1].script[1].from: `from` is out of range, expected a finite number not below 0",
+            "line 37, body[1].script[1].from: `from` is NaN, expected a number not below 0",
         ),
         (
             "motion = \"fixed\"",
             "motion = \"fixed\"\nrelease = 1.0\nfrom = 2.0",
-            "line 37, body[1].script[1].release: `release` is out of range, expected a number not below 0 and \
+            "line 37, body[1].script[1].release: `release` is 1, expected a number not below 0 and \
              not below `from`",
         ),
         (
             "rate = 2.0 } }",
             "rate = 2.0, until = 1.0 } }\nfrom = 2.0",
-            "line 33, body[1].script[0].from: `from` is out of range, expected a number not above the `until`",
+            "line 33, body[1].script[0].from: `from` is 2, expected a number not above the `until`",
         ),
         (
             "motion = \"fixed\"",
@@ -379,7 +379,7 @@ fn errors_have_the_names_of_bodies() {
         (
             "density = 300.0",
             "density = 0.0",
-            "body `part`, shell.density: the density is 0",
+            "body `part`, shell.density: `density` is 0",
         ),
         (
             "young = 1e6",

@@ -186,12 +186,12 @@ fn errors_of_regions_name_their_field() {
         (
             "density = 3000.0",
             "density = -3.0",
-            "line 16, body[0].region[0].solid.density: the density is -3, expected a positive finite number",
+            "line 16, body[0].region[0].solid.density: `density` is -3, expected a positive number",
         ),
         (
             "young = 4e6, poisson = 0.0",
             "young = 4e6, poisson = 0.5",
-            "line 16, body[0].region[0].solid.poisson: Poisson's ratio is 0.5",
+            "line 16, body[0].region[0].solid.poisson: `poisson` is 0.5",
         ),
         (
             "group = \"upper\"",
