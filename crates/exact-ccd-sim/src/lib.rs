@@ -38,6 +38,7 @@ mod bends;
 mod body;
 mod checkpoint;
 pub mod contact;
+mod digest;
 mod dirichlet;
 pub mod distance;
 pub mod elasticity;

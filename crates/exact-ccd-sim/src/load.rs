@@ -4,6 +4,7 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use crate::digest::{Digest, Hash};
 use crate::gather::gather;
 use crate::range::{OutOfRange, check, check_finite};
 
@@ -92,5 +93,27 @@ impl Load {
             face.iter()
                 .for_each(|&corner| forces[corner as usize] += force / 3.0);
         }
+    }
+}
+
+impl Digest for Force {
+    fn digest(&self, hash: &mut Hash) {
+        match self {
+            Self::Acceleration(force) => (0_u32, force).digest(hash),
+            Self::Traction(force) => (1_u32, force).digest(hash),
+            Self::Pressure(pressure) => (2_u32, pressure).digest(hash),
+        }
+    }
+}
+
+impl Digest for Load {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            vertices,
+            force,
+            from,
+            until,
+        } = self;
+        ((vertices, force), (from, until)).digest(hash);
     }
 }

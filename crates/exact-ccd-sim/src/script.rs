@@ -4,6 +4,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
+use crate::digest::{Digest, Hash};
 use crate::range::{NOT_NEGATIVE, OutOfRange, check, check_direction, check_finite};
 
 /// A prescribed motion of vertices (a Dirichlet condition).
@@ -173,5 +174,32 @@ fn between(frames: &[KeyFrame], time: f64) -> (Vector3<f64>, f64) {
         }
         (Some(frame), None) | (None, Some(frame)) => at(frame),
         (None, None) => (Vector3::zeros(), 0.0),
+    }
+}
+
+impl Digest for Script {
+    fn digest(&self, hash: &mut Hash) {
+        match self {
+            Self::Fixed => 0_u32.digest(hash),
+            Self::Moving { velocity, until } => (1_u32, (velocity, until)).digest(hash),
+            Self::Twisting {
+                center,
+                axis,
+                rate,
+                until,
+            } => (2_u32, ([center, axis], (rate, until))).digest(hash),
+            Self::KeyFrames { frames, center, axis } => (3_u32, (frames, [center, axis])).digest(hash),
+        }
+    }
+}
+
+impl Digest for KeyFrame {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            time,
+            translate,
+            degrees,
+        } = self;
+        ([time, degrees], translate).digest(hash);
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use exact_ccd_mesh::Point;
 
+use crate::digest::{Digest, Hash};
 use crate::range::{NOT_NEGATIVE, OutOfRange, check, check_not_negative};
 use crate::script::Script;
 
@@ -168,5 +169,24 @@ impl Coordinates {
             let at = script.script.position(origins[axis], script.from, time.min(end));
             at[axis]
         })
+    }
+}
+
+impl Digest for Timed {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            script,
+            from,
+            release,
+        } = self;
+        (script, (from, release)).digest(hash);
+    }
+}
+
+impl Digest for Coordinates {
+    fn digest(&self, hash: &mut Hash) {
+        let Self(axes) = self;
+        let scripts = axes.each_ref().map(|scripts| scripts.iter().map(Arc::as_ref));
+        scripts.map(Iterator::collect::<Vec<&Timed>>).digest(hash);
     }
 }

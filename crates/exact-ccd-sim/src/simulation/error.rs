@@ -57,6 +57,12 @@ pub enum SimulationError {
         /// Its value in the settings, as JSON.
         here: String,
     },
+    /// The checkpoint identifies its system by hashes of another definition.
+    #[error(
+        "the checkpoint was saved by another version of the simulator: \
+         resume with that version, or start a new run"
+    )]
+    OtherVersion,
     /// The checkpoint belongs to another system.
     #[error(
         "the checkpoint belongs to a system with other {what}: \
