@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use clap::value_parser;
 use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
-use exact_ccd_bench::comparison::{Comparison, Contestant, Peer, PeerError, Report, Source, Table};
+use exact_ccd_compare::{Comparison, Contestant, Peer, PeerError, Report, Source, Table};
 use exact_ccd_data::DataKind;
 use exact_ccd_methods::UnknownMethod;
 

@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd_sim::scene::{Imported, SceneError, import};
+use exact_ccd_scene::{Imported, SceneError, import};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use exact_ccd_files::{write_ply_with_parts, write_pvd};
-use exact_ccd_sim::scene::Scene;
+use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
 use super::bodies;

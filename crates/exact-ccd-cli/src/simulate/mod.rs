@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd_sim::scene::{Scene, SceneError};
+use exact_ccd_scene::{Scene, SceneError};
 use exact_ccd_sim::{Simulation, SimulationError, System};
 
 use crate::failure::{Failure, failures};

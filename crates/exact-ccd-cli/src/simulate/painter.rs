@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::{Aabb, Frame, MeshError, Point, TriangleMesh};
 use exact_ccd_render::{Camera, Marks, Picture, render_thick};
-use exact_ccd_sim::scene::{Rendering, Subject};
+use exact_ccd_scene::{Rendering, Subject};
 use exact_ccd_sim::{Plane, Simulation, System};
 
 /// A painter of the frames of a motion.

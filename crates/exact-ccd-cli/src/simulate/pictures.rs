@@ -5,8 +5,8 @@ use std::io;
 use exact_ccd_files::read_frame;
 use exact_ccd_mesh::Frame;
 use exact_ccd_render::{Animation, Gif, Picture};
+use exact_ccd_scene::Rendering;
 use exact_ccd_sim::Simulation;
-use exact_ccd_sim::scene::Rendering;
 
 use super::folder::OutputFolder;
 use super::layout::{ANIMATION, GIF, PICTURES};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::comparison::Subjects;
+use exact_ccd_compare::Subjects;
 use exact_ccd_data::{DataKind, Record, Sample, Seventh};
 use exact_ccd_sim::Simulation;
 use serde::{Deserialize, Serialize};

@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
-use exact_ccd_bench::comparison::{Subject, Subjects};
+use exact_ccd_compare::{Subject, Subjects};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{Aabb, Candidates, Step};
 use exact_ccd_sim::{Simulation, SimulationError};

@@ -20,7 +20,7 @@ pub use bend::Bend;
 pub(crate) use elastic::Elastic;
 pub use hinge::Hinge;
 pub use isotropic::{Curvature, Isotropic, Principal};
-pub use lame::{ElasticModuli, ModuliError};
+pub use lame::ElasticModuli;
 pub use membrane::Membrane;
 pub use neo_hookean::NeoHookean;
 pub use stable_neo_hookean::StableNeoHookean;

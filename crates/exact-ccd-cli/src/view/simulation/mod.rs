@@ -5,7 +5,7 @@ mod history;
 use std::io;
 use std::path::Path;
 
-use exact_ccd_sim::scene::Rendering;
+use exact_ccd_scene::Rendering;
 use exact_ccd_sim::{Simulation, Statistics};
 use exact_ccd_view::Body;
 

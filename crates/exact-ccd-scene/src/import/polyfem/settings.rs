@@ -1,0 +1,215 @@
+//! Time, contact and solver.
+
+use exact_ccd_mesh::Point;
+
+use super::super::fault::{Fault, Place};
+use super::NOTHING;
+use super::entry::{Entry, IfAbsent, Rule};
+use exact_ccd_sim::Integrator;
+use exact_ccd_sim::{Formulation, Friction, Length, Settings};
+
+const SOLVER: Rule = Rule::Ignored("it concerns the method by which PolyFEM solves a time step");
+
+/// The duration and the time step in s.
+pub(super) struct Time {
+    pub(super) duration: f64,
+    pub(super) step: f64,
+    integrator: Integrator,
+}
+
+/// Checks that lengths are in m and elements linear.
+pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
+    let unit = |text| Rule::Only(IfAbsent::Text(text));
+    if let Some(units) = root.get("units") {
+        let length = ("characteristic_length", SOLVER);
+        units.check(
+            &[
+                ("length", unit("m")),
+                ("mass", unit("kg")),
+                ("time", unit("s")),
+                length,
+            ],
+            notes,
+        )?;
+    }
+    if let Some(space) = root.get("space") {
+        let rules = [
+            ("discr_order", Rule::Only(IfAbsent::Number(1.0))),
+            ("discr_orderq", Rule::Only(IfAbsent::Number(1.0))),
+            ("pressure_discr_order", SOLVER),
+            ("basis_type", unit("Lagrange")),
+            ("poly_basis_type", SOLVER),
+            ("use_p_ref", NOTHING),
+            ("remesh", Rule::Said),
+            ("advanced", SOLVER),
+        ];
+        space.check(&rules, notes)?;
+        if let Some(remesh) = space.get("remesh")
+            && remesh.flag("enabled")?
+        {
+            return Err(remesh.unsupported("meshes that change", "write `\"enabled\": false`"));
+        }
+    }
+    Ok(())
+}
+
+/// The key `time`.
+pub(super) fn time(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<Time, Fault> {
+    let Some(time) = root.get("time") else {
+        let instead = "add `time`, with `\"quasistatic\": true` for a sequence of equilibria";
+        return Err(root.unsupported("a static problem", instead));
+    };
+    let rules = [
+        ("t0", Rule::Only(IfAbsent::Number(0.0))),
+        ("tend", Rule::Said),
+        ("dt", Rule::Said),
+        ("time_steps", Rule::Said),
+        ("integrator", Rule::Said),
+        ("quasistatic", Rule::Said),
+    ];
+    time.check(&rules, notes)?;
+    let number = |key| time.get(key).map(|entry| entry.number()).transpose();
+    let (duration, step) = match (number("tend")?, number("dt")?, number("time_steps")?) {
+        (Some(end), Some(step), _) => (end, step),
+        (Some(end), None, Some(count)) => (end, end / count),
+        (None, Some(step), Some(count)) => (step * count, step),
+        _ => return Err(time.invalid("two of `tend`, `dt` and `time_steps`")),
+    };
+    let integrator = match time.get("integrator") {
+        _ if time.flag("quasistatic")? => Integrator::QuasiStatic,
+        None => Integrator::ImplicitEuler,
+        Some(entry) => integrator(&entry)?,
+    };
+    Ok(Time {
+        duration,
+        step,
+        integrator,
+    })
+}
+
+fn integrator(entry: &Entry<'_>) -> Result<Integrator, Fault> {
+    let name = entry.get("type").unwrap_or_else(|| entry.clone());
+    let order = entry.get("steps").map_or(Ok(1), |steps| steps.integer())?;
+    match (name.text()?, order) {
+        ("ImplicitEuler" | "BDF1", _) | ("BDF", 1) => Ok(Integrator::ImplicitEuler),
+        ("BDF2", _) | ("BDF", 2) => Ok(Integrator::Bdf2),
+        _ => Err(entry.unsupported("this time integration", "write \"ImplicitEuler\" or \"BDF2\"")),
+    }
+}
+
+/// The settings of `contact` and `solver`. `shortest_edge` is that of all surfaces, in m.
+pub(super) fn settings(
+    root: &Entry<'_>,
+    time: &Time,
+    gravity: Point,
+    shortest_edge: f64,
+    notes: &mut Vec<(Place, String)>,
+) -> Result<Settings, Fault> {
+    let Some(contact) = root
+        .get("contact")
+        .filter(|contact| contact.value.get("enabled") == Some(&true.into()))
+    else {
+        let instead = "write `\"enabled\": true` in `contact`";
+        return Err(root.unsupported("bodies that pass through each other", instead));
+    };
+    let rules = [
+        ("enabled", Rule::Said),
+        ("dhat", Rule::Said),
+        ("dhat_percentage", Rule::Said),
+        ("epsv", Rule::Said),
+        ("friction_coefficient", Rule::Said),
+        ("use_convergent_formulation", Rule::Said),
+        ("use_area_weighting", Rule::Only(IfAbsent::True)),
+        ("use_improved_max_operator", Rule::Only(IfAbsent::True)),
+        ("use_physical_barrier", Rule::Only(IfAbsent::True)),
+        ("use_adaptive_dhat", NOTHING),
+        ("min_distance_ratio", SOLVER),
+        ("use_gcp_formulation", NOTHING),
+        ("alpha_t", SOLVER),
+        ("alpha_n", SOLVER),
+        ("collision_mesh", NOTHING),
+        ("periodic", NOTHING),
+        ("adhesion", NOTHING),
+    ];
+    contact.check(&rules, notes)?;
+    let formulation = if contact.flag("use_convergent_formulation")? {
+        Formulation::Convergent
+    } else {
+        Formulation::Sum
+    };
+    let (lags, max_iterations) = solver(root, notes)?;
+    Ok(Settings {
+        time_step: time.step,
+        gravity,
+        integrator: time.integrator,
+        contact_distance: Length::Absolute(contact_distance(&contact, shortest_edge)?),
+        formulation,
+        friction: Friction {
+            coefficient: contact.number_or("friction_coefficient", 0.0)?,
+            static_velocity: Length::Absolute(contact.number_or("epsv", 1e-3)?),
+            lags,
+            ..Friction::default()
+        },
+        max_iterations,
+        ..Settings::default()
+    })
+}
+
+/// The contact distance: if it is not given, at most a share of the shortest edge.
+fn contact_distance(contact: &Entry<'_>, shortest_edge: f64) -> Result<f64, Fault> {
+    let default = 1e-3;
+    match contact.get("dhat") {
+        Some(distance) => distance.number(),
+        None if default > shortest_edge => Ok(contact.number_or("dhat_percentage", 0.8)? * shortest_edge),
+        None => Ok(default),
+    }
+}
+
+/// The number of friction lags, and that of Newton iterations.
+fn solver(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(usize, usize), Fault> {
+    let (mut lags, mut iterations) = (1, 500);
+    let Some(solver) = root.get("solver") else {
+        return Ok((lags, iterations));
+    };
+    let rules = [
+        ("max_threads", SOLVER),
+        ("linear", SOLVER),
+        ("adjoint_linear", SOLVER),
+        ("nonlinear", Rule::Said),
+        ("augmented_lagrangian", SOLVER),
+        ("contact", Rule::Said),
+        ("rayleigh_damping", NOTHING),
+        ("advanced", SOLVER),
+    ];
+    solver.check(&rules, notes)?;
+    let positive = |entry: &Entry<'_>| {
+        let number = entry.integer()?;
+        let number = usize::try_from(number).ok().filter(|&number| number > 0);
+        number.ok_or_else(|| entry.invalid("an integer above 0"))
+    };
+    if let Some(nonlinear) = solver.get("nonlinear") {
+        iterations = nonlinear
+            .get("max_iterations")
+            .map_or(Ok(iterations), |entry| positive(&entry))?;
+        let reason = "ignored but for `max_iterations`: the tolerance of Newton's method is a velocity here";
+        notes.push((nonlinear.place(), reason.to_owned()));
+    }
+    if let Some(contact) = solver.get("contact") {
+        let rules = [
+            (
+                "CCD",
+                Rule::Ignored("contact is decided exactly; `settings.ccd` selects another method"),
+            ),
+            ("friction_iterations", Rule::Said),
+            ("tangential_adhesion_iterations", SOLVER),
+            ("friction_convergence_tol", SOLVER),
+            ("barrier_stiffness", Rule::Only(IfAbsent::Text("adaptive"))),
+            ("initial_barrier_stiffness", SOLVER),
+        ];
+        contact.check(&rules, notes)?;
+        lags = contact
+            .get("friction_iterations")
+            .map_or(Ok(lags), |entry| positive(&entry))?;
+    }
+    Ok((lags, iterations))
+}

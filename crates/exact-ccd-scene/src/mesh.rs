@@ -1,0 +1,115 @@
+//! Meshes from files and from shapes.
+
+use std::path::Path;
+
+use exact_ccd_files::{Format, Group, MeshFile, Polygons, read_tet_groups};
+use exact_ccd_mesh::{Point, TetMesh};
+
+use super::description::Shape;
+use exact_ccd_sim::shapes;
+use exact_ccd_sim::{Body, BodyKind};
+
+/// A mesh with its faces and, if it has any, its loose edges and its tetrahedra.
+#[derive(Default)]
+pub(super) struct Mesh {
+    pub(super) points: Vec<Point>,
+    pub(super) faces: Vec<[u32; 3]>,
+    pub(super) edges: Vec<[u32; 2]>,
+    pub(super) tetrahedra: Vec<[u32; 4]>,
+    /// The groups of the file.
+    pub(super) groups: Vec<Group>,
+}
+
+impl Mesh {
+    /// Reads the mesh in a file.
+    pub(super) fn read(path: &Path) -> Result<Self, String> {
+        if Format::of_path(path) == Some(Format::Msh) {
+            let (mesh, groups) = read_tet_groups(path).map_err(|error| error.to_string())?;
+            return Ok(Self {
+                points: mesh.positions().to_vec(),
+                faces: mesh.surface().to_vec(),
+                tetrahedra: mesh.tetrahedra().to_vec(),
+                edges: Vec::new(),
+                groups,
+            });
+        }
+        let file = MeshFile::read(path, Polygons::Triangulate);
+        let MeshFile { frame, groups, .. } = file.map_err(|error| error.to_string())?;
+        Ok(Self {
+            faces: frame.mesh.faces().to_vec(),
+            edges: frame.mesh.loose_edges().to_vec(),
+            points: frame.positions,
+            tetrahedra: Vec::new(),
+            groups,
+        })
+    }
+
+    /// Generates the mesh of a shape.
+    pub(super) fn generate(shape: Shape) -> Result<Self, String> {
+        let (cells, lengths): (u64, &[f64]) = match &shape {
+            Shape::Box { cells, size } => (cells.map(u64::from).iter().product(), size),
+            Shape::Grid { cells, size } => (cells.map(u64::from).iter().product(), size),
+            Shape::Sphere { radius, .. } => (1, std::slice::from_ref(radius)),
+            Shape::Line { edges, length } | Shape::Knot { edges, length } => {
+                (u64::from(*edges), std::slice::from_ref(length))
+            }
+            // The sides of a lattice may have no length.
+            Shape::Points { counts, .. } => (counts.map(u64::from).iter().product(), &[]),
+        };
+        if !(1..=shapes::MAX_CELLS).contains(&cells) {
+            let max = shapes::MAX_CELLS;
+            let what = match shape {
+                Shape::Line { .. } | Shape::Knot { .. } => "edges",
+                Shape::Points { .. } => "points",
+                Shape::Box { .. } | Shape::Grid { .. } | Shape::Sphere { .. } => "cells",
+            };
+            return Err(format!("the shape has {cells} {what}, expected 1 to {max}"));
+        }
+        let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
+        if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
+            return Err(format!(
+                "the shape has a length of {length} m, expected a positive number"
+            ));
+        }
+        let Body { points, kind, .. } = match shape {
+            Shape::Box { cells, size } => shapes::solid_box(cells, size),
+            Shape::Grid { cells, size } => shapes::cloth(cells, size),
+            Shape::Sphere { subdivisions, .. } if subdivisions > shapes::MAX_SUBDIVISIONS => {
+                let max = shapes::MAX_SUBDIVISIONS;
+                return Err(format!(
+                    "the sphere has {subdivisions} subdivisions, expected at most {max}"
+                ));
+            }
+            Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
+            Shape::Line { edges, length } => shapes::line(edges, length),
+            Shape::Knot { edges, length } => shapes::knot(edges, length),
+            Shape::Points { counts, size } => shapes::particles(counts, size),
+        };
+        Ok(match kind {
+            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => Self {
+                points,
+                faces,
+                ..Self::default()
+            },
+            BodyKind::Solid { tetrahedra, .. } => {
+                let mesh = TetMesh::new(points.clone(), tetrahedra.clone());
+                let mesh = mesh.map_err(|error| error.to_string())?;
+                Self {
+                    faces: mesh.surface().to_vec(),
+                    points,
+                    tetrahedra,
+                    ..Self::default()
+                }
+            }
+            BodyKind::Rod { edges, .. } => Self {
+                points,
+                edges,
+                ..Self::default()
+            },
+            BodyKind::Particles { .. } => Self {
+                points,
+                ..Self::default()
+            },
+        })
+    }
+}
