@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use exact_ccd::parity::RoundingError;
 use exact_ccd_bench::comparison::PeerError;
 use exact_ccd_data::DataError;
-use exact_ccd_files::{ReadError, ReadMotionError};
+use exact_ccd_files::{Fault, ReadError, ReadMotionError};
 use exact_ccd_mesh::{CandidateError, StepError, ThicknessCount};
 use exact_ccd_methods::UnknownMethod;
 use exact_ccd_sim::SimulationError;
@@ -24,7 +24,9 @@ pub(crate) enum Failure {
     #[error(transparent)]
     Data(#[from] DataError),
     #[error(transparent)]
-    Mesh(#[from] ReadError),
+    Mesh(ReadError),
+    #[error("{}: more than {limit} bytes, the size that --max-size allows", file.display())]
+    TooLarge { file: PathBuf, limit: u64 },
     #[error(transparent)]
     Motion(#[from] ReadMotionError),
     #[error(transparent)]
@@ -186,6 +188,19 @@ const LISTED: usize = 20;
 pub(crate) fn listed(names: &[String]) -> String {
     let more = if names.len() > LISTED { ", and others" } else { "" };
     names[..names.len().min(LISTED)].join(", ") + more
+}
+
+/// The limit on the size of a file is an option of the program.
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        match error {
+            ReadError::Parse { path, source } => match source.fault {
+                Fault::Size { limit } => Self::TooLarge { file: path, limit },
+                _ => Self::Mesh(ReadError::Parse { path, source }),
+            },
+            other => Self::Mesh(other),
+        }
+    }
 }
 
 impl Failure {
