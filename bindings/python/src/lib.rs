@@ -36,7 +36,10 @@ mod _native {
     #[pymodule_export]
     use crate::error::CrossingError;
     #[pymodule_export]
-    use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
+    use crate::files::{FrameSequence, Welding, mesh_format, parse_mesh, read_mesh};
+    #[cfg(feature = "program")]
+    #[pymodule_export]
+    use crate::files::in_order;
     #[pymodule_export]
     use crate::half_spaces::HalfSpaces;
     #[pymodule_export]

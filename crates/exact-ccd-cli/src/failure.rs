@@ -4,6 +4,8 @@ use std::fmt::Display;
 use std::io;
 use std::path::Path;
 
+use exact_ccd_files::{Fault, ReadError};
+
 /// The reason why the program has no answer: a message for the user.
 #[derive(Debug)]
 pub(crate) struct Failure {
@@ -25,12 +27,27 @@ macro_rules! failures {
 pub(crate) use failures;
 
 failures! {
-    exact_ccd_files::ReadError,
     exact_ccd_files::ReadMotionError,
     exact_ccd_mesh::CandidateError,
     exact_ccd_mesh::StepError,
     exact_ccd_mesh::ThicknessCount,
     exact_ccd_view::PageError,
+}
+
+/// The limit on the size of a file is an option of the program.
+impl From<ReadError> for Failure {
+    fn from(error: ReadError) -> Self {
+        match &error {
+            ReadError::Parse { path, source } => match source.fault {
+                Fault::Size { limit } => Self::of(
+                    path,
+                    format_args!("more than {limit} bytes, the size that --max-size allows"),
+                ),
+                _ => Self::new(error),
+            },
+            _ => Self::new(error),
+        }
+    }
 }
 
 /// An error of standard output.

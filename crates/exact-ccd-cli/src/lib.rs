@@ -39,6 +39,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
 
 use failure::Failure;
+pub use scene::{FrameOrder, Missing};
 
 /// Exact continuous collision detection: do moving triangles touch, and when first?
 #[derive(Parser)]

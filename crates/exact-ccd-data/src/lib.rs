@@ -32,10 +32,12 @@ mod data_folder;
 mod error;
 mod excerpt;
 mod fields;
+#[cfg(test)]
+mod hostile;
 mod json;
 mod kind;
+mod lines;
 mod list;
-mod long_lines;
 mod queries;
 mod query_kind;
 mod rational;

@@ -3,11 +3,13 @@
 use arrayvec::ArrayVec;
 
 use super::super::cells::Cells;
+use super::super::record::Record;
 use super::super::solids::Solid;
+use super::super::tokens::Tokens;
 use super::groups::Groups;
-use super::nodes::{Tags, positive};
-use super::values::{Record, Values, Version};
-use crate::error::{Fault, ParseError, Place};
+use super::nodes::{Tags, count_line, positive_tag};
+use super::{INT, Version};
+use crate::error::{Fault, ParseError};
 
 /// The supported types of elements.
 ///
@@ -35,8 +37,8 @@ impl Shape {
         }
     }
 
-    fn of_type(number: i64, place: Place) -> Result<Self, ParseError> {
-        match number {
+    fn read(tokens: &mut Tokens, expected: &str) -> Result<Self, ParseError> {
+        match tokens.integer(INT, expected)? {
             15 => Ok(Self::Point),
             1 => Ok(Self::Line),
             2 => Ok(Self::Triangle),
@@ -45,9 +47,9 @@ impl Shape {
             5 => Ok(Self::Hexahedron),
             6 => Ok(Self::Wedge),
             7 => Ok(Self::Pyramid),
-            _ => {
+            number => {
                 let expected = "an element of first order, of type 1 to 7 or 15";
-                Err(Fault::expected(expected, format!("`{number}`")).at(place))
+                Err(Fault::expected(expected, format!("`{number}`")).at(tokens.place()))
             }
         }
     }
@@ -60,34 +62,32 @@ struct Elements<'a, 'b> {
     groups: &'a mut Groups<'b>,
 }
 
-pub(super) fn read<'a>(
+pub(super) fn read(
     version: Version,
-    values: &mut impl Values<'a>,
+    tokens: &mut Tokens,
     tags: &Tags,
     cells: &mut Cells,
     groups: &mut Groups<'_>,
 ) -> Result<(), ParseError> {
     let mut elements = Elements { tags, cells, groups };
     match version {
-        Version::V2 => elements.read_v2(values)?,
-        Version::V4 => elements.read_v4(values)?,
+        Version::V2 => elements.read_v2(tokens)?,
+        Version::V4 => elements.read_v4(tokens)?,
     }
-    values.end_section("$EndElements")
+    tokens.expect_line_of("$EndElements")
 }
 
 impl Elements<'_, '_> {
     /// Reads elements one by one, each with its type; in binary files, in blocks of consecutive
     /// elements of one type.
-    fn read_v2<'a, V: Values<'a>>(&mut self, values: &mut V) -> Result<(), ParseError> {
-        let count = values.count_line("the number of elements")?;
+    fn read_v2(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+        let count = count_line(tokens, "the number of elements")?;
         let mut number = 0;
         while number < count {
-            let record = Record::of("element", number, count);
-            values.begin(record)?;
-            let place = values.place();
-            if V::BINARY {
-                let shape = Shape::of_type(values.int("the type of an element")?, place)?;
-                let in_block = values.int("the number of elements in the block")?;
+            tokens.begin(Record::of("element", number, count))?;
+            if tokens.is_binary() {
+                let shape = Shape::read(tokens, "the type of an element")?;
+                let in_block = tokens.integer(INT, "the number of elements in the block")?;
                 let left = count - number;
                 let in_block = u64::try_from(in_block)
                     .ok()
@@ -97,73 +97,68 @@ impl Elements<'_, '_> {
                             format!("a block of at most {left} elements"),
                             format!("`{in_block}`"),
                         )
-                        .at(place)
+                        .at(tokens.place())
                     })?;
-                let tag_count = values.int("the number of tags")?;
+                let tag_count = tokens.integer(INT, "the number of tags")?;
                 for element in number..number + in_block {
-                    values.begin(Record::of("element", element, count))?;
-                    values.int("the tag of an element")?;
-                    self.read_tags_and_nodes(values, shape, tag_count)?;
+                    tokens.begin(Record::of("element", element, count))?;
+                    tokens.integer(INT, "the tag of an element")?;
+                    self.read_tags_and_nodes(tokens, shape, tag_count)?;
                 }
                 number += in_block;
             } else {
-                values.int("the tag of an element")?;
-                let shape = Shape::of_type(values.int("the type of an element")?, place)?;
-                let tag_count = values.int("the number of tags")?;
-                self.read_tags_and_nodes(values, shape, tag_count)?;
-                values.end()?;
+                tokens.integer(INT, "the tag of an element")?;
+                let shape = Shape::read(tokens, "the type of an element")?;
+                let tag_count = tokens.integer(INT, "the number of tags")?;
+                self.read_tags_and_nodes(tokens, shape, tag_count)?;
+                tokens.end()?;
                 number += 1;
             }
         }
         Ok(())
     }
 
-    fn read_tags_and_nodes<'a, V: Values<'a>>(
+    fn read_tags_and_nodes(
         &mut self,
-        values: &mut V,
+        tokens: &mut Tokens,
         shape: Shape,
         tag_count: i64,
     ) -> Result<(), ParseError> {
         let mut physical = None;
         for number in 0..tag_count {
-            let place = values.place();
-            let tag = values.int("a tag")?;
+            let tag = tokens.integer(INT, "a tag")?;
             // The first tag is that of the physical group.
             if number == 0 {
-                physical = Some((tag, place));
+                physical = Some((tag, tokens.place()));
             }
         }
         self.groups.set_tag(physical)?;
-        self.add(values, shape, |values| {
-            let place = values.place();
-            positive(values.int("the tag of a node")?, place)
-        })
+        self.add(tokens, shape, positive_tag)
     }
 
     /// Reads elements in blocks of one type, one for each entity of the geometry.
-    fn read_v4<'a, V: Values<'a>>(&mut self, values: &mut V) -> Result<(), ParseError> {
-        values.begin(Record::one("the numbers of blocks and elements"))?;
-        let blocks = values.size("the number of blocks")?;
-        let count_place = values.place();
-        let count = values.size("the number of elements")?;
-        values.size("the least tag of an element")?;
-        values.size("the greatest tag of an element")?;
-        values.end()?;
+    fn read_v4(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+        tokens.begin(Record::one("the numbers of blocks and elements"))?;
+        let blocks = tokens.size("the number of blocks")?;
+        let count = tokens.size("the number of elements")?;
+        let count_place = tokens.place();
+        tokens.size("the least tag of an element")?;
+        tokens.size("the greatest tag of an element")?;
+        tokens.end()?;
         let mut found = 0_u64;
         for block in 0..blocks {
-            values.begin(Record::of("element block", block, blocks))?;
-            let dimension = values.int("the dimension of an entity")?;
+            tokens.begin(Record::of("element block", block, blocks))?;
+            let dimension = tokens.integer(INT, "the dimension of an entity")?;
             self.groups
-                .set_entity(dimension, values.int("the tag of an entity")?);
-            let place = values.place();
-            let shape = Shape::of_type(values.int("the type of the elements")?, place)?;
-            let in_block = values.size("the number of elements in the block")?;
-            values.end()?;
+                .set_entity(dimension, tokens.integer(INT, "the tag of an entity")?);
+            let shape = Shape::read(tokens, "the type of the elements")?;
+            let in_block = tokens.size("the number of elements in the block")?;
+            tokens.end()?;
             for number in 0..in_block {
-                values.begin(Record::of("element", number, in_block))?;
-                values.size("the tag of an element")?;
-                self.add(values, shape, |values| values.size("the tag of a node"))?;
-                values.end()?;
+                tokens.begin(Record::of("element", number, in_block))?;
+                tokens.size("the tag of an element")?;
+                self.add(tokens, shape, |tokens| tokens.size("the tag of a node"))?;
+                tokens.end()?;
                 found += 1;
             }
         }
@@ -174,22 +169,21 @@ impl Elements<'_, '_> {
     }
 
     /// Reads the tags of the nodes of an element and appends the element.
-    fn add<'a, V: Values<'a>>(
+    fn add(
         &mut self,
-        values: &mut V,
+        tokens: &mut Tokens,
         shape: Shape,
-        mut tag: impl FnMut(&mut V) -> Result<u64, ParseError>,
+        tag: impl Fn(&mut Tokens) -> Result<u64, ParseError>,
     ) -> Result<(), ParseError> {
         let tags = self.tags;
-        let begin = values.place();
+        let begin = tokens.place();
         // No shape has more corners.
         let mut corners: ArrayVec<u32, 8> = ArrayVec::new();
         let mut node = || {
-            let place = values.place();
-            let tag = tag(values)?;
+            let tag = tag(tokens)?;
             let node = tags.get(tag).ok_or_else(|| {
                 let expected = format!("the tag of one of the {} nodes", tags.count());
-                Fault::expected(expected, format!("`{tag}`")).at(place)
+                Fault::expected(expected, format!("`{tag}`")).at(tokens.place())
             })?;
             corners.push(node);
             Ok(node)
