@@ -8,8 +8,8 @@ use super::run::{Batch, Found};
 use super::vectors::Instructions;
 use crate::collision::Collision;
 use crate::kind::Kind;
-use crate::query::NonFinite;
 use crate::options::Options;
+use crate::query::NonFinite;
 
 /// A coordinate of a query in an array is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

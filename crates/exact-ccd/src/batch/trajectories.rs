@@ -8,9 +8,9 @@ use super::vectors::Instructions;
 use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
+use crate::options::Options;
 use crate::point::Point;
 use crate::query::{NonFinite, Query};
-use crate::options::Options;
 use crate::thickness::Separations;
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a

@@ -46,7 +46,10 @@ impl<K: Kind> FirstContact<K> {
         let (first, later) = (self.first, self.first + 1);
         let later = self.instants[later..].iter();
         let touching = later.filter(|instant| motion.touches(instant)).cloned();
-        let events: Vec<_> = [self.instants[first].clone()].into_iter().chain(touching).collect();
+        let events: Vec<_> = [self.instants[first].clone()]
+            .into_iter()
+            .chain(touching)
+            .collect();
         // Primitives that are not always coplanar touch at isolated times only.
         intervals_of(&events, |t| {
             motion.is_always_coplanar() && motion.touches(&Instant::At(t.clone()))

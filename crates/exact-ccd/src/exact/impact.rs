@@ -85,7 +85,10 @@ impl<K: Kind> Contact<'_, K> {
     /// first primitive relative to the second, across the line of the edge.
     fn vertex_on_edge(&self, side: &Side) -> ([f64; 2], Option<Point>) {
         let [x, y] = side.edge;
-        let offset = self.motion.points.to_scale(self.motion.difference((side.vertex, x)));
+        let offset = self
+            .motion
+            .points
+            .to_scale(self.motion.difference((side.vertex, x)));
         let edge = self.motion.points.to_scale(self.motion.difference((y, x)));
         let velocity = |vector: &Vector| [0, 1, 2].map(|axis: usize| vector[axis].velocity());
         let mut relative = velocity(&offset);

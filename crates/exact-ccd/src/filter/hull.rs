@@ -142,12 +142,7 @@ impl Hull<f64> {
             let least = (gap.value(0.0) * SQRT_2 + slack).next_up().next_up();
             on_one_side(points, |x, y| {
                 let (difference, sum) = (x - y, x + y);
-                [
-                    difference > least,
-                    difference < -least,
-                    sum > least,
-                    sum < -least,
-                ]
+                [difference > least, difference < -least, sum > least, sum < -least]
             })
         })
     }
@@ -184,10 +179,7 @@ impl Hull<f64> {
 
 /// Returns true if all points (x, y) are on the same of four sides.
 #[inline]
-fn on_one_side(
-    points: impl Iterator<Item = (f64, f64)>,
-    sides_of: impl Fn(f64, f64) -> [bool; 4],
-) -> bool {
+fn on_one_side(points: impl Iterator<Item = (f64, f64)>, sides_of: impl Fn(f64, f64) -> [bool; 4]) -> bool {
     let mut sides = [true; 4];
     for (x, y) in points {
         for (all, one) in sides.iter_mut().zip(sides_of(x, y)) {

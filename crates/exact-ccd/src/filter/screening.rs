@@ -38,7 +38,9 @@ pub(crate) enum Proved {
 pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
     if options.separation.is_zero() {
         return match screen(query, Touching) {
-            Ok(Near { cubic: Some(cubic), .. }) => decide_near_plane(query, &cubic),
+            Ok(Near {
+                cubic: Some(cubic), ..
+            }) => decide_near_plane(query, &cubic),
             Ok(Near { cubic: None, .. }) => Decision::Unknown,
             Err(stage) => Decision::Free(stage),
         };
@@ -99,8 +101,7 @@ pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>, gap: impl Gap
     let coplanarity = Coplanarity::new::<K>(points);
     let [start, end] = coplanarity.normals;
     let out_of_range = hull.is_out_of_range(gap);
-    let settled =
-        hull.is_beyond(start, gap) | hull.is_beyond(end, gap) | coplanarity.are_planes_beyond(gap);
+    let settled = hull.is_beyond(start, gap) | hull.is_beyond(end, gap) | coplanarity.are_planes_beyond(gap);
     Screened {
         settled: settled & !out_of_range,
         out_of_range,

@@ -1,8 +1,8 @@
 //! Advancement: stretches of time, from the left, in which a turning direction keeps the primitives
 //! farther than d apart. For one query, or for many side by side.
 
-use super::scaled::Scaled;
 use super::nearest::nearest;
+use super::scaled::Scaled;
 use super::turning::{Heading, limit};
 use crate::filter::gap::Within;
 use crate::filter::hull::Hull;
