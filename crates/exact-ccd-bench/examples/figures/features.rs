@@ -1,8 +1,7 @@
 //! The closest features of a vertex and a face, and of two edges, by the position of the first
 //! primitive.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexFace};
 
 use crate::drawing::{Drawing, Pixel};
 
@@ -77,7 +76,7 @@ pub(crate) fn figure() -> Result<String, exact_ccd::NonFinite> {
 /// The parameters (u, v) of the closest points of primitives at rest.
 fn closest<K: Kind<Points = [Point; 4]>>(points: [Point; 4]) -> Result<[f64; 2], exact_ccd::NonFinite> {
     let far = Separation::new(100.0).expect("100 is finite");
-    let impact = Query::<K>::new(points, points)?.impact_within(far);
+    let impact = Query::<K>::new(points, points)?.impact(far);
     Ok(impact.expect("the primitives are less than 100 apart").parameters)
 }
 
