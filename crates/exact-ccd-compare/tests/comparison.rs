@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Duration;
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
 use exact_ccd_compare::{Comparison, Contestant, Report, Source, Subject, Subjects, Table};
 use exact_ccd_data::{DataKind, QueryWriter, Record, Sample, Seventh};
 
@@ -24,7 +24,7 @@ struct Liar;
 
 impl<K: Kind> Decide<K> for Liar {
     fn collides(&self, query: &Query<K>) -> bool {
-        !query.collides()
+        !query.collides(CONTACT)
     }
 
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
@@ -125,7 +125,7 @@ impl<K: Kind> Decide<K> for Slow {
 
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         std::thread::sleep(Duration::from_millis(1));
-        query.time_of_impact()
+        query.time_of_impact(CONTACT)
     }
 }
 
@@ -166,7 +166,7 @@ fn write_queries<K: DataKind>(folder: &Path, truth: bool) {
     fs::create_dir_all(&folder).unwrap();
     let mut writer = QueryWriter::new(Vec::new(), Seventh::Contact);
     for query in queries::<K>(50) {
-        let truth = truth.then(|| query.collides());
+        let truth = truth.then(|| query.collides(CONTACT));
         writer.write(&Record::from(Sample { query, truth })).unwrap();
     }
     fs::write(folder.join("random.csv"), writer.into_inner()).unwrap();

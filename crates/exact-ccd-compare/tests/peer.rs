@@ -8,7 +8,7 @@
 use std::io::{self, BufRead, Read, Write};
 use std::time::Duration;
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Kind, Point, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, Kind, Point, Query, TimeGuarantee, VertexFace};
 use exact_ccd_compare::{Comparison, Contestant, Peer, PeerError, Report, Subject, Subjects, Table};
 
 fn main() {
@@ -83,7 +83,7 @@ fn answer_all(fault: Option<&str>) {
 }
 
 fn time_of_impact<K: Kind<Points = [Point; 4]>>([start, end]: [[Point; 4]; 2]) -> Option<f64> {
-    Query::<K>::new(start, end).unwrap().time_of_impact()
+    Query::<K>::new(start, end).unwrap().time_of_impact(CONTACT)
 }
 
 fn test_all() {

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "the cases are finite")]
 
 use exact_ccd::parity::{self, Parity};
-use exact_ccd::{Ccd, Decide, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Kind, Point, Query, VertexFace};
 use exact_ccd_methods::{BrochuRootParity, RationalRootParity};
 use proptest::array::{uniform3, uniform4};
 use proptest::prelude::*;
@@ -81,8 +81,8 @@ proptest! {
     #[test]
     fn rational_numbers_give_no_false_positives(points in points(0..1)) {
         let [vertex_face, edge_edge] = both(&RationalRootParity, points);
-        prop_assert!(!vertex_face || query::<VertexFace>(points).collides());
-        prop_assert!(!edge_edge || query::<EdgeEdge>(points).collides());
+        prop_assert!(!vertex_face || query::<VertexFace>(points).collides(CONTACT));
+        prop_assert!(!edge_edge || query::<EdgeEdge>(points).collides(CONTACT));
     }
 }
 
@@ -90,7 +90,7 @@ proptest! {
 fn contacts(query: &Query<VertexFace>) -> [bool; 3] {
     let published = BrochuRootParity::default().collides(query);
     let rational = RationalRootParity.collides(query);
-    [published, rational, query.collides()]
+    [published, rational, query.collides(CONTACT)]
 }
 
 /// Edge b slides along edge a, which rotates about its midpoint: they meet where (2t − 1)² = −height.
@@ -104,7 +104,7 @@ fn see_saw(height: f64) -> Query<EdgeEdge> {
 fn two_contacts_and_a_double_one_are_missed() {
     for height in [-0.25, 0.0] {
         let query = see_saw(height);
-        assert!(query.collides());
+        assert!(query.collides(CONTACT));
         assert!(!BrochuRootParity::default().collides(&query));
         assert!(!RationalRootParity.collides(&query));
     }

@@ -18,13 +18,15 @@ impl<K: Kind> Query<K> {
     #[inline]
     pub fn collides(&self, options: impl Into<Options>) -> bool {
         let options = options.into();
-        if options.until < 1.0 {
-            return self.collision(options).is_some();
-        }
-        match self.filtered(&options) {
-            Decision::Free(_) => false,
-            Decision::Collision(_) => true,
-            Decision::Unknown => exact::collides(self, options),
+        if options.until >= 1.0 {
+            match self.filtered(&options) {
+                Decision::Free(_) => false,
+                Decision::Collision(_) => true,
+                Decision::Unknown => exact::collides(self, options),
+            }
+        } else {
+            // A part of the step, or none of it: NaN.
+            self.collision(options).is_some()
         }
     }
 

@@ -4,7 +4,7 @@
 use std::error::Error;
 
 use exact_ccd::parity::Rounded;
-use exact_ccd::{ContactTimes, EdgeEdge, Point, Query};
+use exact_ccd::{CONTACT, EdgeEdge, Point, Query};
 
 use crate::drawing::Drawing;
 use crate::space::View;
@@ -56,10 +56,8 @@ fn coplanarity(query: &Query<EdgeEdge>, t: f64) -> f64 {
 }
 
 fn times(query: &Query<EdgeEdge>) -> Vec<f64> {
-    match query.contact_times() {
-        ContactTimes::Finite(times) => times.iter().map(|time| time.lower()).collect(),
-        ContactTimes::Interval { first } => vec![first.lower()],
-    }
+    let intervals = query.intervals(CONTACT);
+    intervals.iter().map(|interval| interval.start.lower()).collect()
 }
 
 /// The edges at a time, the upper one in front.

@@ -1,8 +1,7 @@
 //! The closest features of a vertex and a face, and of two edges, by the position of the first
 //! primitive.
 
-use exact_ccd::Separation;
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexFace};
 
 use crate::drawing::{Drawing, Pixel};
 

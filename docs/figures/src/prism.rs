@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use exact_ccd::parity::Rounded;
-use exact_ccd::{Point, Query, VertexFace};
+use exact_ccd::{CONTACT, Point, Query, VertexFace};
 
 use crate::drawing::Drawing;
 use crate::patch::Patch;
@@ -42,7 +42,7 @@ fn draw_motion(drawing: &mut Drawing) -> Result<(), Box<dyn Error>> {
         away: AWAY,
     };
     let impact = query(MEETS)?
-        .time_of_impact()
+        .time_of_impact(CONTACT)
         .ok_or("the vertex meets the face")?;
     let [start, end] = FACE;
     let now = [0, 1, 2].map(|corner: usize| between(start[corner], end[corner], impact));

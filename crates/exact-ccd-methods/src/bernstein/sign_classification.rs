@@ -145,12 +145,12 @@ mod tests {
             let query = Query::<VertexFace>::new(start, end).unwrap();
             prop_assert_eq!(
                 method.collides(&query),
-                is_given_up(&Configuration::new(&query)) || query.collides()
+                is_given_up(&Configuration::new(&query)) || query.collides(exact_ccd::CONTACT)
             );
             let query = Query::<EdgeEdge>::new(start, end).unwrap();
             prop_assert_eq!(
                 method.collides(&query),
-                is_given_up(&Configuration::new(&query)) || query.collides()
+                is_given_up(&Configuration::new(&query)) || query.collides(exact_ccd::CONTACT)
             );
         }
 

@@ -8,7 +8,7 @@ use crate::interval::{Interval, Intervals};
 /// at which contact begins or ends, and the decision at any time between two of them.
 pub(super) fn intervals_of(events: &[Instant], touches: impl Fn(&Split) -> bool) -> Intervals {
     let mut start = 0;
-    let mut close = |end: usize| {
+    let close = |end: usize| {
         let interval = Interval {
             start: events[start].round(),
             end: events[end].round(),
@@ -21,5 +21,5 @@ pub(super) fn intervals_of(events: &[Instant], touches: impl Fn(&Split) -> bool)
         let next = events.get(i + 1);
         !next.is_some_and(|next| touches(&events[i].before(next)))
     });
-    ends.map(|end| close(end)).collect()
+    ends.map(close).collect()
 }

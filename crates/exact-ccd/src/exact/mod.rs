@@ -51,10 +51,12 @@ use crate::query::Query;
 #[must_use]
 pub fn collides<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> bool {
     let options = options.into();
-    if options.until < 1.0 || options.separation.is_zero() {
-        return collision(query, options).is_some();
+    if options.until >= 1.0 && !options.separation.is_zero() {
+        nearness::comes_within(query, options.separation)
+    } else {
+        // Contact, a part of the step, or none of it: NaN.
+        collision(query, options).is_some()
     }
-    nearness::comes_within(query, options.separation)
 }
 
 /// [`Query::time_of_impact`], computed in integers alone.

@@ -20,11 +20,11 @@ pub(crate) use advance::free_until;
 
 use super::hull::Hull;
 use super::roundoff::UNIT;
-use super::screening::{Decision, Proved};
+use super::screening::{self, Decision, Proved};
 use super::vector::dot;
 use crate::distance::Separation;
 use crate::kind::Kind;
-use crate::options::Options;
+use crate::options::{CONTACT, Options};
 use crate::query::Query;
 use crate::stage::Stage;
 use crate::time::ContactTime;
@@ -47,9 +47,13 @@ pub(super) fn decide<K: Kind>(query: &Query<K>, hull: &Hull<f64>, options: &Opti
     }
 }
 
-/// The same for a query whose primitives are known to be beyond d before the first of two times. A collision
-/// after the second time, which is above 0, may be left out.
+/// Decides a query of a batch whose primitives are known to be beyond d before the first of two times. A
+/// collision after the second time, which is above 0, may be left out. If some vertices of the batch have the
+/// thickness 0, d can be 0: then the stages of contact decide.
 pub(crate) fn decide_between<K: Kind>(query: &Query<K>, d: Separation, times: [f64; 2]) -> Decision {
+    if d.is_zero() {
+        return screening::decide(query, &CONTACT);
+    }
     decide_by_hull(query, &Hull::new::<K>(query.points()), d, times)
 }
 

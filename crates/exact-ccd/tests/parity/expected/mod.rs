@@ -9,7 +9,7 @@ mod double_root;
 pub(crate) mod integers;
 
 use exact_ccd::parity::Parity;
-use exact_ccd::{ContactTimes, EdgeEdge, Kind, Point, Query, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, VertexFace, exact};
 
 use double_root::double_root;
 
@@ -28,17 +28,19 @@ impl Rim for EdgeEdge {
 }
 
 pub(crate) fn expected<K: Rim>(query: &Query<K>) -> Parity {
-    let times = exact::contact_times(query);
-    if times.first().is_none() {
+    let times = exact::intervals(query, CONTACT);
+    if times.is_empty() {
         return Parity::Even;
     }
     if touches_on_boundary(query) {
         return Parity::Boundary;
     }
-    let ContactTimes::Finite(times) = times else {
-        panic!("contact that lasts does not reach the boundary: {query:?}");
-    };
-    let grazes = double_root(query.points()).is_some_and(|root| times.iter().any(|time| root.may_be(*time)));
+    assert!(
+        times.count().is_some(),
+        "contact that lasts does not reach the boundary: {query:?}"
+    );
+    let grazes =
+        double_root(query.points()).is_some_and(|root| times.iter().any(|moment| root.may_be(moment.start)));
     if (times.len() + usize::from(grazes)) % 2 == 0 {
         Parity::Even
     } else {
@@ -52,8 +54,8 @@ fn touches_on_boundary<K: Rim>(query: &Query<K>) -> bool {
         let [start, end] = query
             .points()
             .map(|now| [now[*vertex], now[*vertex], now[*x], now[*y]]);
-        Query::<EdgeEdge>::new(start, end).unwrap().collides()
+        Query::<EdgeEdge>::new(start, end).unwrap().collides(CONTACT)
     };
-    let touches_at = |now: &[Point; 4]| Query::<K>::new(*now, *now).unwrap().collides();
+    let touches_at = |now: &[Point; 4]| Query::<K>::new(*now, *now).unwrap().collides(CONTACT);
     query.points().iter().any(touches_at) || K::MEETINGS.iter().any(is_met)
 }

@@ -5,11 +5,11 @@ use proptest::prelude::*;
 
 use crate::families::{cases, rule};
 use crate::generators::{degenerate, fractions, small_integers};
-use crate::kinds::FromFour;
+use crate::kinds::query;
 use crate::primitives::{Primitives, at, combine, dot};
 use crate::runner::for_all;
 
-fn connects_the_closest_points<K: FromFour + Primitives>() {
+fn connects_the_closest_points<K: Primitives>() {
     let points = prop_oneof![
         small_integers(2),
         small_integers(8),
@@ -18,11 +18,8 @@ fn connects_the_closest_points<K: FromFour + Primitives>() {
     ];
     for_all(cases(4_000), (points, rule()), |(points, rule)| {
         let d = rule.separation::<K>(&points);
-        let query = K::query(&points);
-        let impact = query.impact_within(d);
-        let first = query.first_within(d);
-        assert_eq!(impact.map(|impact| impact.time), first, "{d:?}: {query:?}");
-        let Some(impact) = impact.filter(|_| d.get() > 0.0) else {
+        let query = query::<K>(&points);
+        let Some(impact) = query.impact(d).filter(|_| !d.is_zero()) else {
             return;
         };
         let [u, v] = impact.parameters;

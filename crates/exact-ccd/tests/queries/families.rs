@@ -1,7 +1,7 @@
 //! Families of queries with a distance.
 
-use exact_ccd::EdgeEdge;
-use exact_ccd::separation::Separation;
+use exact_ccd::{EdgeEdge, Kind, Separation};
+
 use proptest::prelude::*;
 
 use crate::generators::alphabet::ALPHABET;
@@ -9,7 +9,7 @@ use crate::generators::{
     degenerate, exact_contacts, few_values, fractions, grazing, integers, nearly, quarters, rounded_contacts,
     scattered, small_integers, stretched, subnormal,
 };
-use crate::kinds::FromFour;
+use crate::kinds::query;
 use crate::primitives::Points;
 
 /// A rule for the distance of a query.
@@ -24,8 +24,8 @@ pub(crate) enum Rule {
 }
 
 impl Rule {
-    pub(crate) fn separation<K: FromFour>(self, points: &Points) -> Separation {
-        let bounds = |t| K::query(points).distance_at(t).unwrap();
+    pub(crate) fn separation<K: Kind>(self, points: &Points) -> Separation {
+        let bounds = |t| query::<K>(points).distance_at(t).unwrap();
         let d = match self {
             Self::Fixed(d) => d,
             Self::Reached { t, up, steps } => {

@@ -1,12 +1,12 @@
 //! The distance at a time, compared with a search, and with the times within that distance.
 
-use exact_ccd::separation::DistanceBounds;
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{DistanceBounds, EdgeEdge, Kind, Point, Query, VertexEdge, VertexFace, VertexVertex};
 use proptest::prelude::*;
 
+use crate::each_kind::for_each_kind;
 use crate::families::{cases, extreme, ordinary, rule};
 use crate::generators::{degenerate, small_integers};
-use crate::kinds::{FromFour, for_each_kind};
+use crate::kinds::query;
 use crate::laws::contain;
 use crate::primitives::{Points, Primitives, at, combine, dot};
 use crate::runner::for_all;
@@ -16,12 +16,12 @@ fn bounds<K: Kind>(query: &Query<K>, t: f64) -> DistanceBounds {
 }
 
 /// The times of which membership follows from the distance then.
-fn decides_membership<K: FromFour>() {
+fn decides_membership<K: Kind>() {
     let points = prop_oneof![20 => ordinary(), 1 => extreme()];
     for_all(cases(4_000), (points, rule()), |(points, rule)| {
         let d = rule.separation::<K>(&points);
-        let query = K::query(&points);
-        let intervals = query.intervals_within(d);
+        let query = query::<K>(&points);
+        let intervals = query.intervals(d);
         for eighths in 0..=8 {
             let t = f64::from(eighths) / 8.0;
             let DistanceBounds { lower, upper } = bounds(&query, t);
@@ -33,11 +33,11 @@ fn decides_membership<K: FromFour>() {
     });
 }
 
-fn equals_d_at_the_first_time<K: FromFour>() {
+fn equals_d_at_the_first_time<K: Kind>() {
     for_all(cases(4_000), (ordinary(), rule()), |(points, rule)| {
         let d = rule.separation::<K>(&points);
-        let query = K::query(&points);
-        let Some(first) = query.first_within(d) else {
+        let query = query::<K>(&points);
+        let Some(first) = query.collision(d).map(|collision| collision.time()) else {
             return;
         };
         let DistanceBounds { lower, upper } = bounds(&query, first.lower());
@@ -82,14 +82,14 @@ fn least(mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     f(low).min(f(high))
 }
 
-fn is_near_the_searched_one<K: FromFour>(search: impl Fn(&[Point; 4]) -> f64) {
+fn is_near_the_searched_one<K: Kind>(search: impl Fn(&[Point; 4]) -> f64) {
     let points = prop_oneof![
         small_integers(2),
         small_integers(8),
         degenerate(small_integers(2))
     ];
     for_all(cases(2_000), (points, 0.0..=1.0), |(points, t)| {
-        let DistanceBounds { lower, upper } = bounds(&K::query(&points), t);
+        let DistanceBounds { lower, upper } = bounds(&query::<K>(&points), t);
         let near = search(&at(&points, t)).sqrt();
         assert!(
             lower - 1e-6 < near && near < upper + 1e-6,
@@ -104,12 +104,12 @@ fn is_the_least_over_the_domain() {
     is_near_the_searched_one::<EdgeEdge>(searched::<EdgeEdge>);
     let order = |points: &[Point; 4], order: [usize; 4]| order.map(|i| points[i]);
     is_near_the_searched_one::<VertexEdge>(|points| searched::<EdgeEdge>(&order(points, [0, 0, 2, 3])));
-    is_near_the_searched_one::<VertexVertex>(|points| searched::<EdgeEdge>(&order(points, [0, 0, 2, 2])));
+    is_near_the_searched_one::<VertexVertex>(|points| searched::<EdgeEdge>(&order(points, [0, 0, 3, 3])));
 }
 
 #[test]
 fn is_an_error_outside_of_the_step() {
-    let query = VertexVertex::query(&Points::default());
+    let query = query::<VertexVertex>(&Points::default());
     for t in [-5e-324, 1.0f64.next_up(), f64::INFINITY, f64::NAN] {
         let error = query.distance_at(t).unwrap_err();
         assert_eq!(error.time.to_bits(), t.to_bits());

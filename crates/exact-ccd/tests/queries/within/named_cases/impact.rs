@@ -11,7 +11,7 @@ fn comes_near<K: Kind>(query: &Query<K>, d: f64, time: f64, parameters: [f64; 2]
         parameters: found,
         normal: direction,
         ..
-    } = query.impact_within(within(d)).unwrap();
+    } = query.impact(within(d)).unwrap();
     assert_eq!((first.lower(), first.is_exact()), (time, true));
     assert_eq!((found, direction), (parameters, normal));
 }
@@ -71,5 +71,5 @@ fn a_contact_at_the_start_has_no_direction() {
 #[test]
 fn no_impact_out_of_reach() {
     let query = vertex_against(FACE, [0.25, 0.5, 3.0], [0.25, 0.5, 2.0]);
-    assert_eq!(query.impact_within(within(1.0)), None);
+    assert_eq!(query.impact(within(1.0)), None);
 }

@@ -1,7 +1,7 @@
 //! Sums of thicknesses, against rational numbers.
 
 use dashu_ratio::RBig;
-use exact_ccd::separation::{InvalidThickness, Separations, Thickness};
+use exact_ccd::{InvalidThickness, Separations, Thickness};
 use proptest::prelude::*;
 
 use crate::generators::alphabet::ALPHABET;

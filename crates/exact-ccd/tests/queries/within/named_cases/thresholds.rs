@@ -1,7 +1,6 @@
 //! Numbers that are not valid distances.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{NonFinite, Query, VertexEdge, VertexVertex};
+use exact_ccd::{NonFinite, Query, Separation, VertexEdge, VertexVertex};
 
 #[test]
 fn a_separation_is_finite_and_at_least_zero() {
