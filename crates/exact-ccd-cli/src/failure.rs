@@ -3,12 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use exact_ccd::parity::RoundingError;
 use exact_ccd_bench::comparison::PeerError;
 use exact_ccd_data::DataError;
 use exact_ccd_files::{ReadError, ReadMotionError};
 use exact_ccd_mesh::{CandidateError, StepError, ThicknessCount};
 use exact_ccd_methods::UnknownMethod;
+use exact_ccd_methods::parity::RoundingError;
 use exact_ccd_sim::SimulationError;
 use exact_ccd_sim::scene::SceneError;
 use exact_ccd_view::PageError;

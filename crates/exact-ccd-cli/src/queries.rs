@@ -4,10 +4,10 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::parity::RoundingError;
 use exact_ccd::separation::Separation;
 use exact_ccd::{EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{QueryKind, Rounding, Sample};
+use exact_ccd_methods::parity::RoundingError;
 use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;

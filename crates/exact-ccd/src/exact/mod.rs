@@ -30,9 +30,6 @@ mod split;
 
 pub(crate) use dyadic::to_integers;
 pub(crate) use first_contact::FirstContact;
-pub(crate) use motion::{Vector, cross, dot};
-pub(crate) use polynomial::Polynomial;
-pub(crate) use roots::roots;
 
 use crate::impact::Impact;
 use crate::kind::Kind;

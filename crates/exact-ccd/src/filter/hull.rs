@@ -167,7 +167,7 @@ impl Hull<f64> {
 /// Returns true if all points (x, y) are strictly on one side of one of the diagonals x = y and x =
 /// −y.
 #[inline]
-pub(crate) fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
+fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
     let mut sides = [true; 4];
     for (x, y) in points {
         sides[0] &= x > y;

@@ -22,7 +22,7 @@ pub(crate) use contact::Contact;
 pub(crate) use coplanarity::Coplanarity;
 pub(crate) use cubic::Cubic;
 pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
-pub(crate) use hull::{Hull, diagonal_separates};
+pub(crate) use hull::Hull;
 pub(crate) use number::{Lanes, Number, Points, subtract};
 pub(crate) use roundoff::{LARGEST, UNDERFLOW, UNIT, certain_sign};
 pub(crate) use screening::{Decision, Screened, decide, decide_near_plane, screen_planes};
