@@ -7,13 +7,13 @@
 mod changes;
 #[path = "../../crates/exact-ccd/tests/queries/generators/contacts.rs"]
 mod contacts;
-#[path = "../../crates/exact-ccd/tests/parity/expected/mod.rs"]
+#[path = "../../crates/exact-ccd-methods/tests/parity/expected/mod.rs"]
 mod expected;
 #[path = "../../crates/exact-ccd/tests/queries/kinds.rs"]
 mod kinds;
 #[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
 mod laws;
-#[path = "../../crates/exact-ccd/tests/parity/laws.rs"]
+#[path = "../../crates/exact-ccd-methods/tests/parity/laws.rs"]
 #[allow(dead_code, reason = "the tests in which it stands need more of it")]
 mod parity_laws;
 #[path = "../../crates/exact-ccd/tests/queries/primitives.rs"]
@@ -23,9 +23,9 @@ mod primitives;
 mod symmetry;
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd::parity::Rounded;
 use exact_ccd::{EdgeEdge, Separation, VertexFace};
 use exact_ccd_fuzz::coordinate;
+use exact_ccd_methods::parity::Rounded;
 use libfuzzer_sys::fuzz_target;
 
 use changes::{Change, nudge, scaled};

@@ -16,10 +16,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::parity::Rounded;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
 use exact_ccd_data::{DataError, DataFolder, DataKind};
 use exact_ccd_mesh::{Bvh, Candidates, Motion, Step};
+use exact_ccd_methods::parity::Rounded;
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 7;

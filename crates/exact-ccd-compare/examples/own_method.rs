@@ -7,9 +7,9 @@
 
 use std::time::Duration;
 
-use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, Guarantees, Point, Query, TimeGuarantee, VertexFace};
 use exact_ccd_compare::{Comparison, Contestant, Subject, Subjects};
+use exact_ccd_methods::parity::RootParity;
 
 /// Decides that primitives collide if the boxes around their motion overlap.
 struct Boxes;

@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use exact_ccd::parity::Rounded;
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_data::{ColumnReader, DataError, DataKind, QueryReader, Rounding, Sample, Scene, list};
 use exact_ccd_mesh::{Bvh, Candidates};
+use exact_ccd_methods::parity::Rounded;
 
 use crate::sampling::{Subject, Subjects};
 

@@ -2,6 +2,7 @@
 
 use exact_ccd::Point;
 
+use crate::aabb::Aabb;
 use crate::mesh::{MeshError, TriangleMesh};
 use crate::positions::{self, PositionsError};
 
@@ -86,5 +87,11 @@ impl Frame {
             mesh,
         };
         (frame, vertices)
+    }
+
+    /// The box around all vertices.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        self.positions.iter().copied().collect()
     }
 }

@@ -32,7 +32,6 @@
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
 //! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
 //!   certifies a sequence of frames.
-//! - [`Motion::shifted`] rounds a motion as [`exact_ccd::parity`] requires.
 //! - [`step_size`] is the line search of an optimiser: the largest step along a direction without
 //!   contact.
 //!
@@ -71,7 +70,6 @@ mod pair_vertices;
 mod positions;
 mod primitive_count;
 mod report;
-mod shift;
 mod start_check;
 mod step;
 mod step_boxes;

@@ -59,9 +59,6 @@ pub(crate) mod tables {
     pub trait Tables {
         /// F at the corners of the domain of (u, v). A face has only three; the last one is repeated.
         const CORNERS: [Difference; 4];
-        /// The faces of the domain as cycles of four corners: 0 to 3 at t = 0, 4 to 7 at t = 1. The
-        /// domain is a hexahedron, or a prism, whose triangles have one corner twice.
-        const PATCHES: &'static [[usize; 4]];
         /// w, e₁, e₂, where w leads from the second primitive to the first. The primitives are
         /// coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
@@ -175,13 +172,6 @@ const fn side(
 /// barycentric coordinates.
 impl Tables for VertexFace {
     const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
-    const PATCHES: &'static [[usize; 4]] = &[
-        [0, 1, 2, 2],
-        [4, 5, 6, 6],
-        [0, 1, 5, 4],
-        [1, 2, 6, 5],
-        [2, 0, 4, 6],
-    ];
     const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
     const SIDES: &'static [Side] = &[
         side(0, [1, 2], [0, 1], true, [[0.0, 0.0], [1.0, 0.0]]),
@@ -202,14 +192,6 @@ impl Tables for VertexFace {
 /// sides are u ≥ 0, u ≤ 1, v ≥ 0 and v ≤ 1.
 impl Tables for EdgeEdge {
     const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
-    const PATCHES: &'static [[usize; 4]] = &[
-        [0, 1, 3, 2],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 3, 7, 6],
-        [0, 2, 6, 4],
-        [1, 3, 7, 5],
-    ];
     const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
     const SIDES: &'static [Side] = &[
         side(0, [2, 3], [0, 1], true, [[0.0, 0.0], [0.0, 1.0]]),
@@ -234,7 +216,6 @@ impl Tables for EdgeEdge {
 /// Two edges, of which the first has length zero.
 impl Tables for VertexEdge {
     const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
-    const PATCHES: &'static [[usize; 4]] = EdgeEdge::PATCHES;
     const SPAN: [Difference; 3] = EdgeEdge::SPAN;
     const SIDES: &'static [Side] = EdgeEdge::SIDES;
     const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;
@@ -249,7 +230,6 @@ impl Tables for VertexEdge {
 /// Two edges of length zero.
 impl Tables for VertexVertex {
     const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
-    const PATCHES: &'static [[usize; 4]] = EdgeEdge::PATCHES;
     const SPAN: [Difference; 3] = EdgeEdge::SPAN;
     const SIDES: &'static [Side] = EdgeEdge::SIDES;
     const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;

@@ -43,7 +43,6 @@
 //! | [`predicates`] | orientation and intersection of points at rest |
 //! | [`Ccd`] | the trait of collision detection methods, and the exact one |
 //! | [`exact`] | the definition in integers, without filters |
-//! | [`parity`] | root parity, the published method, for comparison |
 //!
 //! # Features
 //!
@@ -57,8 +56,7 @@
 //! subnormal numbers to zero (FTZ, DAZ), as in a program linked with `-ffast-math`, gets the same decisions,
 //! counts and times: this is [detected](environment::is_default) on the thread that computes, for each query
 //! or batch and each answer of a [`Collision`], and the exact path decides then, which is much slower. The
-//! components of a normal are rounded as the thread rounds. [`parity`] is the exception: its input has to be
-//! rounded in the default environment.
+//! components of a normal are rounded as the thread rounds.
 //!
 //! # Panics
 //!
@@ -84,7 +82,6 @@ mod interval;
 mod kind;
 mod non_negative;
 mod options;
-pub mod parity;
 mod point;
 pub mod predicates;
 mod query;
@@ -120,6 +117,4 @@ const _: () = {
         batch::NonFiniteQuery,
     )>();
     assert_send_and_sync::<predicates::EdgeFace>();
-    assert_send_and_sync::<(parity::Parity, parity::Displacement, parity::RoundingError)>();
-    assert_send_and_sync::<(parity::Rounded<VertexFace>, parity::Rounded<EdgeEdge>)>();
 };

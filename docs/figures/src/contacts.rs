@@ -3,8 +3,8 @@
 
 use std::error::Error;
 
-use exact_ccd::parity::Rounded;
 use exact_ccd::{CONTACT, EdgeEdge, Point, Query};
+use exact_ccd_methods::parity::Rounded;
 
 use crate::drawing::Drawing;
 use crate::space::View;

@@ -3,8 +3,8 @@
 
 use std::error::Error;
 
-use exact_ccd::parity::{Parity, Rounded};
 use exact_ccd::{EdgeEdge, Point, Query};
+use exact_ccd_methods::parity::{Parity, Rounded};
 
 use crate::drawing::{Drawing, Pixel};
 use crate::patch::Patch;

@@ -2,8 +2,8 @@
 
 use std::error::Error;
 
-use exact_ccd::parity::Rounded;
 use exact_ccd::{CONTACT, Point, Query, VertexFace};
+use exact_ccd_methods::parity::Rounded;
 
 use crate::drawing::Drawing;
 use crate::patch::Patch;
@@ -124,7 +124,7 @@ fn draw_image(
 
 #[cfg(test)]
 mod tests {
-    use exact_ccd::parity::Parity;
+    use exact_ccd_methods::parity::Parity;
 
     use super::*;
 

@@ -1,9 +1,9 @@
 //! Root parity on the published queries: the parity by the definition of contact, and the false negatives.
 
-use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample, Scene};
 use exact_ccd_mesh::Step;
+use exact_ccd_methods::parity::{self, Parity, Rounded};
 use rayon::prelude::*;
 
 use crate::expected::{Rim, expected};

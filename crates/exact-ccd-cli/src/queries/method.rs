@@ -4,8 +4,8 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use exact_ccd::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, Separation, TimeGuarantee};
+use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd_methods::{UnknownMethod, by_name};
 use serde_json::Value;
 
@@ -72,7 +72,11 @@ impl Method {
     }
 
     /// The answer to a query within a distance, which [`check`](Self::check) accepts.
-    pub(crate) fn answer<K: Kind>(&self, query: &Query<K>, d: Separation) -> Result<Answer, RoundingError>
+    pub(crate) fn answer<K: Kind<Points = [Point; 4]>>(
+        &self,
+        query: &Query<K>,
+        d: Separation,
+    ) -> Result<Answer, RoundingError>
     where
         dyn Ccd: Decide<K>,
     {

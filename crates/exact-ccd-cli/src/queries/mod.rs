@@ -11,9 +11,9 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::parity::RoundingError;
 use exact_ccd::{EdgeEdge, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{QueryKind, Rounding, Sample};
+use exact_ccd_methods::parity::RoundingError;
 use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;

@@ -29,8 +29,11 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
     let mut report = Report::shared(displacement);
     for (index, input) in inputs.iter().enumerate() {
         let frame = read(input)?;
-        let shifted = frame.shifted(displacement)?;
         report.add(displacement, &frame.positions);
+        let shifted = Frame {
+            positions: displacement.apply_to_all(&frame.positions)?,
+            mesh: frame.mesh,
+        };
         if let Some(outputs) = &outputs {
             write_file(&outputs[index], |writer| write_ply(writer, &shifted))?;
         }

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use exact_ccd::parity::{Displacement, Rounded, RoundingError};
 use exact_ccd::{NonFinite, Query, Separation};
 use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
+use exact_ccd_methods::parity::{Displacement, Rounded, RoundingError};
 use rayon::prelude::*;
 
 use super::report::Report;

@@ -1,8 +1,8 @@
 //! The methods of `exact-ccd queries`.
 
-use exact_ccd::parity::{self, Parity, Rounded};
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_data::DataKind;
+use exact_ccd_methods::parity::{self, Parity, Rounded};
 use proptest::prelude::*;
 
 use crate::folder::Folder;

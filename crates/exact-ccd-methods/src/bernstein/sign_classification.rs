@@ -7,8 +7,8 @@ use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
 use super::configuration::{Configuration, Configured, Polynomials};
 use super::curve::{Curve, Roots};
 use super::inside::is_inside;
-use super::integers::to_integers;
 use super::number::{Number, signs};
+use crate::integers::to_integers;
 use crate::interval::Interval;
 
 /// Bernstein sign classification ("BSC") of M. Tang, R. Tong, Z. Wang and D. Manocha.

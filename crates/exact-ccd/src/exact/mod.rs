@@ -36,8 +36,6 @@ pub(crate) use dyadic::to_integers;
 pub(crate) use first_contact::FirstContact;
 pub use nearness::distance_at;
 pub(crate) use nearness::{first_within, impact_at, intervals_within};
-pub(crate) use polynomial::{Polynomial, Vector, cross, dot};
-pub(crate) use roots::roots;
 
 use crate::collision::Collision;
 use crate::filter::Decision;

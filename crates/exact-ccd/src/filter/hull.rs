@@ -192,6 +192,6 @@ fn on_one_side(points: impl Iterator<Item = (f64, f64)>, sides_of: impl Fn(f64, 
 /// Returns true if all points (x, y) are strictly on one side of one of the diagonals x = y and x =
 /// −y.
 #[inline]
-pub(crate) fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
+fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
     on_one_side(points, |x, y| [x > y, x < y, x > -y, x < -y])
 }
