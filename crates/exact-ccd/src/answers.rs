@@ -22,11 +22,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn collides_with_stage(&self) -> (bool, Stage) {
-        match self.decide() {
-            Decision::Free(stage) => (false, stage),
-            Decision::Contact(contact) => (true, contact.stage()),
-            Decision::Unknown => (exact::collides(self), Stage::Exact),
-        }
+        K::collides(self)
     }
 
     /// The collision, if the primitives touch: [`collides`](Self::collides) with the intermediate
@@ -34,7 +30,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn collision(&self) -> Option<Collision<'_, K>> {
-        Collision::from_decision(self, self.decide()).ok()
+        K::collision(self).ok()
     }
 
     /// All times at which the primitives touch.
@@ -46,7 +42,7 @@ impl<K: Kind> Query<K> {
     /// [`contact_times`](Self::contact_times), and the stage that settled it.
     #[must_use]
     pub fn contact_times_with_stage(&self) -> (ContactTimes, Stage) {
-        match Collision::from_decision(self, self.decide()) {
+        match K::collision(self) {
             Ok(collision) => collision.contact_times_with_stage(),
             Err(stage) => (ContactTimes::NONE, stage),
         }
@@ -63,13 +59,26 @@ impl<K: Kind> Query<K> {
     pub fn impact(&self) -> Option<Impact> {
         self.collision().map(|collision| collision.impact())
     }
+}
 
-    #[inline]
-    fn decide(&self) -> Decision {
-        if environment::is_default() {
-            filter::decide(self)
-        } else {
-            Decision::Unknown
-        }
+pub(crate) fn collides<K: Kind>(query: &Query<K>) -> (bool, Stage) {
+    match decide(query) {
+        Decision::Free(stage) => (false, stage),
+        Decision::Contact(contact) => (true, contact.stage()),
+        Decision::Unknown => (exact::collides(query), Stage::Exact),
+    }
+}
+
+/// The collision, or the stage that proved that there is none.
+pub(crate) fn collision<K: Kind>(query: &Query<K>) -> Result<Collision<'_, K>, Stage> {
+    Collision::from_decision(query, decide(query))
+}
+
+#[inline]
+fn decide<K: Kind>(query: &Query<K>) -> Decision {
+    if environment::is_default() {
+        filter::decide(query)
+    } else {
+        Decision::Unknown
     }
 }

@@ -89,6 +89,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The earliest contact time.
     #[must_use]
     pub fn first_contact_time(&self) -> ContactTime {
+        K::first_time(self)
+    }
+
+    pub(crate) fn determine_first_time(&self) -> ContactTime {
         let by_filter = |contact: &Contact| contact.first(self.query);
         self.answer(by_filter, FirstContact::time, |_, first| first)
     }
@@ -109,6 +113,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// [`contact_times`](Self::contact_times), and the stage that determined them.
     #[must_use]
     pub fn contact_times_with_stage(&self) -> (ContactTimes, Stage) {
+        K::times(self)
+    }
+
+    pub(crate) fn determine_times(&self) -> (ContactTimes, Stage) {
         self.answer(
             |contact| Some((contact.times(self.query)?, contact.stage())),
             |first| (first.times(), Stage::Exact),
@@ -132,6 +140,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// and the normal are those of the closest points, see [`Query::impact_within`].
     #[must_use]
     pub fn impact(&self) -> Impact {
+        K::impact(self)
+    }
+
+    pub(crate) fn determine_impact(&self) -> Impact {
         self.answer(
             |contact| contact.impact(self.query),
             FirstContact::impact,

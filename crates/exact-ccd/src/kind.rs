@@ -7,8 +7,15 @@
 
 use core::fmt::Debug;
 
+use crate::answers;
 use crate::batch::Batch;
+use crate::collision::Collision;
+use crate::impact::Impact;
 use crate::point::Point;
+use crate::query::Query;
+use crate::separation::{self, Separation, SeparationStage};
+use crate::stage::Stage;
+use crate::time::{ContactTime, ContactTimes};
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
 pub(crate) type Difference = (usize, usize);
@@ -89,10 +96,62 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
-    /// Runs a batch. A function of each kind, not a generic one, so that this crate contains the vector
-    /// code, and the crates that call it do not compile it again.
+    // The algorithms are functions of each kind, not generic ones, so that this crate contains their code, and the
+    // crates that call them do not compile it again.
     #[doc(hidden)]
     fn run(batch: Batch<'_, Self>);
+    #[doc(hidden)]
+    fn collides(query: &Query<Self>) -> (bool, Stage);
+    #[doc(hidden)]
+    fn collision(query: &Query<Self>) -> Result<Collision<'_, Self>, Stage>;
+    #[doc(hidden)]
+    fn first_within(query: &Query<Self>, d: Separation) -> (Option<ContactTime>, SeparationStage);
+    #[doc(hidden)]
+    fn first_time(collision: &Collision<'_, Self>) -> ContactTime;
+    #[doc(hidden)]
+    fn times(collision: &Collision<'_, Self>) -> (ContactTimes, Stage);
+    #[doc(hidden)]
+    fn impact(collision: &Collision<'_, Self>) -> Impact;
+}
+
+/// The algorithms of a kind.
+macro_rules! algorithms {
+    () => {
+        #[inline(never)]
+        fn run(batch: Batch<'_, Self>) {
+            batch.run();
+        }
+
+        #[inline(never)]
+        fn collides(query: &Query<Self>) -> (bool, Stage) {
+            answers::collides(query)
+        }
+
+        #[inline(never)]
+        fn collision(query: &Query<Self>) -> Result<Collision<'_, Self>, Stage> {
+            answers::collision(query)
+        }
+
+        #[inline(never)]
+        fn first_within(query: &Query<Self>, d: Separation) -> (Option<ContactTime>, SeparationStage) {
+            separation::first_within(query, d)
+        }
+
+        #[inline(never)]
+        fn first_time(collision: &Collision<'_, Self>) -> ContactTime {
+            collision.determine_first_time()
+        }
+
+        #[inline(never)]
+        fn times(collision: &Collision<'_, Self>) -> (ContactTimes, Stage) {
+            collision.determine_times()
+        }
+
+        #[inline(never)]
+        fn impact(collision: &Collision<'_, Self>) -> Impact {
+            collision.determine_impact()
+        }
+    };
 }
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
@@ -116,10 +175,7 @@ impl Kind for VertexFace {
     type Vertices = [u32; 4];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for EdgeEdge {
@@ -127,10 +183,7 @@ impl Kind for EdgeEdge {
     type Vertices = [u32; 4];
     const FIRST: usize = 2;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for VertexEdge {
@@ -138,10 +191,7 @@ impl Kind for VertexEdge {
     type Vertices = [u32; 3];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for VertexVertex {
@@ -149,10 +199,7 @@ impl Kind for VertexVertex {
     type Vertices = [u32; 2];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 const fn side(

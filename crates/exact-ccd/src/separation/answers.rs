@@ -58,12 +58,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn first_within_with_stage(&self, d: Separation) -> (Option<ContactTime>, SeparationStage) {
-        if d.is_zero() {
-            let first = self.collision().map(|collision| collision.first_contact_time());
-            return (first, SeparationStage::Contact);
-        }
-        filter::first_within(self, d)
-            .unwrap_or_else(|| (exact::first_within(self, d), SeparationStage::Exact))
+        K::first_within(self, d)
     }
 
     /// The largest f64 not above the first time at which the distance of the primitives is at most
@@ -116,4 +111,16 @@ impl<K: Kind> Query<K> {
     pub fn distance_at(&self, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
         exact::distance_at(self, t)
     }
+}
+
+/// The first time within d, and the stage that settled it.
+pub(crate) fn first_within<K: Kind>(
+    query: &Query<K>,
+    d: Separation,
+) -> (Option<ContactTime>, SeparationStage) {
+    if d.is_zero() {
+        let first = query.collision().map(|collision| collision.first_contact_time());
+        return (first, SeparationStage::Contact);
+    }
+    filter::first_within(query, d).unwrap_or_else(|| (exact::first_within(query, d), SeparationStage::Exact))
 }

@@ -28,6 +28,7 @@ mod filter;
 mod stage;
 mod thickness;
 
+pub(crate) use answers::first_within;
 pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
 pub(crate) use filter::Screening;
 pub use stage::SeparationStage;
