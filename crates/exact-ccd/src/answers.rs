@@ -17,17 +17,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn collides(&self, options: impl Into<Options>) -> bool {
-        let options = options.into();
-        if options.until >= 1.0 {
-            match self.filtered(&options) {
-                Decision::Free(_) => false,
-                Decision::Collision(_) => true,
-                Decision::Unknown => exact::collides(self, options),
-            }
-        } else {
-            // A part of the step, or none of it: NaN.
-            self.collision(options).is_some()
-        }
+        K::collides(self, options.into())
     }
 
     /// The collision, if the primitives touch: [`collides`](Self::collides) with the intermediate
@@ -42,15 +32,7 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn decide(&self, options: impl Into<Options>) -> (Option<Collision<'_, K>>, Stage) {
-        let options = options.into();
-        match Collision::from_decision(self, options.separation, self.filtered(&options)) {
-            Ok(collision) => {
-                let counts = options.until >= 1.0 || collision.time().is_at_most(options.until);
-                let stage = collision.stage();
-                (counts.then_some(collision), stage)
-            }
-            Err(stage) => (None, stage),
-        }
+        K::decide(self, options.into())
     }
 
     /// The largest f64 not above the first time at which the primitives touch, if they do.
@@ -81,14 +63,41 @@ impl<K: Kind> Query<K> {
     pub fn distance_at(&self, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
         exact::distance_at(self, t)
     }
+}
 
-    /// The decision of the filters, which need the default environment.
-    #[inline]
-    fn filtered(&self, options: &Options) -> Decision {
-        if environment::is_default() {
-            filter::decide(self, options)
-        } else {
-            Decision::Unknown
+pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
+    if options.until >= 1.0 {
+        match filtered(query, options) {
+            Decision::Free(_) => false,
+            Decision::Collision(_) => true,
+            Decision::Unknown => exact::collides(query, *options),
         }
+    } else {
+        // A part of the step, or none of it: NaN.
+        decide(query, options).0.is_some()
+    }
+}
+
+pub(crate) fn decide<'a, K: Kind>(
+    query: &'a Query<K>,
+    options: &Options,
+) -> (Option<Collision<'a, K>>, Stage) {
+    match Collision::from_decision(query, options.separation, filtered(query, options)) {
+        Ok(collision) => {
+            let counts = options.until >= 1.0 || collision.time().is_at_most(options.until);
+            let stage = collision.stage();
+            (counts.then_some(collision), stage)
+        }
+        Err(stage) => (None, stage),
+    }
+}
+
+/// The decision of the filters, which need the default environment.
+#[inline]
+fn filtered<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
+    if environment::is_default() {
+        filter::decide(query, options)
+    } else {
+        Decision::Unknown
     }
 }

@@ -102,6 +102,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The first time at which the primitives touch.
     #[must_use]
     pub fn time(&self) -> ContactTime {
+        K::time(self)
+    }
+
+    pub(crate) fn determine_time(&self) -> ContactTime {
         let by_filter = |contact: &Contact| contact.first(self.query);
         self.answer(by_filter, FirstContact::time, |first| first)
     }
@@ -115,6 +119,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// All times of the step at which the primitives touch.
     #[must_use]
     pub fn intervals(&self) -> Intervals {
+        K::intervals(self)
+    }
+
+    pub(crate) fn determine_intervals(&self) -> Intervals {
         self.answer(
             |contact| contact.intervals(self.query),
             FirstContact::intervals,
@@ -125,6 +133,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The first time at which the primitives touch, with the closest points then.
     #[must_use]
     pub fn impact(&self) -> Impact {
+        K::impact(self)
+    }
+
+    pub(crate) fn determine_impact(&self) -> Impact {
         self.answer(
             |contact| contact.impact(self.query),
             FirstContact::impact,

@@ -7,8 +7,16 @@
 
 use core::fmt::Debug;
 
+use crate::answers;
 use crate::batch::Batch;
+use crate::collision::Collision;
+use crate::impact::Impact;
+use crate::interval::Intervals;
+use crate::options::Options;
 use crate::point::Point;
+use crate::query::Query;
+use crate::stage::Stage;
+use crate::time::ContactTime;
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
 pub(crate) type Difference = (usize, usize);
@@ -86,10 +94,55 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
-    /// Runs a batch. A function of each kind, not a generic one, so that this crate contains the vector
-    /// code, and the crates that call it do not compile it again.
+    // The algorithms are functions of each kind, not generic ones, so that this crate contains their code, and the
+    // crates that call them do not compile it again.
     #[doc(hidden)]
     fn run(batch: Batch<'_, Self>);
+    #[doc(hidden)]
+    fn collides(query: &Query<Self>, options: Options) -> bool;
+    #[doc(hidden)]
+    fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage);
+    #[doc(hidden)]
+    fn time(collision: &Collision<'_, Self>) -> ContactTime;
+    #[doc(hidden)]
+    fn intervals(collision: &Collision<'_, Self>) -> Intervals;
+    #[doc(hidden)]
+    fn impact(collision: &Collision<'_, Self>) -> Impact;
+}
+
+/// The algorithms of a kind.
+macro_rules! algorithms {
+    () => {
+        #[inline(never)]
+        fn run(batch: Batch<'_, Self>) {
+            batch.run();
+        }
+
+        #[inline(never)]
+        fn collides(query: &Query<Self>, options: Options) -> bool {
+            answers::collides(query, &options)
+        }
+
+        #[inline(never)]
+        fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage) {
+            answers::decide(query, &options)
+        }
+
+        #[inline(never)]
+        fn time(collision: &Collision<'_, Self>) -> ContactTime {
+            collision.determine_time()
+        }
+
+        #[inline(never)]
+        fn intervals(collision: &Collision<'_, Self>) -> Intervals {
+            collision.determine_intervals()
+        }
+
+        #[inline(never)]
+        fn impact(collision: &Collision<'_, Self>) -> Impact {
+            collision.determine_impact()
+        }
+    };
 }
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
@@ -113,10 +166,7 @@ impl Kind for VertexFace {
     type Vertices = [u32; 4];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for EdgeEdge {
@@ -124,10 +174,7 @@ impl Kind for EdgeEdge {
     type Vertices = [u32; 4];
     const FIRST: usize = 2;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for VertexEdge {
@@ -135,10 +182,7 @@ impl Kind for VertexEdge {
     type Vertices = [u32; 3];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for VertexVertex {
@@ -146,10 +190,7 @@ impl Kind for VertexVertex {
     type Vertices = [u32; 2];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 const fn side(

@@ -10,7 +10,7 @@ mod rows;
 
 pub use instructions::Instructions;
 
-use fearless_simd::dispatch;
+use instructions::dispatch;
 
 use super::run::Batch;
 use crate::filter::Touching;
