@@ -43,6 +43,24 @@ impl Aabb {
         }
     }
 
+    /// Returns true if a point is in the box.
+    #[must_use]
+    pub fn contains(&self, point: &Point) -> bool {
+        (0..3).all(|axis| (self.lower[axis]..=self.upper[axis]).contains(&point[axis]))
+    }
+
+    /// The center, rounded. NaN for an empty box.
+    #[must_use]
+    pub fn center(&self) -> Point {
+        core::array::from_fn(|axis| 0.5 * (self.lower[axis] + self.upper[axis]))
+    }
+
+    /// The lengths of the sides, rounded.
+    #[must_use]
+    pub fn sides(&self) -> Point {
+        core::array::from_fn(|axis| self.upper[axis] - self.lower[axis])
+    }
+
     /// Returns true if the boxes have a common point. Boxes that touch have one.
     #[must_use]
     #[inline]

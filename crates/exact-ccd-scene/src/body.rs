@@ -3,21 +3,18 @@
 use std::path::Path;
 
 use exact_ccd_files::Group;
+use exact_ccd_sim::{Body, BodyKind, Region};
 
-use super::description::BodyDescription;
+use super::description::{BodyDescription, RegionDescription};
+use super::document::FieldError;
 use super::mesh::Mesh;
-use exact_ccd_sim::{Body, BodyKind};
 
-/// The described body, without its regions, and the groups of its mesh; or the invalid field with a message.
-pub(super) fn load(
-    described: &BodyDescription,
-    folder: &Path,
-) -> Result<(Body, Vec<Group>), (&'static str, String)> {
-    if let [first, second, ..] = described.materials()[..] {
-        return Err((
-            second,
-            format!("the body has both `{first}` and `{second}`, expected at most one material"),
-        ));
+/// The described body, and the groups of its mesh.
+pub(super) fn load(described: &BodyDescription, folder: &Path) -> Result<(Body, Vec<Group>), FieldError> {
+    let materials = described.materials();
+    if let [first, second, ..] = materials[..] {
+        let message = format!("the body has both `{first}` and `{second}`, expected at most one material");
+        return Err(FieldError::new(second, message));
     }
     let Mesh {
         points,
@@ -26,27 +23,33 @@ pub(super) fn load(
         tetrahedra,
         groups,
     } = mesh(described, folder)?;
+    let regions = regions(&described.region, described.solid.is_some(), &groups)?;
+    let cells = match (faces.is_empty(), edges.is_empty()) {
+        (false, _) => "faces",
+        (true, false) => "edges",
+        (true, true) => "no edges",
+    };
     let kind = if let Some(material) = described.solid {
         if tetrahedra.is_empty() {
             let message =
                 "the mesh of the solid has no tetrahedra, expected a .msh file with tetrahedra or a box";
-            return Err(("solid", message.to_owned()));
+            return Err(FieldError::new("solid", message));
         }
         BodyKind::Solid {
             tetrahedra,
             material,
-            regions: Vec::new(),
+            regions,
         }
     } else if let Some(material) = described.rod {
-        if let Some(cells) = other_than_edges(&faces, &edges) {
+        if cells != "edges" {
             let message = format!("the mesh of the rod has {cells}, expected edges only");
-            return Err(("rod", message));
+            return Err(FieldError::new("rod", message));
         }
         BodyKind::Rod { edges, material }
     } else if let Some(material) = described.particles {
-        if !faces.is_empty() || !edges.is_empty() {
+        if cells != "no edges" {
             let message = "the mesh of the particles has faces or edges, expected points only";
-            return Err(("particles", message.to_owned()));
+            return Err(FieldError::new("particles", message));
         }
         BodyKind::Particles { material }
     } else if let Some(material) = described.shell {
@@ -54,87 +57,73 @@ pub(super) fn load(
     } else {
         BodyKind::Obstacle { faces }
     };
-    check_placement(described)?;
-    let points = points.into_iter().map(|point| described.place(point)).collect();
-    let velocity = described.velocity;
+    let placement = described.placement();
+    placement.check()?;
     let body = Body {
         name: described.name.clone(),
-        points,
+        points: placement.all(&points),
         kind,
-        velocity,
+        velocity: described.velocity,
         angular_velocity: described.angular_velocity,
         offset: described.offset,
     };
     Ok((body, groups))
 }
 
-/// The cells of a mesh that a rod cannot have, in words.
-fn other_than_edges(faces: &[[u32; 3]], edges: &[[u32; 2]]) -> Option<&'static str> {
-    if !faces.is_empty() {
-        Some("faces")
-    } else if edges.is_empty() {
-        Some("no edges")
-    } else {
-        None
-    }
+/// The described regions of a mesh with these groups.
+fn regions(
+    described: &[RegionDescription],
+    is_solid: bool,
+    groups: &[Group],
+) -> Result<Vec<Region>, FieldError> {
+    let region = |region: &RegionDescription| {
+        if !is_solid {
+            return Err(
+                "only a solid has regions, expected `solid` with the material of the rest".to_owned(),
+            );
+        }
+        let found = region.group.find(groups)?;
+        let tetrahedra: Vec<u32> = found.iter().flat_map(|group| &group.cells).copied().collect();
+        if tetrahedra.is_empty() {
+            return Err("the group has no tetrahedra, expected a physical group of a volume".to_owned());
+        }
+        let material = region.solid;
+        Ok(Region { tetrahedra, material })
+    };
+    let numbered = described.iter().enumerate();
+    numbered
+        .map(|(number, described)| {
+            region(described).map_err(|message| FieldError::new(format!("region.{number}.group"), message))
+        })
+        .collect()
 }
 
 /// The mesh of a body, from its file or its shape.
-fn mesh(described: &BodyDescription, folder: &Path) -> Result<Mesh, (&'static str, String)> {
+fn mesh(described: &BodyDescription, folder: &Path) -> Result<Mesh, FieldError> {
     match (&described.mesh, described.shape) {
         (Some(path), None) => {
             let path = folder.join(path);
-            if !path.is_file() {
-                let file = path.display();
-                let message = if path.is_dir() {
-                    format!("{file} is a folder, expected a mesh file")
-                } else {
-                    format!(
-                        "the file {file} does not exist: mesh files are read from the folder of the scene, \
-                         or from that of `--meshes`"
-                    )
-                };
-                return Err(("mesh", message));
-            }
-            Mesh::read(&path).map_err(|message| ("mesh", message))
+            let file = path.display();
+            let mesh = if path.is_file() {
+                Mesh::read(&path)
+            } else if path.is_dir() {
+                Err(format!("{file} is a folder, expected a mesh file"))
+            } else {
+                Err(format!(
+                    "the file {file} does not exist: mesh files are read from the folder of the scene, \
+                     or from that of `--meshes`"
+                ))
+            };
+            mesh.map_err(|message| FieldError::new("mesh", message))
         }
-        (None, Some(shape)) => Mesh::generate(shape).map_err(|message| ("shape", message)),
-        (Some(_), Some(_)) => Err((
-            "shape",
-            "the body has both `mesh` and `shape`, expected one of them".to_owned(),
-        )),
-        (None, None) => Err((
-            "mesh",
-            "the body has no mesh, expected `mesh` with a file or `shape`".to_owned(),
-        )),
-    }
-}
-
-/// Checks `scale`, `rotate` and `translate`.
-fn check_placement(described: &BodyDescription) -> Result<(), (&'static str, String)> {
-    if !described.scale.is_valid() {
-        let factors = described.scale.factors();
-        let message = format!("the scale factors are {factors:?}, expected finite numbers other than 0");
-        return Err(("scale", message));
-    }
-    if let Some(rotation) = described.rotate {
-        if !rotation.has_axis() {
-            let axis = rotation.axis;
-            let message = format!("the axis is {axis:?}, expected a vector of positive length");
-            return Err(("rotate", message));
+        (None, Some(shape)) => Mesh::generate(shape).map_err(|message| FieldError::new("shape", message)),
+        (Some(_), Some(_)) => {
+            let message = "the body has both `mesh` and `shape`, expected one of them";
+            Err(FieldError::new("shape", message))
         }
-        if !rotation.degrees.is_finite() {
-            let degrees = rotation.degrees;
-            return Err((
-                "rotate",
-                format!("the angle is {degrees} degrees, expected a finite number"),
-            ));
+        (None, None) => {
+            let message = "the body has no mesh, expected `mesh` with a file or `shape`";
+            Err(FieldError::new("mesh", message))
         }
     }
-    let translation = described.translate;
-    if translation.iter().any(|x| !x.is_finite()) {
-        let message = format!("the translation is {translation:?}, expected finite numbers");
-        return Err(("translate", message));
-    }
-    Ok(())
 }

@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 
 use exact_ccd_mesh::Point;
-use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use super::group::GroupKey;
 use super::half_spaces;
-use super::placement::{Rotation, Scale};
+use super::placement::{Placement, Rotation, Scale};
 use super::rendering::Rendering;
 use exact_ccd_mesh::HalfSpace;
 use exact_ccd_sim::Force;
@@ -156,12 +155,28 @@ impl BodyDescription {
         given.map(|(key, _)| key).collect()
     }
 
-    /// The position in the scene of a point of the mesh.
-    #[must_use]
-    pub(super) fn place(&self, point: Point) -> Point {
-        let scaled = self.scale.apply(point);
-        let rotated = self.rotate.map_or(scaled, |rotation| rotation.apply(scaled));
-        (rotated + Vector3::from(self.translate)).into()
+    /// The placement of its mesh.
+    pub(super) fn placement(&self) -> Placement {
+        Placement {
+            scale: self.scale,
+            rotate: self.rotate,
+            translate: self.translate,
+        }
+    }
+
+    /// The same body at another place.
+    pub(super) fn at(self, placement: Placement) -> Self {
+        let Placement {
+            scale,
+            rotate,
+            translate,
+        } = placement;
+        Self {
+            scale,
+            rotate,
+            translate,
+            ..self
+        }
     }
 
     /// The key of the material, for messages.

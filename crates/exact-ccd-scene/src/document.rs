@@ -3,6 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::import::ImportError;
@@ -37,11 +38,23 @@ pub enum SceneError {
     },
 }
 
-/// One component of the path of a field.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Key<'a> {
-    Name(&'a str),
-    Index(usize),
+/// A field with the message of its error. Its path has dots between keys and places in arrays, from 0:
+/// `body.0.script.1.axes`.
+pub(super) struct FieldError {
+    pub(super) path: String,
+    pub(super) message: String,
+}
+
+impl FieldError {
+    pub(super) fn new(path: impl Into<String>, message: impl ToString) -> Self {
+        let (path, message) = (path.into(), message.to_string());
+        Self { path, message }
+    }
+
+    /// The same error, of a field below another one.
+    pub(super) fn below(self, path: &str) -> Self {
+        Self::new(format!("{path}.{}", self.path), self.message)
+    }
 }
 
 /// The text of a scene file.
@@ -53,41 +66,30 @@ pub(super) struct Document<'a> {
 impl Document<'_> {
     /// The error at a byte of the text, located at the innermost field that contains the byte.
     pub(super) fn error_at(&self, byte: usize, message: impl FnOnce(&str) -> String) -> SceneError {
-        let mut field = String::new();
-        if let Ok(table) = DeTable::parse(self.text) {
-            in_table(table.get_ref(), byte, &mut field);
+        let root = self.root();
+        let mut path = Vec::new();
+        if let Some(root) = &root {
+            add_path(root, byte, &mut path);
         }
-        let message = message(&field);
-        self.error(byte, field, &message)
+        let (name, _) = located(root.as_ref(), path.iter().map(String::as_str));
+        let message = message(&name);
+        self.error(byte, name, message)
     }
 
     /// The error of a field. If the file lacks the field, its line is that of the innermost table that
     /// should contain it.
-    pub(super) fn error_of(&self, path: &[Key<'_>], message: &str) -> SceneError {
-        let mut byte = 0;
-        let mut name = String::new();
-        let table = DeTable::parse(self.text);
-        let mut value: Option<&DeValue<'_>> = None;
-        for (depth, &key) in path.iter().enumerate() {
-            let next = match (key, value, &table) {
-                (Key::Name(key), None, Ok(table)) if depth == 0 => table.get_ref().get(key),
-                (Key::Name(key), Some(DeValue::Table(table)), _) => table.get(key),
-                (Key::Index(index), Some(DeValue::Array(array)), _) => array.get(index),
-                _ => None,
-            };
-            value = next.map(|next| {
-                byte = next.span().start;
-                next.get_ref()
-            });
-            match key {
-                Key::Name(key) => push(&mut name, key),
-                Key::Index(index) => push_entry(&mut name, index, value),
-            }
-        }
+    pub(super) fn error_of(&self, FieldError { path, message }: FieldError) -> SceneError {
+        let keys = path.split('.').filter(|key| !key.is_empty());
+        let (name, byte) = located(self.root().as_ref(), keys);
         self.error(byte, name, message)
     }
 
-    fn error(&self, byte: usize, field: String, message: &str) -> SceneError {
+    fn root(&self) -> Option<DeValue<'_>> {
+        let table = DeTable::parse(self.text).ok()?;
+        Some(DeValue::Table(table.into_inner()))
+    }
+
+    fn error(&self, byte: usize, field: String, message: String) -> SceneError {
         let before = self.text.as_bytes().iter().take(byte);
         SceneError::Field {
             file: self.file.to_owned(),
@@ -97,71 +99,63 @@ impl Document<'_> {
             } else {
                 field
             },
-            message: message.to_owned(),
+            message,
         }
     }
 }
 
-/// Appends a key to a path.
-fn push(path: &mut String, key: &str) {
-    if path.ends_with('`') {
-        path.push_str(", ");
-    } else if !path.is_empty() {
-        path.push('.');
+/// The name of a field in messages, and the first byte of the innermost value on the way to it.
+fn located<'a>(root: Option<&DeValue<'_>>, path: impl Iterator<Item = &'a str>) -> (String, usize) {
+    let (mut name, mut byte, mut value) = (String::new(), 0, root);
+    for key in path {
+        let array = value.and_then(DeValue::as_array);
+        let table = value.and_then(DeValue::as_table);
+        let entry = array.and_then(|array| array.get(key.parse::<usize>().ok()?));
+        let next = entry.or_else(|| table?.get(key));
+        if let Some(next) = next {
+            byte = next.span().start;
+        }
+        value = next.map(Spanned::get_ref);
+        let own = value.and_then(|entry| entry.as_table()?.get("name")?.get_ref().as_str());
+        name += &match own.filter(|name| !name.is_empty()) {
+            Some(own) if array.is_some() => format!(" `{own}`"),
+            _ if array.is_some() => format!("[{key}]"),
+            _ if name.ends_with('`') => format!(", {key}"),
+            _ if name.is_empty() => key.to_owned(),
+            _ => format!(".{key}"),
+        };
     }
-    path.push_str(key);
+    (name, byte)
 }
 
-/// Appends the entry of an array to a path: its name, or else its place.
-fn push_entry(path: &mut String, index: usize, entry: Option<&DeValue<'_>>) {
-    let name = match entry {
-        Some(DeValue::Table(table)) => table.get("name").map(toml::Spanned::get_ref),
+/// Adds the keys from a value to the innermost value that contains a byte.
+fn add_path(value: &DeValue<'_>, byte: usize, path: &mut Vec<String>) {
+    let inner = match value {
+        DeValue::Table(table) => table.iter().find_map(|(key, value)| {
+            let is_here = key.span().contains(&byte) || contains(value, byte);
+            is_here.then(|| (key.get_ref().to_string(), value))
+        }),
+        DeValue::Array(array) => array
+            .iter()
+            .enumerate()
+            .find_map(|(index, value)| contains(value, byte).then(|| (index.to_string(), value))),
         _ => None,
     };
-    match name {
-        Some(DeValue::String(name)) if !name.is_empty() => *path += &format!(" `{name}`"),
-        _ => *path += &format!("[{index}]"),
-    }
-}
-
-/// Appends the path from a table to the value at a byte.
-fn in_table(table: &DeTable<'_>, byte: usize, name: &mut String) {
-    for (key, value) in table {
-        if key.span().contains(&byte) || contains(value.get_ref(), value.span(), byte) {
-            push(name, key.get_ref());
-            in_value(value.get_ref(), byte, name);
-            return;
-        }
-    }
-}
-
-fn in_value(value: &DeValue<'_>, byte: usize, name: &mut String) {
-    match value {
-        DeValue::Table(table) => in_table(table, byte, name),
-        DeValue::Array(array) => {
-            let place = array
-                .iter()
-                .position(|value| contains(value.get_ref(), value.span(), byte));
-            if let Some((index, value)) = place.and_then(|index| Some((index, array.get(index)?))) {
-                push_entry(name, index, Some(value.get_ref()));
-                in_value(value.get_ref(), byte, name);
-            }
-        }
-        _ => {}
+    if let Some((key, value)) = inner {
+        path.push(key);
+        add_path(value.get_ref(), byte, path);
     }
 }
 
 /// True if a byte belongs to a value. The span of a table with a header is only the header, so the entries
 /// of the table are searched too.
-fn contains(value: &DeValue<'_>, span: std::ops::Range<usize>, byte: usize) -> bool {
-    span.contains(&byte)
-        || match value {
-            DeValue::Table(table) => table.iter().any(|(key, value)| {
-                key.span().contains(&byte) || contains(value.get_ref(), value.span(), byte)
-            }),
-            DeValue::Array(array) => array
+fn contains(value: &Spanned<DeValue<'_>>, byte: usize) -> bool {
+    value.span().contains(&byte)
+        || match value.get_ref() {
+            DeValue::Table(table) => table
                 .iter()
-                .any(|value| contains(value.get_ref(), value.span(), byte)),
+                .any(|(key, value)| key.span().contains(&byte) || contains(value, byte)),
+            DeValue::Array(array) => array.iter().any(|value| contains(value, byte)),
             _ => false,
         }
 }

@@ -42,7 +42,6 @@ mod locate;
 mod mesh;
 mod parse;
 mod placement;
-mod region;
 mod rendering;
 mod selection;
 

@@ -2,24 +2,17 @@
 
 use std::path::Path;
 
+use exact_ccd_sim::{
+    Body, Checkpoint, Load, Scripted, Settings, Simulation, SimulationError, StepFilter, System,
+};
+
 use super::body::load;
-use super::description::Axis;
-use super::document::{Document, Key, SceneError};
+use super::description::{Axis, BodyDescription, Description, Selection};
+use super::document::{Document, FieldError, SceneError};
 use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;
-use super::region;
 use super::rendering::Rendering;
-use super::selection::select;
-use exact_ccd_sim::Checkpoint;
-use exact_ccd_sim::Load;
-use exact_ccd_sim::Scripted;
-use exact_ccd_sim::Settings;
-use exact_ccd_sim::StepFilter;
-use exact_ccd_sim::System;
-use exact_ccd_sim::{Simulation, SimulationError};
-
-use Key::{Index, Name};
 
 /// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with
 /// the names that there are.
@@ -85,96 +78,41 @@ impl Scene {
     ) -> Result<Self, SceneError> {
         let document = Document { file, text };
         let description = parse(&document)?;
+        let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
+        let scene = Self::of(description, folder, filter_by_name);
+        scene.map_err(|error| document.error_of(error))
+    }
+
+    /// The described scene, with mesh files in a folder.
+    fn of(
+        description: Description,
+        folder: &Path,
+        filter_by_name: &FilterByName<'_>,
+    ) -> Result<Self, FieldError> {
         let Some(duration) = description.duration else {
             let message = "the key `duration` is missing, expected a number of seconds";
-            return Err(document.error_of(&[], message));
+            return Err(FieldError::new("", message));
         };
-        let checked = description.render.check();
-        checked.map_err(|(field, message)| document.error_of(&[Name("render"), Name(field)], &message))?;
-        let settings = description.settings.clone();
-        let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
-
+        description
+            .render
+            .check()
+            .map_err(|error| error.below("render"))?;
         if description.body.is_empty() {
             let message = "the scene has no body, expected at least one `[[body]]`";
-            return Err(document.error_of(&[Name("body")], message));
+            return Err(FieldError::new("body", message));
         }
-        let mut bodies = Vec::new();
-        let mut scripts = Vec::new();
-        let mut loads = Vec::new();
-        let mut first = 0;
+        let mut parts = Parts::default();
         for (index, described) in description.body.iter().enumerate() {
-            let (mut body, groups) = load(described, folder).map_err(|(field, message)| {
-                document.error_of(&[Name("body"), Index(index), Name(field)], &message)
-            })?;
-            region::add(&described.region, &groups, &mut body).map_err(|(number, message)| {
-                let path = [
-                    Name("body"),
-                    Index(index),
-                    Name("region"),
-                    Index(number),
-                    Name("group"),
-                ];
-                document.error_of(&path, &message)
-            })?;
-            for (number, script) in described.script.iter().enumerate() {
-                let of_script = |field| {
-                    [
-                        Name("body"),
-                        Index(index),
-                        Name("script"),
-                        Index(number),
-                        Name(field),
-                    ]
-                };
-                let selected = select(&script.vertices, &body.points, &groups, first)
-                    .map_err(|message| document.error_of(&of_script("vertices"), &message))?;
-                let scripted = Scripted {
-                    vertices: selected,
-                    script: script.motion.clone(),
-                    axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
-                    from: script.from,
-                    release: script.release,
-                };
-                scripted.check().map_err(|error| {
-                    let names = error.field.split('.').map(Name);
-                    let motion = error.field.contains('.').then_some(Name("motion"));
-                    let path = [Name("body"), Index(index), Name("script"), Index(number)];
-                    let path: Vec<Key<'_>> = path.into_iter().chain(motion).chain(names).collect();
-                    document.error_of(&path, &error.to_string())
-                })?;
-                scripts.push(scripted);
-            }
-            for (number, load) in described.load.iter().enumerate() {
-                let of_load = |field| {
-                    [
-                        Name("body"),
-                        Index(index),
-                        Name("load"),
-                        Index(number),
-                        Name(field),
-                    ]
-                };
-                let vertices = select(&load.vertices, &body.points, &groups, first)
-                    .map_err(|message| document.error_of(&of_load("vertices"), &message))?;
-                let load = Load {
-                    vertices,
-                    force: load.force,
-                    from: load.from,
-                    until: load.until,
-                };
-                load.check()
-                    .map_err(|error| document.error_of(&of_load(error.field), &error.to_string()))?;
-                loads.push(load);
-            }
-            first += body.points.len() as u32;
-            bodies.push(body);
+            let added = parts.add(described, folder);
+            added.map_err(|error| error.below(&format!("body.{index}")))?;
         }
-        let system = System::new(&bodies, &scripts)
+        let system = System::new(&parts.bodies, &parts.scripts)
             .and_then(|system| system.with_half_spaces(description.half_space.clone()))
-            .and_then(|system| system.with_loads(loads))
-            .map_err(|error| of_system(&document, &description, &error))?;
+            .and_then(|system| system.with_loads(parts.loads))
+            .map_err(|error| of_system(&description, &error))?;
+        let settings = description.settings;
         let filter = filter_by_name(&settings.ccd, &system)
-            .map_err(|message| document.error_of(&[Name("settings"), Name("ccd")], &message))?;
+            .map_err(|message| FieldError::new("settings.ccd", message))?;
         let mut scene = Self {
             system,
             settings,
@@ -184,10 +122,9 @@ impl Scene {
             notes: Vec::new(),
         };
         // A simulation checks the settings, of which the number of steps needs a positive time step.
-        scene
-            .simulation()
-            .map_err(|error| of_simulation(&document, &scene.system, &error))?;
-        scene.steps = steps(&document, duration, scene.settings.time_step)?;
+        let simulation = scene.simulation();
+        simulation.map_err(|error| of_simulation(&scene.system, &error))?;
+        scene.steps = steps(duration, scene.settings.time_step)?;
         Ok(scene)
     }
 
@@ -212,16 +149,61 @@ impl Scene {
     }
 }
 
+/// The bodies of a scene with their scripts and loads.
+#[derive(Default)]
+struct Parts {
+    bodies: Vec<Body>,
+    scripts: Vec<Scripted>,
+    loads: Vec<Load>,
+    vertex_count: u32,
+}
+
+impl Parts {
+    fn add(&mut self, described: &BodyDescription, folder: &Path) -> Result<(), FieldError> {
+        let (body, groups) = load(described, folder)?;
+        let selected = |selection: &Selection, number| {
+            let selected = selection.vertices(&body.points, &groups, self.vertex_count);
+            selected.map_err(|message| FieldError::new(format!("{number}.vertices"), message))
+        };
+        for (number, script) in described.script.iter().enumerate() {
+            let scripted = Scripted {
+                vertices: selected(&script.vertices, number).map_err(|error| error.below("script"))?,
+                script: script.motion.clone(),
+                axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
+                from: script.from,
+                release: script.release,
+            };
+            scripted.check().map_err(|error| {
+                let motion = if error.field.contains('.') { "motion" } else { "" };
+                FieldError::new(format!("script.{number}.{motion}.{}", error.field), error)
+            })?;
+            self.scripts.push(scripted);
+        }
+        for (number, load) in described.load.iter().enumerate() {
+            let load = Load {
+                vertices: selected(&load.vertices, number).map_err(|error| error.below("load"))?,
+                force: load.force,
+                from: load.from,
+                until: load.until,
+            };
+            let checked = load.check();
+            checked.map_err(|error| FieldError::new(format!("load.{number}.{}", error.field), error))?;
+            self.loads.push(load);
+        }
+        self.vertex_count += body.points.len() as u32;
+        self.bodies.push(body);
+        Ok(())
+    }
+}
+
 /// The duration as a number of time steps.
-fn steps(document: &Document<'_>, duration: f64, time_step: f64) -> Result<u64, SceneError> {
+fn steps(duration: f64, time_step: f64) -> Result<u64, FieldError> {
     // Bounded so that the cast to u64 is exact.
     let steps = (duration / time_step).round();
     if duration >= 0.0 && steps < 1e15 {
-        Ok(steps as u64)
-    } else {
-        let message = format!(
-            "the duration is {duration} s, expected a number not below 0, of fewer than 10¹⁵ time steps"
-        );
-        Err(document.error_of(&[Name("duration")], &message))
+        return Ok(steps as u64);
     }
+    let message =
+        format!("the duration is {duration} s, expected a number not below 0, of fewer than 10¹⁵ time steps");
+    Err(FieldError::new("duration", message))
 }

@@ -85,31 +85,21 @@ impl Mesh {
             Shape::Knot { edges, length } => shapes::knot(edges, length),
             Shape::Points { counts, size } => shapes::particles(counts, size),
         };
-        Ok(match kind {
-            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => Self {
-                points,
-                faces,
-                ..Self::default()
-            },
+        let mut mesh = Self {
+            points,
+            ..Self::default()
+        };
+        match kind {
+            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => mesh.faces = faces,
             BodyKind::Solid { tetrahedra, .. } => {
-                let mesh = TetMesh::new(points.clone(), tetrahedra.clone());
-                let mesh = mesh.map_err(|error| error.to_string())?;
-                Self {
-                    faces: mesh.surface().to_vec(),
-                    points,
-                    tetrahedra,
-                    ..Self::default()
-                }
+                let solid = TetMesh::new(mesh.points.clone(), tetrahedra);
+                let solid = solid.map_err(|error| error.to_string())?;
+                mesh.faces = solid.surface().to_vec();
+                mesh.tetrahedra = solid.tetrahedra().to_vec();
             }
-            BodyKind::Rod { edges, .. } => Self {
-                points,
-                edges,
-                ..Self::default()
-            },
-            BodyKind::Particles { .. } => Self {
-                points,
-                ..Self::default()
-            },
-        })
+            BodyKind::Rod { edges, .. } => mesh.edges = edges,
+            BodyKind::Particles { .. } => {}
+        }
+        Ok(mesh)
     }
 }

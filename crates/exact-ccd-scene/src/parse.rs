@@ -3,46 +3,38 @@
 use toml::de::{DeTable, DeValue};
 
 use super::description::Description;
-use super::document::{Document, Key, SceneError};
-
-use Key::{Index, Name};
+use super::document::{Document, FieldError, SceneError};
 
 /// The contents of a scene file.
 pub(super) fn parse(document: &Document<'_>) -> Result<Description, SceneError> {
-    if let Some(error) = table_for_array(document) {
-        return Err(error);
+    if let Some(path) = table_for_array(document.text) {
+        let keys = path.split('.').filter(|key| key.parse::<usize>().is_err());
+        let name = keys.collect::<Vec<_>>().join(".");
+        let message = format!("found the table `[{name}]`, expected an array of tables: write `[[{name}]]`");
+        return Err(document.error_of(FieldError::new(path, message)));
     }
     toml::from_str(document.text).map_err(|error| {
         let message = error.message();
         match error.span() {
             Some(span) => document.error_at(span.start, |field| readable(message, field)),
-            None => document.error_of(&[], &readable(message, "")),
+            None => document.error_of(FieldError::new("", readable(message, ""))),
         }
     })
 }
 
-/// The error of `[body]`, or of one of its tables as `[body.script]`, in single brackets, if there is one.
-fn table_for_array(document: &Document<'_>) -> Option<SceneError> {
-    let table = DeTable::parse(document.text).ok()?;
-    let error = |path: &[Key<'_>], name: &str| {
-        let message = format!("found the table `[{name}]`, expected an array of tables: write `[[{name}]]`");
-        Some(document.error_of(path, &message))
+/// The path of `[body]`, or of one of its tables as `[body.script]`, in single brackets, if there is one.
+fn table_for_array(text: &str) -> Option<String> {
+    let table = DeTable::parse(text).ok()?;
+    let bodies = match table.get_ref().get("body")?.get_ref() {
+        DeValue::Table(_) => return Some("body".to_owned()),
+        bodies => bodies.as_array()?,
     };
-    match table.get_ref().get("body")?.get_ref() {
-        DeValue::Table(_) => error(&[Name("body")], "body"),
-        DeValue::Array(bodies) => bodies.iter().enumerate().find_map(|(index, body)| {
-            let DeValue::Table(body) = body.get_ref() else {
-                return None;
-            };
-            ["script", "load", "region"].into_iter().find_map(|name| {
-                let DeValue::Table(_) = body.get(name)?.get_ref() else {
-                    return None;
-                };
-                error(&[Name("body"), Index(index), Name(name)], &format!("body.{name}"))
-            })
-        }),
-        _ => None,
-    }
+    bodies.iter().enumerate().find_map(|(index, body)| {
+        let body = body.get_ref().as_table()?;
+        let is_single = |name: &&str| body.get(*name).is_some_and(|value| value.get_ref().is_table());
+        let single = ["script", "load", "region"].into_iter().find(is_single)?;
+        Some(format!("body.{index}.{single}"))
+    })
 }
 
 /// Numeric types in messages of the TOML parser, with their names for users.

@@ -3,6 +3,8 @@
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
+use super::document::FieldError;
+
 /// The settings of the pictures, `[render]`. The simulation does not depend on them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields, rename_all = "kebab-case")]
@@ -69,8 +71,8 @@ impl Rendering {
         *self == Self::default()
     }
 
-    /// Checks all settings. The error is the name of the first one that is out of range, and a message.
-    pub(super) fn check(&self) -> Result<(), (&'static str, String)> {
+    /// Checks all settings.
+    pub(super) fn check(&self) -> Result<(), FieldError> {
         let is_direction = |vector: Option<Point>| {
             vector.is_none_or(|x| x.iter().all(|x| x.is_finite()) && x.iter().any(|&x| x != 0.0))
         };
@@ -79,20 +81,14 @@ impl Rendering {
                 .all(|axis| lower[axis].is_finite() && upper[axis].is_finite() && lower[axis] <= upper[axis]),
             Subject::Moving | Subject::All => true,
         };
+        let is_size = self.size.iter().all(|side| (16..=4096).contains(side));
         let direction = "a direction that is finite and not zero";
+        let corners = "finite corners, `lower` not above `upper` along any axis";
         let checks = [
-            (
-                "size",
-                self.size.iter().all(|side| (16..=4096).contains(side)),
-                "a width and a height from 16 to 4096 pixels",
-            ),
+            ("size", is_size, "a width and a height from 16 to 4096 pixels"),
             ("up", is_direction(self.up), direction),
             ("camera", is_direction(self.camera), direction),
-            (
-                "subject",
-                is_box,
-                "finite corners, `lower` not above `upper` along any axis",
-            ),
+            ("subject", is_box, corners),
             (
                 "speed",
                 self.speed > 0.0 && self.speed.is_finite(),
@@ -101,7 +97,10 @@ impl Rendering {
         ];
         match checks.iter().find(|(_, is_in_range, _)| !is_in_range) {
             None => Ok(()),
-            Some((field, _, expected)) => Err((field, format!("out of range, expected {expected}"))),
+            Some((field, _, expected)) => Err(FieldError::new(
+                *field,
+                format!("out of range, expected {expected}"),
+            )),
         }
     }
 }

@@ -6,18 +6,17 @@
 mod fault;
 mod ipc;
 mod meshes;
+mod notes;
 mod polyfem;
-mod pose;
-mod selection;
-mod text;
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 pub use fault::{ImportError, Place, Problem};
+pub use notes::Note;
 
-use super::description::Description;
 use meshes::Meshes;
+use notes::Notes;
 
 /// A scene of another program as a TOML file.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,25 +28,6 @@ pub struct Imported {
     /// The entries of the file without a meaning in scenes of this program that do not change the motion, or
     /// only by as much as the methods of both programs differ.
     pub notes: Vec<Note>,
-}
-
-/// An entry of a file that is ignored.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{}, {place}: {message}", file.display())]
-pub struct Note {
-    /// The file.
-    pub file: PathBuf,
-    /// The place of the entry.
-    pub place: Place,
-    /// The reason.
-    pub message: String,
-}
-
-/// A description with its notes, of which the file is not known yet.
-#[derive(Debug)]
-struct Draft {
-    description: Description,
-    notes: Vec<(Place, String)>,
 }
 
 /// A program of which the scenes are imported.
@@ -89,6 +69,7 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
     let Some(program) = Program::of(file) else {
         return Ok(None);
     };
+    let at_file = |problem: Problem| problem.at(&Place::Pointer(String::new())).in_file(file);
     let text = std::fs::read_to_string(file).map_err(|error| {
         let problem = match error.kind() {
             io::ErrorKind::InvalidData => {
@@ -96,23 +77,23 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
             }
             _ => Problem::File(error.to_string()),
         };
-        problem.at(&Place::Pointer(String::new())).in_file(file)
+        at_file(problem)
     })?;
-    let mut meshes = Meshes::new(file, meshes);
-    let draft = match program {
-        Program::Ipc => ipc::import(&text, &mut meshes),
-        Program::PolyFem => polyfem::import(&text, file.parent().unwrap_or(Path::new("")), &mut meshes),
+    let (mut meshes, notes) = (Meshes::new(file, meshes), Notes::default());
+    let description = match program {
+        Program::Ipc => ipc::import(&text, &mut meshes, &notes),
+        Program::PolyFem => {
+            let folder = file.parent().unwrap_or(Path::new(""));
+            polyfem::import(&text, folder, &mut meshes, &notes)
+        }
     };
-    let Draft { description, notes } = draft.map_err(|fault| fault.in_file(file))?;
-    let toml = text::toml(&description, program.name(), file).map_err(|fault| fault.in_file(file))?;
-    let note = |(place, message)| Note {
-        file: file.to_owned(),
-        place,
-        message,
-    };
+    let description = description.map_err(|fault| fault.in_file(file))?;
+    let toml = toml::to_string(&description).map_err(|error| at_file(Problem::File(error.to_string())))?;
+    let name = file.file_name().unwrap_or_default().to_string_lossy();
+    let name: String = name.chars().filter(|character| !character.is_control()).collect();
     Ok(Some(Imported {
-        toml,
+        toml: format!("# Imported from {name}, a scene of {}.\n{toml}", program.name()),
         meshes: meshes.folder().to_owned(),
-        notes: notes.into_iter().map(note).collect(),
+        notes: notes.in_file(file),
     }))
 }

@@ -213,7 +213,7 @@ fn numbers_out_of_range_are_reported_at_their_field() {
         (
             "lags = 2",
             "lags = 2\n[[settings.friction.pair]]\nbetween = [\"a\", \"b\"]\ncoefficient = -1.0",
-            "line 17, settings.friction.pair: `friction.pair` is -1, expected coefficients not below 0",
+            "line 17, settings.friction.pair: `friction.pair` is -1, expected a number not below 0",
         ),
         (
             "lags = 2",

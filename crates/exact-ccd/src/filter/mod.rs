@@ -23,10 +23,10 @@ mod vector;
 
 pub(crate) use contact::Contact;
 pub(crate) use cubic::Cubic;
-pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
+
 pub(crate) use gap::{Gap, Touching, Within};
 pub(crate) use hull::Hull;
 pub(crate) use nearness::{LEAST_UNTIL, decide_between, free_until};
-pub(crate) use number::{Lanes, Number, Points};
-pub(crate) use roundoff::UNIT;
+pub(crate) use number::{Lanes, Points};
+pub(crate) use roundoff::{UNIT, certain_sign};
 pub(crate) use screening::{Decision, Proved, Screened, decide, decide_near_plane, screen_planes};

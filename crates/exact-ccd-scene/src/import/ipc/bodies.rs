@@ -3,27 +3,23 @@
 use core::f64::consts::PI;
 
 use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_sim::Script;
 use nalgebra::Vector3;
 
-use super::super::fault::{Fault, Place, Problem};
+use super::super::fault::{Fault, Problem};
 use super::super::meshes::Meshes;
-use super::super::pose::Pose;
-use super::super::selection::of_vertices;
+use super::super::notes::Notes;
 use super::file::{File, Obstacle, Script as Motion};
 use super::part::Part;
 use super::shape;
-use crate::description::{BodyDescription, ScriptDescription};
-use exact_ccd_sim::Script;
+use crate::description::{BodyDescription, ScriptDescription, Selection};
+use crate::placement::{Placement, Scale};
 
 /// The angular velocity of the ends in `script twist`, in rad/s.
 const TWIST: f64 = 0.4 * PI;
 
 /// The bodies of a file: its shapes, then its obstacles.
-pub(super) fn bodies(
-    file: &File,
-    meshes: &mut Meshes,
-    notes: &mut Vec<(Place, String)>,
-) -> Result<Vec<BodyDescription>, Fault> {
+pub(super) fn bodies(file: &File, meshes: &mut Meshes, notes: &Notes) -> Result<Vec<BodyDescription>, Fault> {
     let parts: Result<Vec<Part<'_>>, Fault> = file
         .shapes
         .iter()
@@ -38,7 +34,7 @@ pub(super) fn bodies(
             let shift = Vector3::new(0.0, 0.5 * diagonal(&parts), 0.0);
             parts
                 .iter_mut()
-                .for_each(|part| part.place(part.pose.then(1.0, shift)));
+                .for_each(|part| part.place(part.body.placement().then(1.0, shift)));
         }
         Motion::Twist => twist(&mut parts, file.handle_ratio),
         Motion::BallHitsWall(velocity) => {
@@ -62,34 +58,26 @@ fn whole(parts: &[Part<'_>]) -> Aabb {
 
 /// The diagonal of the box of all vertices; 0 without vertices.
 fn diagonal(parts: &[Part<'_>]) -> f64 {
-    let Aabb { lower, upper } = whole(parts);
-    let length = (Vector3::from(upper) - Vector3::from(lower)).norm();
+    let length = Vector3::from(whole(parts).sides()).norm();
     if length.is_finite() { length } else { 0.0 }
 }
 
 /// Scales the scene to a box with the longest side `size`, and moves its lower corner to the origin.
 fn resize(parts: &mut [Part<'_>], size: f64) -> Result<(), Problem> {
-    let Aabb { lower, upper } = whole(parts);
-    let range = (Vector3::from(upper) - Vector3::from(lower)).max();
-    let factor = size / range;
-    if !(factor.is_normal() && range.is_normal()) {
-        return Err(Problem::invalid(
-            format!("shapes with a box of {range} m"),
-            "shapes with a box that can be scaled to this size",
-        ));
-    }
-    let shift = -Vector3::from(lower) * factor;
+    let bounds = whole(parts);
+    let factor = factor(size, &bounds, "shapes")?;
+    let shift = -Vector3::from(bounds.lower) * factor;
     parts
         .iter_mut()
-        .for_each(|part| part.place(part.pose.then(factor, shift)));
+        .for_each(|part| part.place(part.body.placement().then(factor, shift)));
     Ok(())
 }
 
 /// Turns the ends of the scene along x about the axis along x through the center of its box: all vertices
 /// within a fraction of the length of the box.
 fn twist(parts: &mut [Part<'_>], ratio: f64) {
-    let Aabb { lower, upper } = whole(parts);
-    let center = core::array::from_fn(|axis| 0.5 * (lower[axis] + upper[axis]));
+    let bounds = whole(parts);
+    let (center, Aabb { lower, upper }) = (bounds.center(), bounds);
     let margin = (upper[0] - lower[0]) * ratio;
     let rate_at = |point: &Point| {
         if point[0] < lower[0] + margin {
@@ -116,7 +104,7 @@ fn twist(parts: &mut [Part<'_>], ratio: f64) {
                 rate,
                 until: None,
             };
-            let vertices = of_vertices(&selected, &part.points);
+            let vertices = Selection::of_vertices(&selected, &part.points);
             part.body.script.push(ScriptDescription::new(vertices, motion));
         }
     }
@@ -127,29 +115,31 @@ fn twist(parts: &mut [Part<'_>], ratio: f64) {
 fn obstacle(described: &Obstacle, meshes: &mut Meshes) -> Result<BodyDescription, Fault> {
     let at_place = |problem: Problem| problem.at(&described.place);
     let (path, mesh) = meshes.find(&described.mesh).map_err(at_place)?;
-    let Aabb { lower, upper } = mesh.points.iter().copied().collect();
-    let range = (Vector3::from(upper) - Vector3::from(lower)).max();
-    let factor = described.scale / range;
-    if !(factor.is_normal() && range.is_normal()) {
-        let found = format!("a mesh with a box of {range} m");
-        return Err(at_place(Problem::invalid(
-            found,
-            "a mesh that can be scaled to this size",
-        )));
-    }
-    let rotation = shape::rotation(described.degrees);
-    let scaled = Pose {
-        scale: Vector3::from_element(factor),
-        rotation,
-        translation: Vector3::zeros(),
+    let bounds = mesh.points.iter().copied().collect();
+    let factor = factor(described.scale, &bounds, "a mesh").map_err(at_place)?;
+    let mut placement = Placement {
+        scale: Scale([factor; 3]),
+        rotate: shape::rotation(described.degrees),
+        translate: [0.0; 3],
     };
-    let mut body = BodyDescription {
+    let sum: Vector3<f64> = mesh.points.iter().map(|&point| Vector3::from(point)).sum();
+    let mean = placement.apply((sum / mesh.points.len() as f64).into());
+    placement.translate = (Vector3::from(described.origin) - Vector3::from(mean)).into();
+    let body = BodyDescription {
         mesh: Some(path),
         ..BodyDescription::default()
     };
-    scaled.apply(&mut body);
-    let sum: Vector3<f64> = mesh.points.iter().map(|&point| Vector3::from(point)).sum();
-    let mean = body.place((sum / mesh.points.len() as f64).into());
-    body.translate = (Vector3::from(described.origin) - Vector3::from(mean)).into();
-    Ok(body)
+    Ok(body.at(placement))
+}
+
+/// The factor that scales a box to a longest side of this length.
+fn factor(length: f64, bounds: &Aabb, what: &str) -> Result<f64, Problem> {
+    let range = Vector3::from(bounds.sides()).max();
+    let factor = length / range;
+    if factor.is_normal() && range.is_normal() {
+        return Ok(factor);
+    }
+    let found = format!("{what} with a box of {range} m");
+    let expected = format!("{what} with a box that can be scaled to this size");
+    Err(Problem::invalid(found, expected))
 }

@@ -1,26 +1,29 @@
 //! From the text of a scene to its entries.
 
 use exact_ccd_mesh::Point;
+use exact_ccd_sim::Length;
 
 use super::super::fault::{Fault, Problem};
-use super::file::{File, Obstacle, Plane, Script};
+use super::super::notes::Notes;
+use super::file::{File, Obstacle, Plane, Script, TOLERANCE};
 use super::shape;
 use super::words::{Line, Text};
 
 impl File {
     /// The entries of a text.
-    pub(super) fn parse(text: &str) -> Result<Self, Fault> {
+    pub(super) fn parse(text: &str, notes: &Notes) -> Result<Self, Fault> {
         let mut file = Self::default();
         let mut text = Text::new(text);
         while let Some(mut line) = text.line() {
-            file.entry(&mut line, &mut text)?;
-            file.notes.extend(line.rest());
+            file.entry(&mut line, &mut text, notes)?;
+            line.note_rest(notes);
         }
         Ok(file)
     }
 
     /// Reads an entry, of which the keyword is the next word of the line.
-    fn entry(&mut self, line: &mut Line<'_>, text: &mut Text<'_>) -> Result<(), Fault> {
+    fn entry(&mut self, line: &mut Line<'_>, text: &mut Text<'_>, notes: &Notes) -> Result<(), Fault> {
+        let settings = &mut self.settings;
         let Some(keyword) = line.keyword() else {
             return Ok(());
         };
@@ -34,13 +37,16 @@ impl File {
                 self.size = (size > 0.0).then(|| (line.place().clone(), size));
             }
             "handleRatio" => self.handle_ratio = line.number("a number between 0 and 0.5")?,
-            "density" => self.density = line.number("a density in kg/m³")?,
-            "stiffness" => self.stiffness = line.numbers("Young's modulus and Poisson's ratio")?,
+            "density" => self.material.density = line.number("a density in kg/m³")?,
+            "stiffness" => {
+                let expected = "Young's modulus and Poisson's ratio";
+                [self.material.young, self.material.poisson] = line.numbers(expected)?;
+            }
             "time" => {
                 let expected = "the duration and the time step in s";
-                [self.duration, self.time_step] = line.numbers(expected)?;
+                [self.duration, settings.time_step] = line.numbers(expected)?;
             }
-            "turnOffGravity" => self.gravity = [0.0; 3],
+            "turnOffGravity" => settings.gravity = [0.0; 3],
             "energy" => check(
                 line,
                 &["NH"],
@@ -80,16 +86,20 @@ impl File {
             "selfCollisionOff" => {
                 return Err(line.unsupported("meshes that pass through each other", "remove the line"));
             }
-            "selfFric" => self.friction = line.number("a friction coefficient")?.max(0.0),
-            "dHat" => self.contact_distance = line.number("a length")?,
-            "epsv" => self.static_velocity = line.number("a velocity")?,
+            "selfFric" => {
+                settings.friction.coefficient = line.number("a friction coefficient")?.max(0.0);
+            }
+            "dHat" => settings.contact_distance = Length::Relative(line.number("a length")?),
+            "epsv" => {
+                settings.friction.static_velocity = Length::Relative(line.number("a velocity")?);
+            }
             "useAbsParameters" => self.is_absolute = true,
             "tuning" => self.tuning(line, text)?,
-            "tol" => self.tolerance = tolerance(line, text)?,
+            "tol" => settings.tolerance = Length::Relative(tolerance(line, text)?),
             "fricIterAmt" => {
                 let word = line.word("a number of lags")?;
                 let lags = word.parse().ok().filter(|&lags| lags > 0);
-                self.lags = lags
+                settings.friction.lags = lags
                     .ok_or_else(|| line.invalid(word, "at least 1: lags until convergence have no bound"))?;
             }
             "DBCTimeRange" => self.dirichlet_times = line.numbers("two times in s")?,
@@ -102,7 +112,7 @@ impl File {
                 let instead = "remove the line; `--resume` continues a run of this program";
                 return Err(line.unsupported("a state of IPC", instead));
             }
-            _ => self.ignored(keyword, line)?,
+            _ => ignored(keyword, line, notes)?,
         }
         Ok(())
     }
@@ -124,7 +134,12 @@ impl File {
             let instead = "write 0 as the first number: the stiffness is chosen automatically";
             return Err(Problem::unsupported("a fixed stiffness of the barrier", instead).at(place));
         }
-        for (first, target) in [(1, &mut self.contact_distance), (4, &mut self.static_velocity)] {
+        let settings = &mut self.settings;
+        let lengths = [
+            &mut settings.contact_distance,
+            &mut settings.friction.static_velocity,
+        ];
+        for (first, target) in [1, 4].into_iter().zip(lengths) {
             let Some(&start) = numbers.get(first) else {
                 continue;
             };
@@ -134,40 +149,37 @@ impl File {
                     Problem::unsupported("a continuation from one distance to another", instead).at(place),
                 );
             }
-            *target = start;
+            *target = Length::Relative(start);
         }
         Ok(())
     }
+}
 
-    /// An entry that does not change the motion.
-    fn ignored(&mut self, keyword: &str, line: &mut Line<'_>) -> Result<(), Fault> {
-        let reason = match keyword {
-            "view" | "zoom" | "cameraTracking" | "playBackSpeed" | "appendStr" | "disableCout" => {
-                "it concerns the viewing and the output of IPC"
-            }
-            "warmStart" | "linearSolver" | "linSysSolver" => {
-                "it concerns the method by which IPC solves a time step"
-            }
-            "CCDMethod" | "ccdMethod" | "CCDTolerance" | "ccdTolerance" => {
-                "contact is decided exactly; `settings.ccd` selects another method"
-            }
-            "kappaMinMultiplier" | "minBarrierStiffnessScale" => {
-                "the stiffness of the barrier is chosen automatically"
-            }
-            "constraintType"
-            | "QPSolver"
-            | "constraintOffset"
-            | "useActiveSetConvergence"
-            | "noActiveSetConvergence" => "it concerns other solvers of IPC than the interior point",
-            _ => return Err(Problem::Unknown { program: "IPC" }.at(line.place())),
-        };
-        while !line.is_empty() {
-            line.word("")?;
+/// An entry that does not change the motion.
+fn ignored(keyword: &str, line: &mut Line<'_>, notes: &Notes) -> Result<(), Fault> {
+    let reason = match keyword {
+        "view" | "zoom" | "cameraTracking" | "playBackSpeed" | "appendStr" | "disableCout" => {
+            "it concerns the viewing and the output of IPC"
         }
-        self.notes
-            .push((line.place().clone(), format!("ignored: {reason}")));
-        Ok(())
-    }
+        "warmStart" | "linearSolver" | "linSysSolver" => {
+            "it concerns the method by which IPC solves a time step"
+        }
+        "CCDMethod" | "ccdMethod" | "CCDTolerance" | "ccdTolerance" => {
+            "contact is decided exactly; `settings.ccd` selects another method"
+        }
+        "kappaMinMultiplier" | "minBarrierStiffnessScale" => {
+            "the stiffness of the barrier is chosen automatically"
+        }
+        "constraintType"
+        | "QPSolver"
+        | "constraintOffset"
+        | "useActiveSetConvergence"
+        | "noActiveSetConvergence" => "it concerns other solvers of IPC than the interior point",
+        _ => return Err(Problem::Unknown { program: "IPC" }.at(line.place())),
+    };
+    line.clear();
+    notes.add(line.place().clone(), format!("ignored: {reason}"));
+    Ok(())
 }
 
 /// Checks that the next word is one of some.
@@ -196,7 +208,7 @@ fn skip_section(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<(), Fault> {
 fn tolerance(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<f64, Fault> {
     let numbers = text.numbers(line)?;
     let Some(&last) = numbers.last() else {
-        return Ok(File::default().tolerance);
+        return Ok(TOLERANCE);
     };
     if numbers.iter().any(|&tolerance| tolerance != last) {
         let instead = "write one tolerance";

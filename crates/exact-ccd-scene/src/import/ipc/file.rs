@@ -1,9 +1,17 @@
 //! The entries of a text scene.
 
 use exact_ccd_mesh::Point;
+use exact_ccd_sim::elasticity::SolidMaterial;
+use exact_ccd_sim::{Formulation, Friction, Integrator, Length, Settings, SolidProperties};
 
 use super::super::fault::Place;
 use super::shape::Shape;
+
+/// The most Newton iterations of a time step in IPC (`Optimizer.cpp`).
+const MAX_ITERATIONS: usize = 10_000;
+
+/// The tolerance of Newton's method in IPC (`Optimizer::setRelGL2Tol`).
+pub(super) const TOLERANCE: f64 = 1e-2;
 
 /// A text scene, with IPC's defaults for all entries that it does not have.
 #[derive(Debug)]
@@ -15,23 +23,15 @@ pub(super) struct File {
     pub(super) script: Script,
     pub(super) size: Option<(Place, f64)>,
     pub(super) handle_ratio: f64,
-    pub(super) density: f64,
-    /// Young's modulus and Poisson's ratio.
-    pub(super) stiffness: [f64; 2],
+    /// The material of the shapes without one of their own.
+    pub(super) material: SolidProperties,
     pub(super) duration: f64,
-    pub(super) time_step: f64,
-    pub(super) gravity: Point,
-    /// The friction coefficient between shapes.
-    pub(super) friction: f64,
-    /// True if the lengths that follow are in m, not in diagonals of the box.
+    /// The settings, with lengths in diagonals of the box.
+    pub(super) settings: Settings,
+    /// True if lengths are in m.
     pub(super) is_absolute: bool,
-    pub(super) contact_distance: f64,
-    pub(super) static_velocity: f64,
-    pub(super) tolerance: f64,
-    pub(super) lags: usize,
     pub(super) dirichlet_times: [f64; 2],
     pub(super) neumann_times: [f64; 2],
-    pub(super) notes: Vec<(Place, String)>,
 }
 
 /// `meshCO`.
@@ -72,7 +72,7 @@ pub(super) enum Script {
 }
 
 impl Default for File {
-    /// Config.hpp and Config.cpp of IPC; the tolerance is that of `Optimizer::setRelGL2Tol`.
+    /// Config.hpp and Config.cpp of IPC.
     fn default() -> Self {
         Self {
             shapes: Vec::new(),
@@ -81,20 +81,30 @@ impl Default for File {
             script: Script::Null,
             size: None,
             handle_ratio: 0.01,
-            density: 1000.0,
-            stiffness: [1e5, 0.4],
+            material: SolidProperties {
+                density: 1000.0,
+                young: 1e5,
+                poisson: 0.4,
+                energy: SolidMaterial::NeoHookean,
+            },
             duration: 5.0,
-            time_step: 0.025,
-            gravity: [0.0, -9.80665, 0.0],
-            friction: 0.0,
+            settings: Settings {
+                time_step: 0.025,
+                gravity: [0.0, -9.80665, 0.0],
+                integrator: Integrator::ImplicitEuler,
+                contact_distance: Length::Relative(1e-3),
+                formulation: Formulation::Sum,
+                friction: Friction {
+                    static_velocity: Length::Relative(1e-3),
+                    ..Friction::default()
+                },
+                tolerance: Length::Relative(TOLERANCE),
+                max_iterations: MAX_ITERATIONS,
+                ..Settings::default()
+            },
             is_absolute: false,
-            contact_distance: 1e-3,
-            static_velocity: 1e-3,
-            tolerance: 1e-2,
-            lags: 1,
             dirichlet_times: [0.0, f64::INFINITY],
             neumann_times: [0.0, f64::INFINITY],
-            notes: Vec::new(),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Friction of obstacles.
 
-use super::super::fault::Place;
+use super::super::notes::Notes;
 use super::file::File;
 use crate::description::BodyDescription;
 use exact_ccd_mesh::HalfSpace;
@@ -18,11 +18,11 @@ pub(super) fn pairs(
     file: &File,
     bodies: &mut [BodyDescription],
     half_spaces: &mut [HalfSpace],
-    notes: &mut Vec<(Place, String)>,
+    notes: &Notes,
 ) -> Vec<FrictionPair> {
     for obstacle in file.obstacles.iter().filter(|obstacle| obstacle.friction > 0.0) {
         let message = "contact with this mesh is frictionless, as in IPC, which does not use the coefficient";
-        notes.push((obstacle.place.clone(), message.to_owned()));
+        notes.add(obstacle.place.clone(), message);
     }
     let (shapes, obstacles) = bodies.split_at_mut(file.shapes.len().min(bodies.len()));
     if shapes.is_empty() {
@@ -39,7 +39,7 @@ pub(super) fn pairs(
         .map(|(number, plane)| (format!("half-space-{number}"), plane));
     let different = meshes
         .chain(planes)
-        .filter(|(_, (_, coefficient))| *coefficient != file.friction);
+        .filter(|(_, (_, coefficient))| *coefficient != file.settings.friction.coefficient);
     let pairs: Vec<FrictionPair> = different
         .map(|(name, (named, coefficient))| {
             name.clone_into(named);

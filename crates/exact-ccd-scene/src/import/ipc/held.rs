@@ -9,15 +9,30 @@ use crate::description::{ScriptDescription, Selection};
 use exact_ccd_sim::{KeyFrame, Script};
 
 /// A motion of vertices at constant velocity, at times from `from` to before `until`.
-pub(super) struct Piece {
+#[derive(Clone, Debug)]
+pub(super) struct Piece<V = Vec<u32>> {
     pub(super) place: Place,
     /// The vertices, increasing.
-    pub(super) vertices: Vec<u32>,
+    pub(super) vertices: V,
     pub(super) linear: Point,
     /// In each time step h, the rotation about z by its component times h, then about y, then about x.
     pub(super) angular: Point,
     pub(super) from: f64,
     pub(super) until: f64,
+}
+
+impl<V> Piece<V> {
+    /// The same motion of these vertices, within these times.
+    pub(super) fn of(&self, vertices: Vec<u32>, [from, until]: [f64; 2]) -> Piece {
+        Piece {
+            place: self.place.clone(),
+            vertices,
+            linear: self.linear,
+            angular: self.angular,
+            from: self.from.max(from).max(0.0),
+            until: self.until.min(until),
+        }
+    }
 }
 
 impl Piece {
@@ -42,7 +57,7 @@ impl Piece {
 
     /// The script of this motion, about a center at its start.
     pub(super) fn script(&self, vertices: Selection, center: Point, file: &File) -> ScriptDescription {
-        let motion = match (self.turn(file.time_step), self.linear == [0.0; 3]) {
+        let motion = match (self.turn(file.settings.time_step), self.linear == [0.0; 3]) {
             (None, true) => Script::Fixed,
             (None, false) => Script::Moving {
                 velocity: self.linear,

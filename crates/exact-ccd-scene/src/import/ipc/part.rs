@@ -3,26 +3,23 @@
 use std::rc::Rc;
 
 use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_sim::Force;
 use nalgebra::Vector3;
 
-use super::super::fault::{Fault, Place, Problem};
+use super::super::fault::{Fault, Problem};
 use super::super::meshes::Meshes;
-use super::super::pose::{Pose, box_center};
-use super::super::selection::of_vertices;
+use super::super::notes::Notes;
 use super::file::{File, Script as Motion};
 use super::held::{self, Piece};
-use super::shape::{Dirichlet, RelativeBox, Shape};
-use crate::description::{BodyDescription, LoadDescription};
+use super::shape::{RelativeBox, Shape};
+use crate::description::{BodyDescription, LoadDescription, Selection};
 use crate::mesh::Mesh;
-use exact_ccd_sim::Force;
-use exact_ccd_sim::SolidProperties;
-use exact_ccd_sim::elasticity::SolidMaterial;
+use crate::placement::Placement;
 
 /// A shape with its mesh and its body.
 pub(super) struct Part<'a> {
     shape: &'a Shape,
     mesh: Rc<Mesh>,
-    pub(super) pose: Pose,
     pub(super) body: BodyDescription,
     /// The placed vertices.
     pub(super) points: Vec<Point>,
@@ -39,18 +36,10 @@ impl<'a> Part<'a> {
             return Err(at_shape(Problem::unsupported(what, instead)));
         }
         let (path, mesh) = meshes.find(&shape.mesh).map_err(at_shape)?;
-        let [young, poisson] = file.stiffness;
-        let [density, young, poisson] = shape.material.unwrap_or([file.density, young, poisson]);
-        let solid = SolidProperties {
-            density,
-            young,
-            poisson,
-            energy: SolidMaterial::NeoHookean,
-        };
+        let solid = shape.material.unwrap_or(file.material);
         let mut part = Self {
             shape,
             mesh,
-            pose: Pose::IDENTITY,
             body: BodyDescription {
                 mesh: Some(path),
                 solid: is_solid.then_some(solid),
@@ -58,7 +47,7 @@ impl<'a> Part<'a> {
             },
             points: Vec::new(),
         };
-        part.place(shape.pose);
+        part.place(shape.placement);
         Ok(part)
     }
 
@@ -67,18 +56,15 @@ impl<'a> Part<'a> {
     }
 
     /// Places the body.
-    pub(super) fn place(&mut self, pose: Pose) {
-        self.pose = pose;
-        pose.apply(&mut self.body);
-        let points = self.mesh.points.iter();
-        self.points = points.map(|&point| self.body.place(point)).collect();
+    pub(super) fn place(&mut self, placement: Placement) {
+        self.body = std::mem::take(&mut self.body).at(placement);
+        self.points = placement.all(&self.mesh.points);
     }
 
     /// Adds the motions and the forces that the attributes of the shape say.
-    pub(super) fn add_motions(&mut self, file: &File, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
+    pub(super) fn add_motions(&mut self, file: &File, notes: &Notes) -> Result<(), Fault> {
         let shape = self.shape;
-        let velocities = [&shape.linear_velocity, &shape.angular_velocity].map(Option::as_ref);
-        let moved = velocities.into_iter().flatten().map(|(place, _)| place).next();
+        let moved = shape.moved.as_ref().map(|(place, _)| place);
         let held = shape.dirichlet.iter().map(|held| &held.place).next();
         let started = shape.initial.as_ref().map(|(place, _)| place);
         if file.script != Motion::Null
@@ -91,14 +77,12 @@ impl<'a> Part<'a> {
             let what = "the sum of a motion of the shape and of one of its vertices";
             return Err(Problem::unsupported(what, "write one of them").at(place));
         }
-        if let Some(place) = moved {
-            let [linear, angular] =
-                velocities.map(|velocity| velocity.map_or([0.0; 3], |(_, velocity)| *velocity));
+        if let Some((place, [linear, angular])) = &shape.moved {
             let piece = Piece {
                 place: place.clone(),
                 vertices: (0..self.points.len() as u32).collect(),
-                linear,
-                angular,
+                linear: *linear,
+                angular: *angular,
                 from: 0.0,
                 until: f64::INFINITY,
             };
@@ -137,21 +121,13 @@ impl<'a> Part<'a> {
     }
 
     /// Scripts of `DBC`.
-    fn hold(&mut self, file: &File, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
-        let [from, until] = file.dirichlet_times;
-        let piece = |held: &Dirichlet| Piece {
-            place: held.place.clone(),
-            vertices: self.inside(&held.vertices),
-            linear: held.linear,
-            angular: held.angular,
-            from: held.from.max(from).max(0.0),
-            until: held.until.min(until),
-        };
+    fn hold(&mut self, file: &File, notes: &Notes) -> Result<(), Fault> {
+        let piece = |held: &Piece<RelativeBox>| held.of(self.inside(&held.vertices), file.dirichlet_times);
         let mut pieces: Vec<Piece> = self.shape.dirichlet.iter().map(piece).collect();
         pieces.retain(|piece| {
             let acts = !piece.vertices.is_empty() && piece.from < piece.until;
             if !acts {
-                notes.push((piece.place.clone(), "no vertex is held".to_owned()));
+                notes.add(piece.place.clone(), "no vertex is held");
             }
             acts
         });
@@ -160,12 +136,7 @@ impl<'a> Part<'a> {
     }
 
     /// Adds the script of the last of these pieces, of which the others begin before.
-    fn script(
-        &mut self,
-        pieces: &[Piece],
-        file: &File,
-        notes: &mut Vec<(Place, String)>,
-    ) -> Result<(), Fault> {
+    fn script(&mut self, pieces: &[Piece], file: &File, notes: &Notes) -> Result<(), Fault> {
         let moved = held::moved(pieces)?;
         let Some(piece) = pieces.last() else {
             return Ok(());
@@ -173,9 +144,9 @@ impl<'a> Part<'a> {
         if piece.turns() {
             let message = "turns about the center that the box of the vertices has at the start; IPC computes \
                            this center anew in each time step";
-            notes.push((piece.place.clone(), message.to_owned()));
+            notes.add(piece.place.clone(), message);
         }
-        let selection = of_vertices(&piece.vertices, &self.points);
+        let selection = Selection::of_vertices(&piece.vertices, &self.points);
         let center = Vector3::from(center(&piece.vertices, &self.points)) + moved;
         let script = piece.script(selection, center.into(), file);
         self.body.script.push(script);
@@ -192,7 +163,7 @@ impl<'a> Part<'a> {
                 return Err(Problem::invalid("no vertex or no time", "a force that acts").at(&load.place));
             }
             self.body.load.push(LoadDescription {
-                vertices: of_vertices(&vertices, &self.points),
+                vertices: Selection::of_vertices(&vertices, &self.points),
                 force: Force::Acceleration(load.acceleration),
                 from,
                 until: until.is_finite().then_some(until),
@@ -204,19 +175,20 @@ impl<'a> Part<'a> {
     /// The vertices of the surface in a box relative to that of the mesh in its file.
     fn inside(&self, relative: &RelativeBox) -> Vec<u32> {
         let points = &self.mesh.points;
-        let Aabb { lower, upper } = points.iter().copied().collect();
-        let corner = |fraction: Point| -> Point {
-            core::array::from_fn(|axis| (upper[axis] - lower[axis]) * fraction[axis] + lower[axis])
+        let whole: Aabb = points.iter().copied().collect();
+        let sides = whole.sides();
+        let corner = |part: Point| [0, 1, 2].map(|axis: usize| sides[axis] * part[axis] + whole.lower[axis]);
+        let bounds = Aabb {
+            lower: corner(relative.lower),
+            upper: corner(relative.upper),
         };
-        let (from, to) = (corner(relative.lower), corner(relative.upper));
         let mut is_selected = vec![self.mesh.faces.is_empty(); points.len()];
         for &vertex in self.mesh.faces.iter().flatten() {
             is_selected[vertex as usize] = true;
         }
-        let is_inside = |point: &Point| (0..3).all(|axis| (from[axis]..=to[axis]).contains(&point[axis]));
         let vertices = (0..).zip(points.iter().zip(is_selected));
         vertices
-            .filter(|(_, (point, is_selected))| *is_selected && is_inside(point))
+            .filter(|(_, (point, is_selected))| *is_selected && bounds.contains(point))
             .map(|(vertex, _)| vertex)
             .collect()
     }
@@ -224,7 +196,8 @@ impl<'a> Part<'a> {
 
 /// The center of the box of some vertices of a body.
 fn center(selected: &[u32], points: &[Point]) -> Point {
-    box_center(selected.iter().map(|&vertex| points[vertex as usize]))
+    let bounds: Aabb = selected.iter().map(|&vertex| points[vertex as usize]).collect();
+    bounds.center()
 }
 
 /// True for a file of tetrahedra, false for one of triangles.

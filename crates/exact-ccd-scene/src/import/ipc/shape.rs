@@ -2,13 +2,15 @@
 
 use core::f64::consts::PI;
 
-use exact_ccd_mesh::Point;
+use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_sim::SolidProperties;
+use exact_ccd_sim::elasticity::SolidMaterial;
 use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Place, Problem};
-use super::super::pose::{Pose, about_axes};
+use super::held::Piece;
 use super::words::{Line, Text};
-use crate::placement::Rotation;
+use crate::placement::{Placement, Rotation, Scale};
 
 /// The most shapes of a file, so that a number in it does not exhaust the memory.
 const MOST: usize = 10_000;
@@ -18,34 +20,18 @@ const MOST: usize = 10_000;
 pub(super) struct Shape {
     pub(super) place: Place,
     pub(super) mesh: String,
-    pub(super) pose: Pose,
-    /// Density, Young's modulus, Poisson's ratio.
-    pub(super) material: Option<[f64; 3]>,
-    pub(super) linear_velocity: Option<(Place, Point)>,
-    pub(super) angular_velocity: Option<(Place, Point)>,
+    pub(super) placement: Placement,
+    pub(super) material: Option<SolidProperties>,
+    /// The linear and the angular velocity at all times.
+    pub(super) moved: Option<(Place, [Point; 2])>,
     /// The linear and the angular velocity at the start.
     pub(super) initial: Option<(Place, [Point; 2])>,
-    pub(super) dirichlet: Vec<Dirichlet>,
+    pub(super) dirichlet: Vec<Piece<RelativeBox>>,
     pub(super) neumann: Vec<Neumann>,
 }
 
 /// The vertices of the surface in a box, in fractions of the box of the mesh as it is in its file.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RelativeBox {
-    pub(super) lower: Point,
-    pub(super) upper: Point,
-}
-
-/// A motion of vertices, at times from `from` to before `until`.
-#[derive(Clone, Debug)]
-pub(super) struct Dirichlet {
-    pub(super) place: Place,
-    pub(super) vertices: RelativeBox,
-    pub(super) linear: Point,
-    pub(super) angular: Point,
-    pub(super) from: f64,
-    pub(super) until: f64,
-}
+pub(super) type RelativeBox = Aabb;
 
 /// An acceleration of vertices, at times from `from` to before `until`.
 #[derive(Clone, Debug)]
@@ -58,14 +44,13 @@ pub(super) struct Neumann {
 }
 
 impl Shape {
-    fn new(place: Place, mesh: &str, pose: Pose) -> Self {
+    fn new(place: Place, mesh: &str, placement: Placement) -> Self {
         Self {
             place,
             mesh: mesh.to_owned(),
-            pose,
+            placement,
             material: None,
-            linear_velocity: None,
-            angular_velocity: None,
+            moved: None,
             initial: None,
             dirichlet: Vec::new(),
             neumann: Vec::new(),
@@ -77,7 +62,7 @@ impl Shape {
 pub(super) fn one(line: &mut Line<'_>) -> Result<Shape, Fault> {
     input(line)?;
     let mesh = line.word("a mesh file")?;
-    Ok(Shape::new(line.place().clone(), mesh, Pose::IDENTITY))
+    Ok(Shape::new(line.place().clone(), mesh, Placement::default()))
 }
 
 /// `shapes input N`, with a line for each shape.
@@ -112,8 +97,8 @@ pub(super) fn matrix(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<Vec<Sha
     let corner: Point = core::array::from_fn(|_| line.optional().unwrap_or(0.0));
     let mut following = text.following(line.place(), "a line with the shape")?;
     let mesh = following.word("a mesh file")?;
-    let pose = pose(&mut following)?;
-    let mut first = Shape::new(following.place().clone(), mesh, pose);
+    let placement = placement(&mut following)?;
+    let mut first = Shape::new(following.place().clone(), mesh, placement);
     if let Some(word) = following.keyword() {
         if word != "material" {
             return Err(following.invalid(word, "`material` or the end of the line"));
@@ -126,7 +111,8 @@ pub(super) fn matrix(line: &mut Line<'_>, text: &mut Text<'_>) -> Result<Vec<Sha
             for z in 0..counts[2] {
                 let mut shape = first.clone();
                 let step = Vector3::new(x as f64, y as f64, z as f64);
-                shape.pose.translation = Vector3::from(corner) + pose.translation.component_mul(&step);
+                let shift = Vector3::from(placement.translate).component_mul(&step);
+                shape.placement.translate = (Vector3::from(corner) + shift).into();
                 shapes.push(shape);
             }
         }
@@ -139,24 +125,36 @@ fn input(line: &mut Line<'_>) -> Result<(), Fault> {
 }
 
 /// Translation, angles and scale factors.
-fn pose(line: &mut Line<'_>) -> Result<Pose, Fault> {
-    let translation: Point = line.numbers("three numbers of a translation")?;
-    let degrees = line.numbers("three angles in degrees")?;
-    let scale: Point = line.numbers("three scale factors")?;
-    Ok(Pose {
-        scale: scale.into(),
-        rotation: rotation(degrees),
-        translation: translation.into(),
+fn placement(line: &mut Line<'_>) -> Result<Placement, Fault> {
+    let translate = line.numbers("three numbers of a translation")?;
+    let rotate = rotation(line.numbers("three angles in degrees")?);
+    let scale = Scale(line.numbers("three scale factors")?);
+    Ok(Placement {
+        scale,
+        rotate,
+        translate,
     })
 }
 
 /// The rotation about z, then about y, then about x, by angles in degrees in the order x, y, z.
 pub(super) fn rotation([x, y, z]: [f64; 3]) -> Option<Rotation> {
-    about_axes(&[(Vector3::x(), x), (Vector3::y(), y), (Vector3::z(), z)])
+    Rotation::about_axes(&[(Vector3::x(), x), (Vector3::y(), y), (Vector3::z(), z)])
 }
 
-fn material(line: &mut Line<'_>) -> Result<[f64; 3], Fault> {
-    line.numbers("density, Young's modulus and Poisson's ratio")
+fn material(line: &mut Line<'_>) -> Result<SolidProperties, Fault> {
+    let [density, young, poisson] = line.numbers("density, Young's modulus and Poisson's ratio")?;
+    Ok(SolidProperties {
+        density,
+        young,
+        poisson,
+        energy: SolidMaterial::NeoHookean,
+    })
+}
+
+/// The velocities of a shape, of which the first is given at `place`.
+fn velocities(shape: &mut Shape, place: Place) -> &mut [Point; 2] {
+    let (_, velocities) = shape.moved.get_or_insert((place, [[0.0; 3]; 2]));
+    velocities
 }
 
 fn radians(degrees: Point) -> Point {
@@ -166,15 +164,15 @@ fn radians(degrees: Point) -> Point {
 /// A shape with its attributes. `\` at the end of a line continues it.
 fn attributed<'a>(mut line: Line<'a>, text: &mut Text<'a>) -> Result<Shape, Fault> {
     let mesh = line.word("a mesh file")?;
-    let mut shape = Shape::new(line.place().clone(), mesh, pose(&mut line)?);
+    let mut shape = Shape::new(line.place().clone(), mesh, placement(&mut line)?);
     while let Some(keyword) = line.keyword() {
         let place = line.place().clone();
         match keyword {
             "material" => shape.material = Some(material(&mut line)?),
-            "linearVelocity" => shape.linear_velocity = Some((place, line.numbers("a velocity")?)),
+            "linearVelocity" => velocities(&mut shape, place)[0] = line.numbers("a velocity")?,
             "angularVelocity" => {
                 let degrees = line.numbers("three angular velocities in degrees per second")?;
-                shape.angular_velocity = Some((place, radians(degrees)));
+                velocities(&mut shape, place)[1] = radians(degrees);
             }
             "initVel" => {
                 let linear = line.numbers("a velocity, then three angular velocities")?;
@@ -186,7 +184,7 @@ fn attributed<'a>(mut line: Line<'a>, text: &mut Text<'a>) -> Result<Shape, Faul
                 let linear = line.numbers("a box, a velocity, and three angular velocities")?;
                 let angular = radians(line.numbers("a box, a velocity, and three angular velocities")?);
                 let [from, until] = times(&mut line);
-                shape.dirichlet.push(Dirichlet {
+                shape.dirichlet.push(Piece {
                     place,
                     vertices,
                     linear,

@@ -5,6 +5,7 @@ use std::iter::Enumerate;
 use std::str::Lines;
 
 use super::super::fault::{Fault, Place, Problem};
+use super::super::notes::Notes;
 
 /// The lines of a file that have words. Words after one that begins with `#` are a comment.
 pub(super) struct Text<'a> {
@@ -132,10 +133,17 @@ impl<'a> Line<'a> {
         Problem::unsupported(what, instead).at(&self.place)
     }
 
-    /// The words that are left, which IPC ignores.
-    pub(super) fn rest(self) -> Option<(Place, String)> {
-        let rest: Vec<&str> = self.words.into();
-        (!rest.is_empty()).then(|| (self.place, format!("`{}` is ignored, as by IPC", rest.join(" "))))
+    /// Drops the words that are left.
+    pub(super) fn clear(&mut self) {
+        self.words.clear();
+    }
+
+    /// Notes the words that are left, which IPC ignores.
+    pub(super) fn note_rest(self, notes: &Notes) {
+        if !self.words.is_empty() {
+            let rest = Vec::from(self.words).join(" ");
+            notes.add(self.place, format!("`{rest}` is ignored, as by IPC"));
+        }
     }
 }
 

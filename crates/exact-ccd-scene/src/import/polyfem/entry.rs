@@ -4,11 +4,13 @@ use exact_ccd_mesh::Point;
 use serde_json::{Map, Value};
 
 use super::super::fault::{Fault, Place, Problem};
+use super::super::notes::Notes;
 
 /// A value, and the JSON pointer to it.
 #[derive(Clone, Debug)]
 pub(super) struct Entry<'a> {
     pointer: String,
+    notes: &'a Notes,
     pub(super) value: &'a Value,
 }
 
@@ -59,9 +61,10 @@ fn is_disabled(values: &Map<String, Value>) -> bool {
 }
 
 impl<'a> Entry<'a> {
-    pub(super) fn new(value: &'a Value) -> Self {
+    pub(super) fn new(value: &'a Value, notes: &'a Notes) -> Self {
         Self {
             pointer: String::new(),
+            notes,
             value,
         }
     }
@@ -83,6 +86,11 @@ impl<'a> Entry<'a> {
         Problem::unsupported(what, instead).at(&self.place())
     }
 
+    /// Notes that the value has no effect.
+    pub(super) fn note(&self, message: impl Into<String>) {
+        self.notes.add(self.place(), message);
+    }
+
     /// The value of a key that is present and not `null`.
     pub(super) fn get(&self, key: &str) -> Option<Self> {
         let value = self.value.get(key).filter(|value| !value.is_null())?;
@@ -98,23 +106,26 @@ impl<'a> Entry<'a> {
     fn below(&self, key: &str, value: &'a Value) -> Self {
         let key = key.replace('~', "~0").replace('/', "~1");
         let pointer = format!("{}/{key}", self.pointer);
-        Self { pointer, value }
+        let notes = self.notes;
+        Self {
+            pointer,
+            notes,
+            value,
+        }
     }
 
-    /// Checks all keys of an object.
-    pub(super) fn check(
-        &self,
-        rules: &[(&str, Rule)],
-        notes: &mut Vec<(Place, String)>,
-    ) -> Result<(), Fault> {
+    /// Checks all keys of an object by rules for some keys each, with blanks between the keys.
+    pub(super) fn check(&self, rules: &[(&str, Rule)]) -> Result<(), Fault> {
         let object = self.value.as_object().ok_or_else(|| self.invalid("an object"))?;
         for (key, value) in object {
             let entry = self.below(key, value);
-            let rule = rules.iter().find(|(name, _)| name == key);
+            let rule = rules
+                .iter()
+                .find(|(names, _)| names.split(' ').any(|name| name == key));
             match rule.map(|(_, rule)| *rule) {
                 None => return Err(Problem::Unknown { program: "PolyFEM" }.at(&entry.place())),
                 Some(Rule::Said) => {}
-                Some(Rule::Ignored(reason)) => notes.push((entry.place(), format!("ignored: {reason}"))),
+                Some(Rule::Ignored(reason)) => entry.note(format!("ignored: {reason}")),
                 Some(Rule::Only(default)) if default.is(value) => {}
                 Some(Rule::Only(_)) => return Err(entry.unsupported("this value", "remove the key")),
             }
@@ -159,8 +170,17 @@ impl<'a> Entry<'a> {
 
     /// Three numbers.
     pub(super) fn point(&self) -> Result<Point, Fault> {
-        let numbers: Result<Vec<f64>, Fault> = self.elements()?.iter().map(Self::number).collect();
-        numbers?.try_into().map_err(|_| self.invalid("three numbers"))
+        self.three(Self::number, "three numbers")
+    }
+
+    /// A list of three values.
+    pub(super) fn three<T>(
+        &self,
+        read: impl Fn(&Self) -> Result<T, Fault>,
+        expected: &str,
+    ) -> Result<[T; 3], Fault> {
+        let values: Result<Vec<T>, Fault> = self.elements()?.iter().map(read).collect();
+        values?.try_into().map_err(|_| self.invalid(expected))
     }
 
     /// The elements of a list.
@@ -170,6 +190,12 @@ impl<'a> Entry<'a> {
         } else {
             Err(self.invalid("a list"))
         }
+    }
+
+    /// The value of a key, unless it is an empty list.
+    pub(super) fn get_filled(&self, key: &str) -> Option<Self> {
+        let is_filled = |entry: &Self| entry.value.as_array().is_none_or(|list| !list.is_empty());
+        self.get(key).filter(is_filled)
     }
 
     /// The number of a key, or a default.

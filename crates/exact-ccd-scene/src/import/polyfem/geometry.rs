@@ -3,22 +3,22 @@
 use std::rc::Rc;
 
 use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_mesh::HalfSpace;
 use nalgebra::Vector3;
 
-use super::super::fault::{Fault, Place};
+use super::super::fault::Fault;
 use super::super::meshes::Meshes;
-use super::super::pose::Pose;
 use super::NOTHING;
 use super::boundary::Conditions;
 use super::entry::{Entry, IfAbsent, Rule};
 use super::material::{self, Material};
 use super::region::Regions;
 use super::surface::Surface;
-use super::transformation::pose;
+use super::transformation::placement;
 use super::volume::Volumes;
 use crate::description::BodyDescription;
 use crate::mesh::Mesh;
-use exact_ccd_mesh::HalfSpace;
+use crate::placement::Placement;
 
 /// The most copies of a mesh.
 const MOST: i64 = 10_000;
@@ -32,26 +32,15 @@ pub(super) struct Geometry {
 }
 
 /// The keys of a geometry.
-const RULES: [(&str, Rule); 19] = [
-    ("type", Rule::Said),
-    ("mesh", Rule::Said),
-    ("array", Rule::Said),
-    ("point", Rule::Said),
-    ("normal", Rule::Said),
-    ("height", Rule::Said),
-    ("is_obstacle", Rule::Said),
-    ("enabled", Rule::Said),
-    ("transformation", Rule::Said),
-    ("volume_selection", Rule::Said),
-    ("surface_selection", Rule::Said),
-    ("curve_selection", NOTHING),
-    ("point_selection", NOTHING),
-    ("extract", Rule::Said),
+const RULES: [(&str, Rule); 4] = [
+    (
+        "type mesh array point normal height is_obstacle enabled transformation volume_selection \
+         surface_selection extract advanced",
+        Rule::Said,
+    ),
+    ("curve_selection point_selection fps mesh_sequence", NOTHING),
     ("unit", Rule::Only(IfAbsent::Text("m"))),
     ("n_refs", Rule::Only(IfAbsent::Number(0.0))),
-    ("advanced", Rule::Said),
-    ("fps", NOTHING),
-    ("mesh_sequence", NOTHING),
 ];
 
 impl Geometry {
@@ -59,9 +48,8 @@ impl Geometry {
         root: &Entry<'_>,
         conditions: &Conditions<'_>,
         meshes: &mut Meshes,
-        notes: &mut Vec<(Place, String)>,
     ) -> Result<Self, Fault> {
-        let materials = material::materials(root, notes)?;
+        let materials = material::materials(root)?;
         let mut geometry = Self {
             bodies: Vec::new(),
             half_spaces: Vec::new(),
@@ -75,7 +63,7 @@ impl Geometry {
                     entry.unsupported("a sequence of meshes", "move a mesh by `obstacle_displacements`")
                 );
             }
-            entry.check(&RULES, notes)?;
+            entry.check(&RULES)?;
             if !entry
                 .get("enabled")
                 .map_or(Ok(true), |enabled| enabled.is_true())?
@@ -83,7 +71,7 @@ impl Geometry {
                 continue;
             }
             match kind {
-                "mesh" | "mesh_array" => geometry.add(&entry, kind, conditions, &materials, meshes, notes)?,
+                "mesh" | "mesh_array" => geometry.add(&entry, kind, conditions, &materials, meshes)?,
                 "plane" => {
                     let (point, normal) = (entry.need("point")?.point()?, entry.need("normal")?.point()?);
                     geometry.half_spaces.push(HalfSpace::new(point, normal));
@@ -106,25 +94,22 @@ impl Geometry {
         conditions: &Conditions<'_>,
         materials: &[Material],
         meshes: &mut Meshes,
-        notes: &mut Vec<(Place, String)>,
     ) -> Result<(), Fault> {
         let is_obstacle = entry.flag("is_obstacle")?;
-        check_options(entry, is_obstacle, notes)?;
+        check_options(entry, is_obstacle)?;
         let named = entry.need("mesh")?;
         let found = meshes
             .find(named.text()?)
             .map_err(|problem| problem.at(&named.place()));
         let (path, mesh): (_, Rc<Mesh>) = found?;
         let whole: Aabb = mesh.points.iter().copied().collect();
-        let size = Vector3::from(whole.upper) - Vector3::from(whole.lower);
-        let pose = entry
+        let placement = entry
             .get("transformation")
-            .map_or(Ok(Pose::IDENTITY), |entry| pose(&entry, &size, notes))?;
+            .map_or(Ok(Placement::default()), |entry| placement(&entry, whole.sides()))?;
         let mut body = BodyDescription {
             mesh: Some(path),
             ..BodyDescription::default()
         };
-        pose.apply(&mut body);
         if !is_obstacle {
             if mesh.tetrahedra.is_empty() {
                 return Err(named.invalid("a mesh of tetrahedra, or `\"is_obstacle\": true`"));
@@ -133,33 +118,22 @@ impl Geometry {
             volumes.add_materials(materials, entry, &mut body)?;
             body.velocity = volumes.velocity(conditions, entry)?;
         }
-        let points: Vec<Point> = mesh.points.iter().map(|&point| body.place(point)).collect();
+        let points = placement.all(&mesh.points);
         self.measure(&mesh, &points);
         let bounds: Aabb = points.iter().copied().collect();
         let regions = entry
             .get("surface_selection")
-            .map(|entry| Regions::parse(&entry, &bounds, notes))
+            .map(|entry| Regions::parse(&entry, &bounds))
             .transpose()?;
+        // The ids of all copies are those of the first one.
         let surface = Surface::new(&points, &mesh.faces, regions.as_ref(), &bounds);
-        if is_obstacle {
-            conditions.move_obstacle(&mut body, regions.as_ref().and_then(|_| surface.single_id()))?;
-        } else {
-            conditions.apply(&mut body, &surface)?;
-        }
-        for offset in offsets(entry, kind, &bounds, notes)? {
-            let mut copy = body.clone();
-            copy.translate = (Vector3::from(body.translate) + offset).into();
-            if offset != Vector3::zeros() {
-                // Boxes of selections are those of the first body.
-                let moved: Vec<Point> = mesh.points.iter().map(|&point| copy.place(point)).collect();
-                copy.script.clear();
-                copy.load.clear();
-                if is_obstacle {
-                    conditions
-                        .move_obstacle(&mut copy, regions.as_ref().and_then(|_| surface.single_id()))?;
-                } else {
-                    conditions.apply(&mut copy, &surface.at(&moved))?;
-                }
+        for offset in offsets(entry, kind, &bounds)? {
+            let placement = placement.then(1.0, offset);
+            let mut copy = body.clone().at(placement);
+            if is_obstacle {
+                conditions.move_obstacle(&mut copy, surface.single_id());
+            } else {
+                conditions.apply(&mut copy, &surface, &placement.all(&mesh.points))?;
             }
             self.bodies.push(copy);
         }
@@ -176,11 +150,7 @@ impl Geometry {
     }
 }
 
-fn check_options(
-    entry: &Entry<'_>,
-    is_obstacle: bool,
-    notes: &mut Vec<(Place, String)>,
-) -> Result<(), Fault> {
+fn check_options(entry: &Entry<'_>, is_obstacle: bool) -> Result<(), Fault> {
     if let Some(extract) = entry.get("extract") {
         let is_whole = extract.text()? == "volume" || is_obstacle && extract.text()? == "surface";
         if !is_whole {
@@ -192,49 +162,33 @@ fn check_options(
     }
     if let Some(advanced) = entry.get("advanced") {
         let rules = [
-            ("normalize_mesh", NOTHING),
-            ("force_linear_geometry", NOTHING),
+            ("normalize_mesh force_linear_geometry", NOTHING),
             ("refinement_location", Rule::Only(IfAbsent::Number(0.5))),
             ("min_component", Rule::Only(IfAbsent::Number(-1.0))),
         ];
-        advanced.check(&rules, notes)?;
+        advanced.check(&rules)?;
     }
     Ok(())
 }
 
 /// The translations of the copies of a mesh.
-fn offsets(
-    entry: &Entry<'_>,
-    kind: &str,
-    bounds: &Aabb,
-    notes: &mut Vec<(Place, String)>,
-) -> Result<Vec<Vector3<f64>>, Fault> {
+fn offsets(entry: &Entry<'_>, kind: &str, bounds: &Aabb) -> Result<Vec<Vector3<f64>>, Fault> {
     if kind != "mesh_array" {
         return Ok(vec![Vector3::zeros()]);
     }
     let array = entry.need("array")?;
-    array.check(
-        &[
-            ("offset", Rule::Said),
-            ("size", Rule::Said),
-            ("relative", Rule::Said),
-        ],
-        notes,
-    )?;
+    array.check(&[("offset size relative", Rule::Said)])?;
     let mut step = Vector3::from_element(array.need("offset")?.number()?);
     if array.flag("relative")? {
-        step.component_mul_assign(&(Vector3::from(bounds.upper) - Vector3::from(bounds.lower)));
+        step.component_mul_assign(&Vector3::from(bounds.sides()));
     }
     let sizes = array.need("size")?;
-    let counts: Result<Vec<i64>, Fault> = sizes.elements()?.iter().map(Entry::integer).collect();
-    let counts = counts?;
+    let counts = sizes.three(Entry::integer, "three numbers of copies")?;
     let product = counts
         .iter()
         .try_fold(1_i64, |product, &count| product.checked_mul(count));
     let is_good = counts.iter().all(|&count| count > 0) && product.is_some_and(|product| product <= MOST);
-    let &[x, y, z] = &counts[..] else {
-        return Err(sizes.invalid("three numbers of copies"));
-    };
+    let [x, y, z] = counts;
     if !is_good {
         return Err(sizes.invalid(&format!("numbers above 0, at most {MOST} copies")));
     }

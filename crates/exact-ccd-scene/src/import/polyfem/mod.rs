@@ -22,9 +22,9 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::Draft;
 use super::fault::{Fault, Place, Problem};
 use super::meshes::Meshes;
+use super::notes::Notes;
 use crate::description::Description;
 use crate::rendering::Rendering;
 use entry::{Entry, IfAbsent, Rule};
@@ -33,43 +33,37 @@ const VIEWING: Rule = Rule::Ignored("it concerns the output of PolyFEM");
 const NOTHING: Rule = Rule::Only(IfAbsent::Nothing);
 
 /// The keys of the file.
-const RULES: [(&str, Rule); 14] = [
-    ("geometry", Rule::Said),
-    ("materials", Rule::Said),
-    ("boundary_conditions", Rule::Said),
-    ("initial_conditions", Rule::Said),
-    ("contact", Rule::Said),
-    ("time", Rule::Said),
-    ("solver", Rule::Said),
-    ("space", Rule::Said),
-    ("units", Rule::Said),
-    ("constraints", NOTHING),
-    ("preset_problem", NOTHING),
-    ("input", NOTHING),
-    ("output", VIEWING),
-    ("tests", VIEWING),
+const RULES: [(&str, Rule); 3] = [
+    (
+        "geometry materials boundary_conditions initial_conditions contact time solver space units",
+        Rule::Said,
+    ),
+    ("constraints preset_problem input", NOTHING),
+    ("output tests", VIEWING),
 ];
 
 /// The scene in the text of a file in a folder.
-pub(super) fn import(text: &str, folder: &Path, meshes: &mut Meshes) -> Result<Draft, Fault> {
+pub(super) fn import(
+    text: &str,
+    folder: &Path,
+    meshes: &mut Meshes,
+    notes: &Notes,
+) -> Result<Description, Fault> {
     let json: Value = serde_json::from_str(text)
         .map_err(|error| Problem::File(error.to_string()).at(&Place::Pointer(String::new())))?;
     let json = inherited::resolved(json, folder)?;
-    let root = Entry::new(&json);
-    let mut notes = Vec::new();
-    root.check(&RULES, &mut notes)?;
-    settings::check_units_and_space(&root, &mut notes)?;
-    let time = settings::time(&root, &mut notes)?;
-    let conditions = boundary::Conditions::parse(&root, &time, &mut notes)?;
-    let scene = geometry::Geometry::parse(&root, &conditions, meshes, &mut notes)?;
+    let root = Entry::new(&json, notes);
+    root.check(&RULES)?;
+    settings::check_units_and_space(&root)?;
+    let time = settings::time(&root)?;
+    let conditions = boundary::Conditions::parse(&root, &time)?;
+    let scene = geometry::Geometry::parse(&root, &conditions, meshes)?;
     conditions.check_use()?;
-    let settings = settings::settings(&root, &time, conditions.gravity, scene.shortest_edge, &mut notes)?;
-    let description = Description {
+    Ok(Description {
         duration: Some(time.duration),
-        settings,
+        settings: settings::settings(&root, &time, conditions.gravity, scene.shortest_edge)?,
         body: scene.bodies,
         half_space: scene.half_spaces,
         render: Rendering::default(),
-    };
-    Ok(Draft { description, notes })
+    })
 }

@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
-use super::super::fault::{Fault, Place};
+use super::super::fault::Fault;
 use super::NOTHING;
 use super::entry::{Entry, Rule};
 use super::expression;
@@ -19,30 +19,20 @@ pub(super) struct Held {
 }
 
 /// A displacement as a function of time.
-pub(super) fn held(entry: &Entry<'_>, time: &Time, notes: &mut Vec<(Place, String)>) -> Result<Held, Fault> {
+pub(super) fn held(entry: &Entry<'_>, time: &Time) -> Result<Held, Fault> {
     if entry.value.is_string() {
         return Err(entry.unsupported("a file of displacements", "write `id` and `value`"));
     }
-    let rules = [
-        ("id", Rule::Said),
-        ("value", Rule::Said),
-        ("dimension", Rule::Said),
-        ("time_reference", NOTHING),
-        ("interpolation", NOTHING),
-    ];
-    entry.check(&rules, notes)?;
+    entry.check(&[
+        ("id value dimension", Rule::Said),
+        ("time_reference interpolation", NOTHING),
+    ])?;
     let values = entry.need("value")?;
-    let [x, y, z] = &values.elements()?[..] else {
-        return Err(values.invalid("three numbers or functions of t"));
-    };
-    let mut axes = [true; 3];
-    if let Some(dimension) = entry.get("dimension") {
-        let flags: Result<Vec<bool>, Fault> = dimension.elements()?.iter().map(Entry::is_true).collect();
-        axes = flags?
-            .try_into()
-            .map_err(|_| dimension.invalid("three of true and false"))?;
-    }
-    let displacement = |t: f64| -> Result<Point, Fault> { Ok([at(x, t)?, at(y, t)?, at(z, t)?]) };
+    let [x, y, z] = values.three(|entry| Ok(entry.clone()), "three numbers or functions of t")?;
+    let axes = entry.get("dimension").map_or(Ok([true; 3]), |dimension| {
+        dimension.three(Entry::is_true, "three of true and false")
+    })?;
+    let displacement = |t: f64| -> Result<Point, Fault> { Ok([at(&x, t)?, at(&y, t)?, at(&z, t)?]) };
     let motion = motion(&displacement, time, &values)?;
     Ok(Held { axes, motion })
 }

@@ -3,7 +3,7 @@
 use exact_ccd_mesh::{Aabb, Point};
 use nalgebra::Vector3;
 
-use super::super::fault::{Fault, Place};
+use super::super::fault::Fault;
 use super::entry::{Entry, Rule};
 
 /// The ids that selections give to faces. The first region that contains the center of a face counts.
@@ -13,7 +13,7 @@ pub(super) struct Regions {
 
 enum Region {
     All(i64),
-    Box(i64, [Point; 2]),
+    Box(i64, Aabb),
     Sphere(i64, Vector3<f64>, f64),
     Cylinder(i64, [Vector3<f64>; 2], f64),
     /// The points x with n · (x − p) not below 0.
@@ -22,40 +22,19 @@ enum Region {
     Sides(i64, f64),
 }
 
-/// The keys of a selection.
-const RULES: [(&str, Rule); 15] = {
-    use Rule::Said;
-    [
-        ("id", Said),
-        ("id_offset", Said),
-        ("threshold", Said),
-        ("box", Said),
-        ("center", Said),
-        ("radius", Said),
-        ("p1", Said),
-        ("p2", Said),
-        ("axis", Said),
-        ("position", Said),
-        ("point", Said),
-        ("normal", Said),
-        ("offset", Said),
-        ("relative", Said),
-        // The faces of a body are those of its boundary.
-        ("boundary_only", Said),
-    ]
-};
+/// The keys of a selection. The faces of a body are those of its boundary.
+const RULES: [(&str, Rule); 1] = [(
+    "id id_offset threshold box center radius p1 p2 axis position point normal offset relative boundary_only",
+    Rule::Said,
+)];
 
 impl Regions {
     /// The selections of an entry, for a placed mesh with this box.
-    pub(super) fn parse(
-        entry: &Entry<'_>,
-        bounds: &Aabb,
-        notes: &mut Vec<(Place, String)>,
-    ) -> Result<Self, Fault> {
+    pub(super) fn parse(entry: &Entry<'_>, bounds: &Aabb) -> Result<Self, Fault> {
         let regions = entry
             .list()
             .iter()
-            .map(|entry| Region::parse(entry, bounds, notes))
+            .map(|entry| Region::parse(entry, bounds))
             .collect::<Result<_, _>>()?;
         Ok(Self { regions })
     }
@@ -67,16 +46,15 @@ impl Regions {
 }
 
 impl Region {
-    fn parse(entry: &Entry<'_>, bounds: &Aabb, notes: &mut Vec<(Place, String)>) -> Result<Self, Fault> {
+    fn parse(entry: &Entry<'_>, bounds: &Aabb) -> Result<Self, Fault> {
         if let Some(id) = entry.value.as_i64() {
             return Ok(Self::All(id));
         }
         if entry.value.is_string() || entry.get("file").is_some() {
             return Err(entry.unsupported("a selection by a file of ids", "select by a box"));
         }
-        entry.check(&RULES, notes)?;
-        let (lower, upper) = (Vector3::from(bounds.lower), Vector3::from(bounds.upper));
-        let size = upper - lower;
+        entry.check(&RULES)?;
+        let (lower, size) = (Vector3::from(bounds.lower), Vector3::from(bounds.sides()));
         let is_relative = entry.flag("relative")?;
         let place = |point: Point| {
             let point = Vector3::from(point);
@@ -98,10 +76,8 @@ impl Region {
             let [lower, upper] = &corners.elements()?[..] else {
                 return Err(corners.invalid("two corners"));
             };
-            return Ok(Self::Box(
-                id,
-                [place(lower.point()?).into(), place(upper.point()?).into()],
-            ));
+            let (lower, upper) = (place(lower.point()?).into(), place(upper.point()?).into());
+            return Ok(Self::Box(id, Aabb { lower, upper }));
         }
         if let Some(center) = entry.get("center") {
             let radius = length(entry.need("radius")?.number()?);
@@ -134,9 +110,7 @@ impl Region {
     fn id(&self, x: &Vector3<f64>, bounds: &Aabb) -> Option<i64> {
         match self {
             Self::All(id) => Some(*id),
-            Self::Box(id, [lower, upper]) => (0..3)
-                .all(|axis| (lower[axis]..=upper[axis]).contains(&x[axis]))
-                .then_some(*id),
+            Self::Box(id, bounds) => bounds.contains(&(*x).into()).then_some(*id),
             Self::Sphere(id, center, radius) => {
                 ((x - center).norm_squared() <= radius * radius).then_some(*id)
             }
@@ -148,19 +122,11 @@ impl Region {
             }
             Self::HalfSpace(id, point, normal) => ((x - point).dot(normal) >= 0.0).then_some(*id),
             Self::Sides(offset, tolerance) => {
-                let (lower, upper) = (bounds.lower, bounds.upper);
-                let sides = [
-                    (0, lower),
-                    (1, lower),
-                    (0, upper),
-                    (1, upper),
-                    (2, lower),
-                    (2, upper),
-                ];
-                let side = sides
-                    .iter()
-                    .position(|(axis, corner)| (x[*axis] - corner[*axis]).abs() < *tolerance);
-                Some(offset + 1 + side.unwrap_or(sides.len()) as i64)
+                let Aabb { lower: l, upper: u } = bounds;
+                let sides = [(0, l), (1, l), (0, u), (1, u), (2, l), (2, u)];
+                let is_near =
+                    |(axis, corner): &(usize, &Point)| (x[*axis] - corner[*axis]).abs() < *tolerance;
+                Some(offset + 1 + sides.iter().position(is_near).unwrap_or(sides.len()) as i64)
             }
         }
     }

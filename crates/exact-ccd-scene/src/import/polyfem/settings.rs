@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 
-use super::super::fault::{Fault, Place};
+use super::super::fault::Fault;
 use super::NOTHING;
 use super::entry::{Entry, IfAbsent, Rule};
 use exact_ccd_sim::Integrator;
@@ -18,32 +18,24 @@ pub(super) struct Time {
 }
 
 /// Checks that lengths are in m and elements linear.
-pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(), Fault> {
-    let unit = |text| Rule::Only(IfAbsent::Text(text));
+pub(super) fn check_units_and_space(root: &Entry<'_>) -> Result<(), Fault> {
+    let only = |text| Rule::Only(IfAbsent::Text(text));
     if let Some(units) = root.get("units") {
-        let length = ("characteristic_length", SOLVER);
-        units.check(
-            &[
-                ("length", unit("m")),
-                ("mass", unit("kg")),
-                ("time", unit("s")),
-                length,
-            ],
-            notes,
-        )?;
+        units.check(&[
+            ("length", only("m")),
+            ("mass", only("kg")),
+            ("time", only("s")),
+            ("characteristic_length", SOLVER),
+        ])?;
     }
     if let Some(space) = root.get("space") {
-        let rules = [
-            ("discr_order", Rule::Only(IfAbsent::Number(1.0))),
-            ("discr_orderq", Rule::Only(IfAbsent::Number(1.0))),
-            ("pressure_discr_order", SOLVER),
-            ("basis_type", unit("Lagrange")),
-            ("poly_basis_type", SOLVER),
+        space.check(&[
+            ("discr_order discr_orderq", Rule::Only(IfAbsent::Number(1.0))),
+            ("pressure_discr_order poly_basis_type advanced", SOLVER),
+            ("basis_type", only("Lagrange")),
             ("use_p_ref", NOTHING),
             ("remesh", Rule::Said),
-            ("advanced", SOLVER),
-        ];
-        space.check(&rules, notes)?;
+        ])?;
         if let Some(remesh) = space.get("remesh")
             && remesh.flag("enabled")?
         {
@@ -54,20 +46,15 @@ pub(super) fn check_units_and_space(root: &Entry<'_>, notes: &mut Vec<(Place, St
 }
 
 /// The key `time`.
-pub(super) fn time(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<Time, Fault> {
+pub(super) fn time(root: &Entry<'_>) -> Result<Time, Fault> {
     let Some(time) = root.get("time") else {
         let instead = "add `time`, with `\"quasistatic\": true` for a sequence of equilibria";
         return Err(root.unsupported("a static problem", instead));
     };
-    let rules = [
+    time.check(&[
         ("t0", Rule::Only(IfAbsent::Number(0.0))),
-        ("tend", Rule::Said),
-        ("dt", Rule::Said),
-        ("time_steps", Rule::Said),
-        ("integrator", Rule::Said),
-        ("quasistatic", Rule::Said),
-    ];
-    time.check(&rules, notes)?;
+        ("tend dt time_steps integrator quasistatic", Rule::Said),
+    ])?;
     let number = |key| time.get(key).map(|entry| entry.number()).transpose();
     let (duration, step) = match (number("tend")?, number("dt")?, number("time_steps")?) {
         (Some(end), Some(step), _) => (end, step),
@@ -103,7 +90,6 @@ pub(super) fn settings(
     time: &Time,
     gravity: Point,
     shortest_edge: f64,
-    notes: &mut Vec<(Place, String)>,
 ) -> Result<Settings, Fault> {
     let Some(contact) = root
         .get("contact")
@@ -112,32 +98,27 @@ pub(super) fn settings(
         let instead = "write `\"enabled\": true` in `contact`";
         return Err(root.unsupported("bodies that pass through each other", instead));
     };
-    let rules = [
-        ("enabled", Rule::Said),
-        ("dhat", Rule::Said),
-        ("dhat_percentage", Rule::Said),
-        ("epsv", Rule::Said),
-        ("friction_coefficient", Rule::Said),
-        ("use_convergent_formulation", Rule::Said),
-        ("use_area_weighting", Rule::Only(IfAbsent::True)),
-        ("use_improved_max_operator", Rule::Only(IfAbsent::True)),
-        ("use_physical_barrier", Rule::Only(IfAbsent::True)),
-        ("use_adaptive_dhat", NOTHING),
-        ("min_distance_ratio", SOLVER),
-        ("use_gcp_formulation", NOTHING),
-        ("alpha_t", SOLVER),
-        ("alpha_n", SOLVER),
-        ("collision_mesh", NOTHING),
-        ("periodic", NOTHING),
-        ("adhesion", NOTHING),
-    ];
-    contact.check(&rules, notes)?;
+    contact.check(&[
+        (
+            "enabled dhat dhat_percentage epsv friction_coefficient use_convergent_formulation",
+            Rule::Said,
+        ),
+        (
+            "use_area_weighting use_improved_max_operator use_physical_barrier",
+            Rule::Only(IfAbsent::True),
+        ),
+        ("min_distance_ratio alpha_t alpha_n", SOLVER),
+        (
+            "use_adaptive_dhat use_gcp_formulation collision_mesh periodic adhesion",
+            NOTHING,
+        ),
+    ])?;
     let formulation = if contact.flag("use_convergent_formulation")? {
         Formulation::Convergent
     } else {
         Formulation::Sum
     };
-    let (lags, max_iterations) = solver(root, notes)?;
+    let (lags, max_iterations) = solver(root)?;
     Ok(Settings {
         time_step: time.step,
         gravity,
@@ -166,50 +147,44 @@ fn contact_distance(contact: &Entry<'_>, shortest_edge: f64) -> Result<f64, Faul
 }
 
 /// The number of friction lags, and that of Newton iterations.
-fn solver(root: &Entry<'_>, notes: &mut Vec<(Place, String)>) -> Result<(usize, usize), Fault> {
+fn solver(root: &Entry<'_>) -> Result<(usize, usize), Fault> {
     let (mut lags, mut iterations) = (1, 500);
     let Some(solver) = root.get("solver") else {
         return Ok((lags, iterations));
     };
-    let rules = [
-        ("max_threads", SOLVER),
-        ("linear", SOLVER),
-        ("adjoint_linear", SOLVER),
-        ("nonlinear", Rule::Said),
-        ("augmented_lagrangian", SOLVER),
-        ("contact", Rule::Said),
+    solver.check(&[
+        (
+            "max_threads linear adjoint_linear augmented_lagrangian advanced",
+            SOLVER,
+        ),
+        ("nonlinear contact", Rule::Said),
         ("rayleigh_damping", NOTHING),
-        ("advanced", SOLVER),
-    ];
-    solver.check(&rules, notes)?;
-    let positive = |entry: &Entry<'_>| {
-        let number = entry.integer()?;
-        let number = usize::try_from(number).ok().filter(|&number| number > 0);
-        number.ok_or_else(|| entry.invalid("an integer above 0"))
+    ])?;
+    let positive = |entry: Option<Entry<'_>>, default| match entry {
+        None => Ok(default),
+        Some(entry) => {
+            let number = usize::try_from(entry.integer()?).ok();
+            let number = number.filter(|&number| number > 0);
+            number.ok_or_else(|| entry.invalid("an integer above 0"))
+        }
     };
     if let Some(nonlinear) = solver.get("nonlinear") {
-        iterations = nonlinear
-            .get("max_iterations")
-            .map_or(Ok(iterations), |entry| positive(&entry))?;
-        let reason = "ignored but for `max_iterations`: the tolerance of Newton's method is a velocity here";
-        notes.push((nonlinear.place(), reason.to_owned()));
+        iterations = positive(nonlinear.get("max_iterations"), iterations)?;
+        nonlinear
+            .note("ignored but for `max_iterations`: the tolerance of Newton's method is a velocity here");
     }
     if let Some(contact) = solver.get("contact") {
-        let rules = [
-            (
-                "CCD",
-                Rule::Ignored("contact is decided exactly; `settings.ccd` selects another method"),
-            ),
+        let ccd = "contact is decided exactly; `settings.ccd` selects another method";
+        contact.check(&[
+            ("CCD", Rule::Ignored(ccd)),
             ("friction_iterations", Rule::Said),
-            ("tangential_adhesion_iterations", SOLVER),
-            ("friction_convergence_tol", SOLVER),
+            (
+                "tangential_adhesion_iterations friction_convergence_tol initial_barrier_stiffness",
+                SOLVER,
+            ),
             ("barrier_stiffness", Rule::Only(IfAbsent::Text("adaptive"))),
-            ("initial_barrier_stiffness", SOLVER),
-        ];
-        contact.check(&rules, notes)?;
-        lags = contact
-            .get("friction_iterations")
-            .map_or(Ok(lags), |entry| positive(&entry))?;
+        ])?;
+        lags = positive(contact.get("friction_iterations"), lags)?;
     }
     Ok((lags, iterations))
 }

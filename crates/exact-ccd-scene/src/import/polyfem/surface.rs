@@ -3,18 +3,20 @@
 use exact_ccd_mesh::{Aabb, Point};
 use nalgebra::Vector3;
 
+use super::super::fault::Fault;
+use super::entry::Entry;
 use super::region::Regions;
 
-/// The faces of a placed body with their ids.
+/// The faces of a body with their ids.
 pub(super) struct Surface<'a> {
-    pub(super) points: &'a [Point],
     pub(super) faces: &'a [[u32; 3]],
     ids: Vec<Option<i64>>,
 }
 
 impl<'a> Surface<'a> {
+    /// The faces of a placed body with these points.
     pub(super) fn new(
-        points: &'a [Point],
+        points: &[Point],
         faces: &'a [[u32; 3]],
         regions: Option<&Regions>,
         bounds: &Aabb,
@@ -24,16 +26,7 @@ impl<'a> Surface<'a> {
             regions?.id(&(corners.iter().sum::<Vector3<f64>>() / 3.0), bounds)
         };
         let ids = faces.iter().map(id).collect();
-        Self { points, faces, ids }
-    }
-
-    /// The same surface at another place.
-    pub(super) fn at<'b>(&'b self, points: &'b [Point]) -> Surface<'b> {
-        Surface {
-            points,
-            faces: self.faces,
-            ids: self.ids.clone(),
-        }
+        Self { faces, ids }
     }
 
     /// The id of all faces.
@@ -44,16 +37,10 @@ impl<'a> Surface<'a> {
 
     /// The vertices of the faces with one of these ids, in increasing order.
     pub(super) fn vertices(&self, ids: &Ids) -> Vec<u32> {
-        let mut is_selected = vec![false; self.points.len()];
-        for face in self.selected(ids) {
-            face.iter()
-                .for_each(|&vertex| is_selected[vertex as usize] = true);
-        }
-        (0..)
-            .zip(is_selected)
-            .filter(|(_, selected)| *selected)
-            .map(|(vertex, _)| vertex)
-            .collect()
+        let mut vertices: Vec<u32> = self.selected(ids).flatten().copied().collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
     }
 
     /// The faces with one of these ids.
@@ -67,6 +54,15 @@ impl<'a> Surface<'a> {
 pub(super) struct Ids(pub(super) Option<Vec<i64>>);
 
 impl Ids {
+    /// One id, a list of ids, or `"all"`.
+    pub(super) fn parse(entry: &Entry<'_>) -> Result<Self, Fault> {
+        if entry.value.as_str() == Some("all") {
+            return Ok(Self(None));
+        }
+        let ids: Result<Vec<i64>, Fault> = entry.list().iter().map(Entry::integer).collect();
+        Ok(Self(Some(ids?)))
+    }
+
     pub(super) fn contain(&self, id: Option<i64>) -> bool {
         let Self(ids) = self;
         ids.as_ref()
