@@ -68,6 +68,7 @@ fn check_kind<K: Kind>(start: K::Points, end: K::Points, rule: &Rule) {
         bounds.upper <= d.get(),
         "{d:?}: {query:?}"
     );
+    laws::assert_reversible(&query, d);
 }
 
 /// Few values, so that many coordinates are the same.

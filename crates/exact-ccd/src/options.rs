@@ -1,4 +1,4 @@
-//! What counts as contact, and until when.
+//! The distance at which primitives touch, and the last time that counts.
 
 use crate::distance::Separation;
 use crate::thickness::{Separations, Thickness};

@@ -59,8 +59,8 @@ fn first_of_batch<K: Defined>(query: &Query<K>, d: Separation) -> Option<Moment>
     first
 }
 
-/// Compares the decision, all times at which the primitives touch, and the first one, also of a batch; returns
-/// true if there are any.
+/// Compares the decision, all times of touching, and the first one, also of a batch; returns true if there
+/// are any.
 pub(crate) fn assert_defined<K: Defined>(query: &Query<K>, d: Separation) -> bool {
     let [start, end] = points(query);
     let truth = definition::intervals(K::PRIMITIVES, [&start, &end], d.get());

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::{ContactTime, Interval, Intervals, Kind, Query, Separation, exact};
+use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation, exact};
 
 use crate::kinds::query;
 
@@ -21,7 +21,7 @@ pub(crate) fn checked<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
     let times = [query.time_of_impact(d), exact::time_of_impact(query, d)];
     assert_eq!(times, [first.map(ContactTime::lower); 2], "{d:?}: {query:?}");
     let collision = query.collision(d);
-    let time = collision.as_ref().map(|collision| collision.time());
+    let time = collision.as_ref().map(Collision::time);
     assert_eq!(time, first, "{d:?}: {query:?}");
     let impact = collision.map(|collision| collision.impact().time);
     assert_eq!(impact, first, "{d:?}: {query:?}");

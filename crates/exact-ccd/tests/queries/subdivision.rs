@@ -3,7 +3,7 @@
 //! free of contact, the others are cut down to a minimal size. On small integers, primitives that
 //! do not touch are farther apart than that size.
 
-use exact_ccd::{CONTACT, EdgeEdge, Point, VertexFace};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Point, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
@@ -86,7 +86,7 @@ fn contacts_are_the_reported_ones<K: Primitives>(points: &Points) {
     let times = query::<K>(points).intervals(CONTACT);
     let mut free_from = 0.0;
     for interval in &times {
-        let [start, end] = [interval.start, interval.end].map(|time| time.lower());
+        let [start, end] = [interval.start, interval.end].map(ContactTime::lower);
         assert!(
             !touches_between::<K>(points, free_from, start - NEAR),
             "before {start}: {times:?}, {points:?}"

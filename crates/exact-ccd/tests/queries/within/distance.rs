@@ -37,10 +37,11 @@ fn equals_d_at_the_first_time<K: Kind>() {
     for_all(cases(4_000), (ordinary(), rule()), |(points, rule)| {
         let d = rule.separation::<K>(&points);
         let query = query::<K>(&points);
-        let Some(first) = query.collision(d).map(|collision| collision.time()) else {
+        let Some(collision) = query.collision(d) else {
             return;
         };
-        let DistanceBounds { lower, upper } = bounds(&query, first.lower());
+        let first = collision.time();
+        let then @ DistanceBounds { lower, upper } = bounds(&query, first.lower());
         if !first.is_exact() {
             assert!(upper > d.get(), "{d:?}: {query:?}");
         } else if first.lower() > 0.0 {
@@ -48,6 +49,13 @@ fn equals_d_at_the_first_time<K: Kind>() {
         } else {
             assert!(upper <= d.get(), "{d:?}: {query:?}");
         }
+        let d = d.get();
+        let at_collision = if first.is_start() {
+            then
+        } else {
+            DistanceBounds { lower: d, upper: d }
+        };
+        assert_eq!(collision.distance(), at_collision, "{d:?}: {query:?}");
     });
 }
 
