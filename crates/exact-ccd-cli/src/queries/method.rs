@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
-use exact_ccd::{Ccd, ContactTime, Decide, Kind, Query, Separation, TimeGuarantee};
+use exact_ccd::{Ccd, ContactTime, Decide, Kind, Point, Query, Separation, TimeGuarantee};
 use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
 use exact_ccd_methods::{UnknownMethod, by_name};
 use serde_json::Value;

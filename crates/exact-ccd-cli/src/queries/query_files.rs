@@ -3,11 +3,11 @@
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use exact_ccd::parity::RoundingError;
 use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataError, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample,
     Seventh,
 };
+use exact_ccd_methods::parity::RoundingError;
 
 use crate::failure::{Failure, failures};
 use crate::output::replace_file;

@@ -9,8 +9,8 @@ mod groups;
 use std::path::Path;
 use std::sync::Arc;
 
-use exact_ccd_scene::Scene;
 use exact_ccd_methods::parity::RootParity;
+use exact_ccd_scene::Scene;
 use exact_ccd_sim::{StepFilter, System};
 
 const SCENE: &str = r#"

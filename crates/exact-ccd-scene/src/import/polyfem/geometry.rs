@@ -2,8 +2,8 @@
 
 use std::rc::Rc;
 
-use exact_ccd_mesh::{Aabb, Point};
 use exact_ccd_mesh::HalfSpace;
+use exact_ccd_mesh::{Aabb, Point};
 use nalgebra::Vector3;
 
 use super::super::fault::Fault;
