@@ -13,7 +13,8 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use exact_ccd::Point;
 
 use super::image::{Differences, Domain, Image, Predicate, RAY, integers, with_ray};
-use super::patch::stand_in;
+use super::patch::{AROUND_02, stand_in};
+use super::signs::Signs;
 use super::{Parity, fold};
 
 /// The largest number of rays that a query rejects.
@@ -26,34 +27,61 @@ pub(super) fn parity<I: Image>(
     pairs: &[[Point; 2]; 8],
     image_of: impl Fn(&Differences) -> I,
 ) -> Parity {
-    let parity = (0..=MOST_REJECTED).map(f64::from).find_map(|k| {
-        let differences = with_ray(pairs, [1.0, k, k * k]);
+    let signs = Signs::new(pairs);
+    if signs.exclude_origin(&[0, 1, 2, 3, 4, 5, 6, 7]) {
+        return Parity::Even;
+    }
+    let parity = (0..=MOST_REJECTED).find_map(|k| {
+        let differences = with_ray(pairs, [1, k, k * k].map(f64::from));
+        let faces = domain.faces.iter().copied();
+        let faces = faces.filter(|face| !signs.exclude_ray(k == 0, face));
         let covers = |patch: [usize; 4]| {
-            let vectors = integers(&differences);
-            fold::contains_origin(patch.map(|corner| &vectors[corner]))
+            let corners = integers(&patch.map(|corner| differences[corner]));
+            fold::contains_origin(corners.each_ref())
         };
-        cast(&image_of(&differences), domain.faces, &covers)
+        let is_far = |patch: [usize; 4]| signs.exclude_origin(&patch);
+        let image = image_of(&differences);
+        if k == 0 {
+            cast(&image, faces, |edge| Predicate::Turn(0, edge), is_far, covers)
+        } else {
+            cast(&image, faces, along_ray, is_far, covers)
+        }
     });
     debug_assert!(parity.is_some(), "no ray is valid");
     // The conservative answer, for a case that cannot occur.
     parity.unwrap_or(Parity::Boundary)
 }
 
-/// The parity of the crossings of the ray of an image; `None` if it meets the boundary of a triangle, so
-/// that they cannot be counted.
+/// The side of the ray on which the line through two corners passes.
+pub(super) fn along_ray([a, b]: [usize; 2]) -> Predicate {
+    Predicate::Volume([RAY, a, b])
+}
+
+/// The parity of the crossings of the ray of an image with faces; `None` if it meets the boundary of a
+/// triangle, so that they cannot be counted.
+///
+/// `side` is the side of the ray on which the line through two corners passes. `is_far` proves that the
+/// origin is not in the hull of a patch, `covers` that it is on a patch in whose plane and hull it is.
 #[inline]
 pub(super) fn cast(
     image: &impl Image,
-    faces: &[[usize; 4]],
-    covers: &impl Fn([usize; 4]) -> bool,
+    faces: impl Iterator<Item = [usize; 4]>,
+    side: impl Fn([usize; 2]) -> Predicate,
+    is_far: impl Fn([usize; 4]) -> bool,
+    covers: impl Fn([usize; 4]) -> bool,
 ) -> Option<Parity> {
     let mut is_odd = Some(false);
-    for &face in faces {
-        let Some(passage) = Passage::of(image, face) else {
+    for patch in faces {
+        let Some(passage) = Passage::of(image, patch, &side) else {
             continue;
         };
-        let Some(triangles) = stand_in(image, face, covers) else {
-            return Some(Parity::Boundary);
+        let triangles = if is_far(patch) {
+            AROUND_02
+        } else {
+            let Some(triangles) = stand_in(image, patch, &covers) else {
+                return Some(Parity::Boundary);
+            };
+            triangles
         };
         for triangle in triangles {
             is_odd = is_odd
@@ -75,11 +103,11 @@ impl Passage {
     /// `None` if the line misses the hull of the corners: as seen along it, all other corners are strictly
     /// on one side of the line through one of them.
     #[inline]
-    fn of(image: &impl Image, patch: [usize; 4]) -> Option<Self> {
+    fn of(image: &impl Image, patch: [usize; 4], side: &impl Fn([usize; 2]) -> Predicate) -> Option<Self> {
         let mut sides = [[Equal; 4]; 4];
         for i in 0..3 {
             for j in i + 1..4 {
-                sides[i][j] = image.sign(Predicate::Volume([RAY, patch[i], patch[j]]));
+                sides[i][j] = image.sign(side([patch[i], patch[j]]));
                 sides[j][i] = sides[i][j].reverse();
             }
         }
