@@ -12,7 +12,7 @@ use super::number::Number;
 /// sign. Hence the error of the value is at most ((1 + u)ᵏ − 1) / (1 − u)ᵏ times the magnitude, which is
 /// less than 16 u for k ≤ 12: a determinant has 5 operations, φ has 12.
 ///
-/// Nothing overflows or underflows in [range](super::expansion::Expansion::can_hold). Only the normal of a
+/// Nothing overflows or underflows in range (`Expansion::can_hold`). Only the normal of a
 /// plane has smaller components, and three products with such a component underflow by 2⁻¹⁰⁷⁵ each.
 #[derive(Clone, Copy)]
 pub(super) struct Approximate {

@@ -4,10 +4,10 @@ use std::iter::successors;
 
 use exact_ccd::{Ccd, Decide, Guarantees, Kind, Point, Query, TimeGuarantee};
 
-use super::filtered::Filtered;
 use super::image::{Domain, Image, Predicate, RAY, with_ray};
+use super::intervals::Intervals;
 use super::number::Vector;
-use super::ray::cast;
+use super::ray::{along_ray, cast};
 use super::{Parity, culling};
 use crate::interval::Interval;
 
@@ -79,18 +79,13 @@ fn extent(corners: &[Vector<Interval>]) -> f64 {
     distance(|corner, axis| corner[axis].upper).max(distance(|corner, axis| -corner[axis].lower))
 }
 
-/// The number in the middle of an interval.
-fn middle(Interval { lower, upper }: Interval) -> f64 {
-    0.5 * (lower + upper)
-}
-
 /// True if the ray, as a segment of this length, meets a triangle at the origin, up to rounding.
 ///
 /// It meets it at V / (S₀ + S₁ + S₂), in units of the direction: V is the volume of the
 /// corners, Sᵢ that of the direction and an edge. What remains of the segment is the
 /// barycentric coordinate of the origin.
-fn starts_on_triangle(image: &Filtered<Interval>, [a, b, c]: [usize; 3], length: f64) -> bool {
-    let estimate = |predicate: Predicate| middle(predicate.value(image.vectors()));
+fn starts_on_triangle(image: &Intervals, [a, b, c]: [usize; 3], length: f64) -> bool {
+    let estimate = |predicate: Predicate| predicate.value(image.vectors()).middle();
     let volume = Predicate::Volume([a, b, c]);
     let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| Predicate::Volume([RAY, from, to]));
     let distance = estimate(volume) / sides.map(estimate).iter().sum::<f64>();
@@ -105,13 +100,12 @@ impl<K: Kind<Points = [Point; 4]>> Decide<K> for BrochuRootParity {
         let domain = Domain::of::<K>();
         let pairs = domain.pairs(query);
         let mut images = rays()
-            .map(|ray| Filtered::<Interval>::new(&with_ray(&pairs, ray)))
+            .map(|ray| Intervals::new(&with_ray(&pairs, ray)))
             .take(self.rays.into())
             .peekable();
         if let Some(first) = images.peek() {
             let [corners @ .., _ray] = first.vectors();
-            let middles = corners.map(|corner| corner.map(middle));
-            if culling::separates(corners, &middles, domain.faces) {
+            if culling::separates(corners, domain.faces) {
                 return false;
             }
         }
@@ -121,7 +115,8 @@ impl<K: Kind<Points = [Point; 4]>> Decide<K> for BrochuRootParity {
             if triangles.any(|triangle| starts_on_triangle(&image, triangle, length)) {
                 return Some(true);
             }
-            cast(&image, domain.faces, &|_| true).map(Parity::is_collision)
+            let faces = domain.faces.iter().copied();
+            cast(&image, faces, along_ray, |_| false, |_| true).map(Parity::is_collision)
         });
         collides.unwrap_or(true)
     }

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use exact_ccd::Point;
 
 use super::number::{Number, Vector, dot};
+use crate::interval::Interval;
 
 /// The normals that are tried for any query: the axes, their pairs, and all three, as in El Topo.
 const NORMALS: [Point; 7] = [
@@ -19,16 +20,12 @@ const NORMALS: [Point; 7] = [
 
 /// True if a plane is found, among those across fixed directions and those along the two triangles
 /// of each face, so that the origin is not in the hull of the corners.
-///
-/// `places` are f64 points near the corners.
-pub(super) fn separates<N>(corners: &[Vector<N>], places: &[Point; 8], faces: &[[usize; 4]]) -> bool
-where
-    N: Number + From<f64>,
-{
+pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -> bool {
+    let middles = corners.map(|corner| corner.map(Interval::middle));
     let normals = faces
         .iter()
         .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
-        .filter_map(|triangle| normal(triangle.map(|corner| places[corner])));
+        .filter_map(|triangle| normal(triangle.map(|corner| middles[corner])));
     NORMALS
         .into_iter()
         .chain(normals)
@@ -48,8 +45,8 @@ fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
     (length > 0.0 && length.is_finite()).then(|| normal.map(|x| x / length))
 }
 
-fn is_on_one_side<N: Number + From<f64>>(corners: &[Vector<N>], normal: Point) -> bool {
-    let normal = normal.map(N::from);
+fn is_on_one_side(corners: &[Vector<Interval>; 8], normal: Point) -> bool {
+    let normal = normal.map(Interval::exactly);
     let mut sides = corners.iter().map(|corner| dot(&normal, corner).certain_sign());
     let first = sides.next().flatten();
     matches!(first, Some(Ordering::Less | Ordering::Greater)) && sides.all(|side| side == first)

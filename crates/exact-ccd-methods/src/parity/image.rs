@@ -96,7 +96,7 @@ pub(super) fn vectors<N: Number + From<f64>>(differences: &Differences) -> Vecto
 }
 
 /// All vectors, divided by the same power of two.
-pub(super) fn integers(differences: &Differences) -> Vectors<IBig> {
+pub(super) fn integers<const N: usize>(differences: &[[Point; 2]; N]) -> [Vector<IBig>; N] {
     to_integers(differences).map(|[minuend, subtrahend]| {
         let [x, y, z] = minuend;
         let [a, b, c] = subtrahend;
@@ -131,7 +131,7 @@ impl Predicate {
     }
 
     #[inline]
-    pub(super) fn value<N: Number>(self, vectors: &Vectors<N>) -> N {
+    pub(super) fn value<N: Number>(self, vectors: &[Vector<N>]) -> N {
         let volume = |a: usize, b: usize, c: usize| volume(&vectors[a], &vectors[b], &vectors[c]);
         match self {
             Self::Volume([a, b, c]) => volume(a, b, c),

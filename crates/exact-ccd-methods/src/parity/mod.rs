@@ -40,14 +40,16 @@ mod brochu;
 mod culling;
 mod decide;
 mod expansion;
-mod filtered;
+mod floats;
 mod fold;
 mod image;
+mod intervals;
 mod number;
 mod patch;
 mod rational;
 mod ray;
 mod rounding;
+mod signs;
 
 pub use brochu::BrochuRootParity;
 pub use decide::RootParity;

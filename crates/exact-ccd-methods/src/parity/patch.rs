@@ -25,7 +25,7 @@ use super::image::{Image, Predicate};
 
 /// The faces of the tetrahedron around the diagonal from corner 0 to corner 2, on which φ ≥ 0, and
 /// those around the other one, on which φ ≤ 0.
-const AROUND_02: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
+pub(super) const AROUND_02: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
 const AROUND_13: [[usize; 3]; 2] = [[0, 1, 3], [1, 2, 3]];
 
 /// The triangles that stand for a patch, as indices of its corners; `None` if the origin is on the patch.

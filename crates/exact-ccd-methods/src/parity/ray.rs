@@ -13,7 +13,8 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 use exact_ccd::Point;
 
 use super::image::{Differences, Domain, Image, Predicate, RAY, integers, with_ray};
-use super::patch::stand_in;
+use super::patch::{AROUND_02, stand_in};
+use super::signs::Signs;
 use super::{Parity, fold};
 
 /// The largest number of rays that a query rejects.
@@ -26,34 +27,72 @@ pub(super) fn parity<I: Image>(
     pairs: &[[Point; 2]; 8],
     image_of: impl Fn(&Differences) -> I,
 ) -> Parity {
-    let parity = (0..=MOST_REJECTED).map(f64::from).find_map(|k| {
-        let differences = with_ray(pairs, [1.0, k, k * k]);
-        let covers = |patch: [usize; 4]| {
-            let vectors = integers(&differences);
-            fold::contains_origin(patch.map(|corner| &vectors[corner]))
-        };
-        cast(&image_of(&differences), domain.faces, &covers)
-    });
+    let signs = Signs::new(pairs);
+    if signs.exclude_origin(&[0, 1, 2, 3, 4, 5, 6, 7]) {
+        return Parity::Even;
+    }
+    let parity = (0..=MOST_REJECTED).find_map(|k| by_ray(k, domain, pairs, &signs, &image_of));
     debug_assert!(parity.is_some(), "no ray is valid");
     // The conservative answer, for a case that cannot occur.
     parity.unwrap_or(Parity::Boundary)
 }
 
-/// The parity of the crossings of the ray of an image; `None` if it meets the boundary of a triangle, so
-/// that they cannot be counted.
+/// The parity by the k-th ray; `None` if it is not valid.
+#[inline]
+fn by_ray<I: Image>(
+    k: u32,
+    domain: &Domain,
+    pairs: &[[Point; 2]; 8],
+    signs: &Signs,
+    image_of: &impl Fn(&Differences) -> I,
+) -> Option<Parity> {
+    let differences = with_ray(pairs, [1, k, k * k].map(f64::from));
+    let faces = domain.faces.iter().copied();
+    let faces = faces.filter(|face| !signs.exclude_ray(k == 0, face));
+    let is_far = |patch: [usize; 4]| signs.exclude_origin(&patch);
+    let covers = |patch: [usize; 4]| {
+        let corners = integers(&patch.map(|corner| differences[corner]));
+        fold::contains_origin(corners.each_ref())
+    };
+    let image = image_of(&differences);
+    if k == 0 {
+        // The ray is the x axis.
+        cast(&image, faces, |edge| Predicate::Turn(0, edge), is_far, covers)
+    } else {
+        cast(&image, faces, along_ray, is_far, covers)
+    }
+}
+
+/// The side of the ray on which the line through two corners passes.
+pub(super) fn along_ray([a, b]: [usize; 2]) -> Predicate {
+    Predicate::Volume([RAY, a, b])
+}
+
+/// The parity of the crossings of the ray of an image with faces; `None` if it meets the boundary of a
+/// triangle, so that they cannot be counted.
+///
+/// `side` is the side of the ray on which the line through two corners passes. `is_far` proves that the
+/// origin is not in the hull of a patch, `covers` that it is on a patch in whose plane and hull it is.
 #[inline]
 pub(super) fn cast(
     image: &impl Image,
-    faces: &[[usize; 4]],
-    covers: &impl Fn([usize; 4]) -> bool,
+    faces: impl Iterator<Item = [usize; 4]>,
+    side: impl Fn([usize; 2]) -> Predicate,
+    is_far: impl Fn([usize; 4]) -> bool,
+    covers: impl Fn([usize; 4]) -> bool,
 ) -> Option<Parity> {
     let mut is_odd = Some(false);
-    for &face in faces {
-        let Some(passage) = Passage::of(image, face) else {
+    for patch in faces {
+        let Some(passage) = Passage::of(image, patch, &side) else {
             continue;
         };
-        let Some(triangles) = stand_in(image, face, covers) else {
-            return Some(Parity::Boundary);
+        let triangles = if is_far(patch) {
+            AROUND_02
+        } else {
+            let Some(triangles) = stand_in(image, patch, &covers) else {
+                return Some(Parity::Boundary);
+            };
+            triangles
         };
         for triangle in triangles {
             is_odd = is_odd
@@ -75,11 +114,11 @@ impl Passage {
     /// `None` if the line misses the hull of the corners: as seen along it, all other corners are strictly
     /// on one side of the line through one of them.
     #[inline]
-    fn of(image: &impl Image, patch: [usize; 4]) -> Option<Self> {
+    fn of(image: &impl Image, patch: [usize; 4], side: &impl Fn([usize; 2]) -> Predicate) -> Option<Self> {
         let mut sides = [[Equal; 4]; 4];
         for i in 0..3 {
             for j in i + 1..4 {
-                sides[i][j] = image.sign(Predicate::Volume([RAY, patch[i], patch[j]]));
+                sides[i][j] = image.sign(side([patch[i], patch[j]]));
                 sides[j][i] = sides[i][j].reverse();
             }
         }
@@ -138,4 +177,84 @@ fn meets_in_plane(image: &impl Image, [a, b]: [usize; 2]) -> bool {
     [a, b]
         .into_iter()
         .any(|end| image.sign(Predicate::Dot([end, RAY])).is_ge())
+}
+
+#[cfg(test)]
+mod tests {
+    use exact_ccd::{EdgeEdge, Kind, VertexFace};
+    use proptest::array::{uniform2, uniform8};
+    use proptest::prelude::*;
+    use proptest::test_runner::RngSeed;
+
+    use super::*;
+    use crate::parity::floats::Floats;
+
+    /// The edges of the domain and the diagonals of its faces. Each rejects two rays at most.
+    const LINES_OF_PRISM: usize = 9 + 6;
+    const LINES_OF_HEXAHEDRON: usize = 12 + 12;
+
+    /// The number of rays that are rejected before the first valid one.
+    fn rejected<K: Kind<Points = [Point; 4]>>(corners: &[Point; 8]) -> usize {
+        let pairs = corners.map(|corner| [corner, [0.0; 3]]);
+        let signs = Signs::new(&pairs);
+        let parity = |k| by_ray(k, Domain::of::<K>(), &pairs, &signs, &Floats::new);
+        (0..=MOST_REJECTED).take_while(|&k| parity(k).is_none()).count()
+    }
+
+    /// The number for a prism: corners 3 and 7 are replaced.
+    fn rejected_by_prism(mut corners: [Point; 8]) -> usize {
+        (corners[3], corners[7]) = (corners[2], corners[6]);
+        rejected::<VertexFace>(&corners)
+    }
+
+    /// A linear map that takes the k-th ray to the (k + shift)-th.
+    fn forward(shift: f64, [x, y, z]: Point) -> Point {
+        [x, y + shift * x, z + 2.0 * shift * y + shift * shift * x]
+    }
+
+    /// Each side of a triangle lies across two rays, and so does each side of a parallelogram.
+    const TRIANGLE: [Point; 3] = [[2.0, 3.0, 3.0], [2.0, 7.0, 23.0], [-2.0, -5.0, -5.0]];
+    const PARALLELOGRAM: [Point; 4] = [
+        [2.0, 3.0, 3.0],
+        [6.0, 21.0, 69.0],
+        [-2.0, -7.0, -7.0],
+        [2.0, 11.0, 59.0],
+    ];
+
+    #[test]
+    fn edges_across_the_first_rays_reject_them() {
+        let [a, b, c] = TRIANGLE;
+        let face = [a, b, c, c];
+        let later = face.map(|corner| forward(6.0, corner));
+        let count = rejected_by_prism([face, later].as_flattened().try_into().unwrap());
+        assert!((12..=2 * LINES_OF_PRISM).contains(&count), "{count}");
+
+        let later = PARALLELOGRAM.map(|corner| forward(8.0, corner));
+        let count = rejected::<EdgeEdge>([PARALLELOGRAM, later].as_flattened().try_into().unwrap());
+        assert!((16..=2 * LINES_OF_HEXAHEDRON).contains(&count), "{count}");
+    }
+
+    /// On one of the first rays, opposite of one, or in the plane of two.
+    fn corner() -> impl Strategy<Value = Point> {
+        let ray = (0..6u8).prop_map(|k| [1, k, k * k].map(f64::from));
+        (uniform2(ray), uniform2(-2..=2i8)).prop_map(|([a, b], factors)| {
+            let [x, y] = factors.map(f64::from);
+            [0, 1, 2].map(|axis: usize| x * a[axis] + y * b[axis])
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig {
+            cases: 50_000,
+            failure_persistence: None,
+            rng_seed: RngSeed::Fixed(0),
+            ..ProptestConfig::default()
+        })]
+
+        #[test]
+        fn few_rays_are_rejected(corners in uniform8(corner())) {
+            prop_assert!(rejected_by_prism(corners) <= 2 * LINES_OF_PRISM);
+            prop_assert!(rejected::<EdgeEdge>(&corners) <= 2 * LINES_OF_HEXAHEDRON);
+        }
+    }
 }

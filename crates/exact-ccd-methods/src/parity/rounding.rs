@@ -9,10 +9,8 @@
 use exact_ccd::{Axis, Kind, NonFinite, Point, Query, environment};
 
 use super::Parity;
-use super::approximate::Approximate;
-use super::culling;
 use super::expansion::Expansion;
-use super::filtered::Filtered;
+use super::floats::Floats;
 use super::image::Domain;
 use super::rational::rational;
 use super::ray::parity;
@@ -254,15 +252,36 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     #[must_use]
     pub fn parity(&self) -> Parity {
         let corners = &self.corners;
-        if !environment::is_default() || !Expansion::can_hold(corners) {
+        if !environment::is_default() {
             return rational(&self.query);
         }
-        let domain = Domain::of::<K>();
-        let vectors = corners.map(|corner| corner.map(Approximate::from));
-        if culling::separates(&vectors, corners, domain.faces) {
+        if excludes_origin(corners) {
             return Parity::Even;
         }
+        if !Expansion::can_hold(corners) {
+            return rational(&self.query);
+        }
         let pairs = corners.map(|corner| [corner, [0.0; 3]]);
-        parity(domain, &pairs, Filtered::<Approximate>::new)
+        parity(Domain::of::<K>(), &pairs, Floats::new)
     }
+}
+
+/// True if all points are strictly on one side of a plane x = 0, y = 0, z = 0, x = ±y, y = ±z or z = ±x.
+/// Comparisons are exact.
+#[inline]
+fn excludes_origin(points: &[Point; 8]) -> bool {
+    let is_one_sided = |axis: usize| {
+        let signs = points.iter().fold([true; 2], |[a, b], point| {
+            [a & (point[axis] > 0.0), b & (point[axis] < 0.0)]
+        });
+        signs != [false; 2]
+    };
+    let is_one_sided_diagonally = |[i, j]: [usize; 2]| {
+        let sides = points.iter().fold([true; 4], |[a, b, c, d], point| {
+            let (x, y) = (point[i], point[j]);
+            [a & (x > y), b & (x < y), c & (x > -y), d & (x < -y)]
+        });
+        sides != [false; 4]
+    };
+    (0..3).any(is_one_sided) || [[0, 1], [1, 2], [2, 0]].into_iter().any(is_one_sided_diagonally)
 }

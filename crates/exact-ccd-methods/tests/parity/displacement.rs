@@ -174,3 +174,20 @@ fn is_the_least_at_the_end_of_the_range() {
     let unit = 2f64.powi(971);
     assert_eq!(e(-f64::MAX / 2.0, -1.5 * unit), f64::MAX - unit);
 }
+
+#[test]
+fn a_point_that_leaves_the_range_names_its_axis() {
+    for axis in 0..3 {
+        let (mut lower, mut upper) = ([1.0; 3], [1.0; 3]);
+        (lower[axis], upper[axis]) = (-1e308, 1.0);
+        let displacement = Displacement::of_box(lower, upper);
+        let expected = RoundingError::OutOfRange {
+            axis: Axis::ALL[axis],
+        };
+        assert_eq!(displacement.apply_to_all(&[lower, upper]), Err(expected));
+        upper[axis] = -9e307;
+        let displacement = Displacement::of_box(lower, upper);
+        let moved = [lower, upper].map(|point| displacement.apply(point));
+        assert_eq!(displacement.apply_to_all(&[lower, upper]), Ok(moved.to_vec()));
+    }
+}

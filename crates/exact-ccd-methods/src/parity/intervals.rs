@@ -1,4 +1,4 @@
-//! Signs by a filter, and exactly where it leaves them open.
+//! Signs in intervals, and exactly where these leave them open.
 
 use std::cell::OnceCell;
 use std::cmp::Ordering;
@@ -8,11 +8,12 @@ use dashu_int::IBig;
 use super::expansion::Expansion;
 use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
 use super::number::Number;
+use crate::interval::Interval;
 
-/// An image in the numbers of a filter, and exactly where these leave a sign open.
-pub(super) struct Filtered<N> {
+/// An image in intervals, and exactly where these leave a sign open.
+pub(super) struct Intervals {
     differences: Differences,
-    vectors: Vectors<N>,
+    vectors: Vectors<Interval>,
     exact: OnceCell<Exact>,
 }
 
@@ -33,14 +34,16 @@ impl Exact {
 
     fn sign(&self, predicate: Predicate) -> Ordering {
         match self {
-            Self::Expansions(vectors) => predicate.value(vectors).certain_sign().unwrap_or(Ordering::Equal),
+            Self::Expansions(vectors) => predicate
+                .value(vectors.as_slice())
+                .certain_sign()
+                .unwrap_or(Ordering::Equal),
             Self::Integers(vectors) => vectors.sign(predicate),
         }
     }
 }
 
-impl<N: Number + From<f64>> Filtered<N> {
-    #[inline]
+impl Intervals {
     pub(super) fn new(differences: &Differences) -> Self {
         Self {
             vectors: vectors(differences),
@@ -49,11 +52,10 @@ impl<N: Number + From<f64>> Filtered<N> {
         }
     }
 
-    pub(super) fn vectors(&self) -> &Vectors<N> {
+    pub(super) fn vectors(&self) -> &Vectors<Interval> {
         &self.vectors
     }
 
-    #[cold]
     fn exact_sign(&self, predicate: Predicate) -> Ordering {
         if predicate.vanishes(&self.differences) {
             return Ordering::Equal;
@@ -64,8 +66,7 @@ impl<N: Number + From<f64>> Filtered<N> {
     }
 }
 
-impl<N: Number + From<f64>> Image for Filtered<N> {
-    #[inline]
+impl Image for Intervals {
     fn sign(&self, predicate: Predicate) -> Ordering {
         let sign = predicate.value(&self.vectors).certain_sign();
         sign.unwrap_or_else(|| self.exact_sign(predicate))
