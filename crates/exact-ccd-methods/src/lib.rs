@@ -25,6 +25,7 @@ mod interval;
 mod registry;
 mod root_finding;
 mod root_parity;
+mod vector;
 
 pub use bernstein::{BernsteinSignClassification, TightCcd};
 pub use inclusion::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};

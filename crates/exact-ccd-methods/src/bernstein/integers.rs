@@ -4,7 +4,7 @@ use dashu_base::FloatEncoding;
 use dashu_int::IBig;
 use exact_ccd::Point;
 
-use super::configuration::Vector;
+use crate::vector::Vector;
 
 /// All coordinates, divided by the same power of two.
 pub(super) fn to_integers(points: &[[Point; 4]; 2]) -> [[Vector<IBig>; 4]; 2] {

@@ -126,7 +126,7 @@ impl Geometry {
             .map(|entry| Regions::parse(&entry, &bounds))
             .transpose()?;
         // The ids of all copies are those of the first one.
-        let surface = Surface::new(&points, &mesh.faces, regions.as_ref(), &bounds);
+        let surface = Surface::new(&points, &mesh.faces, regions.as_ref());
         for offset in offsets(entry, kind, &bounds)? {
             let placement = placement.then(1.0, offset);
             let mut copy = body.clone().at(placement);
