@@ -1,11 +1,11 @@
 //! From the text of a scene to its entries.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::Length;
+use exact_ccd_sim::{HalfSpace, Length};
 
 use super::super::fault::{Fault, Problem};
 use super::super::notes::Notes;
-use super::file::{File, Obstacle, Plane, Script, TOLERANCE};
+use super::file::{File, Obstacle, Script, TOLERANCE};
 use super::shape;
 use super::words::{Line, Text};
 
@@ -125,11 +125,7 @@ impl File {
     }
 
     fn plane(&mut self, point: Point, normal: Point, friction: f64) {
-        self.planes.push(Plane {
-            point,
-            normal,
-            friction,
-        });
+        self.planes.push((HalfSpace::new(point, normal), friction));
     }
 
     /// The stiffness of the barrier, twice the contact distance, an unused number, and twice the static
