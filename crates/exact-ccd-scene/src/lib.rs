@@ -3,6 +3,7 @@
 mod body;
 mod description;
 mod document;
+mod field_error;
 mod group;
 mod import;
 mod load;
