@@ -1,5 +1,5 @@
-//! Comparison of methods of continuous collision detection on the same queries in the same run: table 1 of the
-//! paper.
+//! Comparison of methods of continuous collision detection on the same queries in the same run: table 1 of
+//! the paper.
 //!
 //! [`Source`] finds data sets in a folder, [`Comparison`] runs methods and [peers](Peer) on them, [`Report`]
 //! writes tables and charts, and [`plot`] has the style of the charts.

@@ -75,6 +75,7 @@ mod step;
 mod step_boxes;
 mod tet_error;
 mod tet_mesh;
+pub mod vector;
 mod weld;
 
 pub use aabb::Aabb;

@@ -26,6 +26,7 @@ mod interval;
 pub mod parity;
 mod registry;
 mod root_finding;
+mod vector;
 
 pub use bernstein::{BernsteinSignClassification, TightCcd};
 pub use inclusion::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};

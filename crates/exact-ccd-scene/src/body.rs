@@ -6,7 +6,7 @@ use exact_ccd_files::Group;
 use exact_ccd_sim::{Body, BodyKind, Region};
 
 use super::description::{BodyDescription, RegionDescription};
-use super::document::FieldError;
+use super::field_error::FieldError;
 use super::mesh::Mesh;
 
 /// The described body, and the groups of its mesh.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::field_error::FieldError;
 use super::import::ImportError;
 
 /// An error in a scene file.
@@ -36,25 +37,6 @@ pub enum SceneError {
         /// The value that was found and the values that are allowed.
         message: String,
     },
-}
-
-/// A field with the message of its error. Its path has dots between keys and places in arrays, from 0:
-/// `body.0.script.1.axes`.
-pub(super) struct FieldError {
-    pub(super) path: String,
-    pub(super) message: String,
-}
-
-impl FieldError {
-    pub(super) fn new(path: impl Into<String>, message: impl ToString) -> Self {
-        let (path, message) = (path.into(), message.to_string());
-        Self { path, message }
-    }
-
-    /// The same error, of a field below another one.
-    pub(super) fn below(self, path: &str) -> Self {
-        Self::new(format!("{path}.{}", self.path), self.message)
-    }
 }
 
 /// The text of a scene file.

@@ -8,7 +8,8 @@ use exact_ccd_sim::{
 
 use super::body::load;
 use super::description::{Axis, BodyDescription, Description, Selection};
-use super::document::{Document, FieldError, SceneError};
+use super::document::{Document, SceneError};
+use super::field_error::FieldError;
 use super::import::{Imported, Note, import};
 use super::locate::{of_simulation, of_system};
 use super::parse::parse;

@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 use exact_ccd_sim::{HalfSpaceError, Primitive, SimulationError, System, SystemError};
 
 use super::description::{BodyDescription, Description};
-use super::document::FieldError;
+use super::field_error::FieldError;
 
 /// The error of a system, at the body and its field.
 pub(super) fn of_system(description: &Description, error: &SystemError) -> FieldError {

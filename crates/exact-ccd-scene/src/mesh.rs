@@ -46,24 +46,20 @@ impl Mesh {
 
     /// Generates the mesh of a shape.
     pub(super) fn generate(shape: Shape) -> Result<Self, String> {
-        let (cells, lengths): (u64, &[f64]) = match &shape {
-            Shape::Box { cells, size } => (cells.map(u64::from).iter().product(), size),
-            Shape::Grid { cells, size } => (cells.map(u64::from).iter().product(), size),
-            Shape::Sphere { radius, .. } => (1, std::slice::from_ref(radius)),
+        let product = |counts: &[u64]| counts.iter().product();
+        let (count, what, lengths): (u64, _, &[f64]) = match &shape {
+            Shape::Box { cells, size } => (product(&cells.map(u64::from)), "cells", size),
+            Shape::Grid { cells, size } => (product(&cells.map(u64::from)), "cells", size),
+            Shape::Sphere { radius, .. } => (1, "cells", std::slice::from_ref(radius)),
             Shape::Line { edges, length } | Shape::Knot { edges, length } => {
-                (u64::from(*edges), std::slice::from_ref(length))
+                (u64::from(*edges), "edges", std::slice::from_ref(length))
             }
             // The sides of a lattice may have no length.
-            Shape::Points { counts, .. } => (counts.map(u64::from).iter().product(), &[]),
+            Shape::Points { counts, .. } => (product(&counts.map(u64::from)), "points", &[]),
         };
-        if !(1..=shapes::MAX_CELLS).contains(&cells) {
+        if !(1..=shapes::MAX_CELLS).contains(&count) {
             let max = shapes::MAX_CELLS;
-            let what = match shape {
-                Shape::Line { .. } | Shape::Knot { .. } => "edges",
-                Shape::Points { .. } => "points",
-                Shape::Box { .. } | Shape::Grid { .. } | Shape::Sphere { .. } => "cells",
-            };
-            return Err(format!("the shape has {cells} {what}, expected 1 to {max}"));
+            return Err(format!("the shape has {count} {what}, expected 1 to {max}"));
         }
         let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
         if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {

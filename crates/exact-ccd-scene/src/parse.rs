@@ -3,7 +3,8 @@
 use toml::de::{DeTable, DeValue};
 
 use super::description::Description;
-use super::document::{Document, FieldError, SceneError};
+use super::document::{Document, SceneError};
+use super::field_error::FieldError;
 
 /// The contents of a scene file.
 pub(super) fn parse(document: &Document<'_>) -> Result<Description, SceneError> {

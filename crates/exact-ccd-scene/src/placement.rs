@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::document::FieldError;
+use super::field_error::FieldError;
 
 /// A scaling, then a rotation, both about the origin, then a translation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,7 +3,7 @@
 use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
-use super::document::FieldError;
+use super::field_error::FieldError;
 
 /// The settings of the pictures, `[render]`. The simulation does not depend on them.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

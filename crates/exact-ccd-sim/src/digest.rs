@@ -1,7 +1,7 @@
 //! Hashes of values by their bits.
 
-/// A value that a hash depends on: its numbers in a fixed order, with the length of each list and the place of
-/// each variant. Equal bits have equal hashes, on every machine.
+/// A value that a hash depends on: its numbers in a fixed order, with the length of each list and the place
+/// of each variant. Equal bits have equal hashes, on every machine.
 pub(crate) trait Digest {
     /// Adds the value to a hash.
     fn digest(&self, hash: &mut Hash);

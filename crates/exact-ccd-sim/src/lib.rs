@@ -50,7 +50,7 @@ mod half_space;
 mod hinges;
 mod integrator;
 mod load;
-pub mod psd;
+mod psd;
 mod range;
 mod script;
 mod scripted;

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::io::{self, Write};
 
 use exact_ccd::{Query, Separation};
+use exact_ccd_mesh::vector::unit;
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
 use crate::block;
@@ -11,7 +12,7 @@ use crate::body::Body;
 use crate::contact::{Labels, ShownContact};
 use crate::document::{self, Document, ShownFrame};
 use crate::error::PageError;
-use crate::half_space::{self, ShownHalfSpace};
+use crate::half_space::ShownHalfSpace;
 use crate::history::History;
 use crate::query::{self, PageKind, ShownQuery};
 use crate::units::Units;
@@ -201,7 +202,7 @@ impl Page {
     /// A direction that is zero or not finite is ignored.
     #[must_use]
     pub fn with_up(self, up: Point) -> Self {
-        let up = half_space::unit(up).unwrap_or(self.up);
+        let up = unit(up).unwrap_or(self.up);
         Self { up, ..self }
     }
 

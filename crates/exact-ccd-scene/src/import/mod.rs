@@ -30,32 +30,6 @@ pub struct Imported {
     pub notes: Vec<Note>,
 }
 
-/// A program of which the scenes are imported.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Program {
-    Ipc,
-    PolyFem,
-}
-
-impl Program {
-    /// The program of a scene file, by the extension of its name.
-    fn of(file: &Path) -> Option<Self> {
-        let extension = file.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "txt" | "ipc" => Some(Self::Ipc),
-            "json" => Some(Self::PolyFem),
-            _ => None,
-        }
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Ipc => "IPC",
-            Self::PolyFem => "PolyFEM",
-        }
-    }
-}
-
 /// The TOML file of a scene of another program; `None` for a file that is not named as one: `.txt` and `.ipc`
 /// are scenes of IPC, `.json` those of PolyFEM.
 ///
@@ -66,8 +40,11 @@ impl Program {
 /// [`ImportError`] names the file, the place, and the entry that is invalid or has no counterpart.
 pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Imported>, ImportError> {
     let file = file.as_ref();
-    let Some(program) = Program::of(file) else {
-        return Ok(None);
+    let extension = file.extension().unwrap_or_default().to_ascii_lowercase();
+    let program = match extension.to_str() {
+        Some("txt" | "ipc") => "IPC",
+        Some("json") => "PolyFEM",
+        _ => return Ok(None),
     };
     let at_file = |problem: Problem| problem.at(&Place::Pointer(String::new())).in_file(file);
     let text = std::fs::read_to_string(file).map_err(|error| {
@@ -80,19 +57,18 @@ pub fn import(file: impl AsRef<Path>, meshes: Option<&Path>) -> Result<Option<Im
         at_file(problem)
     })?;
     let (mut meshes, notes) = (Meshes::new(file, meshes), Notes::default());
-    let description = match program {
-        Program::Ipc => ipc::import(&text, &mut meshes, &notes),
-        Program::PolyFem => {
-            let folder = file.parent().unwrap_or(Path::new(""));
-            polyfem::import(&text, folder, &mut meshes, &notes)
-        }
+    let description = if program == "IPC" {
+        ipc::import(&text, &mut meshes, &notes)
+    } else {
+        let folder = file.parent().unwrap_or(Path::new(""));
+        polyfem::import(&text, folder, &mut meshes, &notes)
     };
     let description = description.map_err(|fault| fault.in_file(file))?;
     let toml = toml::to_string(&description).map_err(|error| at_file(Problem::File(error.to_string())))?;
     let name = file.file_name().unwrap_or_default().to_string_lossy();
     let name: String = name.chars().filter(|character| !character.is_control()).collect();
     Ok(Some(Imported {
-        toml: format!("# Imported from {name}, a scene of {}.\n{toml}", program.name()),
+        toml: format!("# Imported from {name}, a scene of {program}.\n{toml}"),
         meshes: meshes.folder().to_owned(),
         notes: notes.in_file(file),
     }))

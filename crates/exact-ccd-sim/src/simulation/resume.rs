@@ -13,7 +13,8 @@ impl Checkpoint {
     ///
     /// # Errors
     /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name the difference between
-    /// the checkpoint and the arguments, [`SimulationError::OtherVersion`] that they cannot be compared. All other errors are those of [`Simulation::resume`].
+    /// the checkpoint and the arguments. [`SimulationError::OtherVersion`] is that of a checkpoint which
+    /// cannot be compared. All other errors are those of [`Simulation::resume`].
     pub fn resume(
         self,
         system: System,

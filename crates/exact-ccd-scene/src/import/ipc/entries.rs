@@ -1,13 +1,37 @@
 //! From the text of a scene to its entries.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::Length;
+use exact_ccd_sim::{HalfSpace, Length};
 
 use super::super::fault::{Fault, Problem};
 use super::super::notes::Notes;
-use super::file::{File, Obstacle, Plane, Script, TOLERANCE};
+use super::file::{File, Obstacle, Script, TOLERANCE};
 use super::shape;
 use super::words::{Line, Text};
+
+/// Keywords that do not change the motion, with blanks between them, and the reason.
+const IGNORED: [(&str, &str); 5] = [
+    (
+        "view zoom cameraTracking playBackSpeed appendStr disableCout",
+        "it concerns the viewing and the output of IPC",
+    ),
+    (
+        "warmStart linearSolver linSysSolver",
+        "it concerns the method by which IPC solves a time step",
+    ),
+    (
+        "CCDMethod ccdMethod CCDTolerance ccdTolerance",
+        "contact is decided exactly; `settings.ccd` selects another method",
+    ),
+    (
+        "kappaMinMultiplier minBarrierStiffnessScale",
+        "the stiffness of the barrier is chosen automatically",
+    ),
+    (
+        "constraintType QPSolver constraintOffset useActiveSetConvergence noActiveSetConvergence",
+        "it concerns other solvers of IPC than the interior point",
+    ),
+];
 
 impl File {
     /// The entries of a text.
@@ -47,30 +71,13 @@ impl File {
                 [self.duration, settings.time_step] = line.numbers(expected)?;
             }
             "turnOffGravity" => settings.gravity = [0.0; 3],
-            "energy" => check(
-                line,
-                &["NH"],
-                "another elastic energy than neo-Hookean (`NH`)",
-                "write `energy NH`",
-            )?,
-            "timeIntegration" => check(
-                line,
-                &["BE"],
-                "another time integration than implicit Euler (`BE`)",
-                "write `timeIntegration BE`",
-            )?,
             "dampingStiff" | "dampingRatio" => {
                 if line.number("a number")? > 0.0 {
                     let instead = "write 0, or use `settings.damping`, which is proportional to the mass";
                     return Err(line.unsupported("damping proportional to the stiffness", instead));
                 }
             }
-            "constraintSolver" => check(
-                line,
-                &["interiorPoint", "IP"],
-                "another treatment of contact than by barriers",
-                "write `constraintSolver interiorPoint`",
-            )?,
+            "energy" | "timeIntegration" | "constraintSolver" => only(keyword, line)?,
             "section" => skip_section(line, text)?,
             "ground" => {
                 let [friction, height] = line.numbers("the friction coefficient and the height")?;
@@ -118,11 +125,7 @@ impl File {
     }
 
     fn plane(&mut self, point: Point, normal: Point, friction: f64) {
-        self.planes.push(Plane {
-            point,
-            normal,
-            friction,
-        });
+        self.planes.push((HalfSpace::new(point, normal), friction));
     }
 
     /// The stiffness of the barrier, twice the contact distance, an unused number, and twice the static
@@ -157,38 +160,27 @@ impl File {
 
 /// An entry that does not change the motion.
 fn ignored(keyword: &str, line: &mut Line<'_>, notes: &Notes) -> Result<(), Fault> {
-    let reason = match keyword {
-        "view" | "zoom" | "cameraTracking" | "playBackSpeed" | "appendStr" | "disableCout" => {
-            "it concerns the viewing and the output of IPC"
-        }
-        "warmStart" | "linearSolver" | "linSysSolver" => {
-            "it concerns the method by which IPC solves a time step"
-        }
-        "CCDMethod" | "ccdMethod" | "CCDTolerance" | "ccdTolerance" => {
-            "contact is decided exactly; `settings.ccd` selects another method"
-        }
-        "kappaMinMultiplier" | "minBarrierStiffnessScale" => {
-            "the stiffness of the barrier is chosen automatically"
-        }
-        "constraintType"
-        | "QPSolver"
-        | "constraintOffset"
-        | "useActiveSetConvergence"
-        | "noActiveSetConvergence" => "it concerns other solvers of IPC than the interior point",
-        _ => return Err(Problem::Unknown { program: "IPC" }.at(line.place())),
+    let is_one = |(keywords, _): &&(&str, &str)| keywords.split(' ').any(|other| other == keyword);
+    let Some((_, reason)) = IGNORED.iter().find(is_one) else {
+        return Err(Problem::Unknown { program: "IPC" }.at(line.place()));
     };
     line.clear();
     notes.add(line.place().clone(), format!("ignored: {reason}"));
     Ok(())
 }
 
-/// Checks that the next word is one of some.
-fn check(line: &mut Line<'_>, allowed: &[&str], what: &str, instead: &str) -> Result<(), Fault> {
+/// Checks that the next word is the one that has a counterpart.
+fn only(keyword: &str, line: &mut Line<'_>) -> Result<(), Fault> {
+    let (allowed, what) = match keyword {
+        "energy" => ("NH", "another elastic energy than neo-Hookean (`NH`)"),
+        "timeIntegration" => ("BE", "another time integration than implicit Euler (`BE`)"),
+        _ => ("interiorPoint", "another treatment of contact than by barriers"),
+    };
     let word = line.word("a name")?;
-    if allowed.contains(&word) {
+    if word == allowed || (word, allowed) == ("IP", "interiorPoint") {
         Ok(())
     } else {
-        Err(line.unsupported(what, instead))
+        Err(line.unsupported(what, &format!("write `{keyword} {allowed}`")))
     }
 }
 

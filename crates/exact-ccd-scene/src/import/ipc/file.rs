@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::Point;
 use exact_ccd_sim::elasticity::SolidMaterial;
-use exact_ccd_sim::{Formulation, Friction, Integrator, Length, Settings, SolidProperties};
+use exact_ccd_sim::{Formulation, Friction, HalfSpace, Integrator, Length, Settings, SolidProperties};
 
 use super::super::fault::Place;
 use super::shape::Shape;
@@ -19,7 +19,8 @@ pub(super) struct File {
     pub(super) shapes: Vec<Shape>,
     /// Meshes that do not move.
     pub(super) obstacles: Vec<Obstacle>,
-    pub(super) planes: Vec<Plane>,
+    /// The half spaces of `ground` and `halfSpace`, and their friction coefficients.
+    pub(super) planes: Vec<(HalfSpace, f64)>,
     pub(super) script: Script,
     pub(super) size: Option<(Place, f64)>,
     pub(super) handle_ratio: f64,
@@ -43,14 +44,6 @@ pub(super) struct Obstacle {
     /// The length of the longest side of its box.
     pub(super) scale: f64,
     pub(super) degrees: [f64; 3],
-    pub(super) friction: f64,
-}
-
-/// `ground` or `halfSpace`.
-#[derive(Debug)]
-pub(super) struct Plane {
-    pub(super) point: Point,
-    pub(super) normal: Point,
     pub(super) friction: f64,
 }
 

@@ -33,7 +33,7 @@ pub(super) fn pairs(
         .zip(meshes)
         .map(|(number, mesh)| (format!("mesh-{number}"), mesh));
     let planes = half_spaces.iter_mut().map(|plane| &mut plane.name);
-    let planes = planes.zip(file.planes.iter().map(|plane| plane.friction));
+    let planes = planes.zip(file.planes.iter().map(|(_, friction)| *friction));
     let planes = (1..)
         .zip(planes)
         .map(|(number, plane)| (format!("half-space-{number}"), plane));

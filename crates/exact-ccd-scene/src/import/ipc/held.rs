@@ -4,7 +4,6 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Vector3};
 
 use super::super::fault::{Fault, Place, Problem};
-use super::file::File;
 use crate::description::{ScriptDescription, Selection};
 use exact_ccd_sim::{KeyFrame, Script};
 
@@ -55,9 +54,14 @@ impl Piece {
         }
     }
 
-    /// The script of this motion, about a center at its start.
-    pub(super) fn script(&self, vertices: Selection, center: Point, file: &File) -> ScriptDescription {
-        let motion = match (self.turn(file.settings.time_step), self.linear == [0.0; 3]) {
+    /// The script of this motion, about a center at its start, for the time step and the duration of a scene.
+    pub(super) fn script(
+        &self,
+        vertices: Selection,
+        center: Point,
+        [time_step, duration]: [f64; 2],
+    ) -> ScriptDescription {
+        let motion = match (self.turn(time_step), self.linear == [0.0; 3]) {
             (None, true) => Script::Fixed,
             (None, false) => Script::Moving {
                 velocity: self.linear,
@@ -70,7 +74,7 @@ impl Piece {
                 until: None,
             },
             (Some((axis, rate)), false) => {
-                let end = self.until.min(file.duration.max(self.from));
+                let end = self.until.min(duration.max(self.from));
                 let frame = |time: f64| KeyFrame {
                     time,
                     translate: self.linear.map(|velocity| velocity * (time - self.from)),
@@ -90,7 +94,7 @@ impl Piece {
         };
         ScriptDescription {
             from: self.from,
-            release: Some(self.until).filter(|until| *until < file.duration),
+            release: Some(self.until).filter(|until| *until < duration),
             ..ScriptDescription::new(vertices, motion)
         }
     }

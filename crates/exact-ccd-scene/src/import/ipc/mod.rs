@@ -28,8 +28,7 @@ use file::File;
 pub(super) fn import(text: &str, meshes: &mut Meshes, notes: &Notes) -> Result<Description, Fault> {
     let file = File::parse(text, notes)?;
     let mut body = bodies::bodies(&file, meshes, notes)?;
-    let half_space = |plane: &file::Plane| HalfSpace::new(plane.point, plane.normal);
-    let mut half_space: Vec<HalfSpace> = file.planes.iter().map(half_space).collect();
+    let mut half_space: Vec<HalfSpace> = file.planes.iter().map(|(plane, _)| plane.clone()).collect();
     let pairs = friction::pairs(&file, &mut body, &mut half_space, notes);
     let mut settings = file.settings;
     settings.friction.pairs = pairs;

@@ -148,7 +148,7 @@ impl<'a> Part<'a> {
         }
         let selection = Selection::of_vertices(&piece.vertices, &self.points);
         let center = Vector3::from(center(&piece.vertices, &self.points)) + moved;
-        let script = piece.script(selection, center.into(), file);
+        let script = piece.script(selection, center.into(), [file.settings.time_step, file.duration]);
         self.body.script.push(script);
         Ok(())
     }

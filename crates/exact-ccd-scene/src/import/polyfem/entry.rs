@@ -1,7 +1,7 @@
 //! Values of a JSON file with their places.
 
 use exact_ccd_mesh::Point;
-use serde_json::{Map, Value};
+use serde_json::Value;
 
 use super::super::fault::{Fault, Place, Problem};
 use super::super::notes::Notes;
@@ -21,43 +21,26 @@ pub(super) enum Rule {
     Said,
     /// It is ignored, for this reason.
     Ignored(&'static str),
-    /// It has no counterpart. Only its default is allowed, which is this value or nothing: `null`, `false`,
-    /// an empty list, or an object that is empty or not enabled.
-    Only(IfAbsent),
+    /// It has no counterpart. Only its default is allowed, which is this value as text or nothing: `null`,
+    /// `false`, an empty list, or an object that is empty or not enabled.
+    Only(&'static str),
 }
 
-/// A default value.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum IfAbsent {
-    Nothing,
-    True,
-    Number(f64),
-    Text(&'static str),
-}
-
-impl IfAbsent {
-    fn is(self, value: &Value) -> bool {
-        let is_default = match self {
-            Self::Nothing => false,
-            Self::True => *value == Value::Bool(true),
-            Self::Number(number) => value.as_f64() == Some(number),
-            Self::Text(text) => value.as_str() == Some(text),
-        };
-        is_default
-            || match value {
-                Value::Null => true,
-                Value::Bool(value) => !value && !matches!(self, Self::True),
-                Value::Array(values) => values.is_empty(),
-                Value::Object(values) => values.is_empty() || is_disabled(values),
-                Value::Number(_) | Value::String(_) => false,
-            }
+/// True for a default value, or for nothing.
+fn is_default(value: &Value, default: &str) -> bool {
+    match value {
+        Value::Null => true,
+        Value::Bool(value) => *value == (default == "true"),
+        Value::Array(values) => values.is_empty(),
+        Value::Object(values) => {
+            let is_off = |key| values.get(key) == Some(&Value::Bool(false));
+            values.is_empty() || is_off("enabled") || is_off("adhesion_enabled")
+        }
+        Value::Number(number) => number
+            .as_f64()
+            .is_some_and(|number| default.parse() == Ok(number)),
+        Value::String(text) => !default.is_empty() && text == default,
     }
-}
-
-/// True for an object that says that it does not apply.
-fn is_disabled(values: &Map<String, Value>) -> bool {
-    let is_off = |key| values.get(key) == Some(&Value::Bool(false));
-    is_off("enabled") || is_off("adhesion_enabled")
 }
 
 impl<'a> Entry<'a> {
@@ -126,7 +109,7 @@ impl<'a> Entry<'a> {
                 None => return Err(Problem::Unknown { program: "PolyFEM" }.at(&entry.place())),
                 Some(Rule::Said) => {}
                 Some(Rule::Ignored(reason)) => entry.note(format!("ignored: {reason}")),
-                Some(Rule::Only(default)) if default.is(value) => {}
+                Some(Rule::Only(default)) if is_default(value, default) => {}
                 Some(Rule::Only(_)) => return Err(entry.unsupported("this value", "remove the key")),
             }
         }

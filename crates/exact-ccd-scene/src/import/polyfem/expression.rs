@@ -16,6 +16,10 @@ pub(super) fn value(text: &str, t: f64) -> Option<f64> {
     (rest.text.is_empty() && value.is_finite()).then_some(value)
 }
 
+fn is_digit(c: char) -> bool {
+    c.is_ascii_digit() || c == '.'
+}
+
 /// The text that is left.
 struct Rest<'a> {
     text: &'a str,
@@ -36,10 +40,10 @@ impl Rest<'_> {
         let depth = depth.checked_sub(1)?;
         let mut sum = self.product(depth)?;
         loop {
-            if self.take('+') {
-                sum += self.product(depth)?;
+            sum = if self.take('+') {
+                sum + self.product(depth)?
             } else if self.take('-') {
-                sum -= self.product(depth)?;
+                sum - self.product(depth)?
             } else {
                 return Some(sum);
             }
@@ -49,10 +53,10 @@ impl Rest<'_> {
     fn product(&mut self, depth: usize) -> Option<f64> {
         let mut product = self.signed(depth)?;
         loop {
-            if self.take('*') {
-                product *= self.signed(depth)?;
+            product = if self.take('*') {
+                product * self.signed(depth)?
             } else if self.take('/') {
-                product /= self.signed(depth)?;
+                product / self.signed(depth)?
             } else {
                 return Some(product);
             }
@@ -61,14 +65,13 @@ impl Rest<'_> {
 
     fn signed(&mut self, depth: usize) -> Option<f64> {
         let mut sign = 1.0;
-        while self.text.starts_with(['-', '+']) {
+        loop {
             if self.take('-') {
                 sign = -sign;
-            } else {
-                self.take('+');
+            } else if !self.take('+') {
+                return Some(sign * self.atom(depth)?);
             }
         }
-        Some(sign * self.atom(depth)?)
     }
 
     fn atom(&mut self, depth: usize) -> Option<f64> {
@@ -76,10 +79,7 @@ impl Rest<'_> {
             let value = self.sum(depth)?;
             return self.take(')').then_some(value);
         }
-        if self
-            .text
-            .starts_with(|first: char| first.is_ascii_digit() || first == '.')
-        {
+        if self.text.starts_with(is_digit) {
             return self.number();
         }
         let end = self.text.find(|c: char| !c.is_ascii_alphanumeric() && c != '_');
@@ -88,17 +88,11 @@ impl Rest<'_> {
         match name {
             "t" => return Some(self.t),
             "pi" => return Some(PI),
+            _ if !self.take('(') => return None,
             _ => {}
         }
-        if !self.take('(') {
-            return None;
-        }
         let first = self.sum(depth)?;
-        let second = if self.take(',') {
-            Some(self.sum(depth)?)
-        } else {
-            None
-        };
+        let second = self.take(',').then(|| self.sum(depth));
         if !self.take(')') {
             return None;
         }
@@ -107,14 +101,13 @@ impl Rest<'_> {
             ("cos", None) => Some(first.cos()),
             ("sqrt", None) => Some(first.sqrt()),
             ("abs" | "fabs", None) => Some(first.abs()),
-            ("min", Some(second)) => Some(first.min(second)),
-            ("max", Some(second)) => Some(first.max(second)),
+            ("min", Some(second)) => Some(first.min(second?)),
+            ("max", Some(second)) => Some(first.max(second?)),
             _ => None,
         }
     }
 
     fn number(&mut self) -> Option<f64> {
-        let is_digit = |c: char| c.is_ascii_digit() || c == '.';
         let mut end = self.text.find(|c| !is_digit(c)).unwrap_or(self.text.len());
         let exponent = self.text.get(end..)?.strip_prefix(['e', 'E']);
         if let Some(exponent) = exponent {

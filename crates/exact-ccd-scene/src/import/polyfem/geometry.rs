@@ -10,7 +10,7 @@ use super::super::fault::Fault;
 use super::super::meshes::Meshes;
 use super::NOTHING;
 use super::boundary::Conditions;
-use super::entry::{Entry, IfAbsent, Rule};
+use super::entry::{Entry, Rule};
 use super::material::{self, Material};
 use super::region::Regions;
 use super::surface::Surface;
@@ -39,8 +39,8 @@ const RULES: [(&str, Rule); 4] = [
         Rule::Said,
     ),
     ("curve_selection point_selection fps mesh_sequence", NOTHING),
-    ("unit", Rule::Only(IfAbsent::Text("m"))),
-    ("n_refs", Rule::Only(IfAbsent::Number(0.0))),
+    ("unit", Rule::Only("m")),
+    ("n_refs", Rule::Only("0")),
 ];
 
 impl Geometry {
@@ -126,7 +126,7 @@ impl Geometry {
             .map(|entry| Regions::parse(&entry, &bounds))
             .transpose()?;
         // The ids of all copies are those of the first one.
-        let surface = Surface::new(&points, &mesh.faces, regions.as_ref(), &bounds);
+        let surface = Surface::new(&points, &mesh.faces, regions.as_ref());
         for offset in offsets(entry, kind, &bounds)? {
             let placement = placement.then(1.0, offset);
             let mut copy = body.clone().at(placement);
@@ -163,8 +163,8 @@ fn check_options(entry: &Entry<'_>, is_obstacle: bool) -> Result<(), Fault> {
     if let Some(advanced) = entry.get("advanced") {
         let rules = [
             ("normalize_mesh force_linear_geometry", NOTHING),
-            ("refinement_location", Rule::Only(IfAbsent::Number(0.5))),
-            ("min_component", Rule::Only(IfAbsent::Number(-1.0))),
+            ("refinement_location", Rule::Only("0.5")),
+            ("min_component", Rule::Only("-1")),
         ];
         advanced.check(&rules)?;
     }

@@ -27,10 +27,10 @@ use super::meshes::Meshes;
 use super::notes::Notes;
 use crate::description::Description;
 use crate::rendering::Rendering;
-use entry::{Entry, IfAbsent, Rule};
+use entry::{Entry, Rule};
 
 const VIEWING: Rule = Rule::Ignored("it concerns the output of PolyFEM");
-const NOTHING: Rule = Rule::Only(IfAbsent::Nothing);
+const NOTHING: Rule = Rule::Only("");
 
 /// The keys of the file.
 const RULES: [(&str, Rule); 3] = [

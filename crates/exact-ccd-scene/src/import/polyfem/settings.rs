@@ -4,7 +4,7 @@ use exact_ccd_mesh::Point;
 
 use super::super::fault::Fault;
 use super::NOTHING;
-use super::entry::{Entry, IfAbsent, Rule};
+use super::entry::{Entry, Rule};
 use exact_ccd_sim::Integrator;
 use exact_ccd_sim::{Formulation, Friction, Length, Settings};
 
@@ -19,20 +19,19 @@ pub(super) struct Time {
 
 /// Checks that lengths are in m and elements linear.
 pub(super) fn check_units_and_space(root: &Entry<'_>) -> Result<(), Fault> {
-    let only = |text| Rule::Only(IfAbsent::Text(text));
     if let Some(units) = root.get("units") {
         units.check(&[
-            ("length", only("m")),
-            ("mass", only("kg")),
-            ("time", only("s")),
+            ("length", Rule::Only("m")),
+            ("mass", Rule::Only("kg")),
+            ("time", Rule::Only("s")),
             ("characteristic_length", SOLVER),
         ])?;
     }
     if let Some(space) = root.get("space") {
         space.check(&[
-            ("discr_order discr_orderq", Rule::Only(IfAbsent::Number(1.0))),
+            ("discr_order discr_orderq", Rule::Only("1")),
             ("pressure_discr_order poly_basis_type advanced", SOLVER),
-            ("basis_type", only("Lagrange")),
+            ("basis_type", Rule::Only("Lagrange")),
             ("use_p_ref", NOTHING),
             ("remesh", Rule::Said),
         ])?;
@@ -52,7 +51,7 @@ pub(super) fn time(root: &Entry<'_>) -> Result<Time, Fault> {
         return Err(root.unsupported("a static problem", instead));
     };
     time.check(&[
-        ("t0", Rule::Only(IfAbsent::Number(0.0))),
+        ("t0", Rule::Only("0")),
         ("tend dt time_steps integrator quasistatic", Rule::Said),
     ])?;
     let number = |key| time.get(key).map(|entry| entry.number()).transpose();
@@ -105,7 +104,7 @@ pub(super) fn settings(
         ),
         (
             "use_area_weighting use_improved_max_operator use_physical_barrier",
-            Rule::Only(IfAbsent::True),
+            Rule::Only("true"),
         ),
         ("min_distance_ratio alpha_t alpha_n", SOLVER),
         (
@@ -182,7 +181,7 @@ fn solver(root: &Entry<'_>) -> Result<(usize, usize), Fault> {
                 "tangential_adhesion_iterations friction_convergence_tol initial_barrier_stiffness",
                 SOLVER,
             ),
-            ("barrier_stiffness", Rule::Only(IfAbsent::Text("adaptive"))),
+            ("barrier_stiffness", Rule::Only("adaptive")),
         ])?;
         lags = positive(contact.get("friction_iterations"), lags)?;
     }

@@ -1,6 +1,6 @@
 //! The faces of bodies by their ids.
 
-use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use super::super::fault::Fault;
@@ -15,15 +15,10 @@ pub(super) struct Surface<'a> {
 
 impl<'a> Surface<'a> {
     /// The faces of a placed body with these points.
-    pub(super) fn new(
-        points: &[Point],
-        faces: &'a [[u32; 3]],
-        regions: Option<&Regions>,
-        bounds: &Aabb,
-    ) -> Self {
+    pub(super) fn new(points: &[Point], faces: &'a [[u32; 3]], regions: Option<&Regions>) -> Self {
         let id = |face: &[u32; 3]| {
             let corners = face.map(|vertex| Vector3::from(points[vertex as usize]));
-            regions?.id(&(corners.iter().sum::<Vector3<f64>>() / 3.0), bounds)
+            regions?.id(&(corners.iter().sum::<Vector3<f64>>() / 3.0))
         };
         let ids = faces.iter().map(id).collect();
         Self { faces, ids }
