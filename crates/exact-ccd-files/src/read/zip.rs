@@ -11,8 +11,8 @@ use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The work for a member besides its bytes, in steps: the decompressor has tables to set up.
 const MEMBER: u64 = 4096;
-/// The memory of the library for each byte of the list of members, at most: a member takes 46 bytes and its name
-/// in the file, and an extra field of a member four.
+/// The memory of the library for each byte of the list of members, at most: a member takes 46 bytes and its
+/// name in the file, and an extra field of a member four.
 const BYTES_A_BYTE: usize = 16;
 
 /// An archive. Members that are not read may be of any kind.
@@ -81,8 +81,8 @@ impl<'a> Zip<'a> {
     }
 }
 
-/// The bytes of an archive. The library may read some of them several times, and members may have their data in
-/// common: reading is work.
+/// The bytes of an archive. The library may read some of them several times, and members may have their
+/// data in common: reading is work.
 struct Counted<'a> {
     bytes: Cursor<&'a [u8]>,
     budget: &'a Budget,

@@ -13,7 +13,8 @@ use crate::error::{Fault, ParseError};
 
 /// A supported type of elements.
 ///
-/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of the geometry.
+/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of the
+/// geometry.
 #[derive(Clone, Copy)]
 struct Shape {
     dimension: u8,

@@ -41,8 +41,8 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    /// Removes one line and returns it without its comment and line break, and true if the next line continues
-    /// it.
+    /// Removes one line and returns it without its comment and line break, and true if the next line
+    /// continues it.
     fn cut_line(&mut self) -> (&'a [u8], bool) {
         let length = self.rest.iter().position(|&byte| byte == b'\n');
         let (line, rest) = self.rest.split_at(length.unwrap_or(self.rest.len()));
