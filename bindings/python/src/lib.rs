@@ -35,8 +35,6 @@ mod _native {
     use crate::detector::Detector;
     #[pymodule_export]
     use crate::error::CrossingError;
-    #[pymodule_export]
-    use crate::files::{FrameSequence, Welding, mesh_format, parse_mesh, read_mesh};
     #[cfg(feature = "program")]
     #[pymodule_export]
     use crate::files::in_order;

@@ -1,7 +1,7 @@
 //! Files that are made to cost much: the work is at most proportional to the size.
 //!
-//! The readers count it, where they take bytes and where they expand pages. A file four times as large may cost
-//! four times as much.
+//! The readers count it, where they take bytes and where they expand pages. A file four times as large may
+//! cost four times as much.
 
 use std::io::Write;
 
@@ -83,8 +83,8 @@ fn parquet_files_cost_in_proportion_to_their_size() {
     });
 }
 
-/// Pages that expand, and values that repeat, cost in proportion to the number of queries, which the size of the
-/// file limits.
+/// Pages that expand, and values that repeat, cost in proportion to the number of queries, which the size
+/// of the file limits.
 #[test]
 fn equal_queries_cost_in_proportion_to_their_number() {
     let steps = |count: usize| {

@@ -11,8 +11,8 @@
 //!
 //! Readers of queries are iterators that need little memory, whatever the size of the file, and end after the
 //! first error: a line has at most 65,536 bytes, a number of exact arithmetic at most 4,096 digits, and the
-//! queries of a Parquet file take at most 200 times its size and a mebibyte. Errors name the file and the
-//! line, query or pair. The panic hook of the process is never changed.
+//! queries of a Parquet file take at most 200 times its size and a mebibyte, and so do its pages. Errors
+//! name the file and the line, query or pair. The panic hook of the process is never changed.
 //!
 //! ```
 //! use exact_ccd::VertexFace;

@@ -53,8 +53,8 @@ pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
     answer.unwrap_or_else(|_| Err(ParquetError::General("its metadata contradict each other".into())))
 }
 
-/// The bytes of a file, without pages that are too large. All bytes that are read, and the pages that they expand
-/// to, are counted.
+/// The bytes of a file, without pages that are too large. All bytes that are read, and the pages that they
+/// expand to, are counted.
 #[derive(Clone)]
 pub(super) struct GuardedFile {
     file: Arc<File>,

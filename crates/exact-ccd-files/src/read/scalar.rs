@@ -23,8 +23,8 @@ pub(super) enum Scalar {
     F64,
 }
 
-/// Each type with its names in PLY, in VTK's formats in lower case, and in numpy. No name has two meanings. VTK
-/// writes ids as 32 bits.
+/// Each type with its names in PLY, in VTK's formats in lower case, and in numpy. No name has two meanings.
+/// VTK writes ids as 32 bits.
 const NAMES: [(Scalar, &[&str]); 11] = [
     (Scalar::I8, &["char", "int8", "signed_char", "vtktypeint8", "i1"]),
     (
@@ -81,8 +81,8 @@ impl Scalar {
         !matches!(self, Self::F16 | Self::F32 | Self::F64)
     }
 
-    /// The numbers as the nearest `f64`; only integers beyond 2⁵³ are rounded. Bytes after the last whole number
-    /// are left out.
+    /// The numbers as the nearest `f64`; only integers beyond 2⁵³ are rounded. Bytes after the last whole
+    /// number are left out.
     pub(super) fn reals(self, bytes: &[u8], order: ByteOrder) -> Vec<f64> {
         let mut reals = Vec::with_capacity(bytes.len() / self.size());
         self.each_real(bytes, order, |real| reals.push(real));

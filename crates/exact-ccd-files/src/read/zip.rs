@@ -4,15 +4,15 @@ use std::io::{self, Cursor, Read, Seek, SeekFrom};
 
 use ::zip::ZipArchive;
 use ::zip::read::ZipFile;
-use ::zip::result::{ZipError, ZipResult};
+use ::zip::result::ZipError;
 
 use super::budget::Budget;
 use crate::error::{Fault, ParseError, Place, quoted};
 
 /// The work for a member besides its bytes, in steps: the decompressor has tables to set up.
 const MEMBER: u64 = 4096;
-/// The memory of the library for each byte of the list of members, at most: a member takes 46 bytes and its name
-/// in the file, and an extra field of a member four.
+/// The memory of the library for each byte of the list of members, at most: a member takes 46 bytes and its
+/// name in the file, and an extra field of a member four.
 const BYTES_A_BYTE: usize = 16;
 
 /// An archive. Members that are not read may be of any kind.
@@ -45,43 +45,44 @@ impl<'a> Zip<'a> {
 
     /// The first bytes of a member, at most this number.
     pub(super) fn beginning(&mut self, member: usize, most: u64) -> Result<Vec<u8>, ParseError> {
-        let mut beginning = Vec::new();
-        let mut read = || {
-            self.member(member)?
-                .take(most)
-                .read_to_end(&mut beginning)
-                .map_err(ZipError::Io)
-        };
-        let read = read();
-        read.map_err(|error| wrong("a member of a zip archive", error).at(Place::File))?;
-        Ok(beginning)
+        self.with(member, |member, expected, _| {
+            let mut beginning = Vec::new();
+            let read = member.take(most).read_to_end(&mut beginning);
+            read.map_err(|error| Fault::of_io(expected, &error))?;
+            Ok(beginning)
+        })
     }
 
     /// All data of a member.
     pub(super) fn read(&mut self, member: usize) -> Result<Vec<u8>, ParseError> {
-        let budget = self.budget;
-        let opened = self.member(member);
-        let opened = opened.map_err(|error| wrong("a member of a zip archive", error));
-        let read = opened.and_then(|opened| {
-            let size = opened.size();
-            let expected = format!("the data of member {}", quoted(opened.name_raw()));
-            let data = budget.read_all(opened, &expected, size)?;
+        self.with(member, |member, expected, budget| {
+            let size = member.size();
+            let data = budget.read_all(member, expected, size)?;
             match data.len() as u64 == size {
                 true => Ok(data),
                 false => Err(Fault::expected(expected, "data of another size")),
             }
-        });
-        read.map_err(|fault| fault.at(Place::File))
+        })
     }
 
-    fn member(&mut self, member: usize) -> ZipResult<ZipFile<'_, Counted<'a>>> {
-        self.budget.work(MEMBER).map_err(io::Error::other)?;
-        self.archive.by_index(member)
+    fn with<T>(
+        &mut self,
+        member: usize,
+        read: impl FnOnce(ZipFile<'_, Counted<'a>>, &str, &Budget) -> Result<T, Fault>,
+    ) -> Result<T, ParseError> {
+        let name = self.archive.file_names_raw().nth(member).unwrap_or_default();
+        let expected = format!("member {}, stored or compressed by deflate", quoted(name));
+        let opened = self.budget.work(MEMBER).and_then(|()| {
+            let opened = self.archive.by_index(member);
+            opened.map_err(|error| wrong(&expected, error))
+        });
+        let data = opened.and_then(|opened| read(opened, &expected, self.budget));
+        data.map_err(|fault| fault.at(Place::File))
     }
 }
 
-/// The bytes of an archive. The library may read some of them several times, and members may have their data in
-/// common: reading is work.
+/// The bytes of an archive. The library may read some of them several times, and members may have their
+/// data in common: reading is work.
 struct Counted<'a> {
     bytes: Cursor<&'a [u8]>,
     budget: &'a Budget,
@@ -106,10 +107,6 @@ impl Seek for Counted<'_> {
 fn wrong(expected: &str, error: ZipError) -> Fault {
     match error {
         ZipError::Io(error) => Fault::of_io(expected, &error),
-        ZipError::CompressionMethodNotSupported(_) => {
-            let expected = format!("{expected}, stored or compressed by deflate");
-            Fault::expected(expected, "another compression")
-        }
         error => Fault::expected(expected, quoted(error.to_string().as_bytes())),
     }
 }

@@ -11,47 +11,33 @@ use super::nodes::{Tags, count_line, positive_tag};
 use super::{INT, Version};
 use crate::error::{Fault, ParseError};
 
-/// The supported types of elements.
+/// A supported type of elements.
 ///
-/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of
-/// the geometry.
+/// Points and lines are rarely elements of a body: Gmsh writes them for the corners and edges of the
+/// geometry.
 #[derive(Clone, Copy)]
-enum Shape {
-    Point,
-    Line,
-    Triangle,
-    Quadrilateral,
-    Tetrahedron,
-    Hexahedron,
-    Wedge,
-    Pyramid,
+struct Shape {
+    dimension: u8,
+    corners: usize,
 }
 
 impl Shape {
-    fn dimension(self) -> u8 {
-        match self {
-            Self::Point => 0,
-            Self::Line => 1,
-            Self::Triangle | Self::Quadrilateral => 2,
-            Self::Tetrahedron | Self::Hexahedron | Self::Wedge | Self::Pyramid => 3,
-        }
-    }
-
     fn read(tokens: &mut Tokens, expected: &str) -> Result<Self, ParseError> {
-        match tokens.integer(INT, expected)? {
-            15 => Ok(Self::Point),
-            1 => Ok(Self::Line),
-            2 => Ok(Self::Triangle),
-            3 => Ok(Self::Quadrilateral),
-            4 => Ok(Self::Tetrahedron),
-            5 => Ok(Self::Hexahedron),
-            6 => Ok(Self::Wedge),
-            7 => Ok(Self::Pyramid),
+        let (dimension, corners) = match tokens.integer(INT, expected)? {
+            15 => (0, 1),
+            1 => (1, 2),
+            2 => (2, 3),
+            3 => (2, 4),
+            4 => (3, 4),
+            5 => (3, 8),
+            6 => (3, 6),
+            7 => (3, 5),
             number => {
                 let expected = "an element of first order, of type 1 to 7 or 15";
-                Err(Fault::expected(expected, format!("`{number}`")).at(tokens.place()))
+                return Err(Fault::expected(expected, format!("`{number}`")).at(tokens.place()));
             }
-        }
+        };
+        Ok(Self { dimension, corners })
     }
 }
 
@@ -175,38 +161,24 @@ impl Elements<'_, '_> {
         shape: Shape,
         tag: impl Fn(&mut Tokens) -> Result<u64, ParseError>,
     ) -> Result<(), ParseError> {
-        let tags = self.tags;
-        let begin = tokens.place();
         // No shape has more corners.
         let mut corners: ArrayVec<u32, 8> = ArrayVec::new();
-        let mut node = || {
+        for _ in 0..shape.corners {
             let tag = tag(tokens)?;
-            let node = tags.get(tag).ok_or_else(|| {
-                let expected = format!("the tag of one of the {} nodes", tags.count());
+            let node = self.tags.get(tag).ok_or_else(|| {
+                let expected = format!("the tag of one of the {} nodes", self.tags.count());
                 Fault::expected(expected, format!("`{tag}`")).at(tokens.place())
             })?;
             corners.push(node);
-            Ok(node)
-        };
-        let cell = (shape.dimension() == 3).then_some(self.cells.solids.len() as u32);
-        match shape {
-            Shape::Point => self.cells.points.push(node()?),
-            Shape::Line => self.cells.lines.push([node()?, node()?]),
-            Shape::Triangle => self.cells.faces.add(&nodes::<3>(node)?, || begin)?,
-            Shape::Quadrilateral => self.cells.faces.add(&nodes::<4>(node)?, || begin)?,
-            Shape::Tetrahedron => self.cells.solids.push(Solid::Tetrahedron(nodes(node)?)),
-            Shape::Hexahedron => self.cells.solids.push(Solid::Hexahedron(nodes(node)?)),
-            Shape::Wedge => self.cells.solids.push(Solid::Wedge(nodes(node)?)),
-            Shape::Pyramid => self.cells.solids.push(Solid::Pyramid(nodes(node)?)),
         }
-        self.groups.add(shape.dimension(), &corners, cell, begin)
+        let (cells, place) = (&mut *self.cells, tokens.place());
+        let cell = (shape.dimension == 3).then_some(cells.solids.len() as u32);
+        match shape.dimension {
+            0 => cells.points.extend(&corners),
+            1 => cells.add_polyline(&corners),
+            2 => cells.faces.add(&corners, || place)?,
+            _ => cells.solids.extend(Solid::of(&corners)),
+        }
+        self.groups.add(shape.dimension, &corners, cell, place)
     }
-}
-
-fn nodes<const N: usize>(mut node: impl FnMut() -> Result<u32, ParseError>) -> Result<[u32; N], ParseError> {
-    let mut nodes = [0; N];
-    for corner in &mut nodes {
-        *corner = node()?;
-    }
-    Ok(nodes)
 }

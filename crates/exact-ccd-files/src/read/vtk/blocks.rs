@@ -35,11 +35,11 @@ impl Layout {
         if self.compression == Compression::None {
             // Several arrays may be the same part of the appended data.
             budget.take(first)?;
-            return take(stream, first, budget);
+            return stream.take(first, budget);
         }
         // The number of blocks, their size, and that of the last one if it is shorter.
         let [size, last] = self.words(stream, budget)?;
-        let header = take(stream, first.saturating_mul(self.word.size() as u64), budget)?;
+        let header = stream.take(first.saturating_mul(self.word.size() as u64), budget)?;
         // Several arrays may have the same header.
         budget.work(header.len() as u64)?;
         let compressed = self.word.integers(&header, self.order);
@@ -47,7 +47,7 @@ impl Layout {
         for (block, &length) in compressed.iter().enumerate() {
             let is_short = last > 0 && block + 1 == compressed.len();
             let expanded = if is_short { last } else { size };
-            let bytes = take(stream, length.unsigned_abs(), budget)?;
+            let bytes = stream.take(length.unsigned_abs(), budget)?;
             budget.work(BLOCK + bytes.len() as u64)?;
             data.append(&mut self.expand(&bytes, expanded, budget)?);
         }
@@ -78,15 +78,8 @@ impl Layout {
 
     /// The next numbers of a header.
     fn words<const N: usize>(&self, stream: &mut Stream, budget: &Budget) -> Result<[u64; N], Fault> {
-        let bytes = take(stream, (N * self.word.size()) as u64, budget)?;
+        let bytes = stream.take((N * self.word.size()) as u64, budget)?;
         let words = self.word.integers(&bytes, self.order);
         Ok(std::array::from_fn(|k| words[k].unsigned_abs()))
     }
-}
-
-fn take(stream: &mut Stream, count: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
-    let taken = stream.take(count);
-    let bytes = taken.map_err(|(expected, found)| Fault::expected(expected, found))?;
-    budget.step(bytes.len() as u64);
-    Ok(bytes)
 }

@@ -193,8 +193,8 @@ fn integers(tokens: &mut Tokens, count: u64) -> Result<Vec<i64>, ParseError> {
     }
 }
 
-/// Skips a text: a line of a text file. In a binary file, its length comes first, in 1, 2, 4 or 8 bytes, of which
-/// the first two bits are 3, 2, 1 or 0.
+/// Skips a text: a line of a text file. In a binary file, its length comes first, in 1, 2, 4 or 8 bytes, of
+/// which the first two bits are 3, 2, 1 or 0.
 fn skip_string(tokens: &mut Tokens) -> Result<(), ParseError> {
     if !tokens.is_binary() {
         if tokens.is_at_end() {
