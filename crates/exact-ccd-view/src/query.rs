@@ -147,6 +147,7 @@ fn meaning(stage: Stage) -> &'static str {
         Stage::Coincident => "comparisons of coordinates",
         Stage::Direction => "a direction found by iteration separates",
         Stage::Planar => "sides of lines in a plane across an axis",
+        Stage::FixedWidth => "the signs of integers of fixed width",
         _ => "integers",
     }
 }

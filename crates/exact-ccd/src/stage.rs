@@ -22,6 +22,9 @@ pub enum Stage {
     /// All points move in one plane across an axis, and the sides of the edges' lines on which the
     /// vertices lie decide.
     Planar,
+    /// The signs that decide are those of integers of fixed width: contact at rest at t = 0, or at the roots
+    /// of the coplanarity cubic from its exact coefficients.
+    FixedWidth,
     /// No filter decides: [`exact`](crate::exact).
     Exact,
 }
@@ -37,6 +40,7 @@ impl Stage {
         Self::Coincident,
         Self::Direction,
         Self::Planar,
+        Self::FixedWidth,
         Self::Exact,
     ];
 }

@@ -28,7 +28,7 @@ mod roots;
 pub mod separation;
 mod split;
 
-pub(crate) use dyadic::to_integers;
+pub(crate) use dyadic::{decompose, to_integers};
 pub(crate) use first_contact::FirstContact;
 pub(crate) use motion::{Vector, cross, dot};
 pub(crate) use polynomial::Polynomial;

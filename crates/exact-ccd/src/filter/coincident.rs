@@ -18,7 +18,9 @@ pub(crate) enum Coincidence {
     FromStart,
     /// This is the only contact time.
     Only(ContactTime),
-    /// There is contact at some time.
+    /// There is contact at t = 0, and perhaps later.
+    AtStart,
+    /// There is contact at t = 1, or at some time.
     SomeTime,
 }
 
@@ -26,7 +28,7 @@ impl Coincidence {
     /// The earliest contact time, if it is certain.
     pub(super) fn first(self) -> Option<ContactTime> {
         match self {
-            Self::FromStart => Some(ContactTime::exactly(0.0)),
+            Self::FromStart | Self::AtStart => Some(ContactTime::exactly(0.0)),
             Self::Only(time) => Some(time),
             Self::SomeTime => None,
         }
@@ -34,13 +36,17 @@ impl Coincidence {
 
     /// All contact times, if they are certain.
     pub(super) fn times(self) -> Option<ContactTimes> {
-        let first = self.first()?;
-        if matches!(self, Self::FromStart) {
-            return Some(ContactTimes::Interval { first });
+        match self {
+            Self::FromStart => Some(ContactTimes::Interval {
+                first: ContactTime::exactly(0.0),
+            }),
+            Self::Only(time) => {
+                let mut times = Times::default();
+                times.push(time);
+                Some(ContactTimes::Finite(times))
+            }
+            Self::AtStart | Self::SomeTime => None,
         }
-        let mut times = Times::default();
-        times.push(first);
-        Some(ContactTimes::Finite(times))
     }
 }
 
@@ -64,12 +70,13 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
     {
         return Some(Coincidence::FromStart);
     }
-    for (end, time) in [0.0, 1.0].into_iter().enumerate() {
+    let ends = [(0.0, Coincidence::AtStart), (1.0, Coincidence::SomeTime)];
+    for (end, (time, coincidence)) in ends.into_iter().enumerate() {
         if all_meet(end) && cubic.is_certain_at(1 - end) {
             return Some(Coincidence::Only(ContactTime::exactly(time)));
         }
         if K::CORNERS.iter().any(|corner| meets(end, corner)) {
-            return Some(Coincidence::SomeTime);
+            return Some(coincidence);
         }
     }
     let axis = line(query)?;

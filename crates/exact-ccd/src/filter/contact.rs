@@ -5,7 +5,9 @@ use arrayvec::ArrayVec;
 use super::coincident::{self, Coincidence};
 use super::coplanarity;
 use super::cubic::Root;
+use super::fixed_width;
 use super::impact::parameters_and_normal;
+use super::moment::Moment;
 use super::planar::{Beginning, Planar};
 use super::position::{self, Position};
 use crate::impact::Impact;
@@ -31,6 +33,8 @@ pub(crate) enum Contact {
     Sliding(Beginning),
     /// The primitives touch because coordinates are equal.
     Coincident(Coincidence),
+    /// The primitives first touch at this moment.
+    AtMoment(Moment),
 }
 
 impl Contact {
@@ -65,11 +69,21 @@ impl Contact {
             Self::AtRoot { .. } => Stage::Roots,
             Self::Sliding(_) => Stage::Planar,
             Self::Coincident(_) => Stage::Coincident,
+            Self::AtMoment(_) => Stage::FixedWidth,
         }
     }
 
     /// The earliest contact time, if the filters determine it.
     pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
+        if let Self::AtMoment(moment) = self {
+            return fixed_width::time(query, moment);
+        }
+        self.first_by_roundoff(query)
+            .or_else(|| fixed_width::first(query))
+    }
+
+    /// The same without integers of fixed width.
+    fn first_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
         match self {
             Self::AtRoot {
                 roots,
@@ -79,11 +93,18 @@ impl Contact {
             Self::AtRoot { is_first: false, .. } => None,
             Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
             Self::Coincident(coincidence) => coincidence.first(),
+            Self::AtMoment(_) => None,
         }
     }
 
     /// All contact times, if the filters determine them.
     pub(crate) fn times<K: Kind>(&self, query: &Query<K>) -> Option<ContactTimes> {
+        self.times_by_roundoff(query)
+            .or_else(|| fixed_width::times(query))
+    }
+
+    /// The same without integers of fixed width.
+    fn times_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<ContactTimes> {
         match self {
             Self::AtRoot {
                 roots,
@@ -105,9 +126,10 @@ impl Contact {
             }
             Self::AtRoot { is_first: false, .. } => None,
             Self::Sliding(_) => Some(ContactTimes::Interval {
-                first: self.first(query)?,
+                first: self.first_by_roundoff(query)?,
             }),
             Self::Coincident(coincidence) => coincidence.times(),
+            Self::AtMoment(_) => None,
         }
     }
 
@@ -115,7 +137,7 @@ impl Contact {
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
         let (roots, touching) = match self {
             Self::AtRoot { roots, touching, .. } => (roots, touching),
-            Self::Sliding(_) => return None,
+            Self::Sliding(_) | Self::AtMoment(_) => return None,
             Self::Coincident(_) => return coincident::impact(query),
         };
         let time = self.first(query)?;

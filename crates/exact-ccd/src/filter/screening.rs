@@ -5,6 +5,7 @@ use super::coincident::coincidence;
 use super::contact::{Contact, Unknown};
 use super::coplanarity::Coplanarity;
 use super::cubic::Cubic;
+use super::fixed_width;
 use super::hull::Hull;
 use super::number::{Lanes, Points};
 use super::planar::Planar;
@@ -83,7 +84,7 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
         return match Contact::at_roots(query, roots) {
             Ok(Some(contact)) => Decision::Contact(contact),
             Ok(None) => Decision::Free(Stage::Roots),
-            Err(Unknown) => Decision::Unknown,
+            Err(Unknown) => decide_in_integers(query),
         };
     }
     if let Some(coincidence) = coincidence(query, cubic) {
@@ -95,6 +96,15 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
     match Planar::new(query).and_then(|planar| planar.beginning()) {
         Some(Some(beginning)) => Decision::Contact(Contact::Sliding(beginning)),
         Some(None) => Decision::Free(Stage::Planar),
+        None => decide_in_integers(query),
+    }
+}
+
+/// The last stage before the exact path.
+fn decide_in_integers<K: Kind>(query: &Query<K>) -> Decision {
+    match fixed_width::first_moment(query) {
+        Some(Some(moment)) => Decision::Contact(Contact::AtMoment(moment)),
+        Some(None) => Decision::Free(Stage::FixedWidth),
         None => Decision::Unknown,
     }
 }
