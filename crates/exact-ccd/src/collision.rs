@@ -38,6 +38,8 @@ use crate::time::{ContactTime, ContactTimes};
 pub struct Collision<'a, K> {
     query: &'a Query<K>,
     proof: Proof<K>,
+    /// The earliest contact time, once it is known.
+    first: Option<ContactTime>,
 }
 
 /// The proof that a query collides.
@@ -59,14 +61,21 @@ impl<'a, K: Kind> Collision<'a, K> {
             Decision::Contact(contact) => Proof::Filter(contact),
             Decision::Unknown => Proof::Exact(Box::new(FirstContact::of(query).ok_or(Stage::Exact)?)),
         };
-        Ok(Self { query, proof })
+        Ok(Self {
+            query,
+            proof,
+            first: None,
+        })
     }
 
     /// The collision of primitives that are first within a separation above 0 at a time.
     #[inline]
     pub(crate) fn within(query: &'a Query<K>, separation: Separation, first: ContactTime) -> Self {
-        let proof = Proof::Within(separation, first);
-        Self { query, proof }
+        Self {
+            query,
+            proof: Proof::Within(separation, first),
+            first: Some(first),
+        }
     }
 
     /// The query.
@@ -89,8 +98,16 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The earliest contact time.
     #[must_use]
     pub fn first_contact_time(&self) -> ContactTime {
-        let by_filter = |contact: &Contact| contact.first(self.query);
-        self.answer(by_filter, FirstContact::time, |_, first| first)
+        self.first.unwrap_or_else(|| {
+            let by_filter = |contact: &Contact| contact.first(self.query);
+            self.answer(by_filter, FirstContact::time, |_, first| first)
+        })
+    }
+
+    /// The same collision, which keeps the earliest contact time.
+    pub(crate) fn with_first_time(self) -> Self {
+        let first = Some(self.first_contact_time());
+        Self { first, ..self }
     }
 
     /// The largest f64 not above the earliest contact time.
@@ -133,7 +150,11 @@ impl<'a, K: Kind> Collision<'a, K> {
     #[must_use]
     pub fn impact(&self) -> Impact {
         self.answer(
-            |contact| contact.impact(self.query),
+            |contact| {
+                let exactly = || FirstContact::impact_at_start(self.query);
+                let starts = || self.first_contact_time().is_start();
+                contact.impact(self.query).or_else(|| starts().then(exactly))
+            },
             FirstContact::impact,
             // Cannot panic: the filters prove what the exact path defines.
             |d, first| exact::impact_at(self.query, d, first).expect("a proved contact exists"),

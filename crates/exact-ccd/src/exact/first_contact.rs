@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use super::instant::Instant;
 use super::motion::Motion;
 use super::roots::roots;
+use super::split::Split;
 use crate::impact::Impact;
 use crate::kind::Kind;
 use crate::query::Query;
@@ -55,6 +56,11 @@ impl<K: Kind> FirstContact<K> {
             }
         }
         ContactTimes::Finite(times)
+    }
+
+    /// The impact of a query whose primitives touch at t = 0.
+    pub(crate) fn impact_at_start(query: &Query<K>) -> Impact {
+        Motion::new(query).impact(&Instant::At(Split::START))
     }
 
     /// The earliest contact: time, parameters and normal.

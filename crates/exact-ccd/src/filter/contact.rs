@@ -78,8 +78,14 @@ impl Contact {
         if let Self::AtMoment(moment) = self {
             return fixed_width::time(query, moment);
         }
-        self.first_by_roundoff(query)
-            .or_else(|| fixed_width::first(query))
+        self.first_by_roundoff(query).or_else(|| match self {
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => fixed_width::round(query, &roots[*touching]),
+            _ => fixed_width::first(query),
+        })
     }
 
     /// The same without integers of fixed width.
@@ -89,7 +95,10 @@ impl Contact {
                 roots,
                 touching,
                 is_first: true,
-            } => coplanarity::precise(query).round(&roots[*touching]),
+            } => {
+                let root = &roots[*touching];
+                fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root))
+            }
             Self::AtRoot { is_first: false, .. } => None,
             Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
             Self::Coincident(coincidence) => coincidence.first(),
@@ -115,11 +124,12 @@ impl Contact {
                     return None;
                 };
                 let precise = coplanarity::precise(query);
+                let round = |root| fixed_width::dyadic(query, root).or_else(|| precise.round(root));
                 let mut times = Times::default();
-                times.push(precise.round(first)?);
+                times.push(round(first)?);
                 for root in later {
                     if position::at(query, root)? == Position::Inside {
-                        times.push(precise.round(root)?);
+                        times.push(round(root)?);
                     }
                 }
                 Some(ContactTimes::Finite(times))
@@ -136,8 +146,12 @@ impl Contact {
     /// The earliest contact, if the filters determine it.
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
         let (roots, touching) = match self {
-            Self::AtRoot { roots, touching, .. } => (roots, touching),
-            Self::Sliding(_) | Self::AtMoment(_) => return None,
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => (roots, touching),
+            Self::AtRoot { is_first: false, .. } | Self::Sliding(_) | Self::AtMoment(_) => return None,
             Self::Coincident(_) => return coincident::impact(query),
         };
         let time = self.first(query)?;

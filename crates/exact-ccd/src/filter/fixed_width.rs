@@ -27,7 +27,7 @@ const MAX_MOMENTS: usize = 5;
 #[inline(never)]
 pub(super) fn first_moment<K: Kind>(query: &Query<K>) -> Option<Option<Moment>> {
     let integers = Integers::new(query)?;
-    if integers.is_flat_at_start() && integers.touches(&Moment::Start)? {
+    if integers.is_flat_at([0, 1]) && integers.touches(&Moment::Start)? {
         return Some(Some(Moment::Start));
     }
     let cubic = integers.cubic();
@@ -69,16 +69,30 @@ pub(super) fn times<K: Kind>(query: &Query<K>) -> Option<ContactTimes> {
     }
     for moment in flat_moments(&cubic)? {
         if integers.touches(&moment)? {
-            times.push(rounded(&integers, &cubic, &moment)?);
+            times.push(match &moment {
+                Moment::Root(root) => rounded(&integers, &cubic, root)?,
+                moment => time(query, moment)?,
+            });
         }
     }
     Some(ContactTimes::Finite(times))
 }
 
+/// The time of a root of the coplanarity cubic in a bracket.
+pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
+    time(query, &Moment::Root(root.clone()))
+}
+
 /// The time of a moment of contact.
 pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<ContactTime> {
-    let integers = Integers::new(query)?;
-    rounded(&integers, &integers.cubic(), moment)
+    match moment {
+        Moment::Root(root) => {
+            let integers = Integers::new(query)?;
+            rounded(&integers, &integers.cubic(), root)
+        }
+        Moment::End => Some(ContactTime::exactly(1.0)),
+        Moment::Start | Moment::Soon | Moment::Later => Some(ContactTime::exactly(0.0)),
+    }
 }
 
 /// The moments at which a cubic that is not zero vanishes, in increasing order, if they are certain.
@@ -97,34 +111,39 @@ fn largest(values: [f64; 4]) -> f64 {
     values.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// The time of a moment at which a cubic vanishes.
-fn rounded<K: Kind>(integers: &Integers<K>, cubic: &[Integer; 4], moment: &Moment) -> Option<ContactTime> {
-    match moment {
-        Moment::Root(root) => {
-            dyadic_root(cubic, integers.bits, root).or_else(|| between_adjacent(cubic, root))
-        }
-        Moment::End => Some(ContactTime::exactly(1.0)),
-        Moment::Start | Moment::Soon | Moment::Later => Some(ContactTime::exactly(0.0)),
-    }
+/// The time of the only root of a cubic in a bracket.
+fn rounded<K: Kind>(integers: &Integers<K>, cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
+    let dyadic = fraction(root).and_then(|fraction| at_fraction(integers, fraction));
+    dyadic.or_else(|| between_adjacent(cubic, root))
 }
 
-/// The root in a bracket, if it is a multiple of a small power of two: the cubic vanishes there.
+/// The root of the coplanarity cubic in a bracket, if it is a multiple of 2⁻¹⁰, as many times in flat worlds are.
+pub(super) fn dyadic<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
+    let fraction = fraction(root)?;
+    at_fraction(&Integers::new(query)?, fraction)
+}
+
+/// The number of parts of the step whose ends are tried.
+const PARTS: i128 = 1 << 10;
+
+/// The part of the step, in such parts, that has elapsed at the multiple of their length next to a root, if it is
+/// in the bracket.
+fn fraction(root: &Root) -> Option<i128> {
+    let elapsed = libm::round(root.near * PARTS as f64);
+    let t = elapsed / PARTS as f64;
+    (t > root.low && t < root.high).then_some(elapsed as i128)
+}
+
+/// The time at which this part of the step has elapsed, if the cubic vanishes then.
 ///
-/// For coordinates of b bits and t = m / 2ᵏ, c(t) times 2³ᵏ is less than 2³ᵇ⁺⁶⁺³ᵏ, the bound of a Bernstein
-/// coefficient being 2³ᵇ⁺⁶.
-fn dyadic_root(&[c0, c1, c2, c3]: &[Integer; 4], bits: u32, root: &Root) -> Option<ContactTime> {
-    const MOST: u32 = 24;
-    let most = MOST.min(83_u32.saturating_sub(bits));
-    let whole = 1_i128 << most;
-    let elapsed = libm::round(root.near * whole as f64) as i128;
-    let t = elapsed as f64 / whole as f64;
-    if t <= root.low || t >= root.high {
-        return None;
-    }
-    let zeros = elapsed.trailing_zeros().min(most);
-    let [t1, t0] = [elapsed, whole - elapsed].map(|part| Integer::from(part >> zeros));
-    let value = ((c0 * t0 + c1 * t1) * t0 + c2 * t1 * t1) * t0 + c3 * t1 * t1 * t1;
-    value.is_zero().then(|| ContactTime::exactly(t))
+/// The volume of [`Lattice::is_flat_at`] is exact if b + k ≤ 83, for coordinates of b bits and 2ᵏ parts, a
+/// fraction in lowest terms.
+fn at_fraction<K: Kind>(integers: &Integers<K>, elapsed: i128) -> Option<ContactTime> {
+    let common = elapsed.trailing_zeros().min(PARTS.trailing_zeros());
+    let parts = [elapsed, PARTS - elapsed].map(|part| part >> common);
+    let is_exact = integers.bits + (PARTS.trailing_zeros() - common) <= 83;
+    let time = ContactTime::exactly(elapsed as f64 / PARTS as f64);
+    (is_exact && integers.is_flat_at(parts)).then_some(time)
 }
 
 /// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.

@@ -3,7 +3,7 @@
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use super::moment::{Moment, Quadratic};
+use super::moment::Moment;
 use super::number::{Points, subtract};
 use super::vector::{add, cross, dot};
 use super::wide::Wide;
@@ -69,9 +69,16 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
         subtract(&self.points, difference)
     }
 
-    /// True if the four points are coplanar at t = 0.
-    pub(super) fn is_flat_at_start(&self) -> bool {
-        let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference)[0]);
+    /// True if the four points are coplanar at the time that splits the step into these two parts.
+    ///
+    /// If the parts add up to at most 2ᵏ, the points are multiples of 2⁻ᵏ then: with 2ᵏ as the unit, their
+    /// coordinates are below 2ᵇ⁺ᵏ, and the volume is below 6 · 2³⁽ᵇ⁺ᵏ⁺¹⁾ < 2³⁽ᵇ⁺ᵏ⁾⁺⁶.
+    pub(super) fn is_flat_at(&self, [elapsed, left]: [i128; 2]) -> bool {
+        let parts = [left, elapsed].map(Wide::from);
+        let [w, e1, e2] = K::SPAN.map(|difference| {
+            let [start, end] = self.difference(difference);
+            [0, 1, 2].map(|axis: usize| start[axis] * parts[0] + end[axis] * parts[1])
+        });
         dot(w, cross(e1, e2)).is_zero()
     }
 
@@ -91,16 +98,26 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
     /// certain; the four points are coplanar then. The tests are those of the exact path.
     pub(super) fn touches(&self, moment: &Moment) -> Option<bool> {
         let [e1, e2] = [1, 2].map(|i: usize| self.difference(K::SPAN[i]));
-        let signs = components(&product(&e1, &e2)).map(|component| moment.sign(&component));
-        let facing = |axis: usize| signs[axis].filter(|sign| sign.is_ne()).map(|sign| (axis, sign));
-        let Some((axis, facing)) = (0..3).find_map(facing) else {
-            signs[0].and(signs[1]).and(signs[2])?;
+        let mut facing = Some(Ordering::Equal);
+        let mut along = 0;
+        for axis in 0..3 {
+            match sign(moment, &e1, &e2, component(axis)) {
+                Some(Ordering::Equal) => {}
+                None => facing = None,
+                certain => {
+                    (facing, along) = (certain, axis);
+                    break;
+                }
+            }
+        }
+        let facing = facing?;
+        if facing.is_eq() {
             return holds(K::SIDES.iter().map(|side| self.lies_on(side, moment)), true);
-        };
+        }
         let is_inside = |side: &Side| {
             let [x, y] = self.edge(side);
             let inside = if side.along { facing } else { facing.reverse() };
-            let sign = moment.sign(&components(&product(&x, &y))[axis])?;
+            let sign = sign(moment, &x, &y, component(along))?;
             Some(sign.is_eq() || sign == inside)
         };
         holds(K::SIDES.iter().map(is_inside), false)
@@ -109,17 +126,11 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
     /// Returns true if a vertex lies on an edge.
     fn lies_on(&self, side: &Side, moment: &Moment) -> Option<bool> {
         let [x, y] = self.edge(side);
-        let is_on_line =
-            components(&product(&x, &y)).map(|component| moment.sign(&component).map(Ordering::is_eq));
-        if !holds(is_on_line.into_iter(), false)? {
-            return Some(false);
+        let is_on_line = |axis| Some(sign(moment, &x, &y, component(axis))?.is_eq());
+        if holds((0..3).map(is_on_line), false)? {
+            return sign(moment, &x, &y, dot).map(Ordering::is_le);
         }
-        let scalar = [
-            dot(x[0], y[0]),
-            dot(x[0], y[1]) + dot(x[1], y[0]),
-            dot(x[1], y[1]),
-        ];
-        moment.sign(&scalar).map(Ordering::is_le)
+        Some(false)
     }
 
     /// The ends of an edge, from a vertex.
@@ -150,9 +161,24 @@ fn product<const N: usize>(a: &Ends<N>, b: &Ends<N>) -> [[Wide<N>; 3]; 3] {
     ]
 }
 
-/// The components of a vector whose coefficients these are.
-fn components<const N: usize>(&[start, mixed, end]: &[[Wide<N>; 3]; 3]) -> [Quadratic<N>; 3] {
-    [0, 1, 2].map(|axis: usize| [start[axis], mixed[axis], end[axis]])
+/// The sign of a bilinear product of two differences.
+fn sign<const N: usize>(
+    moment: &Moment,
+    a: &Ends<N>,
+    b: &Ends<N>,
+    product: impl Fn([Wide<N>; 3], [Wide<N>; 3]) -> Wide<N>,
+) -> Option<Ordering> {
+    moment.sign(|coefficient| match coefficient {
+        0 => product(a[0], b[0]),
+        1 => product(a[0], b[1]) + product(a[1], b[0]),
+        _ => product(a[1], b[1]),
+    })
+}
+
+/// One component of a × b.
+fn component<const N: usize>(axis: usize) -> impl Fn([Wide<N>; 3], [Wide<N>; 3]) -> Wide<N> {
+    let [next, last] = [[1, 2], [2, 0], [0, 1]][axis];
+    move |a, b| a[next] * b[last] - a[last] * b[next]
 }
 
 /// The cubic without its roots at t = 0 and t = 1, and true for each of these that it has.

@@ -3,6 +3,7 @@
 //! [`screening`] is the ladder of the filters, [`contact`] continues from it to times and impacts,
 //! [`roundoff`] has the conventions of the error bounds. Each bound is derived beside its code.
 
+mod alongside;
 mod coincident;
 mod contact;
 mod coplanarity;

@@ -1,6 +1,7 @@
 //! The ladder of the filters, from the cheapest to the costliest, for one query or for several side
 //! by side.
 
+use super::alongside;
 use super::coincident::coincidence;
 use super::contact::{Contact, Unknown};
 use super::coplanarity::Coplanarity;
@@ -90,7 +91,8 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
     if let Some(coincidence) = coincidence(query, cubic) {
         return Decision::Contact(Contact::Coincident(coincidence));
     }
-    if Hull::new::<K>(query.points()).some_direction_separates() {
+    let hull = Hull::new::<K>(query.points());
+    if alongside::separates(query, &hull) || hull.some_direction_separates() {
         return Decision::Free(Stage::Direction);
     }
     match Planar::new(query).and_then(|planar| planar.beginning()) {

@@ -179,6 +179,8 @@ impl<const N: usize> Number for Wide<N> {
 
 #[cfg(test)]
 mod tests {
+    use alloc::vec;
+    use alloc::vec::Vec;
     use core::cmp::Ordering;
 
     use dashu_int::IBig;

@@ -16,7 +16,7 @@ pub(crate) struct Scene {
     pub(crate) ends: [Vec<Point>; 2],
 }
 
-/// All scenes. With `size` 1, they are large enough for a benchmark; with a larger one, they have fewer
+/// All scenes, each followed by its turned twin. With `size` 1, they are large enough for a benchmark; with a larger one, they have fewer
 /// primitives by its square or cube.
 pub(crate) fn scenes(size: usize) -> Vec<Scene> {
     let plain = [
@@ -41,7 +41,10 @@ fn triangles([a, b, c, d]: [u32; 4]) -> [[u32; 3]; 2] {
 }
 
 fn moved(points: &[Point], by: Point) -> Vec<Point> {
-    points.iter().map(|x| [0, 1, 2].map(|k: usize| x[k] + by[k])).collect()
+    points
+        .iter()
+        .map(|x| [0, 1, 2].map(|k: usize| x[k] + by[k]))
+        .collect()
 }
 
 /// A scene of bodies, each given by its vertices, its faces and its displacement.
@@ -175,16 +178,20 @@ fn surface(voxels: &[[i32; 3]]) -> (Vec<Point>, Vec<[u32; 3]>) {
     (points, faces)
 }
 
-/// The scene turned by 0.3 about the x-axis, then about the y-axis.
 fn turned(scene: &Scene) -> Scene {
-    let (sin, cos) = 0.3_f64.sin_cos();
-    let turn = |&[x, y, z]: &Point| {
-        let [y, z] = [cos * y - sin * z, sin * y + cos * z];
-        [cos * x + sin * z, y, cos * z - sin * x]
-    };
     Scene {
         name: format!("{}, turned", scene.name),
         faces: scene.faces.clone(),
-        ends: scene.ends.each_ref().map(|points| points.iter().map(turn).collect()),
+        ends: scene
+            .ends
+            .each_ref()
+            .map(|points| points.iter().map(turn).collect()),
     }
+}
+
+/// A point turned by 0.3 about the x-axis, then about the y-axis.
+pub(crate) fn turn(&[x, y, z]: &Point) -> Point {
+    let (sin, cos) = 0.3_f64.sin_cos();
+    let [y, z] = [cos * y - sin * z, sin * y + cos * z];
+    [cos * x + sin * z, y, cos * z - sin * x]
 }
