@@ -2,9 +2,9 @@
 //!
 //! `cargo bench -p exact-ccd-bench --bench flat [-- FOLDER]`
 //!
-//! A time is the median of some rounds, in milliseconds. The second table has, for a sample of the candidates, the
-//! share of each stage in % and the mean time of a decision there, in nanoseconds. The scenes are generated. With a
-//! folder, they are only written there, as frames for `bench/peers/step`.
+//! A time is the median of some rounds, in milliseconds. The second table has, for a sample of the
+//! candidates, the share of each stage in % and the mean time of a decision there, in nanoseconds. The scenes
+//! are generated. With a folder, they are only written there, as frames for `bench/peers/step`.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 

@@ -145,7 +145,9 @@ fn meaning(stage: Stage) -> &'static str {
         Stage::Coplanarity => "the cubic has no root",
         Stage::Roots => "the roots of the cubic, and the position of the primitives at each",
         Stage::Coincident => "comparisons of coordinates",
-        Stage::Direction => "a direction found by iteration separates",
+        Stage::Direction => {
+            "a plane through an edge and the velocity, or a direction found by iteration, separates"
+        }
         Stage::Planar => "sides of lines in a plane across an axis",
         Stage::FixedWidth => "the signs of integers of fixed width",
         _ => "integers",

@@ -17,7 +17,7 @@ pub enum Stage {
     /// A vertex of each primitive in one place, or all points on one line along an axis: comparisons
     /// prove contact.
     Coincident,
-    /// A direction found by iteration separates.
+    /// A plane through an edge and the relative velocity, or a direction found by iteration, separates.
     Direction,
     /// All points move in one plane across an axis, and the sides of the edges' lines on which the
     /// vertices lie decide.

@@ -1,8 +1,8 @@
 //! Contact decided by the signs of integers of fixed width.
 //!
-//! Where primitives are flat, parallel and in touch, the numbers whose signs decide are zero, or so near to it
-//! that no error bound of floating point proves a sign. They are computed exactly here. At t = 0 contact is a
-//! property of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
+//! Where primitives are flat, parallel and in touch, the numbers whose signs decide are zero, or so near to
+//! it that no error bound of floating point proves a sign. They are computed exactly here. At t = 0 contact is
+//! a property of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
 //! rounded only once.
 
 use arrayvec::ArrayVec;
@@ -117,7 +117,7 @@ fn rounded<K: Kind>(integers: &Integers<K>, cubic: &[Integer; 4], root: &Root) -
     dyadic.or_else(|| between_adjacent(cubic, root))
 }
 
-/// The root of the coplanarity cubic in a bracket, if it is a multiple of 2⁻¹⁰, as many times in flat worlds are.
+/// The root of the coplanarity cubic in a bracket, if it is a multiple of 2⁻¹⁰, as in flat worlds many are.
 pub(super) fn dyadic<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
     let fraction = fraction(root)?;
     at_fraction(&Integers::new(query)?, fraction)
@@ -126,8 +126,7 @@ pub(super) fn dyadic<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTi
 /// The number of parts of the step whose ends are tried.
 const PARTS: i128 = 1 << 10;
 
-/// The part of the step, in such parts, that has elapsed at the multiple of their length next to a root, if it is
-/// in the bracket.
+/// The number of such parts that have elapsed at the end next to a root, if that is in the bracket.
 fn fraction(root: &Root) -> Option<i128> {
     let elapsed = libm::round(root.near * PARTS as f64);
     let t = elapsed / PARTS as f64;

@@ -91,7 +91,7 @@ fn sliding(random: &mut Random) -> Points {
     for point in &mut start {
         point[2] = 0.0;
     }
-    let [to, rise] = [end[0], 0.01 * (random.below(3) as f64 - 1.0)];
+    let (to, rise) = (end[0], 0.01 * (random.below(3) as f64 - 1.0));
     let moving = 1 + random.below(2);
     end = start;
     for i in 0..moving {

@@ -16,8 +16,8 @@ pub(crate) struct Scene {
     pub(crate) ends: [Vec<Point>; 2],
 }
 
-/// All scenes, each followed by its turned twin. With `size` 1, they are large enough for a benchmark; with a larger one, they have fewer
-/// primitives by its square or cube.
+/// All scenes, each followed by its turned twin. With `size` 1, they are large enough for a benchmark; with a
+/// larger one, they have fewer primitives by its square or cube.
 pub(crate) fn scenes(size: usize) -> Vec<Scene> {
     let plain = [
         boxes(8 / size),
@@ -79,8 +79,8 @@ fn boxes(n: usize) -> Scene {
     scene("boxes in a grid", bodies)
 }
 
-/// A floor and a cloth of n × n cells each, which moves from one height to another while it slides. The lines of
-/// both along one axis are in one plane.
+/// A floor and a cloth of n × n cells each, which moves from one height to another while it slides. At the
+/// start, lines of both along one axis lie above each other.
 fn cloth(name: &'static str, n: usize, [from, to]: [f64; 2]) -> Scene {
     let sheet = |[x, height]: [f64; 2]| -> Vec<Point> {
         let place = |i: usize| [x + (i % (n + 1)) as f64, (i / (n + 1)) as f64, height];
