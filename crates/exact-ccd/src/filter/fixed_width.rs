@@ -1,8 +1,8 @@
 //! Contact decided by the signs of integers of fixed width.
 //!
 //! Where primitives are flat, parallel and in touch, the numbers whose signs decide are zero, or so near to
-//! it that no error bound of floating point proves a sign. They are computed exactly here. At t = 0 contact is
-//! a property of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
+//! it that no error bound of floating point proves a sign. They are computed exactly here. Contact at t = 0
+//! is that of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
 //! rounded only once.
 
 use arrayvec::ArrayVec;
