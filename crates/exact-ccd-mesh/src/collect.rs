@@ -83,9 +83,9 @@ pub(crate) struct Earliest {
     /// never increases.
     limit: AtomicU64,
     contact: Mutex<Option<(ContactTime, Pair)>>,
-    /// The pairs that start within their distance, some of them twice. Their boxes meet at t = 0, so that a
-    /// search until any time examines all of them.
-    touching: Mutex<Vec<Pair>>,
+    /// The pairs that start within their distance, some of them twice, if they are to be counted. Their boxes
+    /// meet at t = 0, so that a search until any time examines all of them.
+    touching: Option<Mutex<Vec<Pair>>>,
 }
 
 impl Earliest {
@@ -93,7 +93,15 @@ impl Earliest {
         Self {
             limit: AtomicU64::new(1f64.to_bits()),
             contact: Mutex::new(None),
-            touching: Mutex::default(),
+            touching: None,
+        }
+    }
+
+    /// The same, with the pairs that start within their distance.
+    pub(crate) fn with_touching() -> Self {
+        Self {
+            touching: Some(Mutex::default()),
+            ..Self::new()
         }
     }
 
@@ -105,10 +113,21 @@ impl Earliest {
 
     /// The numbers of pairs that start within their distance.
     pub(crate) fn touching(self) -> PairCounts {
-        let mut pairs = self.touching.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let mut pairs = self.touching.map_or_else(Vec::new, |pairs| {
+            pairs.into_inner().unwrap_or_else(PoisonError::into_inner)
+        });
         pairs.sort_unstable();
         pairs.dedup();
         PairCounts::of(&pairs)
+    }
+
+    /// The pair of a contact at t = 0. Only a lesser pair comes before it.
+    fn pair_at_start(&self) -> Option<Pair> {
+        if self.until() > 0.0 {
+            return None;
+        }
+        let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
+        contact.filter(|(time, _)| time.is_start()).map(|(_, pair)| pair)
     }
 
     fn add(&self, time: ContactTime, pair: Pair) {
@@ -134,9 +153,21 @@ impl Collect for Earliest {
         pairs: &[[u32; 2]],
     ) -> ControlFlow<()> {
         let mut touching = Vec::new();
+        let mut lesser = Vec::new();
+        let pairs = match self.pair_at_start() {
+            // The kinds are examined in the order of pairs.
+            Some(first) if self.touching.is_none() && K::pair([0; 2]) > first => {
+                return ControlFlow::Break(());
+            }
+            Some(first) if self.touching.is_none() => {
+                lesser.extend(pairs.iter().copied().filter(|&ids| K::pair(ids) < first));
+                &lesser
+            }
+            _ => pairs,
+        };
         narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
             let times = approach.times();
-            if times.starts_within {
+            if times.starts_within && self.touching.is_some() {
                 touching.push(K::pair(ids));
             }
             // Equal times count: then the lesser pair comes first.
@@ -146,9 +177,11 @@ impl Collect for Earliest {
                 self.add(time, K::pair(ids));
             }
         });
-        if !touching.is_empty() {
-            let mut pairs = self.touching.lock().unwrap_or_else(PoisonError::into_inner);
-            pairs.append(&mut touching);
+        if let Some(all) = &self.touching
+            && !touching.is_empty()
+        {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            all.append(&mut touching);
         }
         ControlFlow::Continue(())
     }

@@ -140,11 +140,14 @@ fn meaning(stage: Stage) -> &'static str {
         Stage::Coplanarity => "the planes are apart at all times",
         Stage::Roots => "the roots of the cubic, and the position of the primitives at each",
         Stage::Coincident => "comparisons of coordinates",
-        Stage::Direction => "a direction found by iteration separates",
+        Stage::Direction => {
+            "a plane through an edge and the velocity, or a direction found by iteration, separates"
+        }
         Stage::Planar => "sides of lines in a plane across an axis",
         Stage::Start => "the primitives are within the distance at t = 0",
         Stage::Advancement => "directions separate, one stretch of time after the other",
         Stage::Crossing => "the distances just before and just after the first time",
+        Stage::FixedWidth => "the signs of integers of fixed width",
         _ => "integers",
     }
 }

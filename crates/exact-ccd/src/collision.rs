@@ -36,6 +36,8 @@ pub struct Collision<'a, K> {
     query: &'a Query<K>,
     separation: Separation,
     proof: Proof<K>,
+    /// The first time, once it is known.
+    first: Option<ContactTime>,
 }
 
 /// The proof that a query collides.
@@ -71,6 +73,7 @@ impl<'a, K: Kind> Collision<'a, K> {
             query,
             separation,
             proof,
+            first: None,
         })
     }
 
@@ -102,7 +105,13 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The first time at which the primitives touch.
     #[must_use]
     pub fn time(&self) -> ContactTime {
-        K::time(self)
+        self.first.unwrap_or_else(|| K::time(self))
+    }
+
+    /// The same collision, which keeps the first time.
+    pub(crate) fn with_first_time(self) -> Self {
+        let first = Some(self.time());
+        Self { first, ..self }
     }
 
     pub(crate) fn determine_time(&self) -> ContactTime {
@@ -138,7 +147,11 @@ impl<'a, K: Kind> Collision<'a, K> {
 
     pub(crate) fn determine_impact(&self) -> Impact {
         self.answer(
-            |contact| contact.impact(self.query),
+            |contact| {
+                let exactly = || FirstContact::impact_at_start(self.query);
+                let starts = || self.time().is_start();
+                contact.impact(self.query).or_else(|| starts().then(exactly))
+            },
             FirstContact::impact,
             // Cannot panic: the filters prove what the exact path defines.
             |first| {

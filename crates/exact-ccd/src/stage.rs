@@ -20,11 +20,15 @@ pub enum Stage {
     /// Contact: a vertex of each primitive in one place, or all points on one line along an axis.
     /// Comparisons prove it.
     Coincident,
-    /// No contact: a direction found by iteration separates.
+    /// No contact: a plane through an edge and the relative velocity, or a direction found by iteration,
+    /// separates.
     Direction,
     /// Contact: all points move in one plane across an axis, and the sides of the edges' lines on which
     /// the vertices lie decide.
     Planar,
+    /// Contact: the signs that decide are those of integers of fixed width, at rest at t = 0, or at the roots
+    /// of the coplanarity cubic from its exact coefficients.
+    FixedWidth,
     /// The primitives are within d > 0 at t = 0.
     Start,
     /// Directions, one stretch of time after the other, prove that the primitives never come within
@@ -47,6 +51,7 @@ impl Stage {
         Self::Coincident,
         Self::Direction,
         Self::Planar,
+        Self::FixedWidth,
         Self::Start,
         Self::Advancement,
         Self::Crossing,

@@ -173,7 +173,7 @@ pub(super) fn free_step<B: BroadPhase>(
         return Err(LineSearchError::Keep(keep));
     }
     let watch = Watch::new(options.progress, options.cancel);
-    let earliest = watched(search, &step, Earliest::new(), &watch)?;
+    let earliest = watched(search, &step, Earliest::with_touching(), &watch)?;
     let [x0, x1] = step.positions();
     let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));
     let touching = earliest.touching();

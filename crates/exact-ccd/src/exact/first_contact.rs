@@ -6,6 +6,7 @@ use super::instant::Instant;
 use super::intervals::intervals_of;
 use super::motion::Motion;
 use super::roots::roots;
+use super::split::Split;
 use crate::impact::Impact;
 use crate::interval::Intervals;
 use crate::kind::Kind;
@@ -54,6 +55,11 @@ impl<K: Kind> FirstContact<K> {
         intervals_of(&events, |t| {
             motion.is_always_coplanar() && motion.touches(&Instant::At(t.clone()))
         })
+    }
+
+    /// The impact of a query whose primitives touch at t = 0.
+    pub(crate) fn impact_at_start(query: &Query<K>) -> Impact {
+        Motion::new(query).impact(&Instant::At(Split::START))
     }
 
     /// The earliest contact: time, parameters and normal.

@@ -19,7 +19,9 @@ pub(crate) enum Coincidence {
     FromStart,
     /// This is the only contact time.
     Only(ContactTime),
-    /// There is contact at some time.
+    /// There is contact at t = 0, and perhaps later.
+    AtStart,
+    /// There is contact at t = 1, or at some time.
     SomeTime,
 }
 
@@ -27,7 +29,7 @@ impl Coincidence {
     /// The earliest contact time, if it is certain.
     pub(super) fn first(self) -> Option<ContactTime> {
         match self {
-            Self::FromStart => Some(ContactTime::exactly(0.0)),
+            Self::FromStart | Self::AtStart => Some(ContactTime::exactly(0.0)),
             Self::Only(time) => Some(time),
             Self::SomeTime => None,
         }
@@ -37,7 +39,7 @@ impl Coincidence {
     pub(super) fn intervals(self) -> Option<Intervals> {
         match self {
             Self::Only(time) => Some(Intervals::from_iter([Interval::moment(time)])),
-            Self::FromStart | Self::SomeTime => None,
+            Self::FromStart | Self::AtStart | Self::SomeTime => None,
         }
     }
 }
@@ -62,12 +64,13 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
     {
         return Some(Coincidence::FromStart);
     }
-    for (end, time) in [0.0, 1.0].into_iter().enumerate() {
+    let ends = [(0.0, Coincidence::AtStart), (1.0, Coincidence::SomeTime)];
+    for (end, (time, coincidence)) in ends.into_iter().enumerate() {
         if all_meet(end) && cubic.is_certain_at(1 - end) {
             return Some(Coincidence::Only(ContactTime::exactly(time)));
         }
         if K::CORNERS.iter().any(|corner| meets(end, corner)) {
-            return Some(Coincidence::SomeTime);
+            return Some(coincidence);
         }
     }
     let axis = line(query)?;

@@ -5,7 +5,9 @@ use arrayvec::ArrayVec;
 use super::coincident::{self, Coincidence};
 use super::coplanarity;
 use super::cubic::Root;
+use super::fixed_width;
 use super::impact::parameters_and_normal;
+use super::moment::Moment;
 use super::planar::{Event, Planar};
 use super::position::{self, Position};
 use crate::impact::Impact;
@@ -32,6 +34,8 @@ pub(crate) enum Contact {
     Sliding(Event),
     /// The primitives touch because coordinates are equal.
     Coincident(Coincidence),
+    /// The primitives first touch at this moment.
+    AtMoment(Moment),
 }
 
 impl Contact {
@@ -66,25 +70,51 @@ impl Contact {
             Self::AtRoot { .. } => Stage::Roots,
             Self::Sliding(_) => Stage::Planar,
             Self::Coincident(_) => Stage::Coincident,
+            Self::AtMoment(_) => Stage::FixedWidth,
         }
     }
 
     /// The earliest contact time, if the filters determine it.
     pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
+        if let Self::AtMoment(moment) = self {
+            return fixed_width::time(query, moment);
+        }
+        self.first_by_roundoff(query).or_else(|| match self {
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => fixed_width::round(query, &roots[*touching]),
+            _ => fixed_width::first(query),
+        })
+    }
+
+    /// The same without integers of fixed width.
+    fn first_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
         match self {
             Self::AtRoot {
                 roots,
                 touching,
                 is_first: true,
-            } => coplanarity::precise(query).round(&roots[*touching]),
+            } => {
+                let root = &roots[*touching];
+                fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root))
+            }
             Self::AtRoot { is_first: false, .. } => None,
             Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
             Self::Coincident(coincidence) => coincidence.first(),
+            Self::AtMoment(_) => None,
         }
     }
 
     /// All intervals of contact, if the filters determine them.
     pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
+        self.intervals_by_roundoff(query)
+            .or_else(|| fixed_width::moments(query))
+    }
+
+    /// The same without integers of fixed width.
+    fn intervals_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
         match self {
             Self::AtRoot {
                 roots,
@@ -93,7 +123,10 @@ impl Contact {
             } => {
                 let (first, later) = roots.get(*touching..)?.split_first()?;
                 let precise = coplanarity::precise(query);
-                let moment = |root: &Root| precise.round(root).map(Interval::moment);
+                let moment = |root: &Root| {
+                    let dyadic = fixed_width::dyadic(query, root);
+                    dyadic.or_else(|| precise.round(root)).map(Interval::moment)
+                };
                 let of_later = later.iter().filter_map(|root| match position::at(query, root) {
                     Some(Position::Inside) => Some(moment(root)),
                     Some(Position::Outside) => None,
@@ -114,14 +147,19 @@ impl Contact {
                 planar.stretches()?.iter().map(interval).collect()
             }
             Self::Coincident(coincidence) => coincidence.intervals(),
+            Self::AtMoment(_) => None,
         }
     }
 
     /// The earliest contact, if the filters determine it.
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
         let (roots, touching) = match self {
-            Self::AtRoot { roots, touching, .. } => (roots, touching),
-            Self::Sliding(_) => return None,
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => (roots, touching),
+            Self::AtRoot { is_first: false, .. } | Self::Sliding(_) | Self::AtMoment(_) => return None,
             Self::Coincident(_) => return coincident::impact(query),
         };
         let time = self.first(query)?;

@@ -4,14 +4,18 @@
 //! a separation above 0. [`contact`] continues to times and impacts,
 //! [`roundoff`] has the conventions of the error bounds. Each bound is derived beside its code.
 
+mod alongside;
 mod coincident;
 mod contact;
 mod coplanarity;
 mod cubic;
 mod double_double;
+mod fixed_width;
 mod gap;
 mod hull;
 mod impact;
+mod lattice;
+mod moment;
 mod nearness;
 mod number;
 mod planar;
@@ -20,6 +24,7 @@ mod precise_cubic;
 mod roundoff;
 mod screening;
 mod vector;
+mod wide;
 
 pub(crate) use contact::Contact;
 pub(crate) use cubic::Cubic;

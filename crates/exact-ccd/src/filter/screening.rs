@@ -1,10 +1,12 @@
 //! The ladder of the filters, from the cheapest to the costliest, for one query or for several side
 //! by side.
 
+use super::alongside;
 use super::coincident::coincidence;
 use super::contact::{Contact, Unknown};
 use super::coplanarity::Coplanarity;
 use super::cubic::Cubic;
+use super::fixed_width;
 use super::gap::{Gap, Touching, Within};
 use super::hull::Hull;
 use super::nearness;
@@ -118,13 +120,14 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
         return match Contact::at_roots(query, roots) {
             Ok(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
             Ok(None) => Decision::Free(Stage::Roots),
-            Err(Unknown) => Decision::Unknown,
+            Err(Unknown) => decide_in_integers(query),
         };
     }
     if let Some(coincidence) = coincidence(query, cubic) {
         return Decision::Collision(Proved::Contact(Contact::Coincident(coincidence)));
     }
-    if Hull::new::<K>(query.points()).some_direction_separates() {
+    let hull = Hull::new::<K>(query.points());
+    if alongside::separates(query, &hull) || hull.some_direction_separates() {
         return Decision::Free(Stage::Direction);
     }
     match Planar::new(query).and_then(|planar| planar.stretches()) {
@@ -132,6 +135,15 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
             Some([beginning, _]) => Decision::Collision(Proved::Contact(Contact::Sliding(beginning))),
             None => Decision::Free(Stage::Planar),
         },
+        None => decide_in_integers(query),
+    }
+}
+
+/// The last stage before the exact path.
+fn decide_in_integers<K: Kind>(query: &Query<K>) -> Decision {
+    match fixed_width::first_moment(query) {
+        Some(Some(moment)) => Decision::Collision(Proved::Contact(Contact::AtMoment(moment))),
+        Some(None) => Decision::Free(Stage::FixedWidth),
         None => Decision::Unknown,
     }
 }
