@@ -56,18 +56,22 @@ impl Domain {
             .map(|&[a, b, c, _]| [a, b, c])
     }
 
-    /// The points of which F at the corners are differences.
+    /// The points of which F at a corner is the difference.
     #[inline]
+    pub(super) fn pair<'q, K>(&self, query: &'q Query<K>, corner: usize) -> [&'q Point; 2]
+    where
+        K: Kind<Points = [Point; 4]>,
+    {
+        let (points, (i, j)) = (&query.points()[corner / 4], self.corners[corner % 4]);
+        [&points[i], &points[j]]
+    }
+
+    /// The points of which F at the corners are differences.
     pub(super) fn pairs<K>(&self, query: &Query<K>) -> [[Point; 2]; 8]
     where
         K: Kind<Points = [Point; 4]>,
     {
-        let mut pairs = [[[0.0; 3]; 2]; 8];
-        for (index, pair) in pairs.iter_mut().enumerate() {
-            let (points, (i, j)) = (&query.points()[index / 4], self.corners[index % 4]);
-            *pair = [points[i], points[j]];
-        }
-        pairs
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.pair(query, corner).map(|&point| point))
     }
 }
 

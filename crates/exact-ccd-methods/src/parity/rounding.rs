@@ -110,7 +110,9 @@ impl Displacement {
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Self {
-        Self::of_pairs(&Domain::of::<K>().pairs(query))
+        let pair =
+            |corner: usize, axis: usize| Domain::of::<K>().pair(query, corner).map(|point| point[axis]);
+        Self([0, 1, 2].map(|axis: usize| displacement((0..8).map(|corner| pair(corner, axis)))))
     }
 
     /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
@@ -237,8 +239,11 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     /// A query whose corner differences are exact.
     #[inline]
     fn of(query: Query<K>) -> Self {
-        let difference = |[x, y]: [Point; 2]| [0, 1, 2].map(|axis: usize| x[axis] - y[axis]);
-        let corners = Domain::of::<K>().pairs(&query).map(difference);
+        let mut corners = [[0.0; 3]; 8];
+        for (index, corner) in corners.iter_mut().enumerate() {
+            let [x, y] = Domain::of::<K>().pair(&query, index);
+            *corner = [x[0] - y[0], x[1] - y[1], x[2] - y[2]];
+        }
         Self { query, corners }
     }
 

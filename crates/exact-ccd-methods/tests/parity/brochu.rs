@@ -1,7 +1,12 @@
 //! Brochu's root parity, as published and in rational numbers.
 
+<<<<<<< HEAD
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::parity::{BrochuRootParity, RationalRootParity};
+=======
+use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd_methods::parity::{BrochuRootParity, Parity, RationalRootParity};
+>>>>>>> w-a
 use proptest::array::{uniform3, uniform4};
 use proptest::prelude::*;
 
@@ -42,7 +47,7 @@ fn agree(points: &Points) {
         expected(&query::<VertexFace>(points)),
         expected(&query::<EdgeEdge>(points)),
     ];
-    let collisions = expected.map(|parity| parity.is_collision());
+    let collisions = expected.map(Parity::is_collision);
     assert_eq!(both(&RationalRootParity, points), collisions, "{points:?}");
     for (published, collides) in both(&BrochuRootParity::default(), points)
         .into_iter()

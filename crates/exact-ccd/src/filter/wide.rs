@@ -236,7 +236,7 @@ mod tests {
             let exact = IBig::from(a) * IBig::from(b);
             let to_big = |x: f64| {
                 let ([integer], unit) = crate::exact::to_integers([x * 1024.0]);
-                integer << (unit + 200) as usize
+                integer << (unit.unwrap_or_default() + 200) as usize
             };
             let error = to_big(high) + to_big(low) - (exact.clone() << 210);
             let bound = exact.clone() << 106;
