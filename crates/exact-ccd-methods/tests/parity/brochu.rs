@@ -1,12 +1,7 @@
 //! Brochu's root parity, as published and in rational numbers.
 
-<<<<<<< HEAD
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
-use exact_ccd_methods::parity::{BrochuRootParity, RationalRootParity};
-=======
-use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::parity::{BrochuRootParity, Parity, RationalRootParity};
->>>>>>> w-a
 use proptest::array::{uniform3, uniform4};
 use proptest::prelude::*;
 
