@@ -1,13 +1,16 @@
 //! A method with false negatives.
 
-use exact_ccd::{Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
+use exact_ccd::{CONTACT, Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
 
 /// Decides that primitives collide if the number of their contact times is odd or infinite.
 pub(crate) struct Odd;
 
 impl<K: Kind> Decide<K> for Odd {
     fn collides(&self, query: &Query<K>) -> bool {
-        query.contact_times().count().is_none_or(|count| count % 2 == 1)
+        query
+            .intervals(CONTACT)
+            .count()
+            .is_none_or(|count| count % 2 == 1)
     }
 }
 

@@ -9,7 +9,7 @@
 //!
 //! Zero contacts, two contacts and one grazing contact have the same parity.
 //! [`Query::collides`](exact_ccd::Query::collides) and
-//! [`Query::contact_times`](exact_ccd::Query::contact_times) distinguish them, without rounding; this
+//! [`Query::intervals`](exact_ccd::Query::intervals) distinguish them, without rounding; this
 //! module is for comparison with the paper. The chapter `docs/parity.md` of the repository explains the
 //! method.
 //!

@@ -76,7 +76,7 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
 
 /// The time of a root of the coplanarity cubic in a bracket.
 pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
-    time(query, &Moment::Root(root.clone()))
+    time(query, &Moment::Root(*root))
 }
 
 /// The time of a moment of contact.

@@ -203,7 +203,7 @@ mod tests {
         let mut all = vec![0, 1, -1];
         for length in 1..=120 {
             bits = bits.wrapping_mul(0xd134_2543_de82_ef95).wrapping_add(1);
-            let noise = i128::from(bits) * i128::from(bits >> 5) & ((1 << length) - 1);
+            let noise = (i128::from(bits) * i128::from(bits >> 5)) & ((1 << length) - 1);
             let power = 1_i128 << length;
             all.extend([noise, -noise, power, -power, power - 1, 1 - power]);
         }

@@ -41,7 +41,7 @@ pub(crate) fn expected<K: Rim>(query: &Query<K>) -> Parity {
     );
     let grazes =
         double_root(query.points()).is_some_and(|root| times.iter().any(|moment| root.may_be(moment.start)));
-    if (times.len() + usize::from(grazes)) % 2 == 0 {
+    if (times.len() + usize::from(grazes)).is_multiple_of(2) {
         Parity::Even
     } else {
         Parity::Odd
