@@ -362,7 +362,7 @@ fn zeros_of_parameters_are_positive() {
             );
             let batch = Trajectories::new(&start, &end).unwrap();
             let found = batch.collisions::<EdgeEdge>(&[[0, 1, 2, 3]; 8], CONTACT, |_, collision| {
-                check(collision.impact())
+                check(collision.impact());
             });
             found.unwrap();
         }
