@@ -51,13 +51,13 @@ impl<K: Kind> Query<K> {
     /// The largest f64 not above the earliest contact time, if there is one.
     #[must_use]
     pub fn time_of_impact(&self) -> Option<f64> {
-        self.collision().map(|collision| collision.time_of_impact())
+        K::time_of_impact(self)
     }
 
     /// The earliest contact, if there is one: time, parameters and normal.
     #[must_use]
     pub fn impact(&self) -> Option<Impact> {
-        self.collision().map(|collision| collision.impact())
+        K::first_impact(self)
     }
 }
 
@@ -70,8 +70,19 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>) -> (bool, Stage) {
 }
 
 /// The collision, or the stage that proved that there is none.
+#[inline]
 pub(crate) fn collision<K: Kind>(query: &Query<K>) -> Result<Collision<'_, K>, Stage> {
     Collision::from_decision(query, decide(query))
+}
+
+pub(crate) fn time_of_impact<K: Kind>(query: &Query<K>) -> Option<f64> {
+    let collision = collision(query).ok()?;
+    Some(collision.determine_first_time().lower())
+}
+
+pub(crate) fn impact<K: Kind>(query: &Query<K>) -> Option<Impact> {
+    let collision = collision(query).ok()?;
+    Some(collision.determine_impact())
 }
 
 #[inline]

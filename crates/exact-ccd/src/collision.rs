@@ -157,6 +157,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// It is the separation itself, unless the primitives are closer already at t = 0.
     #[must_use]
     pub fn distance(&self) -> DistanceBounds {
+        K::distance(self)
+    }
+
+    pub(crate) fn determine_distance(&self) -> DistanceBounds {
         let d = self.separation();
         let at_first_time = DistanceBounds {
             lower: d.get(),

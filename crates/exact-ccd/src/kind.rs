@@ -13,7 +13,7 @@ use crate::collision::Collision;
 use crate::impact::Impact;
 use crate::point::Point;
 use crate::query::Query;
-use crate::separation::{self, Separation, SeparationStage};
+use crate::separation::{self, DistanceBounds, Separation, SeparationStage};
 use crate::stage::Stage;
 use crate::time::{ContactTime, ContactTimes};
 
@@ -96,7 +96,7 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
-    // The algorithms are functions of each kind, not generic ones, so that this crate contains their code, and the
+    // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
     fn run(batch: Batch<'_, Self>);
@@ -105,6 +105,10 @@ pub trait Kind: Tables + Copy {
     #[doc(hidden)]
     fn collision(query: &Query<Self>) -> Result<Collision<'_, Self>, Stage>;
     #[doc(hidden)]
+    fn time_of_impact(query: &Query<Self>) -> Option<f64>;
+    #[doc(hidden)]
+    fn first_impact(query: &Query<Self>) -> Option<Impact>;
+    #[doc(hidden)]
     fn first_within(query: &Query<Self>, d: Separation) -> (Option<ContactTime>, SeparationStage);
     #[doc(hidden)]
     fn first_time(collision: &Collision<'_, Self>) -> ContactTime;
@@ -112,6 +116,8 @@ pub trait Kind: Tables + Copy {
     fn times(collision: &Collision<'_, Self>) -> (ContactTimes, Stage);
     #[doc(hidden)]
     fn impact(collision: &Collision<'_, Self>) -> Impact;
+    #[doc(hidden)]
+    fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
 }
 
 /// The algorithms of a kind.
@@ -133,6 +139,16 @@ macro_rules! algorithms {
         }
 
         #[inline(never)]
+        fn time_of_impact(query: &Query<Self>) -> Option<f64> {
+            answers::time_of_impact(query)
+        }
+
+        #[inline(never)]
+        fn first_impact(query: &Query<Self>) -> Option<Impact> {
+            answers::impact(query)
+        }
+
+        #[inline(never)]
         fn first_within(query: &Query<Self>, d: Separation) -> (Option<ContactTime>, SeparationStage) {
             separation::first_within(query, d)
         }
@@ -150,6 +166,11 @@ macro_rules! algorithms {
         #[inline(never)]
         fn impact(collision: &Collision<'_, Self>) -> Impact {
             collision.determine_impact()
+        }
+
+        #[inline(never)]
+        fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
+            collision.determine_distance()
         }
     };
 }
