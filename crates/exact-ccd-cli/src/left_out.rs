@@ -35,7 +35,7 @@ const OPTIONAL: [Optional; 6] = [
     (
         "simulate",
         SIMULATE,
-        "Elastic bodies, cloth, rods and particles that never pass through each other",
+        "Simulate a scene: elastic bodies with contact and friction, without intersections",
     ),
     (
         "import",
@@ -46,10 +46,8 @@ const OPTIONAL: [Optional; 6] = [
 
 /// The commands that this build leaves out.
 fn left_out() -> impl Iterator<Item = Optional> {
-    let is_in = |feature| match feature {
-        QUERIES => cfg!(feature = "queries"),
-        _ => cfg!(feature = "simulate"),
-    };
+    let [queries, simulate] = [cfg!(feature = "queries"), cfg!(feature = "simulate")];
+    let is_in = move |feature| if feature == QUERIES { queries } else { simulate };
     OPTIONAL
         .into_iter()
         .filter(move |(_, feature, _)| !is_in(*feature))

@@ -38,14 +38,13 @@ impl<K: Kind> Query<K> {
     /// The largest f64 not above the first time at which the primitives touch, if they do.
     #[must_use]
     pub fn time_of_impact(&self, options: impl Into<Options>) -> Option<f64> {
-        self.collision(options)
-            .map(|collision| collision.time_of_impact())
+        K::time_of_impact(self, options.into())
     }
 
     /// The first time at which the primitives touch, if they do, with the closest points then.
     #[must_use]
     pub fn impact(&self, options: impl Into<Options>) -> Option<Impact> {
-        self.collision(options).map(|collision| collision.impact())
+        K::impact(self, options.into())
     }
 
     /// All times of the step at which the primitives touch; none if the first is after the last time that
@@ -90,6 +89,16 @@ pub(crate) fn decide<'a, K: Kind>(
         }
         Err(stage) => (None, stage),
     }
+}
+
+pub(crate) fn time_of_impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<f64> {
+    let collision = decide(query, options).0?;
+    Some(collision.determine_time().lower())
+}
+
+pub(crate) fn impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<Impact> {
+    let collision = decide(query, options).0?;
+    Some(collision.determine_impact())
 }
 
 /// The decision of the filters, which need the default environment.

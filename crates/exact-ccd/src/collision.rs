@@ -142,7 +142,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The first time at which the primitives touch, with the closest points then.
     #[must_use]
     pub fn impact(&self) -> Impact {
-        K::impact(self)
+        K::first_impact(self)
     }
 
     pub(crate) fn determine_impact(&self) -> Impact {
@@ -166,6 +166,10 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// It is the separation itself, unless the primitives are closer already at t = 0.
     #[must_use]
     pub fn distance(&self) -> DistanceBounds {
+        K::distance(self)
+    }
+
+    pub(crate) fn determine_distance(&self) -> DistanceBounds {
         if !self.separation.is_zero() && self.time().is_start() {
             return exact::distance_at(self.query, 0.0).expect("0 is a time of the step");
         }

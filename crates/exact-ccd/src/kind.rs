@@ -10,6 +10,7 @@ use core::fmt::Debug;
 use crate::answers;
 use crate::batch::Batch;
 use crate::collision::Collision;
+use crate::distance::DistanceBounds;
 use crate::impact::Impact;
 use crate::interval::Intervals;
 use crate::options::Options;
@@ -103,11 +104,17 @@ pub trait Kind: Tables + Copy {
     #[doc(hidden)]
     fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage);
     #[doc(hidden)]
+    fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64>;
+    #[doc(hidden)]
+    fn impact(query: &Query<Self>, options: Options) -> Option<Impact>;
+    #[doc(hidden)]
     fn time(collision: &Collision<'_, Self>) -> ContactTime;
     #[doc(hidden)]
     fn intervals(collision: &Collision<'_, Self>) -> Intervals;
     #[doc(hidden)]
-    fn impact(collision: &Collision<'_, Self>) -> Impact;
+    fn first_impact(collision: &Collision<'_, Self>) -> Impact;
+    #[doc(hidden)]
+    fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
 }
 
 /// The algorithms of a kind.
@@ -129,6 +136,16 @@ macro_rules! algorithms {
         }
 
         #[inline(never)]
+        fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64> {
+            answers::time_of_impact(query, &options)
+        }
+
+        #[inline(never)]
+        fn impact(query: &Query<Self>, options: Options) -> Option<Impact> {
+            answers::impact(query, &options)
+        }
+
+        #[inline(never)]
         fn time(collision: &Collision<'_, Self>) -> ContactTime {
             collision.determine_time()
         }
@@ -139,8 +156,13 @@ macro_rules! algorithms {
         }
 
         #[inline(never)]
-        fn impact(collision: &Collision<'_, Self>) -> Impact {
+        fn first_impact(collision: &Collision<'_, Self>) -> Impact {
             collision.determine_impact()
+        }
+
+        #[inline(never)]
+        fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
+            collision.determine_distance()
         }
     };
 }

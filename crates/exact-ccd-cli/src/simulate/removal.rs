@@ -4,7 +4,8 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The name of the file that a draft of [`replace_file`](crate::output::replace_file) belongs to, or none for other names.
+/// The name of the file that a draft of [`replace_file`](crate::output::replace_file) belongs to, or none for
+/// other names.
 pub(super) fn draft_of(name: &str) -> Option<&str> {
     let (file, number) = name.strip_prefix('.')?.rsplit_once('.')?;
     is_number(number).then_some(file)

@@ -74,8 +74,8 @@ impl SimulationRecording {
         self.frames.push(&format!("{time} s"), &frame)
     }
 
-    /// Writes the page, with charts of the time steps: a verdict about all of them, and lines about the scene.
-    /// `contact_distance` is d̂, in m.
+    /// Writes the page, with charts of the time steps: a verdict about all of them, and lines about the
+    /// scene. `contact_distance` is d̂, in m.
     pub(crate) fn finish(self, verdict: &str, scene: &str, contact_distance: f64) -> Result<(), Failure> {
         let history = history::of(self.start, &self.steps, contact_distance);
         self.frames.with_history(history).finish(verdict, scene)

@@ -6,8 +6,8 @@ use fearless_simd::Simd;
 
 /// Evaluates an expression with the vector instructions of a level: on x86 AVX-512, AVX2 or else SSE2.
 ///
-/// SSE4.2 would add a tenth to the time in which the kernel compiles. A batch on a processor of 2008 to 2013, without
-/// AVX2, would take a tenth less time.
+/// SSE4.2 would add a quarter to the time in which the kernel compiles. A batch on a processor without AVX2,
+/// of 2008 to 2013, would take a tenth less time.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 macro_rules! dispatch {
     ($level:expr, $simd:ident => $operation:expr) => {
