@@ -80,7 +80,7 @@ pub(super) fn times<K: Kind>(query: &Query<K>) -> Option<ContactTimes> {
 
 /// The time of a root of the coplanarity cubic in a bracket.
 pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
-    time(query, &Moment::Root(root.clone()))
+    time(query, &Moment::Root(*root))
 }
 
 /// The time of a moment of contact.
