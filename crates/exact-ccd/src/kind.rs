@@ -95,7 +95,7 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
-    // The algorithms are functions of each kind, not generic ones, so that this crate contains their code, and the
+    // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
     fn run(batch: Batch<'_, Self>);
