@@ -50,7 +50,7 @@ fn left_out() -> impl Iterator<Item = Optional> {
     let is_in = move |feature: &str| if feature == QUERIES { queries } else { simulate };
     OPTIONAL
         .into_iter()
-        .filter(move |(_, feature, _)| !is_in(*feature))
+        .filter(move |(_, feature, _)| !is_in(feature))
 }
 
 /// The program with the commands that this build leaves out: they are in the help, and accept all arguments.
