@@ -47,10 +47,10 @@ const OPTIONAL: [Optional; 6] = [
 /// The commands that this build leaves out.
 fn left_out() -> impl Iterator<Item = Optional> {
     let [queries, simulate] = [cfg!(feature = "queries"), cfg!(feature = "simulate")];
-    let is_in = move |feature| if feature == QUERIES { queries } else { simulate };
+    let is_in = move |feature: &str| if feature == QUERIES { queries } else { simulate };
     OPTIONAL
         .into_iter()
-        .filter(move |(_, feature, _)| !is_in(*feature))
+        .filter(move |(_, feature, _)| !is_in(feature))
 }
 
 /// The program with the commands that this build leaves out: they are in the help, and accept all arguments.
