@@ -62,7 +62,7 @@ fn scene(name: &'static str, bodies: impl IntoIterator<Item = (Vec<Point>, Vec<[
 
 /// The displacement of a layer: every other one slides.
 fn of_layer(layer: usize) -> Point {
-    if layer % 2 == 0 { [0.0; 3] } else { SLIDE }
+    if layer.is_multiple_of(2) { [0.0; 3] } else { SLIDE }
 }
 
 /// n × n × n places, the layer last.
