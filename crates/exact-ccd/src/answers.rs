@@ -83,9 +83,8 @@ pub(crate) fn decide<'a, K: Kind>(
 ) -> (Option<Collision<'a, K>>, Stage) {
     match Collision::from_decision(query, options.separation, filtered(query, options)) {
         Ok(collision) => {
-            let counts = options.until >= 1.0 || collision.time().is_at_most(options.until);
             let stage = collision.stage();
-            (counts.then_some(collision), stage)
+            (collision.until(options.until), stage)
         }
         Err(stage) => (None, stage),
     }

@@ -105,18 +105,27 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The first time at which the primitives touch.
     #[must_use]
     pub fn time(&self) -> ContactTime {
-        self.first.unwrap_or_else(|| K::time(self))
+        K::time(self)
     }
 
-    /// The same collision, which keeps the first time.
-    pub(crate) fn with_first_time(self) -> Self {
-        let first = Some(self.time());
-        Self { first, ..self }
+    /// The same collision if its first time, which it keeps then, is not after the last one that counts.
+    #[inline]
+    pub(crate) fn until(self, until: f64) -> Option<Self> {
+        if until >= 1.0 {
+            return Some(self);
+        }
+        let first = self.time();
+        first.is_at_most(until).then_some(Self {
+            first: Some(first),
+            ..self
+        })
     }
 
     pub(crate) fn determine_time(&self) -> ContactTime {
-        let by_filter = |contact: &Contact| contact.first(self.query);
-        self.answer(by_filter, FirstContact::time, |first| first)
+        self.first.unwrap_or_else(|| {
+            let by_filter = |contact: &Contact| contact.first(self.query);
+            self.answer(by_filter, FirstContact::time, |first| first)
+        })
     }
 
     /// The largest f64 not above the first time at which the primitives touch.

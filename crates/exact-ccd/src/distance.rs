@@ -2,8 +2,8 @@
 
 use crate::non_negative::NonNegative;
 
-/// A distance d below which two primitives count as close: a finite f64, at least 0, in the unit of
-/// the coordinates.
+/// A distance d: two primitives touch if they are at most d apart. It is a finite f64, at least 0, in the
+/// unit of the coordinates.
 ///
 /// It is taken exactly. −0.0 is 0. The default is 0, which is contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]

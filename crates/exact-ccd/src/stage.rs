@@ -26,15 +26,16 @@ pub enum Stage {
     /// Contact: all points move in one plane across an axis, and the sides of the edges' lines on which
     /// the vertices lie decide.
     Planar,
-    /// Contact: the signs that decide are those of integers of fixed width, at rest at t = 0, or at the roots
-    /// of the coplanarity cubic from its exact coefficients.
+    /// Contact: the signs that decide are those of integers of fixed width, at rest at t = 0, at the roots
+    /// of the coplanarity cubic from its exact coefficients, or at all times of motion in one plane.
     FixedWidth,
     /// The primitives are within d > 0 at t = 0.
     Start,
-    /// Directions, one stretch of time after the other, prove that the primitives never come within
-    /// d > 0.
+    /// Directions, one stretch of time after the other, prove that the primitives do not come within d > 0
+    /// until the last time that counts.
     Advancement,
-    /// The distance falls below d > 0 between two adjacent f64, or is proved to stay above d to the end.
+    /// The distance falls below d > 0 between two adjacent f64, or is proved to stay above d until the last
+    /// time that counts.
     Crossing,
     /// No filter decides: [`exact`](crate::exact).
     Exact,

@@ -31,12 +31,7 @@ impl<K: Kind> Batch<'_, K> {
     pub(crate) fn run(self) {
         let Self { until, found, .. } = self;
         let found: Found<'_, K> = &mut |index, collision| {
-            if until >= 1.0 {
-                found(index, collision);
-                return;
-            }
-            let collision = collision.with_first_time();
-            if collision.time().is_at_most(until) {
+            if let Some(collision) = collision.until(until) {
                 found(index, collision);
             }
         };

@@ -78,6 +78,5 @@ pub fn impact<K: Kind>(query: &Query<K>, options: impl Into<Options>) -> Option<
 /// The collision of a query of which the filters know nothing: all its answers are computed in integers.
 fn collision<K: Kind>(query: &Query<K>, options: Options) -> Option<Collision<'_, K>> {
     let collision = Collision::from_decision(query, options.separation, Decision::Unknown).ok()?;
-    let counts = options.until >= 1.0 || collision.time().is_at_most(options.until);
-    counts.then_some(collision)
+    collision.until(options.until)
 }

@@ -6,6 +6,7 @@
 //! prove.
 
 use super::cubic::Cubic;
+use super::planar::is_across;
 use crate::impact::Impact;
 use crate::interval::{Interval, Intervals};
 use crate::kind::{Difference, Kind};
@@ -15,6 +16,8 @@ use crate::time::ContactTime;
 /// Contact that is certain because coordinates are equal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Coincidence {
+    /// There is contact at all times.
+    Always,
     /// An interval of contact begins at t = 0.
     FromStart,
     /// This is the only contact time.
@@ -29,7 +32,7 @@ impl Coincidence {
     /// The earliest contact time, if it is certain.
     pub(super) fn first(self) -> Option<ContactTime> {
         match self {
-            Self::FromStart | Self::AtStart => Some(ContactTime::exactly(0.0)),
+            Self::Always | Self::FromStart | Self::AtStart => Some(ContactTime::exactly(0.0)),
             Self::Only(time) => Some(time),
             Self::SomeTime => None,
         }
@@ -38,6 +41,11 @@ impl Coincidence {
     /// All intervals of contact, if they are certain.
     pub(super) fn intervals(self) -> Option<Intervals> {
         match self {
+            Self::Always => Some(Intervals::from_iter([Interval {
+                start: ContactTime::exactly(0.0),
+                end: ContactTime::exactly(1.0),
+                is_moment: false,
+            }])),
             Self::Only(time) => Some(Intervals::from_iter([Interval::moment(time)])),
             Self::FromStart | Self::AtStart | Self::SomeTime => None,
         }
@@ -62,7 +70,7 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
         .iter()
         .any(|corner| meets(0, corner) && meets(1, corner))
     {
-        return Some(Coincidence::FromStart);
+        return Some(Coincidence::Always);
     }
     let ends = [(0.0, Coincidence::AtStart), (1.0, Coincidence::SomeTime)];
     for (end, (time, coincidence)) in ends.into_iter().enumerate() {
@@ -88,13 +96,7 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
 
 /// The axis of a line that contains all points, at both ends of the step.
 fn line<K: Kind>(query: &Query<K>) -> Option<usize> {
-    let is_flat = |axis: usize| {
-        query
-            .points()
-            .iter()
-            .all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
-    };
-    (0..3).find(|&axis| is_flat((axis + 1) % 3) && is_flat((axis + 2) % 3))
+    (0..3).find(|&axis| is_across(query, (axis + 1) % 3) && is_across(query, (axis + 2) % 3))
 }
 
 /// The impact of four points that are in one place at both ends of the step, and hence always: the

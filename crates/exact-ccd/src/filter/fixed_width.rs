@@ -87,11 +87,18 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
             rounded(&integers, &integers.cubic(), root)
         }
         Moment::End => Some(ContactTime::exactly(1.0)),
-        Moment::Start | Moment::Later => Some(ContactTime::exactly(0.0)),
+        Moment::Start => Some(ContactTime::exactly(0.0)),
+        // An interval of times has none.
+        Moment::Later => None,
     }
 }
 
 /// The moments at which a cubic that is not zero vanishes, in increasing order, if they are certain.
+///
+/// The bounds of [`Cubic::new`] hold with the largest coefficient as magnitude: each coefficient is rounded
+/// once, n = 1 of the ten roundings there, and the largest rounded one is below its integer by one rounding
+/// at most. Coefficients are below 2²⁵⁵, squares of them below 2⁵¹⁴: nothing overflows. The largest is at
+/// least 1, so that what underflows is far below the bounds.
 fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     let (inner, [at_start, at_end]) = without_ends(*cubic);
     let values = inner.map(|c| c.approximate().high);
@@ -142,6 +149,9 @@ fn at_fraction<K: Kind>(integers: &Integers<K>, elapsed: i128) -> Option<Contact
 }
 
 /// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
+///
+/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
+/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
 fn between_adjacent(cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
     let values = cubic.map(Wide::approximate);
     let [c0, c1, c2, c3] = values.map(|value| value.high);

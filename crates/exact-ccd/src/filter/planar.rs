@@ -42,18 +42,18 @@ struct Crossing {
     root: Root,
 }
 
+/// Returns true if all points are in one plane across an axis, at t = 0 and at t = 1.
+pub(super) fn is_across<K: Kind>(query: &Query<K>, axis: usize) -> bool {
+    let mut ends = query.points().iter();
+    ends.all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
+}
+
 impl<'a, K: Kind> Planar<'a, K> {
     /// The query, if all its points move in one plane across an axis. Exact: coordinates are only
     /// compared.
     pub(super) fn new(query: &'a Query<K>) -> Option<Self> {
-        let is_flat = |axis: usize| {
-            query
-                .points()
-                .iter()
-                .all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
-        };
         let axes = [[1, 2], [2, 0], [0, 1]];
-        (0..3).find(|&axis| is_flat(axis)).map(|axis| Self {
+        (0..3).find(|&axis| is_across(query, axis)).map(|axis| Self {
             query,
             axes: axes[axis],
         })

@@ -56,7 +56,7 @@ pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
 /// A query that the common stages do not settle.
 struct Near {
     hull: Hull<f64>,
-    /// The coplanarity cubic; none if coordinates are out of the range of most filters.
+    /// The coplanarity cubic; none if coordinates are out of the range of the filters.
     cubic: Option<Cubic<f64>>,
 }
 
@@ -90,7 +90,7 @@ fn screen<K: Kind>(query: &Query<K>, gap: impl Gap<f64>) -> Result<Near, Stage> 
 pub(crate) struct Screened<T: Lanes> {
     /// True where these stages prove that the primitives do not touch.
     pub(crate) settled: T::Mask,
-    /// True where the coordinates are out of the range of all filters.
+    /// True where the coordinates are out of the range of these filters.
     pub(crate) out_of_range: T::Mask,
     /// The coplanarity cubics, for [`decide_near_plane`].
     pub(crate) cubic: Cubic<T>,

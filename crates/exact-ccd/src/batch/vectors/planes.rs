@@ -15,7 +15,7 @@ pub(super) const LANES: usize = 8;
 pub(super) struct Rest {
     /// The queries that are settled, a bit for each.
     pub(super) settled: u64,
-    /// The queries with coordinates out of the range of all filters.
+    /// The queries with coordinates out of the range of these filters.
     out_of_range: u64,
     /// Their coplanarity cubics.
     bernstein: [[f64; LANES]; 4],

@@ -1,8 +1,8 @@
 //! The first time within d between two adjacent f64, where D decreases through d.
 
 use super::advance::Advancement;
-use super::moment::{Moving, Precision};
 use super::scaled::Scaled;
+use super::snapshot::{Moving, Precision};
 use crate::filter::double_double::DoubleDouble;
 use crate::filter::number::Number;
 use crate::filter::vector::dot;

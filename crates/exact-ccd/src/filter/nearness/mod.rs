@@ -11,9 +11,9 @@
 mod advance;
 mod closest;
 mod crossing;
-mod moment;
 mod nearest;
 mod scaled;
+mod snapshot;
 mod turning;
 
 pub(crate) use advance::free_until;
@@ -65,6 +65,11 @@ fn decide_by_hull<K: Kind>(
     d: Separation,
     [free, until]: [f64; 2],
 ) -> Decision {
+    // All corners are 0: the primitives are one point at both ends of the step.
+    if hull.reaches() == [0.0; 3] {
+        let start = ContactTime::exactly(0.0);
+        return Decision::Collision(Proved::Within(start, Stage::Start));
+    }
     let Some(scaled) = Scaled::new(hull, d.get()) else {
         return Decision::Unknown;
     };

@@ -53,14 +53,14 @@ impl<T: Precision> Moving<T> {
         }
     }
 
-    pub(super) fn at<K: Kind>(&self, t: f64) -> Moment<T> {
+    pub(super) fn at<K: Kind>(&self, t: f64) -> Snapshot<T> {
         let corners = [0, 1, 2, 3]
             .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t));
         let rounded = corners.map(|corner| corner.map(Number::value));
         let closest = Closest::guess::<K>(&rounded);
         let closest = closest.refined::<K>(&rounded, point(&corners, closest).map(Number::value));
         let direction = direction(&corners, closest);
-        Moment {
+        Snapshot {
             corners,
             closest,
             direction,
@@ -85,7 +85,7 @@ impl<T: Precision> Moving<T> {
 /// Let ε be [`ROUNDOFF`], the largest error of one operation in twice the precision, relative to its
 /// operands. A component of a corner, of magnitude at most 1, results from four operations on terms of at
 /// most 1, 1, 2 and 3. Its error is at most 8 ε.
-pub(super) struct Moment<T> {
+pub(super) struct Snapshot<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
     /// The bounds hold for any vector. They are sharpest for this one, whose length is about 1.
@@ -94,7 +94,7 @@ pub(super) struct Moment<T> {
     d: f64,
 }
 
-impl<T: Precision> Moment<T> {
+impl<T: Precision> Snapshot<T> {
     /// F at the guess, to within rounding.
     pub(super) fn point(&self) -> [f64; 3] {
         self.closest
@@ -109,7 +109,7 @@ impl<T: Precision> Moment<T> {
     }
 }
 
-impl Moment<DoubleDouble> {
+impl Snapshot<DoubleDouble> {
     /// True if the distance is certainly less than d, as |F| is at the guess.
     ///
     /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners
@@ -135,7 +135,7 @@ impl Moment<DoubleDouble> {
 /// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
 /// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
 /// times itself, the right side by 12 ε times itself.
-fn are_beyond(a: &Moment<DoubleDouble>, b: &Moment<DoubleDouble>) -> bool {
+fn are_beyond(a: &Snapshot<DoubleDouble>, b: &Snapshot<DoubleDouble>) -> bool {
     let extent = a
         .direction
         .iter()
