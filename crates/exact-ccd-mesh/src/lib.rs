@@ -67,7 +67,7 @@ pub use mesh::{
     check_positions,
 };
 pub use overlaps::{BoxKind, CandidateError, CandidateOptions};
-pub use pairs::{ByKind, CanCollide, MinDistance, Pair, PairCounts, PairKind, ThicknessCount};
+pub use pairs::{CanCollide, MinDistance, Pair, PairCounts, PairKind, ThicknessCount};
 pub use search::{Candidates, Contact, Detector, StepReport, contact_points, step};
 pub use steps::{Motion, MotionError, Step, StepError, Welding};
 

@@ -9,11 +9,12 @@ mod other_ends;
 mod pair;
 mod vertices;
 
-pub use by_kind::{ByKind, PairCounts};
+pub use by_kind::PairCounts;
 pub use can_collide::CanCollide;
 pub use kind::PairKind;
 pub use min_distance::{MinDistance, ThicknessCount};
 pub use pair::Pair;
 
+pub(crate) use by_kind::ByKind;
 pub(crate) use kind::{PrimitiveSet, Searched};
 pub(crate) use other_ends::OtherEnds;
