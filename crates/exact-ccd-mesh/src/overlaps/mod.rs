@@ -1,4 +1,5 @@
-//! The boxes of a mesh's primitives during a step, with their margins, and the stream of pairs whose boxes overlap.
+//! The boxes of a mesh's primitives during a step, with their margins, and the stream of pairs whose boxes
+//! overlap.
 
 mod margin;
 mod options;

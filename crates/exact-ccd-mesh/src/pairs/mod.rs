@@ -1,5 +1,5 @@
-//! Pairs of primitives of a mesh: their kinds and vertices, the pairs for which contact counts, and the distance
-//! that they keep.
+//! Pairs of primitives of a mesh: their kinds and vertices, the pairs for which contact counts, and the
+//! distance that they keep.
 
 mod by_kind;
 mod can_collide;

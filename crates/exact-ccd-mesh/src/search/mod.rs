@@ -1,5 +1,5 @@
-//! The search for contacts: exact tests of pairs, among all candidates of a step, or in step after step with few
-//! tests.
+//! The search for contacts: exact tests of pairs, among all candidates of a step, or in step after step with
+//! few tests.
 
 mod approach;
 mod candidates;
