@@ -179,7 +179,7 @@ fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u
     let mut count = 0;
     trajectories
         .collisions::<K>(vertices, CONTACT, |_, collision| {
-            count += black_box(collision.intervals()).len()
+            count += black_box(collision.intervals()).len();
         })
         .expect("all vertices are there");
     count
