@@ -30,7 +30,11 @@ fn single() {
         for _ in 0..CALLS {
             let (t0, t1) = (black_box(t0), black_box(t1));
             let d = Separation::new(black_box(0.0)).expect("0 is a separation");
-            black_box(Query::<VertexFace>::new(t0, t1).expect("finite").time_of_impact(d));
+            black_box(
+                Query::<VertexFace>::new(t0, t1)
+                    .expect("finite")
+                    .time_of_impact(d),
+            );
         }
     };
     let by_c = || {

@@ -17,7 +17,8 @@ pub(crate) fn collides<'py>(
     min_distance: f64,
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, 1.0, threads, false, |_| true))?;
+    let answers =
+        for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, 1.0, threads, false, |_| true))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 

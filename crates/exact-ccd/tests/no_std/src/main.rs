@@ -160,8 +160,10 @@ impl Coplanar {
         let queries = [(); Self::COUNT].map(|()| [[(); 4]; 2].map(|points| points.map(|()| point())));
         let collide = queries.map(|[t0, t1]| {
             let start = ALLOCATOR.used.load(Relaxed);
-            let vertex_face = Query::<VertexFace>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
-            let edge_edge = Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
+            let vertex_face =
+                Query::<VertexFace>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
+            let edge_edge =
+                Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
             ALLOCATOR.used.store(start, Relaxed);
             [vertex_face, edge_edge]
         });
@@ -273,7 +275,9 @@ fn answers(unit: f64) -> Option<Answers> {
     let trajectories = Trajectories::new(&at(1.0), &at(-1.0)).ok()?;
     let mut of_batch = [false; 2];
     trajectories
-        .collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], CONTACT, |index, _| of_batch[index] = true)
+        .collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], CONTACT, |index, _| {
+            of_batch[index] = true
+        })
         .ok()?;
     let points = |index: usize, z: f64| {
         let [a, b, v1, v2, v3] = at(z);
@@ -282,7 +286,9 @@ fn answers(unit: f64) -> Option<Answers> {
     let queries = [0, 1].map(|index| [points(index, 1.0), points(index, -1.0)]);
     let mut of_array = [false; 2];
     let queries = batch::Queries::<VertexFace>::new(&queries);
-    queries.collisions(CONTACT, |index, _| of_array[index] = true).ok()?;
+    queries
+        .collisions(CONTACT, |index, _| of_array[index] = true)
+        .ok()?;
 
     let [a, b] = scaled([[1.0, 2.0, 1.0], [1.0, 2.0, -1.0]], unit);
     let [v1, v2, v3] = scaled(FACE, unit);
