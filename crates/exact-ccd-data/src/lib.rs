@@ -15,13 +15,13 @@
 //! name the file and the line, query or pair. The panic hook of the process is never changed.
 //!
 //! ```
-//! use exact_ccd::VertexFace;
+//! use exact_ccd::{CONTACT, VertexFace};
 //! use exact_ccd_data::{QueryReader, Rounding};
 //!
 //! let point = "1,4,1,4,-1,1\n";
 //! let text = point.repeat(8);
 //! for sample in QueryReader::<VertexFace, _>::new("points.csv", text.as_bytes(), Rounding::Refuse) {
-//!     assert!(sample?.query.collides());
+//!     assert!(sample?.query.collides(CONTACT));
 //! }
 //! # Ok::<(), exact_ccd_data::DataError>(())
 //! ```
