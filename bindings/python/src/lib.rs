@@ -39,6 +39,8 @@ mod _native {
     #[pymodule_export]
     use crate::files::in_order;
     #[pymodule_export]
+    use crate::files::{FrameSequence, Welding, mesh_format, parse_mesh, read_mesh};
+    #[pymodule_export]
     use crate::half_spaces::HalfSpaces;
     #[pymodule_export]
     use crate::mesh::Mesh;

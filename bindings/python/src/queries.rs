@@ -44,6 +44,10 @@ pub(crate) fn time_of_impact<'py>(
 /// As [`time_of_impact`], and NaN too if the first contact is after `until`: the contact itself is compared,
 /// not the f64 below it. On the thread of the caller.
 #[pyfunction]
+#[expect(
+    clippy::redundant_closure_for_method_calls,
+    reason = "the method is not general enough over lifetimes"
+)]
 pub(crate) fn time_until<'py>(
     py: Python<'py>,
     kind: &str,
