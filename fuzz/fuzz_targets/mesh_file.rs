@@ -253,7 +253,9 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     match parse_tet_groups(&file) {
         Ok((mesh, groups)) => {
             let [vertices, cells] = [mesh.positions().len(), mesh.tetrahedra().len()];
-            groups.iter().for_each(|group| check_group(group, vertices, cells));
+            groups
+                .iter()
+                .for_each(|group| check_group(group, vertices, cells));
             check_frame(&mesh.surface_frame().0);
         }
         Err(error) => drop(error.to_string()),

@@ -7,11 +7,13 @@
 mod changes;
 #[path = "../../crates/exact-ccd/tests/queries/generators/contacts.rs"]
 mod contacts;
-#[path = "../../crates/exact-ccd/tests/parity/expected/mod.rs"]
+#[path = "../../crates/exact-ccd-methods/tests/parity/expected/mod.rs"]
 mod expected;
+#[path = "../../crates/exact-ccd/tests/queries/kinds.rs"]
+mod kinds;
 #[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
 mod laws;
-#[path = "../../crates/exact-ccd/tests/parity/laws.rs"]
+#[path = "../../crates/exact-ccd-methods/tests/parity/laws.rs"]
 #[allow(dead_code, reason = "the tests in which it stands need more of it")]
 mod parity_laws;
 #[path = "../../crates/exact-ccd/tests/queries/primitives.rs"]
@@ -21,14 +23,15 @@ mod primitives;
 mod symmetry;
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd::parity::Rounded;
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{EdgeEdge, Separation, VertexFace};
 use exact_ccd_fuzz::coordinate;
+use exact_ccd_methods::parity::Rounded;
 use libfuzzer_sys::fuzz_target;
 
 use changes::{Change, nudge, scaled};
 use contacts::{grazing, touching};
 use expected::Rim;
+use kinds::Renamed;
 use primitives::{Points, Primitives};
 use symmetry::Symmetry;
 
@@ -60,7 +63,7 @@ fn check(bytes: &mut Unstructured) -> Result<()> {
     Ok(())
 }
 
-fn check_kind<K: Primitives + Rim>(recipe: &Recipe, symmetry: &Symmetry, mut points: Points) {
+fn check_kind<K: Primitives + Renamed + Rim>(recipe: &Recipe, symmetry: &Symmetry, mut points: Points) {
     recipe.changes.iter().for_each(|change| change.apply(&mut points));
     let points = match recipe.contact {
         Contact::None => points,
@@ -69,13 +72,13 @@ fn check_kind<K: Primitives + Rim>(recipe: &Recipe, symmetry: &Symmetry, mut poi
     };
     let points = nudge(points, &recipe.nudges);
     if points.as_flattened().as_flattened().iter().all(|x| x.is_finite()) {
-        let query = laws::query::<K>(&points);
-        laws::checked_times(&query);
+        let query = kinds::query::<K>(&points);
+        laws::checked(&query, Separation::ZERO);
         if let Ok(rounded) = Rounded::shift(&query) {
             parity_laws::assert_defined(&rounded);
         }
-        laws::assert_symmetric::<K>(&points, symmetry);
-        laws::assert_reversible::<K>(&points);
+        symmetry::assert_symmetric::<K>(&points, Separation::ZERO, symmetry);
+        laws::assert_reversible(&query, Separation::ZERO);
     }
 }
 

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 
 use arbitrary::{Result, Unstructured};
 use exact_ccd_fuzz::file;
-use exact_ccd_sim::scene::{Scene, SceneError, import};
+use exact_ccd_scene::{Scene, SceneError, import};
 use exact_ccd_sim::{StepFilter, System};
 use libfuzzer_sys::fuzz_target;
 

@@ -3,12 +3,15 @@
 
 #![no_main]
 
-#[path = "../../crates/exact-ccd/tests/separation/laws.rs"]
+#[path = "../../crates/exact-ccd/tests/queries/kinds.rs"]
+#[allow(dead_code, reason = "the tests in which it stands need more of it")]
+mod kinds;
+#[path = "../../crates/exact-ccd/tests/queries/laws.rs"]
+#[allow(dead_code, reason = "the tests in which it stands need more of it")]
 mod laws;
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_fuzz::coordinate;
 use libfuzzer_sys::fuzz_target;
 
@@ -59,18 +62,13 @@ fn check_kind<K: Kind>(start: K::Points, end: K::Points, rule: &Rule) {
     let Ok(d) = Separation::new(distance) else {
         return;
     };
-    let intervals = laws::checked_intervals(&query, d);
+    let intervals = laws::checked(&query, d);
     assert_eq!(
         laws::contain(&intervals, t),
         bounds.upper <= d.get(),
         "{d:?}: {query:?}"
     );
-    let impact = query.impact_within(d);
-    assert_eq!(
-        impact.map(|impact| impact.time),
-        query.first_within(d),
-        "{d:?}: {query:?}"
-    );
+    laws::assert_reversible(&query, d);
 }
 
 /// Few values, so that many coordinates are the same.

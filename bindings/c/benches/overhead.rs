@@ -9,8 +9,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::separation::{Separation, Separations};
-use exact_ccd::{Point, Query, VertexFace};
+use exact_ccd::{Point, Query, Separation, Separations, VertexFace};
 use exact_ccd_c::{Kind, Status, exact_ccd_batch_times, exact_ccd_time_of_impact};
 use rayon::prelude::*;
 
@@ -31,7 +30,11 @@ fn single() {
         for _ in 0..CALLS {
             let (t0, t1) = (black_box(t0), black_box(t1));
             let d = Separation::new(black_box(0.0)).expect("0 is a separation");
-            black_box(Query::<VertexFace>::new(t0, t1).expect("finite").time_within(d));
+            black_box(
+                Query::<VertexFace>::new(t0, t1)
+                    .expect("finite")
+                    .time_of_impact(d),
+            );
         }
     };
     let by_c = || {
@@ -70,7 +73,7 @@ fn batch() {
         chunks.for_each(|(queries, times)| {
             let separations = Separations::Uniform(Separation::default());
             trajectories
-                .collisions_within::<VertexFace>(queries, separations, |index, collision| {
+                .collisions::<VertexFace>(queries, separations, |index, collision| {
                     times[index] = collision.time_of_impact();
                 })
                 .expect("the vertices exist");

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_mesh::{Frame, MinDistance, TriangleMesh, Violation};
 
 use crate::border::call;

@@ -2,9 +2,8 @@
 
 use core::mem::MaybeUninit;
 
-use exact_ccd::Kind;
 use exact_ccd::batch::Trajectories;
-use exact_ccd::separation::{Separation, Separations, Thickness};
+use exact_ccd::{Kind, Separation, Separations, Thickness};
 use rayon::prelude::*;
 
 use crate::border::call;
@@ -155,7 +154,7 @@ fn first_times<K: Kind + Send + Sync>(
     let answer = |(chunk, queries): (usize, &[K::Vertices])| {
         let first = chunk * GRAIN;
         let mut found = Vec::new();
-        let answered = trajectories.collisions_within::<K>(queries, separations, |index, collision| {
+        let answered = trajectories.collisions::<K>(queries, separations, |index, collision| {
             found.push((first + index, collision.time_of_impact()));
         });
         answered.map_err(|error| Error::of_batch(error, first))?;

@@ -1,7 +1,6 @@
 //! Contacts as C structures.
 
 use exact_ccd::Point;
-use exact_ccd::separation::TimeInterval;
 use exact_ccd_mesh::{Pair, TriangleMesh, contact_points};
 
 use crate::kind::Kind;
@@ -66,8 +65,8 @@ pub struct Interval {
     pub end: f64,
 }
 
-impl From<&TimeInterval> for Interval {
-    fn from(interval: &TimeInterval) -> Self {
+impl From<&exact_ccd::Interval> for Interval {
+    fn from(interval: &exact_ccd::Interval) -> Self {
         Self {
             start: interval.start.lower(),
             end: interval.end.lower(),

@@ -1,7 +1,7 @@
 //! The settings of a detector: its distance, the groups that can collide, its threads, the
 //! check of the start.
 
-use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd::{Separation, Thickness};
 use exact_ccd_mesh::MinDistance;
 
 use crate::border::call;

@@ -5,7 +5,7 @@ use core::ffi::c_char;
 use std::ffi::CString;
 
 use exact_ccd::batch::{TrajectoriesError, VertexOutOfRange};
-use exact_ccd::separation::{InvalidSeparation, InvalidThickness, TimeOutOfStep};
+use exact_ccd::{InvalidSeparation, InvalidThickness, TimeOutOfStep};
 use exact_ccd_mesh::{
     IntersectionsError, LineSearchError, MeshError, MotionError, StepError, ThicknessCount, TooManyPrimitives,
 };

@@ -1,7 +1,6 @@
 //! Single queries.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{ContactTime, Query};
+use exact_ccd::{Options, Query, Separation};
 
 use crate::border::call;
 use crate::contact::{Impact, Interval};
@@ -52,7 +51,7 @@ pub unsafe extern "C" fn exact_ccd_collides(
         let (collides, answer) = unsafe {
             let collides = Out::new("collides", collides)?;
             let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.comes_within(d))
+                Ok(query::<K>(points_t0, points_t1)?.collides(d))
             })?;
             (collides, answer)
         };
@@ -80,7 +79,7 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact(
         let (time, answer) = unsafe {
             let time = Out::new("time", time)?;
             let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.time_within(d))
+                Ok(query::<K>(points_t0, points_t1)?.time_of_impact(d))
             })?;
             (time, answer)
         };
@@ -101,7 +100,7 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact_until(
     time: *mut f64,
 ) -> Status {
     call(|| {
-        let d = Separation::new(min_distance)?;
+        let options = Options::within(Separation::new(min_distance)?).until(until);
         if until.is_nan() {
             return Err(Error::argument("until is NaN, expected a time"));
         }
@@ -109,12 +108,11 @@ pub unsafe extern "C" fn exact_ccd_time_of_impact_until(
         let (time, answer) = unsafe {
             let time = Out::new("time", time)?;
             let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.first_within(d))
+                Ok(query::<K>(points_t0, points_t1)?.time_of_impact(options))
             })?;
             (time, answer)
         };
-        let answer = answer.filter(|first| first.is_at_most(until));
-        time.write(answer.map_or(f64::NAN, ContactTime::lower));
+        time.write(answer.unwrap_or(f64::NAN));
         Ok(())
     })
 }
@@ -139,7 +137,7 @@ pub unsafe extern "C" fn exact_ccd_impact(
             let collides = Out::new("collides", collides)?;
             let impact = Out::new("impact", impact)?;
             let answer = with_kind!(kind, K => {
-                let found = query::<K>(points_t0, points_t1)?.impact_within(d);
+                let found = query::<K>(points_t0, points_t1)?.impact(d);
                 let (t0, t1) = (points::<K>("points_t0", points_t0)?, points::<K>("points_t1", points_t1)?);
                 Ok(found.map(|found| Impact::of_query::<K>(&found, t0, t1)))
             })?;
@@ -176,7 +174,7 @@ pub unsafe extern "C" fn exact_ccd_intervals(
             let intervals = places("intervals", intervals, capacity)?;
             let count = Out::new("count", count)?;
             let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.intervals_within(d))
+                Ok(query::<K>(points_t0, points_t1)?.intervals(d))
             })?;
             (intervals, count, answer)
         };

@@ -7,8 +7,8 @@ use std::path::Path;
 use std::time::Instant;
 use std::{env, fs};
 
-use exact_ccd::EdgeEdge;
 use exact_ccd::batch::{Queries, Trajectories};
+use exact_ccd::{CONTACT, EdgeEdge};
 use exact_ccd_mesh::{Detector, TriangleMesh};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -43,13 +43,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let by_indices = fastest(runs, || {
         let mut answers = vec![false; indices.len()];
         let trajectories = Trajectories::new(&x0, &x1).expect("the positions are finite");
-        let found = trajectories.collisions::<EdgeEdge>(&indices, |index, _| answers[index] = true);
+        let found = trajectories.collisions::<EdgeEdge>(&indices, CONTACT, |index, _| answers[index] = true);
         found.expect("the vertices exist");
         answers
     });
     let by_points = fastest(runs, || {
         let mut answers = vec![false; indices.len()];
-        let found = Queries::<EdgeEdge>::new(&points).collisions(|index, _| answers[index] = true);
+        let found = Queries::<EdgeEdge>::new(&points).collisions(CONTACT, |index, _| answers[index] = true);
         found.expect("the points are finite");
         answers
     });

@@ -1,10 +1,9 @@
 //! Many queries in arrays, decided in parallel.
 
-use exact_ccd::Collision;
 use std::time::{Duration, Instant};
 
 use exact_ccd::batch::{self, Trajectories};
-use exact_ccd::separation::Separation;
+use exact_ccd::{Collision, Options, Separation};
 use numpy::{PyReadonlyArray2, PyReadonlyArray3};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
@@ -58,7 +57,7 @@ impl<K: ArrayKind> Queries<'_, K> {
     /// The answers of some queries from `first` on, in place of the default.
     fn answer<T>(
         &self,
-        d: Separation,
+        options: Options,
         first: usize,
         answers: &mut [T],
         of: impl Fn(&Collision<'_, K>) -> T,
@@ -67,10 +66,10 @@ impl<K: ArrayKind> Queries<'_, K> {
         let found = |index: usize, collision: Collision<'_, K>| answers[index] = of(&collision);
         match self {
             Self::Points(queries) => batch::Queries::<K>::new(&queries[rows])
-                .collisions_within(d, found)
+                .collisions(options, found)
                 .map_err(|error| Failure::Row(first + error.query, error.source.to_string())),
             Self::Vertices(queries, trajectories) => trajectories
-                .collisions_within::<K>(&queries[rows.clone()], d.into(), found)
+                .collisions::<K>(&queries[rows.clone()], options, found)
                 .map_err(|error| {
                     let exist = |row: &usize| trajectories.query::<K>(queries[*row]).is_some();
                     let row = rows.into_iter().find(|row| !exist(row)).unwrap_or(first);
@@ -85,6 +84,7 @@ pub(crate) fn answers<K: ArrayKind, T: Clone + Send>(
     py: Python<'_>,
     arrays: &Arrays<'_>,
     min_distance: f64,
+    until: f64,
     threads: Option<usize>,
     none: T,
     of: impl Fn(&Collision<'_, K>) -> T + Sync,
@@ -94,7 +94,7 @@ where
     K::Vertices: Sync,
 {
     pool::check(threads)?;
-    let d = Separation::new(min_distance).map_err(refused)?;
+    let options = Options::within(Separation::new(min_distance).map_err(refused)?).until(until);
     let queries = match arrays {
         Arrays::Points(points) => Queries::Points(K::points(points.as_slice()?)),
         Arrays::Vertices(vertices, x0, x1) => {
@@ -113,7 +113,7 @@ where
             }
             let clock = Instant::now();
             let (next, rest) = answers.split_at_mut(count.min(answers.len()));
-            queries.answer(d, first, next, &of)?;
+            queries.answer(options, first, next, &of)?;
             (first, answers) = (first + next.len(), rest);
             count = if clock.elapsed() < CHECK_INTERVAL {
                 2 * count

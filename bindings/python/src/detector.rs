@@ -2,8 +2,7 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
-use exact_ccd::Point;
-use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd::{Point, Separation, Thickness};
 use exact_ccd_mesh::{
     CanCollide, CandidateOptions, Contact, FreeStepOptions, Intersection, MinDistance, Pair, PairCounts,
     Step, StepError, StepReport, TriangleMesh, crossings_by, intersections_by,

@@ -1,6 +1,6 @@
 //! Half spaces that no vertex may enter.
 
-use exact_ccd_sim::HalfSpace;
+use exact_ccd_mesh::HalfSpace;
 use numpy::{PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 

@@ -10,7 +10,6 @@ mod contacts;
 mod detector;
 mod error;
 mod files;
-#[cfg(feature = "program")]
 mod half_spaces;
 mod impact;
 mod kind;
@@ -36,9 +35,11 @@ mod _native {
     use crate::detector::Detector;
     #[pymodule_export]
     use crate::error::CrossingError;
-    #[pymodule_export]
-    use crate::files::{FrameSequence, Welding, in_order, mesh_format, parse_mesh, read_mesh};
     #[cfg(feature = "program")]
+    #[pymodule_export]
+    use crate::files::in_order;
+    #[pymodule_export]
+    use crate::files::{FrameSequence, Welding, mesh_format, parse_mesh, read_mesh};
     #[pymodule_export]
     use crate::half_spaces::HalfSpaces;
     #[pymodule_export]

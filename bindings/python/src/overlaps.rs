@@ -3,8 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use exact_ccd::Point;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Point, Separation};
 use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, PairCollector, TooManyPrimitives, check_positions};
 use numpy::{PyArray2, PyReadonlyArray2, PyUntypedArrayMethods};
 use pyo3::prelude::*;

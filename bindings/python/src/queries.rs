@@ -17,7 +17,8 @@ pub(crate) fn collides<'py>(
     min_distance: f64,
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, threads, false, |_| true))?;
+    let answers =
+        for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, 1.0, threads, false, |_| true))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
@@ -35,7 +36,7 @@ pub(crate) fn time_of_impact<'py>(
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let answers = for_kind!(kind, K => {
-        answers::<K, _>(py, &arrays, min_distance, threads, f64::NAN, |c| c.time_of_impact())
+        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, f64::NAN, |c| c.time_of_impact())
     })?;
     Ok(PyArray1::from_vec(py, answers))
 }
@@ -43,6 +44,10 @@ pub(crate) fn time_of_impact<'py>(
 /// As [`time_of_impact`], and NaN too if the first contact is after `until`: the contact itself is compared,
 /// not the f64 below it. On the thread of the caller.
 #[pyfunction]
+#[expect(
+    clippy::redundant_closure_for_method_calls,
+    reason = "the method is not general enough over lifetimes"
+)]
 pub(crate) fn time_until<'py>(
     py: Python<'py>,
     kind: &str,
@@ -51,11 +56,7 @@ pub(crate) fn time_until<'py>(
     until: f64,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
     let answers = for_kind!(kind, K => {
-        let of = |collision: &Collision<'_, K>| {
-            let first = collision.first_contact_time();
-            if first.is_at_most(until) { first.lower() } else { f64::NAN }
-        };
-        answers::<K, _>(py, &arrays, min_distance, Some(1), f64::NAN, of)
+        answers::<K, _>(py, &arrays, min_distance, until, Some(1), f64::NAN, |c| c.time_of_impact())
     })?;
     Ok(PyArray1::from_vec(py, answers))
 }
@@ -69,15 +70,16 @@ pub(crate) fn contact_count<'py>(
     min_distance: f64,
     threads: Option<usize>,
 ) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, threads, 0, count))?;
+    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, 1.0, threads, 0, count))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
 fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
+    let intervals = collision.intervals();
     let count = if collision.separation().is_zero() {
-        collision.contact_times().count()
+        intervals.count()
     } else {
-        Some(collision.intervals().len())
+        Some(intervals.len())
     };
     // At most some dozens.
     count.map_or(-1, |count| count as i64)
@@ -95,7 +97,7 @@ pub(crate) fn time_and_count<'py>(
 ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>)> {
     let answers = for_kind!(kind, K => {
         let of = |collision: &Collision<'_, K>| (collision.time_of_impact(), count(collision));
-        answers::<K, _>(py, &arrays, min_distance, threads, (f64::NAN, 0), of)
+        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, (f64::NAN, 0), of)
     })?;
     let (times, counts) = answers.into_iter().unzip();
     Ok((PyArray1::from_vec(py, times), PyArray1::from_vec(py, counts)))
@@ -113,7 +115,7 @@ pub(crate) fn contact_times<'py>(
     threads: Option<usize>,
 ) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>)> {
     let answers = for_kind!(kind, K => {
-        answers::<K, _>(py, &arrays, min_distance, threads, Vec::new(), intervals)
+        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, Vec::new(), intervals)
     })?;
     let mut offsets = Vec::with_capacity(answers.len() + 1);
     offsets.push(0);
@@ -147,7 +149,7 @@ pub(crate) fn impacts<'py>(
     let none = [f64::NAN; COLUMNS];
     let answers = for_kind!(kind, K => {
         let of = |collision: &Collision<'_, K>| columns::<K>(collision.query(), &collision.impact());
-        answers::<K, _>(py, &arrays, min_distance, threads, none, of)
+        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, none, of)
     })?;
     let shape = [answers.len(), COLUMNS];
     PyArray1::from_vec(py, answers.into_flattened()).reshape(shape)

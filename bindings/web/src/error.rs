@@ -1,7 +1,6 @@
 //! Errors of the page.
 
-use exact_ccd::NonFinite;
-use exact_ccd::separation::InvalidSeparation;
+use exact_ccd::{InvalidSeparation, NonFinite};
 use exact_ccd_files::ParseError;
 use exact_ccd_mesh::{CandidateError, MotionError, StepError};
 use exact_ccd_view::PageError;

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd::Point;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Point, Separation};
 use exact_ccd_files::{Format, MeshFile, Polygons};
 use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Candidates, MinDistance, Motion, StepError, crossings,

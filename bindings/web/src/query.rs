@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{Decide, EdgeEdge, Kind, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Decide, EdgeEdge, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_view::{Page, PageKind};
 use serde::Serialize;
 

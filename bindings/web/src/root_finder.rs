@@ -1,7 +1,6 @@
 //! The floating-point root finder beside the exact method.
 
-use exact_ccd::separation::{InvalidSeparation, Separation};
-use exact_ccd::{Decide, Kind, Query};
+use exact_ccd::{Decide, InvalidSeparation, Kind, Query, Separation};
 use exact_ccd_methods::FloatingPointRootFinder;
 use serde::Serialize;
 

@@ -24,7 +24,7 @@ use std::hint::black_box;
 use std::marker::PhantomData;
 
 use exact_ccd::batch::{Instructions, Trajectories};
-use exact_ccd::{EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, VertexFace};
 use exact_ccd_mesh::Step;
 use gungraun::{library_benchmark, library_benchmark_group, main};
 
@@ -65,7 +65,9 @@ impl<K: Kind> Batch<K> {
     fn colliding(&self) -> Vec<Query<K>> {
         let mut colliding = Vec::new();
         self.trajectories
-            .collisions::<K>(&self.queries, |_, collision| colliding.push(*collision.query()))
+            .collisions::<K>(&self.queries, CONTACT, |_, collision| {
+                colliding.push(*collision.query())
+            })
             .expect("a mesh has the vertices of its primitives");
         let stride = colliding.len() / QUERIES;
         colliding.into_iter().step_by(stride).take(QUERIES).collect()
@@ -101,7 +103,7 @@ fn batch<K: Kind>(batch: Batch<K>) -> usize {
     let mut colliding = 0;
     let counted = batch
         .trajectories
-        .collisions::<K>(&batch.queries, |_, _| colliding += 1);
+        .collisions::<K>(&batch.queries, CONTACT, |_, _| colliding += 1);
     counted.map_or(0, |()| black_box(colliding))
 }
 
@@ -111,20 +113,20 @@ fn batch<K: Kind>(batch: Batch<K>) -> usize {
 fn collides<K: Kind>(queries: Vec<Query<K>>) -> usize {
     queries
         .iter()
-        .filter(|query| black_box(*query).collides())
+        .filter(|query| black_box(*query).collides(CONTACT))
         .count()
 }
 
 #[library_benchmark]
 #[bench::vertex_face(colliding_vertex_face())]
 #[bench::edge_edge(colliding_edge_edge())]
-fn contact_times<K: Kind>(queries: Vec<Query<K>>) -> usize {
+fn intervals<K: Kind>(queries: Vec<Query<K>>) -> usize {
     queries
         .iter()
-        .filter_map(|query| black_box(query).contact_times().count())
+        .filter_map(|query| black_box(query).intervals(CONTACT).count())
         .sum()
 }
 
-library_benchmark_group!(name = kernel, benchmarks = [batch, collides, contact_times]);
+library_benchmark_group!(name = kernel, benchmarks = [batch, collides, intervals]);
 
 main!(library_benchmark_groups = kernel);

@@ -16,10 +16,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::parity::Rounded;
-use exact_ccd::{ContactTimes, EdgeEdge, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
 use exact_ccd_data::{DataError, DataFolder, DataKind};
 use exact_ccd_mesh::{Bvh, Candidates, Motion, Step};
+use exact_ccd_methods::parity::Rounded;
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 7;
@@ -170,7 +170,7 @@ impl<'a> Batch<'a> {
 fn count_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
     let mut count = 0;
     trajectories
-        .collisions::<K>(vertices, |_, _| count += 1)
+        .collisions::<K>(vertices, CONTACT, |_, _| count += 1)
         .expect("all vertices are there");
     count
 }
@@ -178,9 +178,8 @@ fn count_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) 
 fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u32; 4]]) -> usize {
     let mut count = 0;
     trajectories
-        .collisions::<K>(vertices, |_, collision| match collision.contact_times() {
-            ContactTimes::Finite(times) => count += black_box(times).len(),
-            interval => count += usize::from(black_box(interval).first().is_some()),
+        .collisions::<K>(vertices, CONTACT, |_, collision| {
+            count += black_box(collision.intervals()).len();
         })
         .expect("all vertices are there");
     count
@@ -189,7 +188,7 @@ fn count_times_of_batch<K: DataKind>(trajectories: &Trajectories, vertices: &[[u
 fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
     pairs
         .iter()
-        .filter(|&&pair| K::query(step, pair).collides())
+        .filter(|&&pair| K::query(step, pair).collides(CONTACT))
         .count()
 }
 
@@ -207,26 +206,26 @@ fn survey<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> Survey {
     let mut survey = Survey::default();
     for &pair in pairs {
         let query = K::query(step, pair);
-        let (collides, stage) = query.collides_with_stage();
+        let (collision, stage) = query.decide(CONTACT);
         survey.settled[stage as usize] += 1;
-        if collides {
-            survey.colliding.time(&query);
+        if collision.is_some() {
+            survey.colliding.time(&query, stage);
         }
     }
     survey
 }
 
 impl Colliding {
-    fn time<K: DataKind>(&mut self, query: &Query<K>) {
-        let times = nanoseconds(|| query.contact_times());
+    fn time<K: DataKind>(&mut self, query: &Query<K>, stage: Stage) {
+        let times = nanoseconds(|| query.intervals(CONTACT));
         self.times.push(times);
-        if query.contact_times_with_stage().1 != Stage::Exact {
+        if stage != Stage::Exact {
             self.times_filtered.push(times);
         }
-        self.impacts.push(nanoseconds(|| query.impact()));
+        self.impacts.push(nanoseconds(|| query.impact(CONTACT)));
         self.parity.push(nanoseconds(|| parity_collides(query)));
         if self.exact.len() < AUDITED {
-            self.exact.push(nanoseconds(|| exact::contact_times(query)));
+            self.exact.push(nanoseconds(|| exact::intervals(query, CONTACT)));
         }
     }
 }

@@ -14,8 +14,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::separation::{Separation, SeparationStage};
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, Separation, Stage, VertexFace};
 use exact_ccd_data::{DataError, DataFolder, DataKind};
 use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, Motion, Step};
 
@@ -68,7 +67,7 @@ struct Row {
 struct Measured {
     candidates: usize,
     /// The number of candidates settled at each stage.
-    settled: [usize; SeparationStage::ALL.len()],
+    settled: [usize; Stage::ALL.len()],
     /// The means over the candidates that do not come within d, round by round.
     contact: Vec<f64>,
     outside: Vec<f64>,
@@ -125,22 +124,22 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
     for &pair in pairs.iter().step_by(stride) {
         measured.candidates += 1;
         let query = K::query(&step, pair);
-        let (first, stage) = query.first_within_with_stage(d);
+        let (collision, stage) = query.decide(d);
         measured.settled[stage as usize] += 1;
-        if first.is_none() {
+        if collision.is_none() {
             outside.push(query);
             vertices.push(K::vertices(step.mesh(), pair));
             continue;
         }
-        let time = nanoseconds(|| query.first_within(d));
+        let time = nanoseconds(|| query.time_of_impact(d));
         measured.first.push(time);
-        if stage != SeparationStage::Exact {
+        if stage != Stage::Exact {
             measured.first_filtered.push(time);
         }
         within += 1;
         if within <= SAMPLE {
-            measured.intervals.push(nanoseconds(|| query.intervals_within(d)));
-            measured.impacts.push(nanoseconds(|| query.impact_within(d)));
+            measured.intervals.push(nanoseconds(|| query.intervals(d)));
+            measured.impacts.push(nanoseconds(|| query.impact(d)));
         }
     }
     let [x0, x1] = step.positions();
@@ -161,15 +160,17 @@ fn row<K: DataKind + 'static>(name: String, step: Step<'_>, pairs: &[[u32; 2]], 
         mean(&|| {
             let mut count = 0;
             trajectories
-                .collisions_within::<K>(black_box(&vertices), d.into(), |_, _| count += 1)
+                .collisions::<K>(black_box(&vertices), d, |_, _| count += 1)
                 .expect("all vertices are there");
             count
         })
     };
     let time = move |measured: &mut Measured| {
-        measured.contact.push(one_by_one(&Query::collides));
-        measured.outside.push(one_by_one(&|query| query.comes_within(d)));
-        measured.contact_batch.push(batch(Separation::default()));
+        measured
+            .contact
+            .push(one_by_one(&|query| query.collides(CONTACT)));
+        measured.outside.push(one_by_one(&|query| query.collides(d)));
+        measured.contact_batch.push(batch(Separation::ZERO));
         measured.outside_batch.push(batch(d));
     };
     Row {
@@ -233,10 +234,7 @@ fn print_times(rows: &[Row]) {
 
 fn print_stages(rows: &[Row]) {
     println!("\nCandidates settled at each stage, in %.\n");
-    let names: Vec<String> = SeparationStage::ALL
-        .iter()
-        .map(|stage| format!("{stage:?}"))
-        .collect();
+    let names: Vec<String> = Stage::ALL.iter().map(|stage| format!("{stage:?}")).collect();
     println!("| scene, kind, d | {} |", names.join(" | "));
     println!("|---|{}", "---:|".repeat(names.len()));
     for Row { name, measured, .. } in rows {

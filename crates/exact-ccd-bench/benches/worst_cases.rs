@@ -15,8 +15,7 @@ mod families;
 use std::hint::black_box;
 use std::time::Instant;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Kind, Query, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
 
 use families::{Family, Points, Primitives, Random, families};
 
@@ -28,24 +27,19 @@ fn main() {
         .find_map(|argument| argument.parse().ok())
         .unwrap_or(100);
     println!("The exact path alone, mean and worst ms of the queries of a family.\n");
-    print_head(["`collides`", "`contact_times`", "`impact`"]);
+    print_head(["`collides`", "`intervals`", "`impact`"]);
     print_contact::<VertexFace>("vf", count);
     print_contact::<EdgeEdge>("ee", count);
 
     println!("\nThe same within the distance that the primitives have at t = 0, 1/2 or 1.\n");
-    print_head([
-        "`comes_within`",
-        "`first_within`",
-        "`intervals_within`",
-        "`impact_within`",
-    ]);
+    print_head(["`collides`", "`time_of_impact`", "`intervals`", "`impact`"]);
     print_within::<VertexFace>("vf", &families::<VertexFace>(), count, |now| now);
     print_within::<EdgeEdge>("ee", &families::<EdgeEdge>(), count, |now| now);
     print_within::<VertexEdge>("ve", &families::<EdgeEdge>(), count, |[p, _, a, b]| [p, a, b]);
     print_within::<VertexVertex>("vv", &families::<EdgeEdge>(), count, |[p, _, q, _]| [p, q]);
 
     println!("\nPoints that coincide, with the filters, mean and worst ms.\n");
-    print_head(["`collides`", "`contact_times`", "`impact`"]);
+    print_head(["`collides`", "`intervals`", "`impact`"]);
     print_coincident::<VertexFace>("vf", count);
     print_coincident::<EdgeEdge>("ee", count);
 }
@@ -65,9 +59,9 @@ fn print_contact<K: Primitives>(kind: &str, count: usize) {
     for (name, family) in families::<K>() {
         let times = queries::<K>(family, count, |now| now).map(|query| {
             [
-                milliseconds(|| exact::collides(&query)),
-                milliseconds(|| exact::contact_times(&query)),
-                milliseconds(|| exact::impact(&query)),
+                milliseconds(|| exact::collides(&query, CONTACT)),
+                milliseconds(|| exact::intervals(&query, CONTACT)),
+                milliseconds(|| exact::impact(&query, CONTACT)),
             ]
         });
         print_row(kind, name, times);
@@ -87,10 +81,10 @@ fn print_within<K: Kind>(
             let d = at.expect("it is a time of the step").lower;
             let d = Separation::new(d).expect("a lower bound of a distance is finite");
             [
-                milliseconds(|| exact::separation::comes_within(&query, d)),
-                milliseconds(|| exact::separation::first_within(&query, d)),
-                milliseconds(|| exact::separation::intervals_within(&query, d)),
-                milliseconds(|| exact::separation::impact_within(&query, d)),
+                milliseconds(|| exact::collides(&query, d)),
+                milliseconds(|| exact::time_of_impact(&query, d)),
+                milliseconds(|| exact::intervals(&query, d)),
+                milliseconds(|| exact::impact(&query, d)),
             ]
         });
         print_row(kind, name, times);
@@ -101,9 +95,9 @@ fn print_coincident<K: Primitives>(kind: &str, count: usize) {
     for (name, family) in coincident::FAMILIES {
         let times = queries::<K>(family, count, |now| now).map(|query| {
             [
-                milliseconds(|| query.collides()),
-                milliseconds(|| query.contact_times()),
-                milliseconds(|| query.impact()),
+                milliseconds(|| query.collides(CONTACT)),
+                milliseconds(|| query.intervals(CONTACT)),
+                milliseconds(|| query.impact(CONTACT)),
             ]
         });
         print_row(kind, name, times);

@@ -19,8 +19,7 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::Path;
 
-use exact_ccd::Point;
-use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd::{Point, Separation, Thickness};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Detector, Frame, MinDistance, TriangleMesh};
 

@@ -1,17 +1,17 @@
 //! `exact-ccd bench`: methods against each other on the queries in a folder.
 
 use std::cell::Cell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
 use clap::value_parser;
 use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
-use exact_ccd_bench::comparison::{Comparison, Contestant, Peer, Report, Source, Table};
+use exact_ccd_compare::{Comparison, Contestant, Peer, PeerError, Report, Source, Table};
 use exact_ccd_data::DataKind;
 use exact_ccd_methods::UnknownMethod;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, failures};
 use crate::inputs::check_folder;
 use crate::output::print;
 use crate::progress::{self, during};
@@ -68,6 +68,8 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
+failures! { PeerError }
+
 /// The time that a peer has to start, and for an answer beyond its budget.
 const GRACE: Duration = Duration::from_secs(60);
 
@@ -80,7 +82,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     check_folder(&arguments.folder, "a folder of data sets")?;
     let sources = Source::all(&arguments.folder)?;
     if sources.is_empty() {
-        return Err(Failure::NoDataSet(arguments.folder.clone()));
+        return Err(no_data_set(&arguments.folder));
     }
     let contestants = contestants(arguments)?;
     let mut report = Report::new(&contestants);
@@ -114,13 +116,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Ok::<_, Failure>(())
     })?;
     if report.tables.is_empty() {
-        return Err(Failure::NoDataSet(arguments.folder.clone()));
+        return Err(no_data_set(&arguments.folder));
     }
     if arguments.json {
         print(&serde_json::to_string(&report).map_err(std::io::Error::from)?)?;
     }
     comparison.finish()?;
     Ok(ExitCode::SUCCESS)
+}
+
+fn no_data_set(folder: &Path) -> Failure {
+    Failure::of(
+        folder,
+        "expected folders `edge-edge` or `vertex-face` with .csv or .parquet files, \
+         or `frames` with meshes",
+    )
 }
 
 /// The chosen methods, those of the peers among them.
@@ -138,7 +148,7 @@ fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
             .iter()
             .any(|other| other.name().eq_ignore_ascii_case(name))
         {
-            return Err(Failure::SameMethod(name.to_owned()));
+            return Err(Failure::new(format_args!("there are two methods called {name}")));
         }
     }
     if arguments.methods.is_empty() {

@@ -3,21 +3,20 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
 use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::inputs::{check_folder, check_path};
-use crate::kind::Kind;
 use crate::min_distance;
 use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
-use crate::query_files::{self, Records};
-use crate::recognise::kind_of;
+use crate::queries::kind::Kind;
+use crate::queries::query_files::{self, Records};
+use crate::queries::recognise::kind_of;
 
 /// The number of queries that are answered in parallel.
 const BATCH: usize = 4096;
@@ -92,13 +91,15 @@ struct Report {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if arguments.json && query_files::is_dash(&arguments.output) {
-        return Err(Failure::TwoAnswers);
+        return Err(Failure::new(
+            "--json needs a file of --output: with -, standard output has the queries",
+        ));
     }
     query_files::check(&arguments.inputs, |input| {
         check_path(input, "a query file, CSV or Parquet, or the folder of a scene")
     })?;
     let kind = kind_of(arguments.kind, &arguments.inputs, &mut Notes::default())?;
-    let report = during(progress::queries(), |progress| match kind {
+    let report = during(progress::count("queries"), |progress| match kind {
         Kind::Vf => convert::<VertexFace>(arguments, scene, progress),
         Kind::Ee => convert::<EdgeEdge>(arguments, scene, progress),
         Kind::Ve => convert::<VertexEdge>(arguments, no_scene, progress),
@@ -169,8 +170,11 @@ fn scene<K: DataKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
 
 /// The error of a folder of queries of another kind than those of scenes.
 fn no_scene<K: QueryKind + 'static>(folder: &Path) -> Result<Records<K>, Failure> {
-    Err(Failure::NoPairs {
-        folder: folder.to_owned(),
-        kind: K::SHORT,
-    })
+    Err(Failure::of(
+        folder,
+        format_args!(
+            "a folder is a scene, which has queries of the kinds vf and ee, not {}",
+            K::SHORT
+        ),
+    ))
 }

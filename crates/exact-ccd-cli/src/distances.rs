@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use exact_ccd::separation::{DistanceBounds, Separation};
+use exact_ccd::{DistanceBounds, Separation};
 use exact_ccd_mesh::MinDistance;
 use serde::Serialize;
 

@@ -3,9 +3,8 @@
 use std::ops::Range;
 use std::str::FromStr;
 
-use exact_ccd::separation::Separation;
-use exact_ccd_mesh::{Frame, Motion, Point};
-use exact_ccd_sim::HalfSpace;
+use exact_ccd::Separation;
+use exact_ccd_mesh::{Frame, HalfSpace, Motion, Point};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -178,7 +177,7 @@ impl VertexHalfSpace<'_> {
             half_space: self.number,
             time,
             point: [0, 1, 2].map(|axis| (1.0 - t) * start[axis] + t * end[axis]),
-            normal: self.half_space.plane().normal.into(),
+            normal: self.half_space.unit_normal(),
             // A vertex that starts beyond the distance has it exactly at the first time.
             distance: [if time == [0.0; 2] { 0.0 } else { distance }, distance],
         })

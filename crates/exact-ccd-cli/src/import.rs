@@ -4,7 +4,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use exact_ccd_sim::scene::{Imported, SceneError, import};
+use exact_ccd_scene::{Imported, SceneError, import};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;
@@ -38,7 +38,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     check_file(&arguments.scene, "a scene of IPC or of PolyFEM")?;
     let imported = import(&arguments.scene, arguments.meshes.as_deref()).map_err(SceneError::from)?;
     let Some(imported) = imported else {
-        return Err(Failure::NotForeign(arguments.scene.clone()));
+        return Err(Failure::of(
+            &arguments.scene,
+            "expected a scene of IPC, whose name ends in .txt or .ipc, or of PolyFEM, in .json",
+        ));
     };
     let Imported { toml, meshes, notes } = imported;
     notes.iter().for_each(|text| note(text));

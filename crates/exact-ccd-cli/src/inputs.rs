@@ -2,19 +2,9 @@
 
 use std::fs::{self, File, Metadata};
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::failure::Failure;
-
-/// An input that cannot be read.
-#[derive(Debug, thiserror::Error)]
-#[error("{}: {found}, expected {expected}{remedy}", path.display())]
-pub(crate) struct InputError {
-    path: PathBuf,
-    found: String,
-    expected: &'static str,
-    remedy: &'static str,
-}
 
 /// Checks that a file can be read. `expected` names its contents.
 pub(crate) fn check_file(path: &Path, expected: &'static str) -> Result<(), Failure> {
@@ -24,6 +14,7 @@ pub(crate) fn check_file(path: &Path, expected: &'static str) -> Result<(), Fail
 }
 
 /// Checks that a folder can be read. `expected` names its contents.
+#[cfg(feature = "queries")]
 pub(crate) fn check_folder(path: &Path, expected: &'static str) -> Result<(), Failure> {
     check(path, expected, |metadata| {
         (!metadata.is_dir()).then_some("this is no folder")
@@ -40,26 +31,21 @@ fn check(
     expected: &'static str,
     is_other: impl Fn(&Metadata) -> Option<&'static str>,
 ) -> Result<(), Failure> {
-    let error = |found: String, remedy| InputError {
-        path: path.to_owned(),
-        found,
-        expected,
-        remedy,
-    };
+    let error = |found: &str, remedy| Failure::of(path, format_args!("{found}, expected {expected}{remedy}"));
     let failed = |source: io::Error| match source.kind() {
         io::ErrorKind::NotFound => error(
-            "no such file or folder".to_owned(),
+            "no such file or folder",
             ": check the name, and the folder in which the program runs",
         ),
         io::ErrorKind::PermissionDenied => error(
-            "reading is not permitted".to_owned(),
+            "reading is not permitted",
             ": change its permissions, or those of the folders around it",
         ),
-        _ => error(source.to_string(), ""),
+        _ => error(&source.to_string(), ""),
     };
     let metadata = fs::metadata(path).map_err(failed)?;
     if let Some(found) = is_other(&metadata) {
-        return Err(error(found.to_owned(), "").into());
+        return Err(error(found, ""));
     }
     // A pipe can be opened only once.
     if metadata.is_dir() {

@@ -2,32 +2,33 @@
 //!
 //! The program itself and the Python package call it.
 
-mod answer_rows;
 mod audit;
+#[cfg(feature = "queries")]
 mod bench;
 mod contacts;
+#[cfg(feature = "queries")]
 mod convert;
 mod distances;
 mod failure;
 mod half_spaces;
 mod impact_files;
+#[cfg(feature = "simulate")]
 mod import;
 mod inputs;
-mod kind;
-mod method;
+mod left_out;
 mod min_distance;
 mod notes;
 mod output;
 mod progress;
+#[cfg(feature = "queries")]
 mod queries;
-mod query_files;
-mod recognise;
+#[cfg(feature = "queries")]
 mod round;
 mod scene;
 mod shortest;
+#[cfg(feature = "simulate")]
 mod simulate;
 mod step;
-mod tally;
 mod timed;
 mod view;
 
@@ -35,9 +36,10 @@ use std::ffi::OsString;
 use std::io::Write;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand, value_parser};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
 
 use failure::Failure;
+pub use scene::{FrameOrder, Missing};
 
 /// Exact continuous collision detection: do moving triangles touch, and when first?
 #[derive(Parser)]
@@ -54,11 +56,17 @@ struct Program {
 enum Command {
     Step(step::Arguments),
     Audit(audit::Arguments),
+    #[cfg(feature = "queries")]
     Queries(queries::Arguments),
+    #[cfg(feature = "queries")]
     Round(round::Arguments),
+    #[cfg(feature = "queries")]
     Convert(convert::Arguments),
+    #[cfg(feature = "queries")]
     Bench(bench::Arguments),
+    #[cfg(feature = "simulate")]
     Simulate(simulate::Arguments),
+    #[cfg(feature = "simulate")]
     Import(import::Arguments),
 }
 
@@ -79,9 +87,14 @@ pub fn main_of_process(arguments: impl IntoIterator<Item = OsString>) -> ExitCod
 }
 
 fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
-    let program = Program::parse_from(&arguments);
     let command = is_process.then_some(arguments.as_slice());
-    run(&program, command).unwrap_or_else(|failure| {
+    let matches = left_out::commands(Program::command()).get_matches_from(&arguments);
+    let included = left_out::check(&matches);
+    let ended = included.and_then(|()| {
+        let program = Program::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        run(&program, command)
+    });
+    ended.unwrap_or_else(|failure| {
         // An error of standard error itself cannot be reported.
         let _ = writeln!(std::io::stderr(), "exact-ccd: error: {}", failure.on_one_line());
         ExitCode::from(2)
@@ -90,20 +103,31 @@ fn run_program(arguments: Vec<OsString>, is_process: bool) -> ExitCode {
 
 /// Runs a command on threads of its own, which end with it: a process may run several, one after the other
 /// or at the same time.
+#[cfg_attr(
+    not(feature = "simulate"),
+    expect(unused_variables, reason = "only a simulation continues")
+)]
 fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
     // 0 stands for the number of cores.
     let threads = program.threads.unwrap_or(0);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads.into())
-        .build()?;
+        .build()
+        .map_err(|error| Failure::new(format_args!("cannot start the threads: {error}")))?;
     pool.install(|| match &program.command {
         Command::Step(arguments) => step::run(arguments),
         Command::Audit(arguments) => audit::run(arguments),
+        #[cfg(feature = "queries")]
         Command::Queries(arguments) => queries::run(arguments),
+        #[cfg(feature = "queries")]
         Command::Round(arguments) => round::run(arguments),
+        #[cfg(feature = "queries")]
         Command::Convert(arguments) => convert::run(arguments),
+        #[cfg(feature = "queries")]
         Command::Bench(arguments) => bench::run(arguments),
+        #[cfg(feature = "simulate")]
         Command::Simulate(arguments) => simulate::run(arguments, command),
+        #[cfg(feature = "simulate")]
         Command::Import(arguments) => import::run(arguments),
     })
 }

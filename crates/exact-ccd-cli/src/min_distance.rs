@@ -1,6 +1,6 @@
 //! Minimum distances on the command line.
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 
 /// The minimum distance that is the f64 nearest to a decimal number.
 ///

@@ -13,7 +13,7 @@ pub(crate) fn print(text: &str) -> Result<(), Failure> {
     let mut output = io::stdout().lock();
     writeln!(output, "{text}")
         .and_then(|()| output.flush())
-        .map_err(Failure::Output)
+        .map_err(Failure::from)
         .or_else(Failure::unless_closed_pipe)
 }
 
@@ -54,6 +54,7 @@ pub(crate) fn write_file(
 
 /// Writes a file as [`write_file`], without waiting for the disk: after a crash of the system, not of the
 /// program, it may be damaged.
+#[cfg(feature = "simulate")]
 pub(crate) fn write_file_soon(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
@@ -67,7 +68,7 @@ pub(crate) fn write_file_soon(
 /// is unchanged.
 ///
 /// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft
-/// in the folder; [`draft_of`] recognises it by its name.
+/// in the folder, whose name is that of the file between a point and a number.
 pub(crate) fn replace_file(
     file: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
@@ -113,30 +114,4 @@ fn replace(
         let _ = fs::remove_file(draft);
     }
     written
-}
-
-/// The name of the file that a draft of [`replace_file`] belongs to, or none for other names.
-pub(crate) fn draft_of(name: &str) -> Option<&str> {
-    let (file, number) = name.strip_prefix('.')?.rsplit_once('.')?;
-    is_number(number).then_some(file)
-}
-
-/// Removes the files in a folder whose names match. A missing folder is not an error.
-pub(crate) fn remove_files(folder: &Path, matches: impl Fn(&str) -> bool) -> io::Result<()> {
-    let entries = match fs::read_dir(folder) {
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
-        entries => entries?,
-    };
-    for entry in entries {
-        let entry = entry?;
-        if entry.file_name().to_str().is_some_and(&matches) && entry.file_type()?.is_file() {
-            fs::remove_file(entry.path())?;
-        }
-    }
-    Ok(())
-}
-
-/// Returns true for a non-empty text of digits only.
-pub(crate) fn is_number(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }

@@ -14,27 +14,19 @@ const PATIENCE: Duration = Duration::from_millis(500);
 /// The interval between two updates.
 const REFRESH: Duration = Duration::from_millis(100);
 
-/// A count of pairs without a known total.
-pub(crate) fn pairs() -> ProgressBar {
-    ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} pairs"))
+/// A count of things without a known total.
+pub(crate) fn count(things: &str) -> ProgressBar {
+    ProgressBar::new_spinner().with_style(style(&format!("{{spinner}} {{human_pos}} {things}")))
 }
 
-/// A bar for `total` frames.
-pub(crate) fn frames(total: usize) -> ProgressBar {
-    ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} frames, {eta} left"))
-}
-
-/// A bar for `total` time steps.
-pub(crate) fn time_steps(total: usize) -> ProgressBar {
-    ProgressBar::new(total as u64).with_style(style("{wide_bar} {pos} of {len} time steps, {eta} left"))
-}
-
-/// A count of queries without a known total.
-pub(crate) fn queries() -> ProgressBar {
-    ProgressBar::new_spinner().with_style(style("{spinner} {human_pos} queries"))
+/// A bar for `total` things.
+pub(crate) fn bar(total: usize, things: &str) -> ProgressBar {
+    let template = format!("{{wide_bar}} {{pos}} of {{len}} {things}, {{eta}} left");
+    ProgressBar::new(total as u64).with_style(style(&template))
 }
 
 /// A bar for `total` thousandths of data sets.
+#[cfg(feature = "queries")]
 pub(crate) fn thousandths(total: u64) -> ProgressBar {
     ProgressBar::new(total).with_style(style("{wide_bar} {percent} %, {eta} left"))
 }

@@ -10,8 +10,7 @@ use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 use std::time::Instant;
 
-use exact_ccd::EdgeEdge;
-use exact_ccd::separation::Separation;
+use exact_ccd::{EdgeEdge, Separation};
 use exact_ccd_curved::{Polynomial, RigidMotion, SearchOptions, Trajectory, first_within};
 
 fn main() -> Result<(), Box<dyn Error>> {

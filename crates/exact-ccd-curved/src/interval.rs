@@ -1,8 +1,7 @@
 //! A mesh in an interval of time, in which its vertices are near their chords.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::separation::{Separation, Thickness};
-use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Point, Separation, Thickness, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{Bvh, CandidateOptions, Candidates, MinDistance, Pair, PairKind, Step, TriangleMesh};
 use rayon::prelude::*;
 
@@ -156,10 +155,9 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
             let exists = |&ids: &[u32; 2]| Some((ids, K::vertices(self.mesh, ids)?));
             let (ids, queries): (Vec<_>, Vec<_>) = pairs.iter().filter_map(exists).unzip();
             let mut near = Vec::new();
-            let found =
-                trajectories.collisions_within::<K>(&queries, thickness.into(), |index, collision| {
-                    near.push((collision.first_contact_time().lower(), K::pair(ids[index])));
-                });
+            let found = trajectories.collisions::<K>(&queries, thickness, |index, collision| {
+                near.push((collision.time().lower(), K::pair(ids[index])));
+            });
             found.expect("the vertices are those of the mesh");
             near
         };

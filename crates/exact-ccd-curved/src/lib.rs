@@ -7,8 +7,7 @@
 //! is certainly free, and a time by which the primitives have certainly come together.
 //!
 //! ```
-//! use exact_ccd::EdgeEdge;
-//! use exact_ccd::separation::Separation;
+//! use exact_ccd::{EdgeEdge, Separation};
 //! use exact_ccd_curved::{Polynomial, RigidMotion, SearchOptions, Trajectory, first_within};
 //!
 //! // A bar turns by two radians, from the x axis towards a post at y = 1: contact at a quarter turn.

@@ -1,6 +1,6 @@
 //! Options of a search.
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 
 use crate::error::SearchError;
 

@@ -1,6 +1,6 @@
 //! Proof of proximity by the chords: a distance of at most d or d + ε, or contact.
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 
 use crate::answer::{Proximity, Within};
 use crate::crossing;

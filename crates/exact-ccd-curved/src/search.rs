@@ -1,6 +1,6 @@
 //! The search for the first time within a distance, by chords.
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 
 use crate::answer::{Answer, End, Within};
 use crate::error::SearchError;
@@ -35,8 +35,7 @@ const SHORTEST: f64 = f64::EPSILON / 2.0;
 /// [`SearchError`] names a position that is not finite, a bound that is not valid, or the tolerance.
 ///
 /// ```
-/// use exact_ccd::VertexFace;
-/// use exact_ccd::separation::Separation;
+/// use exact_ccd::{Separation, VertexFace};
 /// use exact_ccd_curved::{End, Polynomial, SearchOptions, Trajectory, first_within};
 ///
 /// // A ball falls from the height 1 with the acceleration −4: it meets the floor at t = 1 / √2.

@@ -1,6 +1,6 @@
 //! A step of a mesh whose vertices move on curves.
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_mesh::TriangleMesh;
 
 use crate::answer::{Answer, End};

@@ -1,6 +1,6 @@
 //! The answer of a step of a mesh, its options and its errors.
 
-use exact_ccd::separation::InvalidThickness;
+use exact_ccd::InvalidThickness;
 use exact_ccd_mesh::{CanCollide, Pair, StepError};
 
 use crate::answer::Answer;

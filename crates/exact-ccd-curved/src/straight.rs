@@ -1,7 +1,6 @@
 //! A query of chords, near the query of curves.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{NonFinite, Query};
+use exact_ccd::{NonFinite, Query, Separation};
 
 use crate::error::SearchError;
 use crate::kind::{CurvedKind, points};
@@ -58,7 +57,7 @@ impl<K: CurvedKind> Straight<K> {
         let Ok(threshold) = Separation::new(add_up(d.get(), self.deviation)) else {
             return Some(self.start);
         };
-        let first = self.query.first_within(threshold)?.lower();
+        let first = self.query.time_of_impact(threshold)?;
         Some(time_before(first, self.start, self.end))
     }
 
@@ -72,7 +71,7 @@ impl<K: CurvedKind> Straight<K> {
         } else {
             Separation::new((d.get() - self.deviation).next_down()).ok()?
         };
-        let first = self.query.first_within(threshold)?.upper();
+        let first = self.query.collision(threshold)?.time().upper();
         Some(self.after(first))
     }
 
@@ -83,7 +82,7 @@ impl<K: CurvedKind> Straight<K> {
     /// of the chord. So the chords shrink quadratically where the distance is not stationary.
     pub(crate) fn cut(&self, d: Separation, start: f64) -> f64 {
         let middle = start + 0.5 * (self.end - start);
-        let guess = self.query.first_within(d).map(|first| self.after(first.lower()));
+        let guess = self.query.time_of_impact(d).map(|first| self.after(first));
         guess.map_or(middle, |guess| {
             middle.min(guess + (guess - start).max(f64::EPSILON))
         })

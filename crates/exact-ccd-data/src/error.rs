@@ -121,6 +121,12 @@ pub enum Problem {
         /// The number in this line.
         found: usize,
     },
+    /// The line is longer than any row of numbers.
+    #[error("more than {longest} bytes, expected a row of a few numbers")]
+    LongLine {
+        /// The most bytes of a line.
+        longest: usize,
+    },
     /// A coordinate is wrong.
     #[error("{axis} of {point} at t = {time}: {source}")]
     Coordinate {

@@ -1,37 +1,32 @@
 //! The fields of the rows of CSV files with a header.
 
+use std::fs::File;
 use std::path::Path;
 use std::str::FromStr;
 
-use csv::{ReaderBuilder, StringRecord, Trim};
-
 use crate::error::{DataError, Problem};
 use crate::excerpt::excerpt;
+use crate::lines::Lines;
 
 /// All rows of a file after its header, which `parse` converts. Each must have five fields.
 pub(crate) fn read_rows<T>(
     file: &Path,
     parse: impl Fn([&str; 5]) -> Result<T, Problem>,
 ) -> Result<Vec<T>, DataError> {
-    let io = |error: csv::Error| DataError::io(file, error.into());
-    let mut reader = ReaderBuilder::new()
-        .trim(Trim::All)
-        .flexible(true)
-        .from_path(file)
-        .map_err(io)?;
-    let row = |record: Result<StringRecord, csv::Error>| {
-        let record = record.map_err(io)?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let fields: Vec<&str> = record.iter().collect();
-        <[&str; 5]>::try_from(fields.as_slice())
-            .map_err(|_| Problem::Fields {
-                expected: "5 fields".to_owned(),
-                found: record.len(),
-            })
-            .and_then(&parse)
-            .map_err(|problem| DataError::line(file, line, problem))
-    };
-    reader.records().map(row).collect()
+    let text = File::open(file).map_err(|source| DataError::io(file, source))?;
+    let mut lines = Lines::new(file.to_owned(), text);
+    let mut rows = Vec::new();
+    lines.next()?;
+    while lines.next()? {
+        let fields: Vec<_> = lines.fields().map(String::from_utf8_lossy).collect();
+        let fields: Vec<&str> = fields.iter().map(AsRef::as_ref).collect();
+        let row = <[&str; 5]>::try_from(&fields[..]).map_err(|_| Problem::Fields {
+            expected: "5 fields".to_owned(),
+            found: fields.len(),
+        });
+        rows.push(row.and_then(&parse).map_err(|problem| lines.error(problem))?);
+    }
+    Ok(rows)
 }
 
 pub(crate) fn time(text: &str, column: &'static str) -> Result<f64, Problem> {

@@ -11,17 +11,17 @@
 //!
 //! Readers of queries are iterators that need little memory, whatever the size of the file, and end after the
 //! first error: a line has at most 65,536 bytes, a number of exact arithmetic at most 4,096 digits, and the
-//! queries of a Parquet file take at most 200 times its size and a mebibyte. Errors name the file and the
-//! line, query or pair. The panic hook of the process is never changed.
+//! queries of a Parquet file take at most 200 times its size and a mebibyte, and so do its pages. Errors
+//! name the file and the line, query or pair. The panic hook of the process is never changed.
 //!
 //! ```
-//! use exact_ccd::VertexFace;
+//! use exact_ccd::{CONTACT, VertexFace};
 //! use exact_ccd_data::{QueryReader, Rounding};
 //!
 //! let point = "1,4,1,4,-1,1\n";
 //! let text = point.repeat(8);
 //! for sample in QueryReader::<VertexFace, _>::new("points.csv", text.as_bytes(), Rounding::Refuse) {
-//!     assert!(sample?.query.collides());
+//!     assert!(sample?.query.collides(CONTACT));
 //! }
 //! # Ok::<(), exact_ccd_data::DataError>(())
 //! ```
@@ -32,10 +32,12 @@ mod data_folder;
 mod error;
 mod excerpt;
 mod fields;
+#[cfg(test)]
+mod hostile;
 mod json;
 mod kind;
+mod lines;
 mod list;
-mod long_lines;
 mod queries;
 mod query_kind;
 mod rational;

@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 use std::path::{Path, PathBuf};
 
 use crate::error::{DataError, Problem};
+use crate::lines::Lines;
 use crate::query_kind::{self, QueryKind};
 use crate::rational::Rounding;
 use crate::record::{Record, Sample};
@@ -41,7 +42,7 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
     /// A reader of the queries in any text, which errors call `name`. It has a buffer of its own.
     pub fn new(name: impl Into<PathBuf>, text: R, rounding: Rounding) -> Self {
         Self {
-            rows: RowReader::new(name.into(), text, rounding, K::POINTS),
+            rows: RowReader::new(Lines::new(name.into(), text), rounding, K::POINTS),
             done: false,
             kind: PhantomData,
         }
@@ -80,7 +81,7 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
                     0 => Ok(None),
                     found => {
                         let expected = points.len();
-                        Err(self.rows.error(last_line, Problem::CutShort { found, expected }))
+                        Err(self.wrong(last_line, Problem::CutShort { found, expected }))
                     }
                 };
             };
@@ -91,7 +92,7 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
             } else if let (Some(expected), Some(found)) = (first, seventh)
                 && expected != found
             {
-                return Err(self.rows.error(line, Problem::TruthDiffers { expected, found }));
+                return Err(self.wrong(line, Problem::TruthDiffers { expected, found }));
             }
         }
         let query = query_kind::query(points).expect("`rational::parse` returns finite numbers");
@@ -100,6 +101,18 @@ impl<K: QueryKind, R: Read> QueryReader<K, R> {
             count: first.filter(|_| self.rows.seventh() == Seventh::Count),
             ..Sample { query, truth }.into()
         }))
+    }
+}
+
+impl<K, R: Read> QueryReader<K, R> {
+    fn wrong(&self, line: u64, problem: Problem) -> DataError {
+        DataError::line(self.rows.lines().file(), line, problem)
+    }
+
+    /// The account of the reading so far.
+    #[cfg(test)]
+    pub(crate) fn budget(&self) -> &exact_ccd_files::Budget {
+        self.rows.lines().budget()
     }
 }
 
@@ -283,7 +296,7 @@ mod tests {
         assert_eq!(read(&blanks(65_535)).map(|samples| samples.len()), Ok(2));
         assert_eq!(
             message(&blanks(65_536)),
-            "some.csv: line 9 has more than 65536 bytes, expected a row of 3 to 7 fields"
+            "some.csv, line 9: more than 65536 bytes, expected a row of a few numbers"
         );
         let mut endless = QueryReader::<VertexFace, _>::new("-", io::repeat(b','), Rounding::Refuse);
         assert!(endless.next().unwrap().is_err());

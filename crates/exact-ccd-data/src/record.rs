@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{ContactTime, Kind, Query};
+use exact_ccd::{ContactTime, Kind, Query, Separation};
 
 /// A query from a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,18 +36,15 @@ impl<K: Kind> Record<K> {
     /// first time within it.
     #[must_use]
     pub fn answered(self, d: Separation) -> Self {
-        let query = &self.sample.query;
-        let (count, first) = if d == Separation::default() {
-            let times = query.contact_times();
-            (number(times.count()), times.first())
+        let intervals = self.sample.query.intervals(d);
+        let count = if d.is_zero() {
+            intervals.count()
         } else {
-            let intervals = query.intervals_within(d);
-            let first = intervals.first().map(|interval| interval.start);
-            (number(Some(intervals.len())), first)
+            Some(intervals.len())
         };
         Self {
-            count: Some(count),
-            toi: first.map(ContactTime::lower),
+            count: Some(number(count)),
+            toi: intervals.first_time().map(ContactTime::lower),
             ..self
         }
     }

@@ -1,15 +1,13 @@
 //! The rows of a query file: the coordinates of a point, and perhaps one more field.
 
-use std::io::{self, Read};
-use std::path::PathBuf;
+use std::io::Read;
 
-use csv::{ByteRecord, ReaderBuilder, Terminator, Trim};
 use exact_ccd::Point;
 
 use crate::coordinate;
 use crate::error::{DataError, Problem};
 use crate::excerpt::excerpt;
-use crate::long_lines::ShortLines;
+use crate::lines::Lines;
 use crate::rational::{self, Rounding};
 
 /// The numbers of fields in a row: three coordinates, or three numerators and denominators, and perhaps the
@@ -28,9 +26,7 @@ pub enum Seventh {
 
 /// Reads the rows of a file one after the other.
 pub(crate) struct RowReader<R> {
-    file: PathBuf,
-    csv: csv::Reader<io::Chain<ShortLines<R>, &'static [u8]>>,
-    record: ByteRecord,
+    lines: Lines<R>,
     rounding: Rounding,
     seventh: Seventh,
     /// The points of a query, as [`QueryKind`](crate::QueryKind) names them.
@@ -49,26 +45,9 @@ pub(crate) struct Row {
 }
 
 impl<R: Read> RowReader<R> {
-    pub(crate) fn new(
-        file: PathBuf,
-        text: R,
-        rounding: Rounding,
-        points: &'static [(&'static str, usize)],
-    ) -> Self {
-        let csv = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .quoting(false)
-            .trim(Trim::All)
-            // Trimming removes carriage returns.
-            .terminator(Terminator::Any(b'\n'))
-            // With this, every record ends in a line break, and its line is the one before the
-            // reader's position.
-            .from_reader(ShortLines::new(text).chain(b"\n".as_slice()));
+    pub(crate) fn new(lines: Lines<R>, rounding: Rounding, points: &'static [(&'static str, usize)]) -> Self {
         Self {
-            file,
-            csv,
-            record: ByteRecord::new(),
+            lines,
             rounding,
             seventh: Seventh::Contact,
             points,
@@ -84,44 +63,45 @@ impl<R: Read> RowReader<R> {
         self.seventh
     }
 
+    pub(crate) fn lines(&self) -> &Lines<R> {
+        &self.lines
+    }
+
     /// The next row, which is row `index` of its query. `None` at the end of the file.
     pub(crate) fn next(&mut self, index: usize) -> Result<Option<Row>, DataError> {
-        loop {
-            let read = self.csv.read_byte_record(&mut self.record);
-            if !read.map_err(|error| DataError::io(&self.file, error.into()))? {
-                return Ok(None);
-            }
-            if self.record.iter().any(|field| !field.is_empty()) || self.record.len() > 1 {
-                break;
-            }
+        if !self.lines.next()? {
+            return Ok(None);
         }
-        let line = self.csv.position().line() - 1;
-        self.parse(index)
-            .map(|(point, seventh)| Some(Row { point, seventh, line }))
-            .map_err(|problem| self.error(line, problem))
+        let line = self.lines.number();
+        let parsed = self.parse(index).map_err(|problem| self.lines.error(problem));
+        let (fields, point, seventh) = parsed?;
+        self.fields = Some(fields);
+        Ok(Some(Row { point, seventh, line }))
     }
 
-    pub(crate) fn error(&self, line: u64, problem: Problem) -> DataError {
-        DataError::line(&self.file, line, problem)
-    }
-
-    fn parse(&mut self, index: usize) -> Result<(Point, Option<i64>), Problem> {
-        let found = self.record.len();
+    /// The number of fields, the point, and the value after its coordinates.
+    fn parse(&self, index: usize) -> Result<(usize, Point, Option<i64>), Problem> {
+        let mut fields = [&[][..]; 7];
+        let mut found = 0;
+        for field in self.lines.fields() {
+            if let Some(place) = fields.get_mut(found) {
+                *place = field;
+            }
+            found += 1;
+        }
         if !matches!(found, 3 | 4 | 6 | 7) || self.fields.is_some_and(|fields| fields != found) {
             let expected = self.fields.map_or(ANY_FIELDS.to_owned(), |fields| {
                 format!("{fields} fields, as in the first row")
             });
             return Err(Problem::Fields { expected, found });
         }
-        self.fields = Some(found);
         let are_fractions = found >= 6;
         let mut point = [0.0; 3];
         for (axis, coordinate) in point.iter_mut().enumerate() {
             let parsed = if are_fractions {
-                let [numerator, denominator] = [0, 1].map(|part| &self.record[2 * axis + part]);
-                rational::parse(numerator, denominator, self.rounding)
+                rational::parse(fields[2 * axis], fields[2 * axis + 1], self.rounding)
             } else {
-                coordinate::parse(&self.record[axis], self.rounding)
+                coordinate::parse(fields[axis], self.rounding)
             };
             *coordinate = parsed.map_err(|source| Problem::Coordinate {
                 axis: ['x', 'y', 'z'][axis],
@@ -130,9 +110,9 @@ impl<R: Read> RowReader<R> {
                 source,
             })?;
         }
-        let seventh = self.record.get(if are_fractions { 6 } else { 3 });
-        let seventh = seventh.map(|field| self.parse_seventh(field));
-        Ok((point, seventh.transpose()?))
+        let seventh = fields[..found].get(if are_fractions { 6 } else { 3 });
+        let seventh = seventh.map(|field| self.parse_seventh(field)).transpose()?;
+        Ok((found, point, seventh))
     }
 
     fn parse_seventh(&self, field: &[u8]) -> Result<i64, Problem> {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use exact_ccd::{EdgeEdge, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, VertexFace};
 use exact_ccd_files::read_motion;
 use exact_ccd_mesh::{Motion, Step, TriangleMesh};
 
@@ -157,7 +157,7 @@ impl Scene {
                     query,
                     queries,
                 })?;
-                let is_interval = || record.sample.query.contact_times().count().is_none();
+                let is_interval = || record.sample.query.intervals(CONTACT).count().is_none();
                 record.count = Some(number(Some(count).filter(|&count| count != 1 || !is_interval())));
                 record.toi = Some(toi);
             }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 
 use crate::error::{DataError, Problem};
 use crate::fields::{field, flag, other, read_rows, time};

@@ -156,7 +156,7 @@ fn queries_have_their_times_within_a_distance() {
         .unwrap()
         .enumerate()
     {
-        let intervals = sample.unwrap().query.intervals_within(file.d);
+        let intervals = sample.unwrap().query.intervals(file.d);
         let Some(first) = intervals.first() else {
             continue;
         };

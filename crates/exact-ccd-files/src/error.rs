@@ -129,7 +129,7 @@ pub enum Fault {
     },
     /// Data that are compressed or repeated expand to far more than a mesh does.
     #[error(
-        "the data expand to more than {limit} bytes, expected a mesh; \
+        "the data expand to more than {limit} bytes, the most for a file of this size; \
          write the file without compression and without repeated data"
     )]
     Expansion {
@@ -138,8 +138,7 @@ pub enum Fault {
     },
     /// The file, or the data that it expands to, are larger than the reader allows.
     #[error(
-        "more than {limit} bytes, the size that is allowed; allow more with --max-size, in code with \
-         `ReadOptions::with_max_size`"
+        "more than {limit} bytes, the size that is allowed; allow more with `ReadOptions::with_max_size`"
     )]
     Size {
         /// The size that is allowed.
@@ -196,6 +195,13 @@ impl Fault {
         Self::Ends {
             expected: expected.into(),
         }
+    }
+
+    /// The error of a reader, which may be one of the budget.
+    pub(crate) fn of_io(expected: &str, error: &io::Error) -> Self {
+        let inner = error.get_ref().and_then(|inner| inner.downcast_ref::<Self>());
+        let other = || Self::expected(expected, quoted(error.to_string().as_bytes()));
+        inner.cloned().unwrap_or_else(other)
     }
 
     pub(crate) fn at(self, place: Place) -> ParseError {

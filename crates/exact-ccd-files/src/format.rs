@@ -50,37 +50,41 @@ impl Format {
     /// ```
     #[must_use]
     pub fn of_path(path: &Path) -> Option<Self> {
-        match extension(path)?.as_str() {
-            "ply" => Some(Self::Ply),
-            "obj" => Some(Self::Obj),
-            "stl" => Some(Self::Stl),
-            "off" => Some(Self::Off),
-            "msh" => Some(Self::Msh),
-            "vtu" => Some(Self::Vtu),
-            "vtp" => Some(Self::Vtp),
-            "vtk" => Some(Self::Vtk),
-            "gltf" | "glb" => Some(Self::Gltf),
-            "npy" => Some(Self::Npy),
-            "npz" => Some(Self::Npz),
-            _ => None,
-        }
+        let extension = extension(path)?;
+        let mut formats = Self::ALL.into_iter();
+        formats.find(|format| format.names().1.contains(&extension.as_str()))
     }
 
     /// The name of the format, such as `Wavefront OBJ`.
     #[must_use]
     pub fn name(self) -> &'static str {
+        self.names().0
+    }
+
+    /// The extension of a file that is renamed to this format.
+    pub(crate) fn extension(self) -> &'static str {
+        self.names().1[0]
+    }
+
+    const ALL: [Self; 11] = {
+        use Format::{Gltf, Msh, Npy, Npz, Obj, Off, Ply, Stl, Vtk, Vtp, Vtu};
+        [Ply, Obj, Stl, Off, Msh, Vtu, Vtp, Vtk, Gltf, Npy, Npz]
+    };
+
+    /// The name and the extensions.
+    fn names(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            Self::Ply => "PLY",
-            Self::Obj => "Wavefront OBJ",
-            Self::Stl => "STL",
-            Self::Off => "OFF",
-            Self::Msh => "Gmsh MSH",
-            Self::Vtu => "VTK UnstructuredGrid",
-            Self::Vtp => "VTK PolyData",
-            Self::Vtk => "legacy VTK",
-            Self::Gltf => "glTF",
-            Self::Npy => "numpy .npy",
-            Self::Npz => "numpy .npz",
+            Self::Ply => ("PLY", &["ply"]),
+            Self::Obj => ("Wavefront OBJ", &["obj"]),
+            Self::Stl => ("STL", &["stl"]),
+            Self::Off => ("OFF", &["off"]),
+            Self::Msh => ("Gmsh MSH", &["msh"]),
+            Self::Vtu => ("VTK UnstructuredGrid", &["vtu"]),
+            Self::Vtp => ("VTK PolyData", &["vtp"]),
+            Self::Vtk => ("legacy VTK", &["vtk"]),
+            Self::Gltf => ("glTF", &["glb", "gltf"]),
+            Self::Npy => ("numpy .npy", &["npy"]),
+            Self::Npz => ("numpy .npz", &["npz"]),
         }
     }
 }

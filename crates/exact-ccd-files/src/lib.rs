@@ -49,7 +49,6 @@ mod contents;
 mod error;
 mod file_ids;
 mod format;
-mod frame_order;
 mod named_part;
 mod read;
 mod unsupported;
@@ -59,10 +58,9 @@ pub use contents::Contents;
 pub use error::{Fault, ParseError, Place, ReadError};
 pub use file_ids::FileIds;
 pub use format::Format;
-pub use frame_order::{FrameOrder, Missing};
 pub use named_part::NamedPart;
 pub use read::{
-    FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
+    Budget, FrameSequence, Group, MeshFile, PhysicalTag, Polygons, ReadMotionError, ReadOptions, parse_frame,
     parse_tet_groups, parse_tet_mesh, read_frame, read_motion, read_pvd, read_series, read_tet_groups,
     read_tet_mesh,
 };

@@ -60,7 +60,7 @@ fn data_that_expand_without_bound_are_errors() {
         "bomb.obj.gz",
         &bomb,
         &format!(
-            "the data expand to more than {limit} bytes, expected a mesh; \
+            "the data expand to more than {limit} bytes, the most for a file of this size; \
              write the file without compression and without repeated data"
         ),
     );

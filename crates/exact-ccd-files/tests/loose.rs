@@ -151,7 +151,7 @@ fn ply_errors_name_the_line_and_the_edge() {
     assert_error(
         ply(EDGES, "0 1\n"),
         Format::Ply,
-        "line 18: the file ends, expected row 1 of the 2 of element `edge`",
+        "line 18: the file ends, expected element `edge`, row 1 of 2",
     );
     assert_error(
         ply("element edge 0\nproperty int vertex1\n", ""),

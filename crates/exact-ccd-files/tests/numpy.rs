@@ -193,3 +193,87 @@ fn tetrahedra_read_as_their_surface_in_every_frame() {
     let error = parse_frame(&beyond, Format::Npz).unwrap_err().to_string();
     assert!(error.starts_with("tetrahedron 0 names vertex 6"), "{error}");
 }
+
+/// A member of an archive: its name, its flags, the number of its compression, and its data as they are.
+type Member<'a> = (&'a str, u16, u16, Vec<u8>);
+
+/// An archive in the bytes that PKWARE's specification states, independent of the library.
+fn zip_of(members: &[Member]) -> Vec<u8> {
+    let (mut data, mut list) = (Vec::new(), Vec::new());
+    for (name, flags, method, contents) in members {
+        let mut crc = flate2::Crc::new();
+        crc.update(contents);
+        let size = contents.len() as u32;
+        let short = |numbers: &[u16]| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>();
+        let long = |numbers: &[u32]| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<_>>();
+        let common = [
+            short(&[20, *flags, *method, 0, 0]),
+            long(&[crc.sum(), size, size]),
+            short(&[name.len() as u16, 0]),
+        ]
+        .concat();
+        let place = [short(&[0, 0, 0, 0, 0]), long(&[data.len() as u32])].concat();
+        list.extend([b"PK\x01\x02\x14\0", &common[..], &place, name.as_bytes()].concat());
+        data.extend([b"PK\x03\x04", &common[..], name.as_bytes(), contents].concat());
+    }
+    let count = [0, 0, members.len() as u16, members.len() as u16].map(u16::to_le_bytes);
+    let place = [list.len() as u32, data.len() as u32].map(u32::to_le_bytes);
+    [
+        &data[..],
+        &list,
+        b"PK\x05\x06",
+        &count.concat(),
+        &place.concat(),
+        b"\0\0",
+    ]
+    .concat()
+}
+
+#[test]
+fn members_that_are_not_read_may_be_of_any_kind() {
+    const ENCRYPTED: u16 = 1;
+    const BZIP2: u16 = 12;
+    let odd = || {
+        [
+            ("notes.npy", 0, BZIP2, vec![1, 2, 3]),
+            ("picture.png", ENCRYPTED, 0, vec![4]),
+        ]
+    };
+    let mesh = |method| {
+        [
+            ("faces.npy", 0, 0, integers("(1, 3)", &[0, 1, 2])),
+            ("points.npy", 0, method, positions()),
+        ]
+    };
+    let file = MeshFile::parse(&zip_of(&[odd(), mesh(0)].concat()), Format::Npz, Polygons::Refuse);
+    let file = file.unwrap();
+    assert_eq!(file.frame.mesh.faces(), [[0, 1, 2]]);
+    assert_eq!(
+        file.arrays.unwrap(),
+        "positions from `points`, faces from `faces`, not read: `notes`"
+    );
+    let error = parse_frame(&zip_of(&mesh(BZIP2)), Format::Npz).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "expected member `points.npy`, stored or compressed by deflate, found `compression method not supported: \
+         12`"
+    );
+}
+
+#[test]
+fn a_checksum_that_is_wrong_and_a_name_that_occurs_twice_are_errors() {
+    let mut file = zip_of(&[("points.npy", 0, 0, positions())]);
+    let last = 30 + "points.npy".len() + positions().len() - 1;
+    file[last] ^= 1;
+    let error = parse_frame(&file, Format::Npz).unwrap_err().to_string();
+    assert!(
+        error.contains("member `points.npy`, stored or compressed by deflate, found"),
+        "{error}"
+    );
+    let twice = zip_of(&[
+        ("points.npy", 0, 0, positions()),
+        ("points.npy", 0, 0, positions()),
+    ]);
+    let error = parse_frame(&twice, Format::Npz).unwrap_err().to_string();
+    assert!(error.contains("the same name twice"), "{error}");
+}

@@ -44,7 +44,7 @@ fn ply_text() {
     );
     assert_ply_text_error(
         "0 0 0\n",
-        "line 11: the file ends, expected row 1 of the 3 of element `vertex`",
+        "line 11: the file ends, expected element `vertex`, row 1 of 3",
     );
     let vertices = "0 0 0\n1 0 0\n0 1 0\n";
     let error = |face: &str, message| assert_ply_text_error(&format!("{vertices}{face}\n"), message);
@@ -89,17 +89,17 @@ fn ply_binary() {
     error(
         &[],
         0,
-        "the file ends, expected row 0 of the 3 of element `vertex`",
+        "the file ends, expected a number in element `vertex`, row 0 of 3",
     );
     error(
         &vertices[..71],
         64,
-        "the file ends, expected row 2 of the 3 of element `vertex`",
+        "the file ends, expected a number in element `vertex`, row 2 of 3",
     );
     error(
         &vertices,
         72,
-        "the file ends, expected row 0 of the 1 of element `face`",
+        "the file ends, expected the length of a list in element `face`, row 0 of 1",
     );
     let face = |face: &[u8]| [&vertices, face].concat();
     error(
@@ -115,7 +115,7 @@ fn ply_binary() {
     error(
         &face(&[3, 0, 0, 0, 0, 1, 0, 0]),
         77,
-        "the file ends, expected row 0 of the 1 of element `face`",
+        "the file ends, expected an integer in element `face`, row 0 of 1",
     );
     error(
         &face(&[3, 0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 7, 7]),

@@ -2,15 +2,11 @@
 
 use exact_ccd::Point;
 
-use crate::can_collide::CanCollide;
-use crate::contact::Contact;
-use crate::detector::Detector;
-use crate::frame::Frame;
-use crate::intersections::Intersection;
-use crate::mesh::TriangleMesh;
-use crate::min_distance::MinDistance;
-use crate::motion::MotionError;
-use crate::step::StepError;
+use crate::at_rest::Intersection;
+use crate::mesh::{Frame, TriangleMesh};
+use crate::pairs::{CanCollide, MinDistance};
+use crate::search::{Contact, Detector};
+use crate::steps::{MotionError, StepError};
 
 /// Examines the frames of a mesh one after the other, between which vertices move in straight
 /// lines.

@@ -29,86 +29,47 @@
 //! - [`MinDistance`] makes all of this about a distance that primitives keep: one for all, or a
 //!   thickness of each vertex. [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
+//! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
 //! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
 //!   certifies a sequence of frames.
-//! - [`Motion::shifted`] rounds a motion as [`exact_ccd::parity`] requires.
 //! - [`step_size`] is the line search of an optimiser: the largest step along a direction without
 //!   contact.
 //!
 //! No result depends on the number of threads, and no input causes a panic.
 
-mod aabb;
-mod approach;
+mod at_rest;
 mod audit;
-mod boundary;
 mod broad_phase;
-mod by_kind;
-mod can_collide;
-mod candidate_options;
-mod candidates;
-mod collect;
-mod contact;
-mod contact_points;
-mod culled_search;
-mod detector;
-mod disjoint_sets;
-mod frame;
-mod intersections;
+mod half_space;
 mod line_search;
-mod margin;
 mod mesh;
-mod method;
-mod min_distance;
-mod motion;
-mod narrow_phase;
-mod other_ends;
 mod overlaps;
-mod pair;
-mod pair_kind;
-mod pair_vertices;
-mod positions;
-mod primitive_count;
-mod report;
-mod shift;
-mod start_check;
-mod step;
-mod step_boxes;
-mod tet_error;
-mod tet_mesh;
-mod weld;
+mod pairs;
+mod search;
+mod steps;
+pub mod vector;
 
-pub use aabb::Aabb;
-pub use audit::{Audit, Violation};
-pub use boundary::TetFaces;
-pub use broad_phase::{AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep};
-pub use by_kind::{ByKind, PairCounts};
-pub use can_collide::CanCollide;
-pub use candidate_options::{BoxKind, CandidateError, CandidateOptions};
-pub use candidates::Candidates;
-pub use contact::Contact;
-pub use contact_points::contact_points;
-pub use detector::Detector;
-pub use exact_ccd::Point;
-pub use frame::{Frame, FrameError};
-pub use intersections::{
+pub use at_rest::{
     Intersection, IntersectionsError, crossings, crossings_by, intersections, intersections_among,
     intersections_by,
 };
+pub use audit::{Audit, Violation};
+pub use broad_phase::{
+    Aabb, AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
+};
+pub use exact_ccd::Point;
+pub use half_space::{HalfSpace, HalfSpaceError};
 pub use line_search::{
     FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
 };
-pub use mesh::{MeshError, TriangleMesh};
-pub use min_distance::{MinDistance, ThicknessCount};
-pub use motion::{Motion, MotionError};
-pub use pair::Pair;
-pub use pair_kind::PairKind;
-pub use positions::{PositionsError, check_positions};
-pub use primitive_count::TooManyPrimitives;
-pub use report::{StepReport, step};
-pub use step::{Step, StepError};
-pub use tet_error::TetMeshError;
-pub use tet_mesh::TetMesh;
-pub use weld::Welding;
+pub use mesh::{
+    Frame, FrameError, MeshError, PositionsError, TetFaces, TetMesh, TetMeshError, TriangleMesh,
+    check_positions,
+};
+pub use overlaps::{BoxKind, CandidateError, CandidateOptions};
+pub use pairs::{CanCollide, MinDistance, Pair, PairCounts, PairKind, ThicknessCount};
+pub use search::{Candidates, Contact, Detector, StepReport, contact_points, step};
+pub use steps::{Motion, MotionError, Step, StepError, Welding};
 
 /// The examples in the README of this crate, as tests.
 #[cfg(doctest)]

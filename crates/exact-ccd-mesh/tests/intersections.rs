@@ -5,7 +5,7 @@
 #[path = "../../exact-ccd/tests/intersection/oracle.rs"]
 mod oracle;
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
     StepError, Sweep, TriangleMesh, Violation, crossings, intersections, intersections_among,
@@ -38,7 +38,7 @@ fn touches(mesh: &TriangleMesh, positions: &[Point]) -> bool {
             .filter(|face| !face.contains(&vertex))
             .any(|face| {
                 let at = [vertex, face[0], face[1], face[2]].map(point);
-                Query::<VertexFace>::new(at, at).unwrap().collides()
+                Query::<VertexFace>::new(at, at).unwrap().collides(CONTACT)
             })
     });
     let edge_edge = mesh.edges().iter().enumerate().any(|(index, &[a, b])| {
@@ -47,7 +47,7 @@ fn touches(mesh: &TriangleMesh, positions: &[Point]) -> bool {
             .filter(|other| !other.contains(&a) && !other.contains(&b));
         others.into_iter().any(|&[c, d]| {
             let at = [a, b, c, d].map(point);
-            Query::<EdgeEdge>::new(at, at).unwrap().collides()
+            Query::<EdgeEdge>::new(at, at).unwrap().collides(CONTACT)
         })
     });
     let is_loose = |vertex: &u32| !mesh.edges().iter().any(|edge| edge.contains(vertex));

@@ -3,8 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use exact_ccd::separation::{Separation, Thickness};
-use exact_ccd::{ContactTime, EdgeEdge, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{ContactTime, EdgeEdge, Query, Separation, Thickness, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{
     Audit, Bvh, CandidateOptions, Candidates, Detector, Frame, FreeStepOptions, MinDistance, Pair, Point,
     Step, TriangleMesh, Violation, intersections, step,
@@ -160,7 +159,8 @@ fn first(mesh: &TriangleMesh, [x0, x1]: [&[Point]; 2], d: f64) -> Option<f64> {
             times.push(
                 Query::<VertexFace>::new(query(x0), query(x1))
                     .unwrap()
-                    .first_within(far),
+                    .collision(far)
+                    .map(|collision| collision.time()),
             );
         }
         for &[a, b] in mesh.loose_edges().iter().filter(|edge| !edge.contains(&p)) {
@@ -174,7 +174,8 @@ fn first(mesh: &TriangleMesh, [x0, x1]: [&[Point]; 2], d: f64) -> Option<f64> {
             times.push(
                 Query::<VertexEdge>::new(query(x0), query(x1))
                     .unwrap()
-                    .first_within(far),
+                    .collision(far)
+                    .map(|collision| collision.time()),
             );
         }
         // Two vertices of which one has edges are as near as its edges, or are ends of one edge.
@@ -184,7 +185,8 @@ fn first(mesh: &TriangleMesh, [x0, x1]: [&[Point]; 2], d: f64) -> Option<f64> {
             times.push(
                 Query::<VertexVertex>::new(query(x0), query(x1))
                     .unwrap()
-                    .first_within(far),
+                    .collision(far)
+                    .map(|collision| collision.time()),
             );
         }
     }
@@ -195,7 +197,8 @@ fn first(mesh: &TriangleMesh, [x0, x1]: [&[Point]; 2], d: f64) -> Option<f64> {
                 times.push(
                     Query::<EdgeEdge>::new(query(x0), query(x1))
                         .unwrap()
-                        .first_within(far),
+                        .collision(far)
+                        .map(|collision| collision.time()),
                 );
             }
         }

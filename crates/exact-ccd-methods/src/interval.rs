@@ -37,6 +37,10 @@ impl Interval {
         if self.lower <= self.upper { self } else { WHOLE }
     }
 
+    pub(crate) fn middle(self) -> f64 {
+        0.5 * (self.lower + self.upper)
+    }
+
     pub(crate) fn contains_zero(self) -> bool {
         self.lower <= 0.0 && self.upper >= 0.0
     }

@@ -3,8 +3,8 @@
 //!
 //! Each is implemented from the literature, as published and with its published parameters as the
 //! defaults. Its false negatives and false positives are part of it, and its documentation lists
-//! them. [`all`] adds the two methods of the kernel: [`Exact`](exact_ccd::Exact), which is the one
-//! to use, and [`RootParity`](exact_ccd::parity::RootParity).
+//! them. [`all`] adds [`Exact`](exact_ccd::Exact), which is the one to use, and
+//! [`RootParity`](parity::RootParity), of which [`parity`] has the count of contacts.
 //!
 //! ```
 //! use exact_ccd::{Query, VertexFace};
@@ -21,13 +21,15 @@
 
 mod bernstein;
 mod inclusion;
+mod integers;
 mod interval;
+pub mod parity;
 mod registry;
 mod root_finding;
-mod root_parity;
+mod vector;
 
 pub use bernstein::{BernsteinSignClassification, TightCcd};
 pub use inclusion::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};
+pub use parity::{BrochuRootParity, RationalRootParity};
 pub use registry::{UnknownMethod, all, by_name, names};
 pub use root_finding::{FloatingPointRootFinder, MinimumSeparationRootFinder};
-pub use root_parity::{BrochuRootParity, RationalRootParity};

@@ -1,15 +1,15 @@
 //! All methods, and the method of a name.
 
-use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Exact};
 
+use crate::parity::RootParity;
 use crate::{
     BernsteinSignClassification, BrochuRootParity, FloatingPointRootFinder, IntervalRootFinder,
     MinimumSeparationRootFinder, RationalRootParity, TightCcd, TightInclusion, UnivariateIntervalRootFinder,
 };
 
-/// All methods with their default parameters: the exact one, root parity, and then those of this
-/// crate in the order of the paper's table 1.
+/// All methods with their default parameters: the exact one, root parity, and then the others in
+/// the order of the paper's table 1.
 #[must_use]
 pub fn all() -> Vec<Box<dyn Ccd>> {
     vec![

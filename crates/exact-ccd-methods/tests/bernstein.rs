@@ -1,7 +1,7 @@
 //! The methods in Bernstein form: their guarantees and their known errors.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::{BernsteinSignClassification, TightCcd};
 use proptest::array::{uniform3, uniform4};
 use proptest::prelude::*;
@@ -63,7 +63,10 @@ fn both(method: &impl Ccd, points: Points) -> [bool; 2] {
 }
 
 fn truth(points: Points) -> [bool; 2] {
-    [vertex_face(points).collides(), edge_edge(points).collides()]
+    [
+        vertex_face(points).collides(CONTACT),
+        edge_edge(points).collides(CONTACT),
+    ]
 }
 
 fn assert_tight_ccd_misses_nothing(points: Points) -> Result<(), TestCaseError> {
@@ -91,9 +94,9 @@ proptest! {
     fn sign_classification_is_right_about_a_translation(face in translation(1), edge in translation(2)) {
         let method = BernsteinSignClassification::default();
         let vertex_face = vertex_face(face);
-        prop_assert_eq!(method.collides(&vertex_face), vertex_face.collides());
+        prop_assert_eq!(method.collides(&vertex_face), vertex_face.collides(CONTACT));
         let edge_edge = edge_edge(edge);
-        prop_assert_eq!(method.collides(&edge_edge), edge_edge.collides());
+        prop_assert_eq!(method.collides(&edge_edge), edge_edge.collides(CONTACT));
     }
 }
 
@@ -164,7 +167,7 @@ fn tight_ccd_depends_on_the_unit() {
     ];
     for (unit, is_reported) in [(1.0 / 64.0, true), (1.0 / 4.0, false), (64.0, true)] {
         let query = vertex_face(points.map(|points| points.map(|point| point.map(|x| x * unit))));
-        assert!(!query.collides());
+        assert!(!query.collides(CONTACT));
         assert_eq!(TightCcd.collides(&query), is_reported);
     }
 }
@@ -175,7 +178,7 @@ fn sign_classification_gives_up_on_an_inflection_point() {
         [[9.0, 9.0, 1.0], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
         [[9.0, 9.0, -1.0], [0.0; 3], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
     ]);
-    assert!(!query.collides());
+    assert!(!query.collides(CONTACT));
     assert!(BernsteinSignClassification::default().collides(&query));
 }
 
@@ -183,7 +186,7 @@ fn sign_classification_gives_up_on_an_inflection_point() {
 fn sign_classification_misses_contacts_of_coplanar_motion() {
     let method = BernsteinSignClassification::default();
     let slides_in = against_face([2.0, 0.25, 0.0], [0.25, 0.25, 0.0]);
-    assert!(slides_in.collides());
+    assert!(slides_in.collides(CONTACT));
     assert!(!method.collides(&slides_in));
     assert!(TightCcd.collides(&slides_in));
 
@@ -192,7 +195,7 @@ fn sign_classification_misses_contacts_of_coplanar_motion() {
         [a0, a1, [2.0, -1.0, 0.0], [2.0, 1.0, 0.0]],
         [a0, a1, [0.5, -1.0, 0.0], [0.5, 1.0, 0.0]],
     ]);
-    assert!(crosses.collides());
+    assert!(crosses.collides(CONTACT));
     assert!(!method.collides(&crosses));
     assert!(TightCcd.collides(&crosses));
 }
@@ -204,7 +207,7 @@ fn both_invent_a_contact_where_a_vertex_reaches_the_line_of_an_edge() {
         [a0, a1, [9.0, 0.0, 1.0], [9.0, 1.0, 1.0]],
         [a0, a1, [9.0, 0.0, -4.0], [9.0, 1.0, -4.0]],
     ]);
-    assert!(!query.collides());
+    assert!(!query.collides(CONTACT));
     assert!(TightCcd.collides(&query));
     assert!(BernsteinSignClassification::default().collides(&query));
 }
@@ -220,7 +223,7 @@ fn sign_classification_culls_contacts_at_large_coordinates() {
     let [low, high] = [77803.03333333333, 77803.03333333335];
     let [a, b, c] = face;
     let query = vertex_face([[[x, y, low], a, b, c], [[x, y, high], a, b, c]]);
-    assert!(query.collides());
+    assert!(query.collides(CONTACT));
     assert!(!BernsteinSignClassification::default().collides(&query));
     let careful = BernsteinSignClassification {
         culling_bound: f64::INFINITY,

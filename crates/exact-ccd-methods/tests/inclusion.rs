@@ -1,7 +1,7 @@
 //! The methods without false negatives, and their false positives.
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -45,8 +45,14 @@ fn assert_conservative(points: [[Point; 4]; 2], max_iterations: usize) -> Result
     let edge_edge = Query::<EdgeEdge>::new(start, end).unwrap();
     for method in methods(max_iterations) {
         let answers = [
-            (method.time_of_impact(&vertex_face), vertex_face.time_of_impact()),
-            (method.time_of_impact(&edge_edge), edge_edge.time_of_impact()),
+            (
+                method.time_of_impact(&vertex_face),
+                vertex_face.time_of_impact(CONTACT),
+            ),
+            (
+                method.time_of_impact(&edge_edge),
+                edge_edge.time_of_impact(CONTACT),
+            ),
         ];
         for (time, earliest) in answers {
             prop_assert!(
@@ -140,7 +146,7 @@ fn a_contact_that_rounding_would_open_is_not_missed() {
     let [v1, v2, v3] = FACE.map(|[x, y, _]| [x, y, 0.3]);
     let query =
         Query::<VertexFace>::new([[0.25, 0.25, 1.0], v1, v2, v3], [[0.25, 0.25, 0.3], v1, v2, v3]).unwrap();
-    assert!(query.collides());
+    assert!(query.collides(CONTACT));
     for method in methods(1_000_000) {
         assert!(method.collides(&query), "{}", method.name());
     }
@@ -158,7 +164,7 @@ fn separated_primitives_are_free() {
 #[test]
 fn a_pass_closer_than_the_tolerance_is_a_contact() {
     let query = above_a_face([0.5 + 1e-7, 0.5, 1.0], [0.5 + 1e-7, 0.5, -1.0]);
-    assert!(!query.collides());
+    assert!(!query.collides(CONTACT));
     assert!(TightInclusion::default().collides(&query));
     assert!(IntervalRootFinder::default().collides(&query));
 }

@@ -1,7 +1,7 @@
 //! The floating-point root finders: contacts, false negatives and false positives.
 #![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::{FloatingPointRootFinder, MinimumSeparationRootFinder};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
@@ -83,7 +83,7 @@ fn parallel_edges_are_missed() {
     let start = [[0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
     let end = moved(start, [true, true, false, false], [0.0, 0.0, -2.0]);
     let query = Query::<EdgeEdge>::new(start, end).unwrap();
-    assert!(query.collides());
+    assert!(query.collides(CONTACT));
     assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
     assert_eq!(minimum_separation().time_of_impact(&query), None);
 }
@@ -91,7 +91,7 @@ fn parallel_edges_are_missed() {
 #[test]
 fn short_edges_are_missed() {
     let query = crossing(4e-5, 1e-4, 1e-4);
-    assert!(query.collides());
+    assert!(query.collides(CONTACT));
     assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
     assert_eq!(minimum_separation().time_of_impact(&query), None);
 }
@@ -117,7 +117,7 @@ fn near_passes_are_taken_for_contacts_by_the_minimum_separation() {
         [[beside, 0.5, -1.0], end[0], end[1], end[2]],
     )
     .unwrap();
-    assert!(!query.collides());
+    assert!(!query.collides(CONTACT));
     assert!(minimum_separation().collides(&query));
     assert_eq!(SOME_DISTANCE.time_of_impact(&query), None);
 }
@@ -155,7 +155,7 @@ impl FromIterator<(bool, bool)> for Tally {
 fn tally_of_edges(method: &dyn Ccd) -> Tally {
     in_general_position()
         .map(|[start, end]| Query::<EdgeEdge>::new(start, end).unwrap())
-        .map(|query| (query.collides(), method.collides(&query)))
+        .map(|query| (query.collides(CONTACT), method.collides(&query)))
         .collect()
 }
 
@@ -167,7 +167,7 @@ fn tally_of_faces(method: &dyn Ccd) -> Tally {
             end[0] = p;
             Query::<VertexFace>::new(start, end).unwrap()
         })
-        .map(|query| (query.collides(), method.collides(&query)))
+        .map(|query| (query.collides(CONTACT), method.collides(&query)))
         .collect()
 }
 

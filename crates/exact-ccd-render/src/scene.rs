@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 
+use exact_ccd_mesh::vector::{cross, dot, minus, unit};
 use exact_ccd_mesh::{Frame, Point, TriangleMesh};
 
 use crate::canvas::{Canvas, Colour};
 use crate::marks::Marks;
 use crate::picture::{Picture, SAMPLES};
-use crate::view::{View, cross, dot, minus, unit};
+use crate::view::View;
 
 const BACKGROUND: Colour = [255, 255, 255];
 /// The colours of the connected parts of a mesh, in turn.

@@ -1,5 +1,6 @@
 //! The projection from space to the picture.
 
+use exact_ccd_mesh::vector::{cross, dot, unit};
 use exact_ccd_mesh::{Aabb, Point};
 
 /// A parallel projection.
@@ -104,25 +105,4 @@ impl Camera {
 
 fn along(axes: &[Point; 3], point: Point) -> Point {
     axes.map(|axis| dot(axis, point))
-}
-
-pub(crate) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(crate) fn cross(a: Point, b: Point) -> Point {
-    [[1, 2], [2, 0], [0, 1]].map(|[i, j]: [usize; 2]| a[i] * b[j] - a[j] * b[i])
-}
-
-pub(crate) fn minus(a: Point, b: Point) -> Point {
-    [0, 1, 2].map(|axis: usize| a[axis] - b[axis])
-}
-
-/// The direction of a vector, or none if the vector is zero or its components are out of range.
-pub(crate) fn unit(vector: Point) -> Option<Point> {
-    let largest = vector.into_iter().map(f64::abs).fold(0.0, f64::max);
-    let scaled = vector.map(|x| x / largest);
-    let length = dot(scaled, scaled).sqrt();
-    let unit = scaled.map(|x| x / length);
-    unit.iter().all(|x| x.is_finite()).then_some(unit)
 }

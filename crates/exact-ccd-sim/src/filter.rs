@@ -14,7 +14,7 @@ use exact_ccd_mesh::{Candidates, Step, Tolerance, bisect};
 /// ```
 /// use std::sync::Arc;
 ///
-/// use exact_ccd::parity::RootParity;
+/// use exact_ccd_methods::parity::RootParity;
 /// use exact_ccd_sim::StepFilter;
 ///
 /// assert_eq!(StepFilter::default().name(), "exact");

@@ -12,7 +12,6 @@
 //!   of a system are those of its bodies, one body after the other ([`System::ranges`]).
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
-//! - [`scene`] reads a system and its settings from a file.
 //!
 //! See [`Integrator`] for what the integrators conserve, and [`elasticity`] for the limits of the elements.
 //!
@@ -39,6 +38,7 @@ mod bends;
 mod body;
 mod checkpoint;
 pub mod contact;
+mod digest;
 mod dirichlet;
 pub mod distance;
 pub mod elasticity;
@@ -50,8 +50,8 @@ mod half_space;
 mod hinges;
 mod integrator;
 mod load;
-pub mod psd;
-pub mod scene;
+mod psd;
+mod range;
 mod script;
 mod scripted;
 mod settings;
@@ -68,10 +68,11 @@ pub use element::{Element, Matrix12, Vector12};
 pub use filter::StepFilter;
 pub use half_space::{HalfSpace, HalfSpaceError, Plane};
 pub use integrator::Integrator;
-pub use load::{Force, Load, LoadError};
-pub use script::{KeyFrame, Script, ScriptError};
+pub use load::{Force, Load};
+pub use range::OutOfRange;
+pub use script::{KeyFrame, Script};
 pub use scripted::Scripted;
-pub use settings::{Formulation, Friction, FrictionPair, Length, SettingError, Settings};
+pub use settings::{Formulation, Friction, FrictionPair, Length, Settings};
 pub use simulation::{Contact, Primitive, Simulation, SimulationError, Warning};
 pub use state::{Earlier, State};
 pub use statistics::{Energies, Seconds, Statistics};

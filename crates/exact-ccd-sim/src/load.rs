@@ -4,7 +4,9 @@ use exact_ccd_mesh::{Point, TriangleMesh};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use crate::digest::{Digest, Hash};
 use crate::gather::gather;
+use crate::range::{OutOfRange, check, check_finite};
 
 /// A force on some vertices, from one time to another.
 ///
@@ -35,48 +37,19 @@ pub enum Force {
     Pressure(f64),
 }
 
-/// A load with a number that is out of range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("load {load}: `{field}` is out of range, expected {expected}")]
-pub struct LoadError {
-    /// The number of the load, from 0.
-    pub load: usize,
-    /// The field.
-    pub field: &'static str,
-    /// The values that are allowed.
-    pub expected: &'static str,
-}
-
 impl Load {
-    /// Checks that all numbers are in range, for a system with this number of vertices.
-    pub(crate) fn check(&self, load: usize, vertex_count: usize) -> Result<(), LoadError> {
-        let is_finite = match self.force {
-            Force::Acceleration(force) | Force::Traction(force) => force.iter().all(|x| x.is_finite()),
-            Force::Pressure(pressure) => pressure.is_finite(),
-        };
-        let is_known = |&vertex: &u32| (vertex as usize) < vertex_count;
-        let checks = [
-            ("force", is_finite, "finite numbers"),
-            ("from", self.from.is_finite(), "a finite number"),
-            (
-                "until",
-                self.until.is_none_or(|until| until >= self.from),
-                "a number not below `from`",
-            ),
-            (
-                "vertices",
-                self.vertices.iter().all(is_known),
-                "vertices of the system",
-            ),
-        ];
-        match checks.into_iter().find(|(_, is_good, _)| !is_good) {
-            None => Ok(()),
-            Some((field, _, expected)) => Err(LoadError {
-                load,
-                field,
-                expected,
-            }),
+    /// Checks that all numbers are in range.
+    ///
+    /// # Errors
+    /// [`OutOfRange`] names the first number that is out of range.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        match &self.force {
+            Force::Acceleration(force) | Force::Traction(force) => check_finite("force", force)?,
+            Force::Pressure(pressure) => check(pressure.is_finite(), "force", pressure, "a finite number")?,
         }
+        check(self.from.is_finite(), "from", self.from, "a finite number")?;
+        let until = self.until.unwrap_or(f64::INFINITY);
+        check(until >= self.from, "until", until, "a number not below `from`")
     }
 
     /// Adds the forces on the vertices in a time step that ends at `time`, in N. `rest` and `points` are the
@@ -120,5 +93,27 @@ impl Load {
             face.iter()
                 .for_each(|&corner| forces[corner as usize] += force / 3.0);
         }
+    }
+}
+
+impl Digest for Force {
+    fn digest(&self, hash: &mut Hash) {
+        match self {
+            Self::Acceleration(force) => (0_u32, force).digest(hash),
+            Self::Traction(force) => (1_u32, force).digest(hash),
+            Self::Pressure(pressure) => (2_u32, pressure).digest(hash),
+        }
+    }
+}
+
+impl Digest for Load {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            vertices,
+            force,
+            from,
+            until,
+        } = self;
+        ((vertices, force), (from, until)).digest(hash);
     }
 }

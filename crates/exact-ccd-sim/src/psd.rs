@@ -13,7 +13,7 @@ const SWEEPS: usize = 1000;
 /// If the eigenvalue solver fails, the result is the diagonal matrix of the absolute row sums, which is an
 /// upper bound of the matrix. A matrix with a non-finite entry is returned unchanged.
 #[must_use]
-pub fn project<D>(matrix: OMatrix<f64, D, D>) -> OMatrix<f64, D, D>
+pub(crate) fn project<D>(matrix: OMatrix<f64, D, D>) -> OMatrix<f64, D, D>
 where
     D: DimName + DimSub<U1>,
     DefaultAllocator: Allocator<D, D> + Allocator<D> + Allocator<U1, D> + Allocator<DimDiff<D, U1>>,

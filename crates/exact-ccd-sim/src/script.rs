@@ -4,6 +4,9 @@ use exact_ccd_mesh::Point;
 use nalgebra::{Rotation3, Unit, Vector3};
 use serde::{Deserialize, Serialize};
 
+use crate::digest::{Digest, Hash};
+use crate::range::{NOT_NEGATIVE, OutOfRange, check, check_direction, check_finite};
+
 /// A prescribed motion of vertices (a Dirichlet condition).
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -64,69 +67,48 @@ fn upward() -> Point {
     [0.0, 1.0, 0.0]
 }
 
-/// A parameter of a script that is out of range.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("`{field}` is out of range, expected {expected}")]
-pub struct ScriptError {
-    /// The kind of the script, a dot, and the name of the parameter.
-    pub field: &'static str,
-    /// The values that are allowed.
-    pub expected: &'static str,
-}
-
 impl Script {
     /// Checks that the parameters are in range.
     ///
     /// # Errors
-    /// [`ScriptError`] names the first parameter that is out of range.
-    pub fn check(&self) -> Result<(), ScriptError> {
-        let is_finite = |point: &Point| point.iter().all(|x| x.is_finite());
-        let is_time = |until: Option<f64>| until.is_none_or(|until| until >= 0.0);
-        let (numbers, time) = ("finite numbers", "a number not below 0");
-        let checks = match self {
-            Self::Fixed => Vec::new(),
-            Self::Moving { velocity, until } => vec![
-                ("moving.velocity", is_finite(velocity), numbers),
-                ("moving.until", is_time(*until), time),
-            ],
+    /// [`OutOfRange`] names the first parameter that is out of range, after the kind of the script and a dot.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        let time = |field, until: &Option<f64>| {
+            let until = until.unwrap_or(f64::INFINITY);
+            check(until >= 0.0, field, until, NOT_NEGATIVE)
+        };
+        match self {
+            Self::Fixed => Ok(()),
+            Self::Moving { velocity, until } => {
+                check_finite("moving.velocity", velocity)?;
+                time("moving.until", until)
+            }
             Self::Twisting {
                 center,
                 axis,
                 rate,
                 until,
-            } => vec![
-                ("twisting.center", is_finite(center), numbers),
-                (
-                    "twisting.axis",
-                    Vector3::from(*axis).norm().is_normal(),
-                    "a vector of positive length",
-                ),
-                ("twisting.rate", rate.is_finite(), "a finite number"),
-                ("twisting.until", is_time(*until), time),
-            ],
+            } => {
+                check_finite("twisting.center", center)?;
+                check_direction("twisting.axis", axis)?;
+                check(rate.is_finite(), "twisting.rate", rate, "a finite number")?;
+                time("twisting.until", until)
+            }
             Self::KeyFrames { frames, center, axis } => {
-                let is_number = |frame: &KeyFrame| {
-                    is_finite(&frame.translate) && frame.degrees.is_finite() && frame.time.is_finite()
+                let is_finite = |frame: &KeyFrame| {
+                    let numbers = [frame.time, frame.degrees];
+                    numbers.iter().chain(&frame.translate).all(|x| x.is_finite())
                 };
                 let increase = frames.windows(2).all(|pair| pair[0].time < pair[1].time);
-                vec![
-                    (
-                        "key-frames.frames",
-                        !frames.is_empty() && increase && frames.iter().all(is_number),
-                        "at least one key frame, at increasing times, of finite numbers",
-                    ),
-                    ("key-frames.center", is_finite(center), numbers),
-                    (
-                        "key-frames.axis",
-                        Vector3::from(*axis).norm().is_normal(),
-                        "a vector of positive length",
-                    ),
-                ]
+                check(
+                    !frames.is_empty() && increase && frames.iter().all(is_finite),
+                    "key-frames.frames",
+                    format_args!("a list of {}", frames.len()),
+                    "at least one key frame, at increasing times, of finite numbers",
+                )?;
+                check_finite("key-frames.center", center)?;
+                check_direction("key-frames.axis", axis)
             }
-        };
-        match checks.into_iter().find(|(_, is_good, _)| !is_good) {
-            None => Ok(()),
-            Some((field, _, expected)) => Err(ScriptError { field, expected }),
         }
     }
 
@@ -192,5 +174,32 @@ fn between(frames: &[KeyFrame], time: f64) -> (Vector3<f64>, f64) {
         }
         (Some(frame), None) | (None, Some(frame)) => at(frame),
         (None, None) => (Vector3::zeros(), 0.0),
+    }
+}
+
+impl Digest for Script {
+    fn digest(&self, hash: &mut Hash) {
+        match self {
+            Self::Fixed => 0_u32.digest(hash),
+            Self::Moving { velocity, until } => (1_u32, (velocity, until)).digest(hash),
+            Self::Twisting {
+                center,
+                axis,
+                rate,
+                until,
+            } => (2_u32, ([center, axis], (rate, until))).digest(hash),
+            Self::KeyFrames { frames, center, axis } => (3_u32, (frames, [center, axis])).digest(hash),
+        }
+    }
+}
+
+impl Digest for KeyFrame {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            time,
+            translate,
+            degrees,
+        } = self;
+        ([time, degrees], translate).digest(hash);
     }
 }

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use exact_ccd_mesh::Point;
 
-use crate::script::{Script, ScriptError};
+use crate::digest::{Digest, Hash};
+use crate::range::{NOT_NEGATIVE, OutOfRange, check, check_not_negative};
+use crate::script::Script;
 
 /// For each axis, true if a condition holds along it.
 pub(crate) type Axes = [bool; 3];
@@ -51,24 +53,22 @@ impl Scripted {
     /// Checks that the parameters of the script, the axes and the times are in range.
     ///
     /// # Errors
-    /// [`ScriptError`] names the first parameter that is out of range.
-    pub fn check(&self) -> Result<(), ScriptError> {
+    /// [`OutOfRange`] names the first parameter that is out of range.
+    pub fn check(&self) -> Result<(), OutOfRange> {
         self.script.check()?;
-        let error = |field, expected| Err(ScriptError { field, expected });
-        if self.axes == [false; 3] {
-            return error("axes", "at least one axis");
-        }
-        let is_end = |end: Option<f64>| end.is_none_or(|end| end >= self.from);
-        if !(self.from >= 0.0 && self.from.is_finite()) {
-            return error("from", "a finite number not below 0");
-        }
-        if !is_end(self.release) {
-            return error("release", "a number not below 0 and not below `from`");
-        }
-        if !is_end(self.script.until()) {
-            return error("from", "a number not above the `until` of the motion");
-        }
-        Ok(())
+        let acts = self.axes != [false; 3];
+        check(acts, "axes", "empty", "at least one axis")?;
+        check_not_negative("from", self.from)?;
+        let release = self.release.unwrap_or(f64::INFINITY);
+        let expected = format_args!("{NOT_NEGATIVE} and not below `from`");
+        check(release >= self.from, "release", release, expected)?;
+        let ends = self.script.until().is_none_or(|until| until >= self.from);
+        check(
+            ends,
+            "from",
+            self.from,
+            "a number not above the `until` of the motion",
+        )
     }
 }
 
@@ -169,5 +169,24 @@ impl Coordinates {
             let at = script.script.position(origins[axis], script.from, time.min(end));
             at[axis]
         })
+    }
+}
+
+impl Digest for Timed {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            script,
+            from,
+            release,
+        } = self;
+        (script, (from, release)).digest(hash);
+    }
+}
+
+impl Digest for Coordinates {
+    fn digest(&self, hash: &mut Hash) {
+        let Self(axes) = self;
+        let scripts = axes.each_ref().map(|scripts| scripts.iter().map(Arc::as_ref));
+        scripts.map(Iterator::collect::<Vec<&Timed>>).digest(hash);
     }
 }

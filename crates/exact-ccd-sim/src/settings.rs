@@ -4,6 +4,7 @@ use exact_ccd_mesh::Point;
 use serde::{Deserialize, Serialize};
 
 use crate::integrator::Integrator;
+use crate::range::{OutOfRange, check, check_finite, check_not_negative, check_positive};
 
 /// The settings of a simulation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -44,18 +45,6 @@ pub struct Settings {
     pub ccd: String,
 }
 
-/// A setting that is out of range.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("`{what}` is {value}, expected {expected}")]
-pub struct SettingError {
-    /// The name of the setting: the path of fields in [`Settings`] with dots, and hyphens for underscores.
-    pub what: &'static str,
-    /// Its value. Lengths are in m.
-    pub value: f64,
-    /// The values that are allowed.
-    pub expected: &'static str,
-}
-
 /// The largest tolerance with friction, relative to the static velocity.
 const STATIC: f64 = 0.1;
 
@@ -75,80 +64,34 @@ impl Settings {
     /// [size](crate::System::size), in m.
     ///
     /// # Errors
-    /// [`SettingError`] names the first setting that is out of range.
-    pub fn check(&self, size: f64) -> Result<(), SettingError> {
-        let is_positive = |x: f64| x > 0.0 && x.is_finite();
-        let (distance, tolerance) = (self.contact_distance.meters(size), self.tolerance.meters(size));
-        let slow = self.friction.static_velocity.meters(size);
-        let is_friction = |coefficient: f64| coefficient >= 0.0 && coefficient.is_finite();
-        let pairs = self.friction.pairs.iter().map(|pair| pair.coefficient);
-        let positive = "a positive number";
-        let checks = [
-            ("time-step", self.time_step, is_positive(self.time_step), positive),
-            ("contact-distance", distance, is_positive(distance), positive),
-            (
-                "contact-distance",
-                distance,
-                (distance * distance).is_normal(),
-                "a length whose square is a normal number",
-            ),
-            // A larger distance would put all pairs of primitives in contact.
-            (
-                "contact-distance",
-                distance,
-                distance <= size,
-                "a length not above the diagonal of the bounding box of the bodies with mass",
-            ),
-            ("tolerance", tolerance, is_positive(tolerance), positive),
-            ("friction.static-velocity", slow, is_positive(slow), positive),
-            (
-                "friction.coefficient",
-                self.friction.coefficient,
-                is_friction(self.friction.coefficient),
-                "a number not below 0",
-            ),
-            (
-                "friction.lags",
-                self.friction.lags as f64,
-                self.friction.lags > 0,
-                "at least 1",
-            ),
-            (
-                "damping",
-                self.damping,
-                self.damping >= 0.0 && self.damping.is_finite(),
-                "a number not below 0",
-            ),
-            (
-                "max-substeps",
-                self.max_substeps as f64,
-                (1..=1 << 20).contains(&self.max_substeps),
-                "a number from 1 to 1048576",
-            ),
-            (
-                "max-iterations",
-                self.max_iterations as f64,
-                self.max_iterations > 0,
-                "at least 1",
-            ),
-        ];
-        let gravity = self
-            .gravity
-            .map(|g| ("gravity", g, g.is_finite(), "finite numbers"));
-        let pairs = pairs.map(|mu| ("friction.pair", mu, is_friction(mu), "coefficients not below 0"));
-        match checks
-            .into_iter()
-            .chain(gravity)
-            .chain(pairs)
-            .find(|(_, _, is_good, _)| !is_good)
-        {
-            None => Ok(()),
-            Some((what, value, _, expected)) => Err(SettingError {
-                what,
-                value,
-                expected,
-            }),
-        }
+    /// [`OutOfRange`] names the first setting that is out of range. Lengths are in m.
+    pub fn check(&self, size: f64) -> Result<(), OutOfRange> {
+        let (distance, friction) = (self.contact_distance.meters(size), &self.friction);
+        check_positive("time-step", self.time_step)?;
+        check_positive("contact-distance", distance)?;
+        let square = distance * distance;
+        let expected = "a length whose square is a normal number";
+        check(square.is_normal(), "contact-distance", distance, expected)?;
+        // A larger distance would put all pairs of primitives in contact.
+        let expected = "a length not above the diagonal of the bounding box of the bodies with mass";
+        check(distance <= size, "contact-distance", distance, expected)?;
+        check_positive("tolerance", self.tolerance.meters(size))?;
+        check_positive("friction.static-velocity", friction.static_velocity.meters(size))?;
+        check_not_negative("friction.coefficient", friction.coefficient)?;
+        check(friction.lags > 0, "friction.lags", friction.lags, "at least 1")?;
+        check_not_negative("damping", self.damping)?;
+        let (substeps, expected) = (self.max_substeps, "a number from 1 to 1048576");
+        check(
+            (1..=1 << 20).contains(&substeps),
+            "max-substeps",
+            substeps,
+            expected,
+        )?;
+        let iterations = self.max_iterations;
+        check(iterations > 0, "max-iterations", iterations, "at least 1")?;
+        check_finite("gravity", &self.gravity)?;
+        let mut pairs = friction.pairs.iter();
+        pairs.try_for_each(|pair| check_not_negative("friction.pair", pair.coefficient))
     }
 }
 

@@ -6,8 +6,7 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Query, Separation, VertexFace};
 use exact_ccd_mesh::{Aabb, Audit, Bvh, Candidates, Frame, Motion, Point, Violation};
 use exact_ccd_view::{Page, PageError};
 

@@ -1,6 +1,7 @@
 //! Contacts, as the page has them.
 
 use exact_ccd::Impact;
+use exact_ccd_mesh::vector::{cross, dot, minus};
 use exact_ccd_mesh::{Contact, Intersection, Point, TriangleMesh, contact_points};
 use serde::Serialize;
 
@@ -141,9 +142,9 @@ impl ShownContact {
         let at = |&vertex: &u32| positions[vertex as usize];
         let [start, end] = [at(&edge[0]), at(&edge[1])];
         let [a, b, c] = [at(&face[0]), at(&face[1]), at(&face[2])];
-        let normal = cross(subtract(b, a), subtract(c, a));
+        let normal = cross(minus(b, a), minus(c, a));
         // The place on the edge, for the eye: its middle, if the edge lies in the plane of the face.
-        let [from, to] = [start, end].map(|end| dot(subtract(end, a), normal));
+        let [from, to] = [start, end].map(|end| dot(minus(end, a), normal));
         let place = from / (from - to);
         let place = if place.is_finite() {
             place.clamp(0.0, 1.0)
@@ -194,20 +195,4 @@ impl ShownContact {
 /// (1 − t) a + t b, for the eye. It is finite for t in [0, 1].
 pub(crate) fn mix(a: Point, b: Point, t: f64) -> Point {
     [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis])
-}
-
-fn subtract(a: Point, b: Point) -> Point {
-    [0, 1, 2].map(|axis| a[axis] - b[axis])
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Point, b: Point) -> Point {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -1,6 +1,7 @@
 //! Half spaces that a page draws.
 
 use exact_ccd_mesh::Point;
+use exact_ccd_mesh::vector::unit;
 use serde::Serialize;
 
 /// All x with n · (x − p) ≤ 0, in the shape of the JSON object.
@@ -32,16 +33,4 @@ impl ShownHalfSpace {
             x
         }
     }
-}
-
-/// The unit vector in the direction of a vector; `None` if it has none. The division by the greatest
-/// component keeps the squares from overflow and underflow.
-pub(crate) fn unit(vector: Point) -> Option<Point> {
-    let most = vector.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    if !vector.iter().all(|x| x.is_finite()) || most == 0.0 {
-        return None;
-    }
-    let scaled = vector.map(|x| x / most);
-    let length = scaled.iter().map(|x| x * x).sum::<f64>().sqrt();
-    Some(scaled.map(|x| x / length))
 }

@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
-use exact_ccd::Query;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Query, Separation};
+use exact_ccd_mesh::vector::unit;
 use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, Step, TriangleMesh, check_positions};
 
 use crate::block;
@@ -12,7 +12,7 @@ use crate::body::Body;
 use crate::contact::{Labels, ShownContact};
 use crate::document::{self, Document, ShownFrame};
 use crate::error::PageError;
-use crate::half_space::{self, ShownHalfSpace};
+use crate::half_space::ShownHalfSpace;
 use crate::history::History;
 use crate::query::{self, PageKind, ShownQuery};
 use crate::units::Units;
@@ -121,7 +121,7 @@ impl Page {
         for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(positions) {
             page.push_frame(label.to_owned(), positions);
         }
-        if let Some(collision) = query.collision_within(separation) {
+        if let Some(collision) = query.collision(separation) {
             let ([x0, x1], distance) = (positions, collision.distance().lower);
             let primitives = query::primitives_of::<K>();
             let shown = ShownContact::new(primitives, 0, [x0, x1], &collision.impact(), distance);
@@ -202,7 +202,7 @@ impl Page {
     /// A direction that is zero or not finite is ignored.
     #[must_use]
     pub fn with_up(self, up: Point) -> Self {
-        let up = half_space::unit(up).unwrap_or(self.up);
+        let up = unit(up).unwrap_or(self.up);
         Self { up, ..self }
     }
 

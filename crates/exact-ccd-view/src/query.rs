@@ -1,7 +1,6 @@
 //! The page of a single query.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Kind, Point, Query, Stage, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Kind, Point, Query, Separation, Stage, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::TriangleMesh;
 use serde::Serialize;
 
@@ -73,7 +72,7 @@ const INTERVALS: u32 = 120;
 
 impl ShownQuery {
     pub(crate) fn new<K: PageKind>(query: &Query<K>, separation: Separation) -> Self {
-        let times = query.intervals_within(separation);
+        let times = query.intervals(separation);
         let distance = |i: u32| {
             let bounds = query.distance_at(f64::from(i) / f64::from(INTERVALS)).ok()?;
             bounds.upper.is_finite().then_some(bounds.lower)
@@ -128,25 +127,27 @@ fn interval(start: f64, end: f64) -> String {
 
 /// The stage that decides, and its reason.
 fn stage_of<K: PageKind>(query: &Query<K>, separation: Separation) -> String {
-    if separation.get() > 0.0 {
-        format!("{:?}", query.first_within_with_stage(separation).1)
-    } else {
-        let (_, stage) = query.collides_with_stage();
-        format!("{stage:?}: {}", meaning(stage))
-    }
+    let stage = query.decide(separation).1;
+    format!("{stage:?}: {}", meaning(stage))
 }
 
 /// The reasons of a stage.
 fn meaning(stage: Stage) -> &'static str {
     match stage {
-        Stage::BoundingBox => "the box around the image of the domain does not contain the origin",
-        Stage::Diagonals => "a plane across a diagonal of two axes separates",
-        Stage::Normals => "the plane of the primitives at t = 0 or t = 1 separates",
-        Stage::Coplanarity => "the cubic has no root",
+        Stage::BoundingBox => "an axis separates",
+        Stage::Diagonals => "a diagonal of two axes separates",
+        Stage::Normals => "the normal of the planes at t = 0 or t = 1 separates",
+        Stage::Coplanarity => "the planes are apart at all times",
         Stage::Roots => "the roots of the cubic, and the position of the primitives at each",
         Stage::Coincident => "comparisons of coordinates",
-        Stage::Direction => "a direction found by iteration separates",
+        Stage::Direction => {
+            "a plane through an edge and the velocity, or a direction found by iteration, separates"
+        }
         Stage::Planar => "sides of lines in a plane across an axis",
+        Stage::Start => "the primitives are within the distance at t = 0",
+        Stage::Advancement => "directions separate, one stretch of time after the other",
+        Stage::Crossing => "the distances just before and just after the first time",
+        Stage::FixedWidth => "the signs of integers of fixed width",
         _ => "integers",
     }
 }

@@ -1,75 +1,111 @@
 //! The answers to a query: floating-point filters first, then the exact path.
 
 use crate::collision::Collision;
+use crate::distance::{DistanceBounds, TimeOutOfStep};
 use crate::environment;
 use crate::exact;
 use crate::filter::{self, Decision};
 use crate::impact::Impact;
+use crate::interval::Intervals;
 use crate::kind::Kind;
+use crate::options::Options;
 use crate::query::Query;
 use crate::stage::Stage;
-use crate::time::ContactTimes;
 
 impl<K: Kind> Query<K> {
     /// Returns true if the primitives touch at some time of the step.
     #[must_use]
     #[inline]
-    pub fn collides(&self) -> bool {
-        self.collides_with_stage().0
-    }
-
-    /// [`collides`](Self::collides), and the stage that settled it.
-    #[must_use]
-    #[inline]
-    pub fn collides_with_stage(&self) -> (bool, Stage) {
-        match self.decide() {
-            Decision::Free(stage) => (false, stage),
-            Decision::Contact(contact) => (true, contact.stage()),
-            Decision::Unknown => (exact::collides(self), Stage::Exact),
-        }
+    pub fn collides(&self, options: impl Into<Options>) -> bool {
+        K::collides(self, options.into())
     }
 
     /// The collision, if the primitives touch: [`collides`](Self::collides) with the intermediate
     /// results from which all further answers follow.
     #[must_use]
     #[inline]
-    pub fn collision(&self) -> Option<Collision<'_, K>> {
-        Collision::from_decision(self, self.decide()).ok()
+    pub fn collision(&self, options: impl Into<Options>) -> Option<Collision<'_, K>> {
+        self.decide(options).0
     }
 
-    /// All times at which the primitives touch.
+    /// [`collision`](Self::collision), and the stage that decided.
     #[must_use]
-    pub fn contact_times(&self) -> ContactTimes {
-        self.contact_times_with_stage().0
-    }
-
-    /// [`contact_times`](Self::contact_times), and the stage that settled it.
-    #[must_use]
-    pub fn contact_times_with_stage(&self) -> (ContactTimes, Stage) {
-        match Collision::from_decision(self, self.decide()) {
-            Ok(collision) => collision.contact_times_with_stage(),
-            Err(stage) => (ContactTimes::NONE, stage),
-        }
-    }
-
-    /// The largest f64 not above the earliest contact time, if there is one.
-    #[must_use]
-    pub fn time_of_impact(&self) -> Option<f64> {
-        self.collision().map(|collision| collision.time_of_impact())
-    }
-
-    /// The earliest contact, if there is one: time, parameters and normal.
-    #[must_use]
-    pub fn impact(&self) -> Option<Impact> {
-        self.collision().map(|collision| collision.impact())
-    }
-
     #[inline]
-    fn decide(&self) -> Decision {
-        if environment::is_default() {
-            filter::decide(self)
-        } else {
-            Decision::Unknown
+    pub fn decide(&self, options: impl Into<Options>) -> (Option<Collision<'_, K>>, Stage) {
+        K::decide(self, options.into())
+    }
+
+    /// The largest f64 not above the first time at which the primitives touch, if they do.
+    #[must_use]
+    pub fn time_of_impact(&self, options: impl Into<Options>) -> Option<f64> {
+        K::time_of_impact(self, options.into())
+    }
+
+    /// The first time at which the primitives touch, if they do, with the closest points then.
+    #[must_use]
+    pub fn impact(&self, options: impl Into<Options>) -> Option<Impact> {
+        K::impact(self, options.into())
+    }
+
+    /// All times of the step at which the primitives touch; none if the first is after the last time that
+    /// counts.
+    #[must_use]
+    pub fn intervals(&self, options: impl Into<Options>) -> Intervals {
+        self.collision(options)
+            .map_or_else(Intervals::default, |collision| collision.intervals())
+    }
+
+    /// The distance of the primitives at time `t`, between two adjacent f64 or exactly.
+    ///
+    /// # Errors
+    /// [`TimeOutOfStep`], if `t` is not in [0, 1].
+    pub fn distance_at(&self, t: f64) -> Result<DistanceBounds, TimeOutOfStep> {
+        exact::distance_at(self, t)
+    }
+}
+
+pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
+    if options.until >= 1.0 {
+        match filtered(query, options) {
+            Decision::Free(_) => false,
+            Decision::Collision(_) => true,
+            Decision::Unknown => exact::collides(query, *options),
         }
+    } else {
+        // A part of the step, or none of it: NaN.
+        decide(query, options).0.is_some()
+    }
+}
+
+pub(crate) fn decide<'a, K: Kind>(
+    query: &'a Query<K>,
+    options: &Options,
+) -> (Option<Collision<'a, K>>, Stage) {
+    match Collision::from_decision(query, options.separation, filtered(query, options)) {
+        Ok(collision) => {
+            let stage = collision.stage();
+            (collision.until(options.until), stage)
+        }
+        Err(stage) => (None, stage),
+    }
+}
+
+pub(crate) fn time_of_impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<f64> {
+    let collision = decide(query, options).0?;
+    Some(collision.determine_time().lower())
+}
+
+pub(crate) fn impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<Impact> {
+    let collision = decide(query, options).0?;
+    Some(collision.determine_impact())
+}
+
+/// The decision of the filters, which need the default environment.
+#[inline]
+fn filtered<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
+    if environment::is_default() {
+        filter::decide(query, options)
+    } else {
+        Decision::Unknown
     }
 }

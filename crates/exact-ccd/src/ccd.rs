@@ -2,6 +2,7 @@
 
 use crate::batch::{Trajectories, VertexOutOfRange};
 use crate::kind::{EdgeEdge, Kind, VertexFace};
+use crate::options::CONTACT;
 use crate::query::Query;
 
 /// A decision of queries of one kind, right or wrong: the part of a [`Ccd`] that depends on the kind.
@@ -112,11 +113,11 @@ pub struct Exact;
 
 impl<K: Kind> Decide<K> for Exact {
     fn collides(&self, query: &Query<K>) -> bool {
-        query.collides()
+        query.collides(CONTACT)
     }
 
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
-        query.time_of_impact()
+        query.time_of_impact(CONTACT)
     }
 
     fn collisions(
@@ -125,7 +126,7 @@ impl<K: Kind> Decide<K> for Exact {
         queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.collisions::<K>(queries, |index, _| sink(index))
+        trajectories.collisions::<K>(queries, CONTACT, |index, _| sink(index))
     }
 
     fn times_of_impact(
@@ -134,7 +135,7 @@ impl<K: Kind> Decide<K> for Exact {
         queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.collisions::<K>(queries, |index, collision| {
+        trajectories.collisions::<K>(queries, CONTACT, |index, collision| {
             sink(index, collision.time_of_impact());
         })
     }

@@ -24,6 +24,10 @@ use crate::time::ContactTime;
 ///   if that projection vanishes: the primitives rest on each other, or slide along the line.
 /// - *Overlapping* from t = 0 on, coplanar at all times, and no vertex on an edge: the parameters
 ///   are the only ones, and the normal is n / |n|, with an arbitrary sign.
+///
+/// With a separation above 0, the parameters are those of the closest points at that time, and the normal is
+/// the direction from the point of the second primitive to that of the first; there is none if the two
+/// coincide. Where several pairs of points are the closest, it is one of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Impact {

@@ -7,8 +7,17 @@
 
 use core::fmt::Debug;
 
+use crate::answers;
 use crate::batch::Batch;
+use crate::collision::Collision;
+use crate::distance::DistanceBounds;
+use crate::impact::Impact;
+use crate::interval::Intervals;
+use crate::options::Options;
 use crate::point::Point;
+use crate::query::Query;
+use crate::stage::Stage;
+use crate::time::ContactTime;
 
 /// A difference of two of the four points: `(i, j)` stands for xᵢ − xⱼ.
 pub(crate) type Difference = (usize, usize);
@@ -59,9 +68,6 @@ pub(crate) mod tables {
     pub trait Tables {
         /// F at the corners of the domain of (u, v). A face has only three; the last one is repeated.
         const CORNERS: [Difference; 4];
-        /// The faces of the domain as cycles of four corners: 0 to 3 at t = 0, 4 to 7 at t = 1. The
-        /// domain is a hexahedron, or a prism, whose triangles have one corner twice.
-        const PATCHES: &'static [[usize; 4]];
         /// w, e₁, e₂, where w leads from the second primitive to the first. The primitives are
         /// coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
         const SPAN: [Difference; 3];
@@ -89,10 +95,76 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
-    /// Runs a batch. A function of each kind, not a generic one, so that this crate contains the vector
-    /// code, and the crates that call it do not compile it again.
+    // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
+    // crates that call them do not compile it again.
     #[doc(hidden)]
     fn run(batch: Batch<'_, Self>);
+    #[doc(hidden)]
+    fn collides(query: &Query<Self>, options: Options) -> bool;
+    #[doc(hidden)]
+    fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage);
+    #[doc(hidden)]
+    fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64>;
+    #[doc(hidden)]
+    fn impact(query: &Query<Self>, options: Options) -> Option<Impact>;
+    #[doc(hidden)]
+    fn time(collision: &Collision<'_, Self>) -> ContactTime;
+    #[doc(hidden)]
+    fn intervals(collision: &Collision<'_, Self>) -> Intervals;
+    #[doc(hidden)]
+    fn first_impact(collision: &Collision<'_, Self>) -> Impact;
+    #[doc(hidden)]
+    fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
+}
+
+/// The algorithms of a kind.
+macro_rules! algorithms {
+    () => {
+        #[inline(never)]
+        fn run(batch: Batch<'_, Self>) {
+            batch.run();
+        }
+
+        #[inline(never)]
+        fn collides(query: &Query<Self>, options: Options) -> bool {
+            answers::collides(query, &options)
+        }
+
+        #[inline(never)]
+        fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage) {
+            answers::decide(query, &options)
+        }
+
+        #[inline(never)]
+        fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64> {
+            answers::time_of_impact(query, &options)
+        }
+
+        #[inline(never)]
+        fn impact(query: &Query<Self>, options: Options) -> Option<Impact> {
+            answers::impact(query, &options)
+        }
+
+        #[inline(never)]
+        fn time(collision: &Collision<'_, Self>) -> ContactTime {
+            collision.determine_time()
+        }
+
+        #[inline(never)]
+        fn intervals(collision: &Collision<'_, Self>) -> Intervals {
+            collision.determine_intervals()
+        }
+
+        #[inline(never)]
+        fn first_impact(collision: &Collision<'_, Self>) -> Impact {
+            collision.determine_impact()
+        }
+
+        #[inline(never)]
+        fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
+            collision.determine_distance()
+        }
+    };
 }
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
@@ -116,10 +188,7 @@ impl Kind for VertexFace {
     type Vertices = [u32; 4];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for EdgeEdge {
@@ -127,10 +196,7 @@ impl Kind for EdgeEdge {
     type Vertices = [u32; 4];
     const FIRST: usize = 2;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for VertexEdge {
@@ -138,10 +204,7 @@ impl Kind for VertexEdge {
     type Vertices = [u32; 3];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 impl Kind for VertexVertex {
@@ -149,10 +212,7 @@ impl Kind for VertexVertex {
     type Vertices = [u32; 2];
     const FIRST: usize = 1;
 
-    #[inline(never)]
-    fn run(batch: Batch<'_, Self>) {
-        batch.run();
-    }
+    algorithms!();
 }
 
 const fn side(
@@ -175,13 +235,6 @@ const fn side(
 /// barycentric coordinates.
 impl Tables for VertexFace {
     const CORNERS: [Difference; 4] = [(0, 1), (0, 2), (0, 3), (0, 3)];
-    const PATCHES: &'static [[usize; 4]] = &[
-        [0, 1, 2, 2],
-        [4, 5, 6, 6],
-        [0, 1, 5, 4],
-        [1, 2, 6, 5],
-        [2, 0, 4, 6],
-    ];
     const SPAN: [Difference; 3] = [(0, 1), (2, 1), (3, 1)];
     const SIDES: &'static [Side] = &[
         side(0, [1, 2], [0, 1], true, [[0.0, 0.0], [1.0, 0.0]]),
@@ -202,14 +255,6 @@ impl Tables for VertexFace {
 /// sides are u ≥ 0, u ≤ 1, v ≥ 0 and v ≤ 1.
 impl Tables for EdgeEdge {
     const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
-    const PATCHES: &'static [[usize; 4]] = &[
-        [0, 1, 3, 2],
-        [4, 5, 7, 6],
-        [0, 1, 5, 4],
-        [2, 3, 7, 6],
-        [0, 2, 6, 4],
-        [1, 3, 7, 5],
-    ];
     const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
     const SIDES: &'static [Side] = &[
         side(0, [2, 3], [0, 1], true, [[0.0, 0.0], [0.0, 1.0]]),
@@ -234,7 +279,6 @@ impl Tables for EdgeEdge {
 /// Two edges, of which the first has length zero.
 impl Tables for VertexEdge {
     const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
-    const PATCHES: &'static [[usize; 4]] = EdgeEdge::PATCHES;
     const SPAN: [Difference; 3] = EdgeEdge::SPAN;
     const SIDES: &'static [Side] = EdgeEdge::SIDES;
     const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;
@@ -249,7 +293,6 @@ impl Tables for VertexEdge {
 /// Two edges of length zero.
 impl Tables for VertexVertex {
     const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
-    const PATCHES: &'static [[usize; 4]] = EdgeEdge::PATCHES;
     const SPAN: [Difference; 3] = EdgeEdge::SPAN;
     const SIDES: &'static [Side] = EdgeEdge::SIDES;
     const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;

@@ -4,24 +4,30 @@
 //! ([`EdgeEdge`]), move in straight lines from t = 0 to t = 1. For every finite input, without
 //! rounding it, this crate
 //!
-//! - decides contact: [`Query::collides`], without false positives or false negatives;
-//! - counts the contacts: [`Query::contact_times`];
+//! - decides whether they touch: [`Query::collides`], without false positives or false negatives;
 //! - computes the time of impact, correctly rounded down: [`Query::time_of_impact`];
-//! - computes the parameters and the normal of the earliest contact: [`Query::impact`];
-//! - computes the times within a distance: [`Query::intervals_within`], see [`separation`].
+//! - finds all times of contact, as maximal closed intervals: [`Query::intervals`];
+//! - computes the parameters and the normal of the earliest contact: [`Query::impact`].
+//!
+//! Contact is the distance 0. With a [`Separation`] d in place of [`CONTACT`], all of this is about a
+//! distance of at most d, in the same sense.
 //!
 //! ```
-//! use exact_ccd::{Query, VertexFace};
+//! use exact_ccd::{CONTACT, Query, Separation, VertexFace};
 //!
 //! // A vertex falls through a resting triangle.
 //! let query = Query::<VertexFace>::new(
 //!     [[0.25, 0.25, 1.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //!     [[0.25, 0.25, -2.0], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
 //! )?;
-//! assert!(query.collides());
+//! assert!(query.collides(CONTACT));
 //! // t = 1/3 is not an f64: this is the largest f64 below it, and [0, toi) is certainly free of contact.
-//! assert_eq!(query.time_of_impact(), Some(0.3333333333333333));
-//! # Ok::<(), exact_ccd::NonFinite>(())
+//! assert_eq!(query.time_of_impact(CONTACT), Some(0.3333333333333333));
+//! assert_eq!(query.intervals(CONTACT).count(), Some(1));
+//!
+//! let within = query.intervals(Separation::new(0.25)?);
+//! assert_eq!((within[0].start.lower(), within[0].end.upper()), (0.25, 0.4166666666666667));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! *Contact* is a common point of the closed primitives at a time of the closed step: touching
@@ -31,12 +37,12 @@
 //! | item | contents |
 //! |---|---|
 //! | [`Query`] | one query and its answers |
+//! | [`Options`] | the distance at which primitives touch, and the last time that counts |
 //! | [`Collision`] | a query that collides; times and impact continue from the decision |
 //! | [`batch`] | many queries at a time, by vector instructions |
 //! | [`predicates`] | orientation and intersection of points at rest |
 //! | [`Ccd`] | the trait of collision detection methods, and the exact one |
 //! | [`exact`] | the definition in integers, without filters |
-//! | [`parity`] | root parity, the published method, for comparison |
 //!
 //! # Features
 //!
@@ -50,8 +56,7 @@
 //! subnormal numbers to zero (FTZ, DAZ), as in a program linked with `-ffast-math`, gets the same decisions,
 //! counts and times: this is [detected](environment::is_default) on the thread that computes, for each query
 //! or batch and each answer of a [`Collision`], and the exact path decides then, which is much slower. The
-//! components of a normal are rounded as the thread rounds. [`parity`] is the exception: its input has to be
-//! rounded in the default environment.
+//! components of a normal are rounded as the thread rounds.
 //!
 //! # Panics
 //!
@@ -68,36 +73,42 @@ mod axis;
 pub mod batch;
 mod ccd;
 mod collision;
+mod distance;
 pub mod environment;
 pub mod exact;
 mod filter;
 mod impact;
+mod interval;
 mod kind;
 mod non_negative;
-pub mod parity;
+mod options;
 mod point;
 pub mod predicates;
 mod query;
-pub mod separation;
 mod stage;
+mod thickness;
 mod time;
 
 pub use axis::Axis;
 pub use ccd::{Ccd, Decide, Exact, Guarantees, TimeGuarantee};
 pub use collision::Collision;
+pub use distance::{DistanceBounds, InvalidSeparation, Separation, TimeOutOfStep};
 pub use impact::Impact;
+pub use interval::{Interval, Intervals};
 pub use kind::{EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
+pub use options::{CONTACT, Options};
 pub use point::Point;
 pub use query::{NonFinite, Query};
 pub use stage::Stage;
-pub use time::{ContactTime, ContactTimes, Times};
+pub use thickness::{InvalidThickness, Separations, Thickness};
+pub use time::ContactTime;
 
 /// All public types can be sent to and shared with other threads.
 const _: () = {
     const fn assert_send_and_sync<T: Send + Sync>() {}
     assert_send_and_sync::<(Query<VertexFace>, Query<EdgeEdge>, NonFinite, Axis, Stage)>();
     assert_send_and_sync::<(Collision<'_, VertexFace>, Collision<'_, EdgeEdge>)>();
-    assert_send_and_sync::<(ContactTime, ContactTimes, Times, Impact)>();
+    assert_send_and_sync::<(ContactTime, Interval, Intervals, Impact, Options, Thickness)>();
     assert_send_and_sync::<(Exact, Guarantees, TimeGuarantee, &dyn Ccd)>();
     assert_send_and_sync::<(batch::Trajectories, batch::Instructions)>();
     assert_send_and_sync::<(
@@ -106,6 +117,4 @@ const _: () = {
         batch::NonFiniteQuery,
     )>();
     assert_send_and_sync::<predicates::EdgeFace>();
-    assert_send_and_sync::<(parity::Parity, parity::Displacement, parity::RoundingError)>();
-    assert_send_and_sync::<(parity::Rounded<VertexFace>, parity::Rounded<EdgeEdge>)>();
 };

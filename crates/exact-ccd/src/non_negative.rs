@@ -4,7 +4,7 @@ use core::fmt;
 
 /// A finite f64 of at least 0, compared by its bits: these are in the order of the numbers. A
 /// floating-point comparison may read subnormal numbers as zero.
-#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(crate) struct NonNegative(u64);
 
 /// The bits of −0.0: all larger ones are those of negative numbers and of NaN.

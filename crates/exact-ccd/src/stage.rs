@@ -1,27 +1,42 @@
 //! The stages of a decision.
 
 /// The stage at which a query was settled, from the cheapest to the costliest.
+///
+/// The first four are the same for contact and for a separation above 0, d: contact is d = 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Stage {
-    /// The bounding box of F at the corners of its domain does not contain the origin.
+    /// The primitives are farther than d apart along an axis.
     BoundingBox,
-    /// A plane through the origin and an axis, at 45° to the other two, separates.
+    /// The primitives are farther than d apart along a diagonal of two axes.
     Diagonals,
-    /// The normal of the primitives' plane at t = 0 or t = 1 separates.
+    /// The primitives are farther than d apart along the normal of their planes at t = 0 or t = 1.
     Normals,
-    /// The coplanarity cubic has no root in the step.
+    /// The planes of the primitives are farther than d apart at all times: for contact, the coplanarity
+    /// cubic has no root in the step.
     Coplanarity,
-    /// The roots of the coplanarity cubic, and the position of the primitives at each.
+    /// Contact: the roots of the coplanarity cubic, and the position of the primitives at each.
     Roots,
-    /// A vertex of each primitive in one place, or all points on one line along an axis: comparisons
-    /// prove contact.
+    /// Contact: a vertex of each primitive in one place, or all points on one line along an axis.
+    /// Comparisons prove it.
     Coincident,
-    /// A direction found by iteration separates.
+    /// No contact: a plane through an edge and the relative velocity, or a direction found by iteration,
+    /// separates.
     Direction,
-    /// All points move in one plane across an axis, and the sides of the edges' lines on which the
-    /// vertices lie decide.
+    /// Contact: all points move in one plane across an axis, and the sides of the edges' lines on which
+    /// the vertices lie decide.
     Planar,
+    /// Contact: the signs that decide are those of integers of fixed width, at rest at t = 0, at the roots
+    /// of the coplanarity cubic from its exact coefficients, or at all times of motion in one plane.
+    FixedWidth,
+    /// The primitives are within d > 0 at t = 0.
+    Start,
+    /// Directions, one stretch of time after the other, prove that the primitives do not come within d > 0
+    /// until the last time that counts.
+    Advancement,
+    /// The distance falls below d > 0 between two adjacent f64, or is proved to stay above d until the last
+    /// time that counts.
+    Crossing,
     /// No filter decides: [`exact`](crate::exact).
     Exact,
 }
@@ -37,6 +52,10 @@ impl Stage {
         Self::Coincident,
         Self::Direction,
         Self::Planar,
+        Self::FixedWidth,
+        Self::Start,
+        Self::Advancement,
+        Self::Crossing,
         Self::Exact,
     ];
 }

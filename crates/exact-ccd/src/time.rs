@@ -1,16 +1,12 @@
 //! Contact times: algebraic numbers, each given as an f64 or as the two adjacent f64 around it.
 
-use core::ops::Deref;
-
-use arrayvec::ArrayVec;
-
 use crate::non_negative::NonNegative;
 
 /// One time of contact in [0, 1]: either exactly an f64, or strictly between two adjacent ones.
 ///
 /// Times are in their order, in every floating-point environment. Two different times between the
 /// same two adjacent f64 compare equal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ContactTime {
     lower: NonNegative,
     /// True if the time is above `lower`, hence after the one that is exactly `lower`.
@@ -74,72 +70,4 @@ fn in_step(time: f64) -> NonNegative {
     let time = NonNegative::new(time);
     debug_assert!(time.is_some(), "a contact time is in [0, 1]");
     time.unwrap_or(NonNegative::ZERO)
-}
-
-/// The maximal number of isolated contact times of a query.
-///
-/// They are among the events of the exact path. If the four points are coplanar at some times only,
-/// these are the roots of a cubic: at most 3. If they are always coplanar, these are t = 0 and t =
-/// 1 and, for each of at most four pairs of a vertex and an edge, the common roots of three
-/// quadratics or, if these vanish, of three linear functions for each end of the edge: at most 2 +
-/// 4 · 2.
-const MAX_TIMES: usize = 10;
-
-/// Distinct contact times in increasing order; a slice of [`ContactTime`].
-///
-/// Two distinct times may lie between the same two adjacent f64.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Times(ArrayVec<ContactTime, MAX_TIMES>);
-
-impl Times {
-    pub(crate) const NONE: Self = Self(ArrayVec::new_const());
-
-    /// Appends a time. There is room for it: see [`MAX_TIMES`].
-    pub(crate) fn push(&mut self, time: ContactTime) {
-        let pushed = self.0.try_push(time);
-        debug_assert!(pushed.is_ok(), "more than {MAX_TIMES} isolated contact times");
-    }
-}
-
-impl Deref for Times {
-    type Target = [ContactTime];
-
-    fn deref(&self) -> &[ContactTime] {
-        &self.0
-    }
-}
-
-/// All times of a step at which two primitives are in contact.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ContactTimes {
-    /// The primitives meet at finitely many times; at none if the list is empty.
-    Finite(Times),
-    /// The primitives stay in contact for an interval of time, sliding or resting.
-    Interval {
-        /// The earliest contact time of the step.
-        first: ContactTime,
-    },
-}
-
-impl ContactTimes {
-    /// No contact.
-    pub(crate) const NONE: Self = Self::Finite(Times::NONE);
-
-    /// The earliest contact time.
-    #[must_use]
-    pub fn first(&self) -> Option<ContactTime> {
-        match self {
-            Self::Finite(times) => times.first().copied(),
-            Self::Interval { first } => Some(*first),
-        }
-    }
-
-    /// The number of distinct contact times, or `None` if there are infinitely many.
-    #[must_use]
-    pub fn count(&self) -> Option<usize> {
-        match self {
-            Self::Finite(times) => Some(times.len()),
-            Self::Interval { .. } => None,
-        }
-    }
 }

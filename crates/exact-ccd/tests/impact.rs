@@ -4,7 +4,7 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{EdgeEdge, Impact, Kind, Point, Query, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Impact, Kind, Point, Query, VertexFace, exact};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -74,8 +74,8 @@ const VERTEX_FACE: Weights = |[u, v]| [1.0, u + v - 1.0, -u, -v];
 const EDGE_EDGE: Weights = |[u, v]| [1.0 - u, u, v - 1.0, -v];
 
 fn check<K: Kind>(query: &Query<K>, weights: Weights) -> Result<(), TestCaseError> {
-    let (impact, reference) = (query.impact(), exact::impact(query));
-    let first = query.contact_times().first();
+    let (impact, reference) = (query.impact(CONTACT), exact::impact(query, CONTACT));
+    let first = query.intervals(CONTACT).first_time();
     prop_assert_eq!(impact.map(|impact| impact.time), first);
     prop_assert_eq!(reference.map(|impact| impact.time), first);
     let (Some(impact), Some(reference)) = (impact, reference) else {
@@ -145,7 +145,7 @@ proptest! {
         let [[from, a, b, c], [to, ..]] = points;
         let query = Query::<VertexFace>::new([from, a, b, c], [to, a, b, c]).unwrap();
         let motion: Point = core::array::from_fn(|axis| to[axis] - from[axis]);
-        if let Some(Impact { normal: Some(normal), .. }) = query.impact() {
+        if let Some(Impact { normal: Some(normal), .. }) = query.impact(CONTACT) {
             prop_assert!(dot(normal, motion) <= 4.0 * ACCURACY * dot(motion, motion).sqrt());
         }
     }
@@ -153,8 +153,8 @@ proptest! {
     #[test]
     fn swapped_edges_swap_the_answer([start, end] in meeting(in_general_position())) {
         let swap = |[a0, a1, b0, b1]: [Point; 4]| [b0, b1, a0, a1];
-        let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact();
-        let swapped = Query::<EdgeEdge>::new(swap(start), swap(end)).unwrap().impact();
+        let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact(CONTACT);
+        let swapped = Query::<EdgeEdge>::new(swap(start), swap(end)).unwrap().impact(CONTACT);
         prop_assert_eq!(impact.map(|impact| impact.time), swapped.map(|impact| impact.time));
         if let (Some(impact), Some(swapped)) = (impact, swapped) {
             let [u, v] = swapped.parameters;
@@ -171,7 +171,7 @@ const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 fn on_face(from: Point, to: Point) -> Impact {
     let [a, b, c] = FACE;
     let query = Query::<VertexFace>::new([from, a, b, c], [to, a, b, c]).unwrap();
-    query.impact().unwrap()
+    query.impact(CONTACT).unwrap()
 }
 
 #[test]
@@ -196,7 +196,7 @@ fn a_face_turns_up_to_a_vertex() {
     let start = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
     let end = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.0], [4.0, 0.0, 4.0], [0.0, 4.0, 0.0]];
     let query = Query::<VertexFace>::new(start, end).unwrap();
-    let impact = query.impact().unwrap();
+    let impact = query.impact(CONTACT).unwrap();
     assert_eq!(impact.time.lower(), 1.0);
     assert!(close(
         &impact.normal.unwrap(),
@@ -234,7 +234,7 @@ fn a_vertex_in_the_plane_of_a_face_starts_inside() {
 fn a_flat_face_is_its_edges() {
     let [a, b] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
     let query = Query::<VertexFace>::new([[1.0, 1.0, 2.0], a, b, b], [[1.0, -1.0, -2.0], a, b, b]).unwrap();
-    let impact = query.impact().unwrap();
+    let impact = query.impact(CONTACT).unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.25, 0.0]);
     assert!(close(
@@ -247,7 +247,10 @@ fn a_flat_face_is_its_edges() {
 fn parallel_edges_meet() {
     let [b0, b1] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]];
     let [start, end] = [2.0, -2.0].map(|z| [[1.0, 0.0, z], [2.0, 0.0, z], b0, b1]);
-    let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<EdgeEdge>::new(start, end)
+        .unwrap()
+        .impact(CONTACT)
+        .unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.0, 0.25]);
     assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
@@ -264,7 +267,10 @@ fn an_end_of_the_second_edge_meets_the_first() {
             [1.0, 0.0, z + 3.0],
         ]
     });
-    let impact = Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<EdgeEdge>::new(start, end)
+        .unwrap()
+        .impact(CONTACT)
+        .unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.25, 0.0]);
     assert_eq!(impact.normal, Some([0.0, 0.0, -1.0]));
@@ -274,7 +280,10 @@ fn an_end_of_the_second_edge_meets_the_first() {
 fn points_meet() {
     let still = [0.0; 3];
     let [start, end] = [[2.0, 1.0, 2.0], [-2.0, -1.0, -2.0]].map(|p: Point| [p, still, still, still]);
-    let impact = Query::<VertexFace>::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<VertexFace>::new(start, end)
+        .unwrap()
+        .impact(CONTACT)
+        .unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert_eq!(impact.parameters, [0.0, 0.0]);
     assert!(close(&impact.normal.unwrap(), &[2.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0]));
@@ -283,7 +292,10 @@ fn points_meet() {
 #[test]
 fn edges_at_rest_have_no_normal() {
     let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 3.0]];
-    let impact = Query::<EdgeEdge>::new(points, points).unwrap().impact().unwrap();
+    let impact = Query::<EdgeEdge>::new(points, points)
+        .unwrap()
+        .impact(CONTACT)
+        .unwrap();
     assert!(impact.touching_at_start());
     assert_eq!(impact.parameters, [0.25, 0.0]);
     assert_eq!(impact.normal, None);
@@ -294,7 +306,10 @@ fn lengths_of_very_different_size() {
     let (tiny, huge) = (1e-300, 1e300);
     let [a, b, c] = [[0.0, 0.0, 0.0], [tiny, 0.0, 0.0], [0.0, huge, 0.0]];
     let [start, end] = [1.0, -1.0].map(|z| [[tiny / 4.0, huge / 2.0, z], a, b, c]);
-    let impact = Query::<VertexFace>::new(start, end).unwrap().impact().unwrap();
+    let impact = Query::<VertexFace>::new(start, end)
+        .unwrap()
+        .impact(CONTACT)
+        .unwrap();
     assert_eq!(impact.time.lower(), 0.5);
     assert!(close(&impact.parameters, &[0.25, 0.5]));
     assert_eq!(impact.normal, Some([0.0, 0.0, 1.0]));
@@ -304,8 +319,8 @@ fn lengths_of_very_different_size() {
 fn no_contact_no_impact() {
     let [a, b, c] = FACE;
     let query = Query::<VertexFace>::new([[1.0, 1.0, 1.0], a, b, c], [[1.0, 1.0, 0.5], a, b, c]).unwrap();
-    assert_eq!(query.impact(), None);
-    assert_eq!(exact::impact(&query), None);
+    assert_eq!(query.impact(CONTACT), None);
+    assert_eq!(exact::impact(&query, CONTACT), None);
 }
 
 /// The end b0 of one edge meets the other edge, at v = 0: by itself and in a batch, for each reflection and
@@ -339,10 +354,16 @@ fn zeros_of_parameters_are_positive() {
             [3, 2, 1, 0],
         ] {
             let [start, end] = [start, end].map(|points| order.map(|i: usize| reflect(points[i])));
-            check(Query::<EdgeEdge>::new(start, end).unwrap().impact().unwrap());
+            check(
+                Query::<EdgeEdge>::new(start, end)
+                    .unwrap()
+                    .impact(CONTACT)
+                    .unwrap(),
+            );
             let batch = Trajectories::new(&start, &end).unwrap();
-            let found =
-                batch.collisions::<EdgeEdge>(&[[0, 1, 2, 3]; 8], |_, collision| check(collision.impact()));
+            let found = batch.collisions::<EdgeEdge>(&[[0, 1, 2, 3]; 8], CONTACT, |_, collision| {
+                check(collision.impact());
+            });
             found.unwrap();
         }
     }

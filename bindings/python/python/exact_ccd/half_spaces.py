@@ -19,8 +19,6 @@ class HalfSpaces:
     """
 
     def __init__(self, half_spaces: ArrayLike, min_distance: Union[float, ArrayLike]) -> None:
-        if not hasattr(_native, "HalfSpaces"):
-            raise NotImplementedError("half spaces need the extension with its program: build it with default features")
         rows = floats("half_spaces", half_spaces, (None, 2, 3))
         self._native = _native.HalfSpaces(rows.reshape(-1, 6))
         self._distances = floats("min_distance", np.atleast_1d(np.asarray(min_distance)), (None,))

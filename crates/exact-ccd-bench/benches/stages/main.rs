@@ -20,7 +20,7 @@ use std::sync::LazyLock;
 use divan::Bencher;
 use divan::counter::ItemsCount;
 use exact_ccd::batch::{Instructions, Trajectories};
-use exact_ccd::{EdgeEdge, Kind, Point, Query, Stage, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
 use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, StepReport, Sweep};
 
 use crate::cloth::Cloth;
@@ -37,23 +37,36 @@ fn repeated<K: Kind>(queries: &[Query<K>]) -> Vec<Query<K>> {
     queries.iter().cycle().take(QUERIES).cloned().collect()
 }
 
-#[divan::bench(types = [VertexFace, EdgeEdge], args = Stage::ALL, sample_count = 20)]
+/// The stages that decide contact.
+const CONTACT_STAGES: [Stage; 9] = [
+    Stage::BoundingBox,
+    Stage::Diagonals,
+    Stage::Normals,
+    Stage::Coplanarity,
+    Stage::Roots,
+    Stage::Coincident,
+    Stage::Direction,
+    Stage::Planar,
+    Stage::Exact,
+];
+
+#[divan::bench(types = [VertexFace, EdgeEdge], args = CONTACT_STAGES, sample_count = 20)]
 fn collides<K: Kind<Points = [Point; 4]> + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
     let queries = repeated(&settled::decided::<K>(stage));
     bencher.counter(ItemsCount::new(queries.len())).bench(|| {
         queries
             .iter()
-            .filter(|query| black_box(*query).collides())
+            .filter(|query| black_box(*query).collides(CONTACT))
             .count()
     });
 }
 
-#[divan::bench(types = [VertexFace, EdgeEdge], args = Stage::ALL, sample_count = 20)]
-fn contact_times<K: Kind<Points = [Point; 4]> + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
+#[divan::bench(types = [VertexFace, EdgeEdge], args = CONTACT_STAGES, sample_count = 20)]
+fn intervals<K: Kind<Points = [Point; 4]> + Sync>(bencher: Bencher<'_, '_>, stage: Stage) {
     let queries = repeated(&settled::timed::<K>(stage));
     bencher.counter(ItemsCount::new(queries.len())).bench(|| {
         for query in &queries {
-            black_box(black_box(query).contact_times());
+            black_box(black_box(query).intervals(CONTACT));
         }
     });
 }
@@ -85,7 +98,7 @@ fn count<K: Kind<Vertices = [u32; 4]>>(bencher: Bencher<'_, '_>, instructions: N
     let trajectories = trajectories.with_instructions(instructions.0);
     bencher.counter(ItemsCount::new(queries.len())).bench(|| {
         let mut colliding = 0;
-        let counted = trajectories.collisions::<K>(black_box(queries), |_, _| colliding += 1);
+        let counted = trajectories.collisions::<K>(black_box(queries), CONTACT, |_, _| colliding += 1);
         counted.map(|()| colliding)
     });
 }

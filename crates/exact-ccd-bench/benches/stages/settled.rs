@@ -1,6 +1,6 @@
 //! Queries that a certain stage settles.
 
-use exact_ccd::{Kind, Point, Query, Stage};
+use exact_ccd::{CONTACT, Kind, Point, Query, Stage};
 use fastrand::Rng;
 
 /// The largest number of different queries.
@@ -8,17 +8,19 @@ const DIFFERENT: usize = 64;
 /// The number of random queries from which those of a stage are selected.
 const TRIES: usize = 20_000;
 
-/// Queries whose decision is settled at `stage`.
+/// Queries whose contact is decided at `stage`.
 pub(crate) fn decided<K: Kind<Points = [Point; 4]>>(stage: Stage) -> Vec<Query<K>> {
-    found(|query: &Query<K>| query.collides_with_stage().1 == stage)
+    found(|query: &Query<K>| query.decide(CONTACT).1 == stage)
 }
 
-/// Queries whose contact times are settled at `stage`: colliding ones, if it settles any.
+/// Queries whose contact is decided at `stage`: colliding ones, if it decides any.
 pub(crate) fn timed<K: Kind<Points = [Point; 4]>>(stage: Stage) -> Vec<Query<K>> {
-    let is_settled = |query: &Query<K>| query.contact_times_with_stage().1 == stage;
-    let colliding = found(|query| is_settled(query) && query.collides());
+    let colliding = found(|query: &Query<K>| {
+        let (collision, decided) = query.decide(CONTACT);
+        decided == stage && collision.is_some()
+    });
     if colliding.is_empty() {
-        found(is_settled)
+        decided(stage)
     } else {
         colliding
     }

@@ -1,8 +1,8 @@
 //! The measurements as a drawing: two panels, both axes of each logarithmic.
 
-use exact_ccd_plot::plotters::prelude::*;
-use exact_ccd_plot::plotters::series::{DashedLineSeries, LineSeries};
-use exact_ccd_plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, power, seconds, write};
+use exact_ccd_compare::plot::plotters::prelude::*;
+use exact_ccd_compare::plot::plotters::series::{DashedLineSeries, LineSeries};
+use exact_ccd_compare::plot::{Area, Axis, Drawn, Frame, color, decades, logarithmic, power, seconds, write};
 
 use crate::curve::{Cost, Curve};
 
@@ -13,7 +13,7 @@ const LEGEND: u32 = 50;
 
 /// An SVG file.
 pub(crate) fn svg(curves: &[Curve]) -> String {
-    exact_ccd_plot::svg(SIZE, |area| draw(curves, area))
+    exact_ccd_compare::plot::svg(SIZE, |area| draw(curves, area))
 }
 
 fn draw<'a>(curves: &[Curve], area: &Area<'a>) -> Drawn<'a> {

@@ -1,7 +1,7 @@
 //! Batches answer as single queries do, on all instruction sets of this machine.
 
 use exact_ccd::batch::{Instructions, Trajectories};
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_data::{DataKind, QueryReader, Rounding};
 use exact_ccd_mesh::{Bvh, Candidates, Point, Step};
 
@@ -11,7 +11,7 @@ use crate::{data, scenes};
 fn one_by_one<K: DataKind>(queries: impl Iterator<Item = Query<K>>) -> Vec<usize> {
     queries
         .enumerate()
-        .filter(|(_, query)| query.collides())
+        .filter(|(_, query)| query.collides(CONTACT))
         .map(|(index, _)| index)
         .collect()
 }
@@ -26,7 +26,7 @@ fn assert_batches_find<K: DataKind>(
         let trajectories = trajectories.clone().with_instructions(instructions);
         let mut found = Vec::new();
         trajectories
-            .collisions::<K>(vertices, |index, _| found.push(index))
+            .collisions::<K>(vertices, CONTACT, |index, _| found.push(index))
             .unwrap();
         assert_eq!(found, expected, "{name} {} {instructions:?}", K::SHORT);
     }

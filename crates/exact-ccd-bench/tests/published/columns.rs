@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{
     ColumnReader, ColumnWriter, DataKind, QueryKind, QueryReader, QueryWriter, Record, Rounding, Seventh,
 };

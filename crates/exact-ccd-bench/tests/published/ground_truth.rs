@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Query, VertexFace, exact};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Intervals, Query, VertexFace, exact};
 use exact_ccd_data::{DataKind, QueryReader, Roots, Rounding, Sample, Scene, read_roots};
 use exact_ccd_mesh::Step;
 
@@ -26,13 +26,13 @@ fn handcrafted<K: DataKind>(queries: usize) {
     for file in data().handcrafted::<K>().unwrap() {
         let samples = read_all::<K>(&file);
         assert_eq!(
-            mismatches(&samples, Query::collides),
+            mismatches(&samples, |query| query.collides(CONTACT)),
             [0; 0],
             "{}",
             file.display()
         );
         assert_eq!(
-            mismatches(&samples, exact::collides),
+            mismatches(&samples, |query| exact::collides(query, CONTACT)),
             [0; 0],
             "exactly, {}",
             file.display()
@@ -60,7 +60,11 @@ fn all_pairs_of_the_scenes_agree() {
     fn check<K: DataKind>(scene: &Scene, step: &Step<'_>) -> usize {
         let samples = scene.samples::<K>(step).unwrap();
         let place = format!("{}, {}", scene.name(), K::FOLDER);
-        assert_eq!(mismatches(&samples, Query::collides), [0; 0], "{place}");
+        assert_eq!(
+            mismatches(&samples, |query| query.collides(CONTACT)),
+            [0; 0],
+            "{place}"
+        );
         samples.len()
     }
     let counts = scenes().into_iter().map(|scene| {
@@ -111,8 +115,12 @@ fn contact_times_equal_the_symbolic_roots_bit_for_bit() {
         for root in &roots {
             let query = &samples[root.query].query;
             let place = format!("query {} of {}", root.query, file.display());
-            assert_same_times(&query.contact_times(), root, &place);
-            assert_same_times(&exact::contact_times(query), root, &format!("exactly, {place}"));
+            assert_same_times(&query.intervals(CONTACT), root, &place);
+            assert_same_times(
+                &exact::intervals(query, CONTACT),
+                root,
+                &format!("exactly, {place}"),
+            );
         }
         roots.len()
     }
@@ -124,18 +132,16 @@ fn contact_times_equal_the_symbolic_roots_bit_for_bit() {
     assert_eq!(counts.sum::<usize>(), 5_078);
 }
 
-fn assert_same_times(times: &ContactTimes, root: &Roots, place: &str) {
+fn assert_same_times(times: &Intervals, root: &Roots, place: &str) {
     let bits = |times: &[f64]| times.iter().map(|time| time.to_bits()).collect::<Vec<_>>();
     // The files have only the first time of an interval.
-    let lower: Vec<f64> = match times {
-        ContactTimes::Finite(times) => times.iter().map(|time| time.lower()).collect(),
-        ContactTimes::Interval { first } => vec![first.lower()],
-    };
+    let listed = times.iter().take(times.count().unwrap_or(1));
+    let lower: Vec<f64> = listed.map(|interval| interval.start.lower()).collect();
     assert_eq!(bits(&lower), bits(&root.times), "{place}");
     assert_eq!(lower.len(), root.count, "{place}");
     assert_eq!(lower[0].to_bits(), root.toi.to_bits(), "{place}");
     assert_eq!(
-        times.first().map(ContactTime::is_exact),
+        times.first_time().map(ContactTime::is_exact),
         Some(root.toi_is_exact),
         "{place}"
     );

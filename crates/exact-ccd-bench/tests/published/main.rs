@@ -14,7 +14,7 @@ mod parity;
 mod separation;
 mod steps;
 
-#[path = "../../../exact-ccd/tests/parity/expected/mod.rs"]
+#[path = "../../../exact-ccd-methods/tests/parity/expected/mod.rs"]
 mod expected;
 
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! Root parity on the published queries: the parity by the definition of contact, and the false negatives.
 
-use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_data::{DataKind, QueryReader, Rounding, Sample, Scene};
 use exact_ccd_mesh::Step;
+use exact_ccd_methods::parity::{self, Parity, Rounded};
 use rayon::prelude::*;
 
 use crate::expected::{Rim, expected};
@@ -64,7 +64,10 @@ fn misses<K: DataKind>(scene: &Scene, step: &Step<'_>) -> Misses {
     for Sample { query, truth } in scene.samples::<K>(step).unwrap() {
         let parity = rounded(&query).parity();
         assert_eq!(parity, parity::rational(&query), "{query:?}");
-        let is_odd = query.contact_times().count().is_some_and(|count| count % 2 == 1);
+        let is_odd = query
+            .intervals(CONTACT)
+            .count()
+            .is_some_and(|count| count % 2 == 1);
         assert_eq!(
             parity.is_collision(),
             is_odd || parity == Parity::Boundary,
@@ -73,7 +76,7 @@ fn misses<K: DataKind>(scene: &Scene, step: &Step<'_>) -> Misses {
         if truth == Some(true) {
             misses[0] += 1;
             misses[1] += usize::from(!parity.is_collision());
-            misses[2] += usize::from(!query.collides());
+            misses[2] += usize::from(!query.collides(CONTACT));
         } else {
             assert_eq!(parity, Parity::Even, "{query:?}");
         }

@@ -2,13 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use exact_ccd::separation::TimeInterval;
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{EdgeEdge, Intervals, VertexEdge, VertexFace, VertexVertex, exact};
 use exact_ccd_data::{QueryKind, QueryReader, Rounding, Sample, TimesWithin};
 
 use crate::data;
 
-fn assert_same(intervals: &[TimeInterval], truth: &TimesWithin, place: &str) {
+fn assert_same(intervals: &Intervals, truth: &TimesWithin, place: &str) {
     let lower: Vec<[f64; 2]> = intervals
         .iter()
         .map(|i| [i.start.lower(), i.end.lower()])
@@ -35,26 +34,22 @@ fn check<K: QueryKind>(expected: usize) {
             let comes_within = within.unwrap();
             let place = format!("query {index} of {}", file.queries.display());
             assert_eq!(truth.contains_key(&index), comes_within, "{place}");
-            assert_eq!(query.comes_within(d), comes_within, "{place}");
-            assert_eq!(
-                exact::separation::comes_within(&query, d),
-                comes_within,
-                "exactly, {place}"
-            );
-            let (fast, exact) = (query.first_within(d), exact::separation::first_within(&query, d));
-            let intervals = query.intervals_within(d);
-            let exact_intervals = exact::separation::intervals_within(&query, d);
+            let decisions = [query.collides(d), exact::collides(&query, d)];
+            assert_eq!(decisions, [comes_within; 2], "{place}");
+            let first = query.collision(d).map(|collision| collision.time());
+            let lower = exact::time_of_impact(&query, d);
+            let intervals = query.intervals(d);
+            let exact_intervals = exact::intervals(&query, d);
             match truth.get(&index) {
                 Some(truth) => {
                     assert_same(&intervals, truth, &place);
                     assert_same(&exact_intervals, truth, &format!("exactly, {place}"));
-                    for first in [fast, exact] {
-                        let first = first.map(|time| (time.lower().to_bits(), time.is_exact()));
-                        assert_eq!(first, Some((truth.toi.to_bits(), truth.toi_is_exact)), "{place}");
-                    }
+                    let first = first.map(|time| (time.lower().to_bits(), time.is_exact()));
+                    assert_eq!(first, Some((truth.toi.to_bits(), truth.toi_is_exact)), "{place}");
+                    assert_eq!(lower.map(f64::to_bits), Some(truth.toi.to_bits()), "{place}");
                 }
                 None => {
-                    assert_eq!((fast, exact), (None, None), "{place}");
+                    assert_eq!((first, lower), (None, None), "{place}");
                     assert!(intervals.is_empty() && exact_intervals.is_empty(), "{place}");
                 }
             }

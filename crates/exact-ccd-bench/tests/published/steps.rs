@@ -1,6 +1,6 @@
 //! The steps of the scenes, compared with a plain loop over all candidates.
 
-use exact_ccd::{EdgeEdge, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, VertexFace, exact};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{
     Bvh, Candidates, Detector, Pair, PairCounts, Point, Step, StepReport, Sweep, advance, step,
@@ -22,7 +22,7 @@ struct Contact {
 
 fn contacts<K: DataKind>(kind: u8, step: &Step<'_>, candidates: &[[u32; 2]]) -> Vec<Contact> {
     let contact = |&ids| {
-        let time = K::query(step, ids).contact_times().first()?;
+        let time = K::query(step, ids).collision(CONTACT)?.time();
         Some(Contact {
             toi: time.lower().to_bits(),
             is_above: !time.is_exact(),
@@ -142,7 +142,11 @@ fn candidates_have_the_contact_times_of_the_exact_path() {
         let stride = if candidates.len() < 50_000 { 1 } else { 211 };
         for &ids in candidates.iter().step_by(stride) {
             let query = K::query(step, ids);
-            assert_eq!(query.contact_times(), exact::contact_times(&query), "{query:?}");
+            assert_eq!(
+                query.intervals(CONTACT),
+                exact::intervals(&query, CONTACT),
+                "{query:?}"
+            );
         }
     }
     for scene in scenes() {

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
 use crate::contacts::{ContactList, ContactRecord, ListFile};
@@ -121,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         .view
         .recording(&arguments.frames, &scene, half_spaces.all());
     let (count, mut examined) = (scene.frame_count(), 0);
-    during(progress::frames(count), |progress| {
+    during(progress::bar(count, "frames"), |progress| {
         for index in 0..count {
             let frame = timed(&mut read, || scene.read(index))?;
             timed(&mut write, || recording.add(&scene.frame_name(index), &frame))?;

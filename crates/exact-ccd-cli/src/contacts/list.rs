@@ -5,9 +5,12 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use super::cells::{COLUMNS, row};
+#[cfg(feature = "queries")]
 use super::parquet;
 use super::record::ContactRecord;
 use crate::failure::Failure;
+#[cfg(not(feature = "queries"))]
+use crate::left_out;
 use crate::output::write_file;
 
 /// A file for a list of contacts. Its extension is the format.
@@ -21,6 +24,7 @@ pub(crate) struct ListFile {
 enum Format {
     Csv,
     JsonLines,
+    #[cfg(feature = "queries")]
     Parquet,
 }
 
@@ -39,7 +43,10 @@ impl FromStr for ListFile {
         let format = match extension.to_str() {
             Some("csv") => Format::Csv,
             Some("jsonl" | "ndjson") => Format::JsonLines,
+            #[cfg(feature = "queries")]
             Some("parquet") => Format::Parquet,
+            #[cfg(not(feature = "queries"))]
+            Some("parquet") => return Err(left_out::message("Parquet", "queries", "step")),
             _ => return Err("expected a file name that ends in .csv, .jsonl or .parquet".to_owned()),
         };
         Ok(Self { path, format })
@@ -56,6 +63,7 @@ impl ContactList {
         write_file(&file.path, |writer| match file.format {
             Format::Csv => self.csv(writer),
             Format::JsonLines => self.json_lines(writer),
+            #[cfg(feature = "queries")]
             Format::Parquet => parquet::write(writer, &self.0),
         })
     }

@@ -2,6 +2,7 @@
 
 mod cells;
 mod list;
+#[cfg(feature = "queries")]
 mod parquet;
 mod places;
 mod record;

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use exact_ccd::{Point, Query, VertexFace};
+use exact_ccd::{CONTACT, Point, Query, VertexFace};
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
 use serde::Serialize;
@@ -266,7 +266,7 @@ fn unsigned_zero(x: f64) -> f64 {
 /// that moves along the edge, at its time of impact. `None` if they do not meet.
 fn first_common_point([start, end]: [Point; 2], [a, b, c]: [Point; 3]) -> Option<Point> {
     let [from, to] = [[start, a, b, c], [end, a, b, c]];
-    let impact = Query::<VertexFace>::new(from, to).ok()?.impact()?;
+    let impact = Query::<VertexFace>::new(from, to).ok()?.impact(CONTACT)?;
     let points = contact_points([&[0], &[1, 2, 3]], [&from, &to], &impact);
     points.map(|[point, _]| point)
 }

@@ -29,8 +29,11 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
     let mut report = Report::shared(displacement);
     for (index, input) in inputs.iter().enumerate() {
         let frame = read(input)?;
-        let shifted = frame.shifted(displacement)?;
         report.add(displacement, &frame.positions);
+        let shifted = Frame {
+            positions: displacement.apply_to_all(&frame.positions)?,
+            mesh: frame.mesh,
+        };
         if let Some(outputs) = &outputs {
             write_file(&outputs[index], |writer| write_ply(writer, &shifted))?;
         }
@@ -40,7 +43,10 @@ pub(super) fn round(arguments: &Arguments) -> Result<Report, Failure> {
 
 fn read(file: &Path) -> Result<Frame, Failure> {
     if Format::of_path(file).is_none() {
-        return Err(Failure::KindMissing(file.to_owned()));
+        return Err(Failure::of(
+            file,
+            "expected a .ply, .obj, .stl, .off, .msh or .vtu file, or --kind for a query file",
+        ));
     }
     Ok(read_frame(file)?)
 }
@@ -54,7 +60,10 @@ fn destinations(inputs: &[PathBuf], output: &Path) -> Result<Vec<PathBuf>, Failu
     let files: Vec<_> = inputs.iter().map(|input| output.join(name(input))).collect();
     let mut distinct = BTreeSet::new();
     if let Some(file) = files.iter().find(|file| !distinct.insert(*file)) {
-        return Err(Failure::SameOutput(file.clone()));
+        return Err(Failure::new(format_args!(
+            "two meshes would be written to {}",
+            file.display()
+        )));
     }
     Ok(files)
 }

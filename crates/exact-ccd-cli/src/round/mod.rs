@@ -10,15 +10,15 @@ use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use exact_ccd::parity::{Displacement, RoundingError};
-use exact_ccd::{Axis, EdgeEdge, VertexFace};
+use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_mesh::Aabb;
+use exact_ccd_methods::parity::{Displacement, RoundingError};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;
 use crate::output::{print, write_file};
 use crate::progress::{self, during};
-use crate::query_files;
+use crate::queries::query_files;
 
 /// Queries or meshes shifted and rounded, so that differences of coordinates are exact
 ///
@@ -97,17 +97,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The displacement for all points in a box. None overflows, because rounding is monotone and the
-/// corners do not.
+/// The displacement for all points in a box, which may be empty. None overflows, because rounding is
+/// monotone and the corners do not.
 fn shared_displacement(bounds: &Aabb) -> Result<Displacement, RoundingError> {
-    let displacement = bounds.displacement();
-    let [lower, upper] = [bounds.lower, bounds.upper].map(|corner| displacement.apply(corner));
-    let overflows =
-        |axis: &usize| *bounds != Aabb::EMPTY && !(lower[*axis].is_finite() && upper[*axis].is_finite());
-    match (0..3).find(overflows) {
-        None => Ok(displacement),
-        Some(axis) => Err(RoundingError::OutOfRange {
-            axis: Axis::ALL[axis],
-        }),
+    if *bounds == Aabb::EMPTY {
+        return Ok(Displacement::default());
     }
+    let displacement = Displacement::of_box(bounds.lower, bounds.upper);
+    displacement.apply_to_all(&[bounds.lower, bounds.upper])?;
+    Ok(displacement)
 }

@@ -1,7 +1,7 @@
 //! The plot of the histogram.
 
-use exact_ccd_plot::plotters::prelude::*;
-use exact_ccd_plot::{Area, Axis, Drawn, Frame, color};
+use exact_ccd_compare::plot::plotters::prelude::*;
+use exact_ccd_compare::plot::{Area, Axis, Drawn, Frame, color};
 
 use super::histogram::Histogram;
 
@@ -14,7 +14,7 @@ const LABELS: i32 = 12;
 /// An SVG file: a bar for each decade on an axis of log₁₀ ε, as in figure 5 of the paper, and to
 /// the left of them one for the zeros.
 pub(super) fn svg(errors: &Histogram) -> String {
-    exact_ccd_plot::svg(SIZE, |area| draw(errors, area))
+    exact_ccd_compare::plot::svg(SIZE, |area| draw(errors, area))
 }
 
 fn draw<'a>(errors: &Histogram, area: &Area<'a>) -> Drawn<'a> {

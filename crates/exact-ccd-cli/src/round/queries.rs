@@ -2,16 +2,15 @@
 
 use std::path::Path;
 
-use exact_ccd::parity::{Displacement, Rounded, RoundingError};
-use exact_ccd::separation::Separation;
-use exact_ccd::{NonFinite, Query};
+use exact_ccd::{NonFinite, Query, Separation};
 use exact_ccd_data::{DataKind, Record, Rounding, Seventh};
+use exact_ccd_methods::parity::{Displacement, Rounded, RoundingError};
 use rayon::prelude::*;
 
 use super::report::Report;
 use super::{Arguments, shared_displacement};
 use crate::failure::Failure;
-use crate::query_files;
+use crate::queries::query_files;
 
 pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Report, Failure> {
     let inputs = arguments.inputs.iter();
@@ -30,8 +29,8 @@ pub(super) fn round<K: DataKind + 'static>(arguments: &Arguments) -> Result<Repo
         for (number, record) in records.iter_mut().enumerate() {
             let query = &mut record.sample.query;
             let displacement = shared.unwrap_or_else(|| Displacement::of_query(query));
-            let rounded = shift(query, displacement)
-                .map_err(|source| Failure::query(query_files::name(file), number, source))?;
+            let rounded =
+                shift(query, displacement).map_err(|source| query_files::failed(file, number, source))?;
             report.add(displacement, query.points().as_flattened());
             *query = *rounded.query();
         }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use exact_ccd::Point;
-use exact_ccd::parity::Displacement;
+use exact_ccd_methods::parity::Displacement;
 use serde::Serialize;
 
 use super::histogram::Histogram;

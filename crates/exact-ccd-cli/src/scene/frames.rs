@@ -4,8 +4,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use exact_ccd_files::{Format, FrameOrder, FrameSequence, MeshFile, ReadError, ReadOptions};
+use exact_ccd_files::{Format, FrameSequence, MeshFile, ReadError, ReadOptions};
 
+use super::frame_order::FrameOrder;
 use crate::failure::Failure;
 use crate::inputs::{check_file, check_path};
 use crate::notes::Notes;
@@ -22,7 +23,7 @@ impl Frames {
         )?;
         let sequence = Arc::new(FrameSequence::open(file, options)?);
         if sequence.is_empty() {
-            return Err(Failure::NoFrames(file.to_owned()));
+            return Err(no_frames(file));
         }
         Ok(Self(
             (0..sequence.len())
@@ -37,12 +38,7 @@ impl Frames {
         for file in [start, end] {
             let Self(found) = Self::of_file(file, options)?;
             if found.len() != 1 {
-                let (file, count) = (file.to_owned(), found.len());
-                return Err(Failure::FrameCount {
-                    file,
-                    expected: 1,
-                    count,
-                });
+                return Err(frame_count(file, found.len(), 1));
             }
             frames.extend(found);
         }
@@ -77,7 +73,10 @@ impl Frames {
         for path in paths {
             if path.is_dir() {
                 if as_given {
-                    return Err(Failure::FolderAsGiven(path.clone()));
+                    return Err(Failure::of(
+                        path,
+                        "--as-given needs files: those of a folder are not given in an order",
+                    ));
                 }
                 for file in meshes_in(path, notes)? {
                     frames.extend(Self::of_file(&file, options)?.0);
@@ -122,7 +121,7 @@ impl Frames {
 fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> {
     let failed = |source| {
         let path = folder.to_owned();
-        Failure::Mesh(ReadError::Io { path, source })
+        Failure::from(ReadError::Io { path, source })
     };
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).map_err(failed)? {
@@ -139,7 +138,7 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
         .windows(2)
         .all(|pair| Format::of_path(&pair[0]) == Format::of_path(&pair[1]));
     if order.files.is_empty() || !one_format {
-        return Err(Failure::NoFrames(folder.to_owned()));
+        return Err(no_frames(folder));
     }
     Ok(order.files)
 }
@@ -148,8 +147,34 @@ fn meshes_in(folder: &Path, notes: &mut Notes) -> Result<Vec<PathBuf>, Failure> 
 fn check_certain(order: &FrameOrder) -> Result<(), Failure> {
     match &order.uncertain {
         None => Ok(()),
-        Some(files) => Err(Failure::UncertainOrder(files.clone())),
+        Some([a, b]) => Err(Failure::new(format_args!(
+            "the order of {} and {} is not certain: the point in their numbers may be that of a decimal, or between \
+             two numbers; give the files in order with --as-given, or give all numbers the same number of digits",
+            a.display(),
+            b.display()
+        ))),
     }
+}
+
+fn no_frames(path: &Path) -> Failure {
+    Failure::of(
+        path,
+        "expected meshes of one format, such as .ply, .obj, .stl or .vtu",
+    )
+}
+
+/// The failure of a number of frames that a step cannot have.
+pub(super) fn frame_count(file: &Path, count: usize, expected: usize) -> Failure {
+    let remedy = if count < expected {
+        "add the file of the end"
+    } else {
+        "`exact-ccd audit` examines longer motions"
+    };
+    let plural = if count == 1 { "" } else { "s" };
+    Failure::of(
+        file,
+        format_args!("{count} frame{plural}, expected {expected}; {remedy}"),
+    )
 }
 
 /// The number of gaps that a warning lists.

@@ -1,5 +1,6 @@
 //! The meshes of a command, as one scene: parts that move or rest, read and joined frame by frame.
 
+mod frame_order;
 mod frames;
 mod options;
 mod part;
@@ -17,6 +18,7 @@ use exact_ccd_view::Body;
 
 use crate::failure::Failure;
 use crate::notes::Notes;
+pub use frame_order::{FrameOrder, Missing};
 pub(crate) use frames::Frames;
 pub(crate) use options::SceneOptions;
 use part::{Part, named};
@@ -56,12 +58,13 @@ impl Scene {
             let count = frames.count();
             let rests = count == 1;
             if !rests && count != frame_count {
-                return Err(Failure::SeriesLength {
-                    file,
-                    count,
-                    first: parts.first().map_or_else(String::new, |part| part.name.clone()),
-                    expected: frame_count,
-                });
+                let first = parts.first().map_or("", |part| part.name.as_str());
+                return Err(Failure::of(
+                    &file,
+                    format_args!(
+                        "{count} frames, expected {frame_count} as of {first}, or 1 of a mesh at rest"
+                    ),
+                ));
             }
             parts.push(Part::open(name, frames, rests, weld)?);
         }
@@ -96,18 +99,16 @@ impl Scene {
             let (name, file) = named(file);
             let frames = Frames::of_file(&file, read_options)?;
             if frames.count() != 2 {
-                let count = frames.count();
-                return Err(Failure::FrameCount {
-                    file,
-                    expected: 2,
-                    count,
-                });
+                return Err(frames::frame_count(&file, frames.count(), 2));
             }
             moving.push((name, frames));
         } else {
             let (pairs, rest) = files.as_chunks::<2>();
             if let [file] = rest {
-                return Err(Failure::NoEnd(file.clone()));
+                return Err(Failure::of(
+                    file,
+                    "there is no end to this start: expected pairs of files, START END",
+                ));
             }
             for [start, end] in pairs {
                 let (name, start) = named(start);
@@ -182,8 +183,12 @@ impl Scene {
     /// Refuses a scene in which nothing can touch.
     pub(crate) fn check_contents(&self, has_distance: bool) -> Result<(), Failure> {
         if self.contents.is_only_points() && !has_distance {
-            let (file, read) = (self.frame_name(0), self.contents.to_string());
-            return Err(Failure::OnlyPoints { file, read });
+            return Err(Failure::new(format_args!(
+                "{}: {}: without a face or an edge, there is nothing that can touch; \
+                 --min-distance D compares points",
+                self.frame_name(0),
+                self.contents
+            )));
         }
         Ok(())
     }
@@ -214,7 +219,8 @@ fn joined(parts: &mut [Part], mesh: Option<&TriangleMesh>, index: usize) -> Resu
     }
     let mesh = match mesh {
         Some(mesh) => mesh.clone(),
-        None => TriangleMesh::with_edges(positions.len(), faces, &edges).map_err(Failure::Join)?,
+        None => TriangleMesh::with_edges(positions.len(), faces, &edges)
+            .map_err(|error| Failure::new(format_args!("the parts together: {error}")))?,
     };
     Ok(Frame { mesh, positions })
 }

@@ -132,7 +132,7 @@ impl Part {
     /// The error for a frame that does not belong to the frames before it.
     pub(super) fn mismatch(&self, index: usize, source: MotionError) -> Failure {
         let [start, end] = self.frames.files([index.saturating_sub(1), index]);
-        Failure::Motion(ReadMotionError::Motion { start, end, source })
+        Failure::from(ReadMotionError::Motion { start, end, source })
     }
 
     /// The groups of the part as bodies, if each is a range of vertices and they cover the part in their
@@ -160,7 +160,8 @@ impl Part {
 
     /// Sets the vertices of the part in the scene.
     pub(super) fn set_vertices(&mut self, first: u32, end: usize) -> Result<(), Failure> {
-        let end = u32::try_from(end).map_err(|_| Failure::TooManyVertices)?;
+        let end = u32::try_from(end)
+            .map_err(|_| Failure::new("all parts together have more than 2^32 vertices"))?;
         self.vertices = first..end;
         Ok(())
     }

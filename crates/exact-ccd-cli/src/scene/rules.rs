@@ -63,7 +63,9 @@ pub(super) fn can_collide(parts: &[Part], rules: &Rules) -> Result<CanCollide, F
     for (pair, sets) in rules.only.iter().zip(&only) {
         let rests = |set: &VertexSet| obstacles.iter().any(|part| set.is_of(part));
         if sets.iter().all(rests) {
-            return Err(Failure::OnlyObstacles(pair.to_string()));
+            return Err(Failure::new(format_args!(
+                "--only {pair}: both are obstacles, which are not compared with each other: name a part that moves"
+            )));
         }
     }
     if only.is_empty() && ignore.is_empty() && obstacles.is_empty() {

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::part::Part;
-use crate::failure::Failure;
+use crate::failure::{Failure, listed};
 
 /// Vertices of the scene.
 pub(super) struct VertexSet {
@@ -52,17 +52,19 @@ pub(super) fn named_set(parts: &[Part], name: &str) -> Result<VertexSet, Failure
     let (part, group) = match (found.next(), named.next(), named.next()) {
         (Some(found), _, _) | (None, Some(found), None) => found,
         (None, Some((first, _)), Some((second, _))) => {
-            return Err(Failure::SameGroup {
-                name: name.to_owned(),
-                long: [long_name(first, name), long_name(second, name)],
-            });
+            return Err(Failure::new(format_args!(
+                "several parts have a group {name}: its names are {}, {} and so on",
+                long_name(first, name),
+                long_name(second, name)
+            )));
         }
         (None, None, _) => {
             let names = groups().map(|(_, group)| group.name.clone());
-            return Err(Failure::UnknownPart {
-                name: name.to_owned(),
-                known: parts.iter().map(|part| part.name.clone()).chain(names).collect(),
-            });
+            let known: Vec<String> = parts.iter().map(|part| part.name.clone()).chain(names).collect();
+            return Err(Failure::new(format_args!(
+                "there is no part or group {name}; there are {}",
+                listed(&known)
+            )));
         }
     };
     let mut flags = vec![false; part.vertices.len()];

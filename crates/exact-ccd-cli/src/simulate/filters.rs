@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use exact_ccd::Exact;
-use exact_ccd::parity::RootParity;
 use exact_ccd_mesh::Aabb;
 use exact_ccd_methods::UnknownMethod;
+use exact_ccd_methods::parity::{Displacement, RootParity};
 use exact_ccd_sim::{StepFilter, System};
 
 /// The exact decision by bisection, in place of the exact time of impact.
@@ -43,20 +43,22 @@ pub(super) fn by_name(name: &str, system: &System) -> Result<StepFilter, Unknown
     Ok(match name.as_str() {
         BISECTION => StepFilter::by_bisection(BISECTION, Arc::new(Exact)),
         "parity" => {
-            let displacement = room(system).displacement();
-            StepFilter::new(&name, Arc::new(RootParity::in_scene(displacement)))
+            let method = RootParity::in_scene(displacement(system));
+            StepFilter::new(&name, Arc::new(method))
         }
         _ => StepFilter::new(&name, exact_ccd_methods::by_name(&name)?.into()),
     })
 }
 
-fn room(system: &System) -> Aabb {
+/// The displacement for the box in which a scene is expected to stay.
+fn displacement(system: &System) -> Displacement {
     let bounds: Aabb = system.start().iter().copied().collect();
-    let margin = 0.5 * (ROOM - 1.0) * system.extent();
-    Aabb {
-        lower: bounds.lower.map(|x| x - margin),
-        upper: bounds.upper.map(|x| x + margin),
+    if bounds == Aabb::EMPTY {
+        return Displacement::default();
     }
+    let margin = 0.5 * (ROOM - 1.0) * system.extent();
+    let lower = bounds.lower.map(|x| x - margin);
+    Displacement::of_box(lower, bounds.upper.map(|x| x + margin))
 }
 
 #[cfg(test)]

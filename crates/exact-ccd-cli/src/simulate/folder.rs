@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use exact_ccd_files::{write_ply_with_parts, write_pvd};
-use exact_ccd_sim::scene::Scene;
+use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Checkpoint, Simulation, Statistics};
 
 use super::bodies;
@@ -48,10 +48,7 @@ impl OutputFolder {
     /// The simulation of a scene, resumed from the checkpoint in a folder.
     pub(super) fn simulation(folder: &Path, scene: &Scene) -> Result<Simulation, Failure> {
         let file = folder.join(CHECKPOINT);
-        let failed = |message: String| Failure::Checkpoint {
-            file: file.clone(),
-            message,
-        };
+        let failed = |message: String| Failure::of(&file, message);
         let reader = File::open(&file).map_err(|error| {
             failed(match error.kind() {
                 io::ErrorKind::NotFound => {
@@ -85,7 +82,11 @@ impl OutputFolder {
                 .iter()
                 .any(|name| folder.join(name).exists())
         {
-            return Err(Failure::Results(folder.to_owned()));
+            return Err(Failure::of(
+                folder,
+                "the folder has the results of an earlier run: \
+                 continue it with --resume, or replace it with --overwrite",
+            ));
         }
         make_folder(&folder.join(FRAMES))?;
         make_folder(&folder.join(GRIDS))?;
@@ -118,26 +119,26 @@ impl OutputFolder {
         let last = simulation.state().step;
         let grid = grid_file(folder, last);
         if !grid.is_file() {
-            return Err(Failure::Checkpoint {
-                file: folder.join(CHECKPOINT),
-                message: format!(
+            return Err(Failure::of(
+                &folder.join(CHECKPOINT),
+                format_args!(
                     "the checkpoint has time step {last}, expected the file {} of this step: \
                      start a new run with --overwrite",
                     grid.display()
                 ),
-            });
+            ));
         }
         let log = Log::<Row>::resume(folder.join(STATISTICS), last)?;
         let frames = frames_until(folder, last);
         let missing = missing(folder, &frames, &log.rows()?, last);
         if let Some(missing) = missing {
-            return Err(Failure::Checkpoint {
-                file: folder.join(CHECKPOINT),
-                message: format!(
+            return Err(Failure::of(
+                &folder.join(CHECKPOINT),
+                format_args!(
                     "the checkpoint has time step {last}, but {missing} is missing: \
                      restore it, or start a new run with --overwrite"
                 ),
-            });
+            ));
         }
         bodies::write(&folder.join(BODIES), simulation.system())?;
         let mut this = Self::with(folder, simulation, log, every, frames);

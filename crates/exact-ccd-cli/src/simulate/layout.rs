@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd_files::read_pvd;
 
+use super::removal::{draft_of, remove_files};
 use super::statistics::Row;
 use super::steps;
 use crate::failure::Failure;
-use crate::output::{draft_of, remove_files};
 
 pub(super) const CHECKPOINT: &str = "checkpoint.json";
 pub(super) const STATISTICS: &str = "statistics.csv";

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use exact_ccd_sim::{Simulation, Statistics, System};
 
 use super::queries::Counts;
-use crate::shortest::significant;
+use super::significant::significant;
 
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> String {

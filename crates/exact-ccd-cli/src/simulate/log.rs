@@ -83,10 +83,7 @@ impl<R: Row> Log<R> {
 /// The rows of a file up to a time step. Empty if there is no file. A last line without a line break is
 /// ignored: the program was ended in the middle of it.
 fn read<R: Row>(path: &Path, last: u64) -> Result<Vec<R>, Failure> {
-    let failed = |source: csv::Error| {
-        let file = path.to_owned();
-        Failure::Log { file, source }
-    };
+    let failed = |source: csv::Error| Failure::of(path, source);
     let bytes = match std::fs::read(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
         bytes => bytes.map_err(|error| failed(error.into()))?,

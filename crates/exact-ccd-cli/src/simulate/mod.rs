@@ -16,6 +16,8 @@ mod pictures;
 mod plots;
 mod queries;
 mod recorder;
+mod removal;
+mod significant;
 mod statistics;
 mod steps;
 
@@ -26,10 +28,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd_sim::scene::Scene;
+use exact_ccd_scene::{Scene, SceneError};
 use exact_ccd_sim::{Simulation, SimulationError, System};
 
-use crate::failure::Failure;
+use crate::failure::{Failure, failures};
 use crate::inputs::check_file;
 use crate::output::print;
 use crate::progress::{self, during};
@@ -132,6 +134,15 @@ fn ccd_help() -> String {
     format!("The CCD method, in place of that of the scene, one of: {names}")
 }
 
+failures! { SceneError, SimulationError }
+
+/// The end of the time steps.
+enum Ended {
+    Complete,
+    /// By Ctrl-C.
+    Interrupted,
+}
+
 /// Runs the command. `command` is the program with its arguments if it is a process of its own, in which
 /// Ctrl-C can be handled.
 pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
@@ -193,19 +204,23 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     if command.is_some() {
         simulation = simulation.with_interrupt(interrupt::flag());
     }
-    let bar = progress::time_steps(usize::try_from(remaining).unwrap_or(usize::MAX));
+    let bar = progress::bar(usize::try_from(remaining).unwrap_or(usize::MAX), "time steps");
     let lines = bar.clone();
-    let ended = during(bar, |progress| -> Result<(), Failure> {
+    let ended = during(bar, |progress| -> Result<Ended, Failure> {
         while simulation.state().step < steps {
             let mut path = folder
                 .as_ref()
                 .filter(|_| arguments.path)
                 .map(|folder| folder.path(&simulation));
-            let statistics = simulation.step_along(&mut |positions| {
+            let stepped = simulation.step_along(&mut |positions| {
                 if let Some(path) = &mut path {
                     path.add(positions);
                 }
-            })?;
+            });
+            if matches!(stepped, Err(SimulationError::Interrupted { .. })) && command.is_some() {
+                return Ok(Ended::Interrupted);
+            }
+            let statistics = stepped?;
             let path = path.map_or_else(|| Ok(Vec::new()), path::Path::finish)?;
             if let Some(queries) = &mut queries {
                 queries.add(statistics.step)?;
@@ -229,18 +244,17 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
             if !statistics.converged {
                 let step = statistics.step;
                 if arguments.strict {
-                    return Err(Failure::NotConverged { step });
+                    return Err(Failure::new(format_args!(
+                        "time step {step} did not converge, expected convergence with --strict: set a smaller \
+                         `time-step`, a larger `max-iterations`, or `max-substeps`"
+                    )));
                 }
                 unconverged.push(step);
             }
         }
-        Ok(())
+        Ok(Ended::Complete)
     });
-    let interrupted = matches!(
-        ended,
-        Err(Failure::Simulation(SimulationError::Interrupted { .. }))
-    );
-    if let (true, Some(command)) = (interrupted, command) {
+    if let (Ended::Interrupted, Some(command)) = (ended?, command) {
         if let Some(folder) = &mut folder {
             folder.finish(&simulation)?;
         }
@@ -248,11 +262,10 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         let _ = writeln!(std::io::stderr(), "exact-ccd: {message}");
         return Ok(ExitCode::from(interrupt::STATUS));
     }
-    ended?;
     let distance = simulation.settings().contact_distance;
     let distance = distance.meters(simulation.system().size());
     let verdict = line::of_convergence(&unconverged, remaining);
-    recording.finish_simulation(&verdict, &text_of_page, distance)?;
+    recording.finish(&verdict, &text_of_page, distance)?;
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
         warn(&warning);
     }

@@ -2,8 +2,8 @@
 
 use exact_ccd_mesh::{Aabb, Frame, MeshError, Point, TriangleMesh};
 use exact_ccd_render::{Camera, Marks, Picture, render_thick};
-use exact_ccd_sim::scene::{Rendering, Subject};
-use exact_ccd_sim::{HalfSpace, Simulation, System};
+use exact_ccd_scene::{Rendering, Subject};
+use exact_ccd_sim::{Plane, Simulation, System};
 
 /// A painter of the frames of a motion.
 pub(super) struct Painter {
@@ -15,7 +15,8 @@ pub(super) struct Painter {
     start: Vec<Point>,
     /// A flag for each vertex that fills the pictures.
     subject: Vec<bool>,
-    half_spaces: Vec<HalfSpace>,
+    /// The boundaries of the half spaces.
+    planes: Vec<Plane>,
     time_step: f64,
     decimals: usize,
     /// The bounds of all frames so far, and of their subject in the coordinates of the camera.
@@ -33,7 +34,7 @@ impl Painter {
             radii: system.surface_offsets(),
             start: Vec::new(),
             subject: subject(system, rendering.subject),
-            half_spaces: system.half_spaces().to_vec(),
+            planes: system.half_spaces().iter().map(Plane::of).collect(),
             time_step: settings.time_step,
             decimals: decimals(settings.time_step),
             bounds: Aabb::EMPTY,
@@ -75,8 +76,8 @@ impl Painter {
         } else {
             self.extent
         };
-        for half_space in &self.half_spaces {
-            frame = with_boundary(frame, half_space, &self.bounds)?;
+        for plane in &self.planes {
+            frame = with_boundary(frame, plane, &self.bounds)?;
         }
         let view = self.camera.view(&extent, self.rendering.size);
         let mut picture = render_thick(&frame, &view, &Marks::default(), &self.radii);
@@ -96,9 +97,9 @@ fn subject(system: &System, subject: Subject) -> Vec<bool> {
 }
 
 /// A frame with a square of the boundary of a half space, beneath the bounds of the scene.
-fn with_boundary(mut frame: Frame, half_space: &HalfSpace, bounds: &Aabb) -> Result<Frame, MeshError> {
+fn with_boundary(mut frame: Frame, plane: &Plane, bounds: &Aabb) -> Result<Frame, MeshError> {
     let first = frame.positions.len() as u32;
-    frame.positions.extend(half_space.square(bounds));
+    frame.positions.extend(plane.square(bounds));
     let mut faces = frame.mesh.faces().to_vec();
     faces.extend([[first, first + 1, first + 2], [first, first + 2, first + 3]]);
     let edges = frame.mesh.loose_edges().to_vec();

@@ -5,8 +5,8 @@ use std::io;
 use exact_ccd_files::read_frame;
 use exact_ccd_mesh::Frame;
 use exact_ccd_render::{Animation, Gif, Picture};
+use exact_ccd_scene::Rendering;
 use exact_ccd_sim::Simulation;
-use exact_ccd_sim::scene::Rendering;
 
 use super::folder::OutputFolder;
 use super::layout::{ANIMATION, GIF, PICTURES};
@@ -80,7 +80,7 @@ impl Pictures {
         let of_gif = |source| Failure::write(&gif, source);
         replace_file(&png, |png_writer| {
             replace_file(&gif, |gif_writer| {
-                during(progress::frames(frames.len()), |progress| {
+                during(progress::bar(frames.len(), "frames"), |progress| {
                     let mut animation = Animation::new(png_writer, size, count).map_err(of_png)?;
                     let mut smaller = Gif::new(gif_writer, size).map_err(of_gif)?;
                     for (index, &step) in frames.iter().enumerate() {

@@ -1,9 +1,9 @@
 //! Plots of the energies and of the minimal distance over time.
 
-use exact_ccd_plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
-use exact_ccd_plot::plotters::prelude::*;
-use exact_ccd_plot::plotters::series::LineSeries;
-use exact_ccd_plot::{
+use exact_ccd_compare::plot::plotters::coord::ranged1d::{AsRangedCoord, Ranged, ValueFormatter};
+use exact_ccd_compare::plot::plotters::prelude::*;
+use exact_ccd_compare::plot::plotters::series::LineSeries;
+use exact_ccd_compare::plot::{
     Area, Axis, Drawn, Frame, GREATEST, Scale, color, decades, linear, logarithmic, power, svg, write,
 };
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_bench::comparison::Subjects;
+use exact_ccd_compare::Subjects;
 use exact_ccd_data::{DataKind, Record, Sample, Seventh};
 use exact_ccd_sim::Simulation;
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ use super::recorder::Recording;
 use super::steps;
 use crate::failure::Failure;
 use crate::output::make_folder;
-use crate::query_files;
+use crate::queries::query_files;
 
 /// A folder with query files, a file for each time step and kind, and `counts.csv`.
 pub(super) struct QueryFolder {

@@ -2,8 +2,8 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
-use exact_ccd_bench::comparison::{Subject, Subjects};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
+use exact_ccd_compare::{Subject, Subjects};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::{Aabb, Candidates, Step};
 use exact_ccd_sim::{Simulation, SimulationError};
@@ -73,7 +73,7 @@ fn add<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]], first: usize, sample: &
             let query = K::query(step, pair);
             do_boxes_overlap(&query, first).then(|| Subject {
                 query,
-                collides: query.collides(),
+                collides: query.collides(CONTACT),
                 first: None,
             })
         };

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use super::removal::{draft_of, is_number, remove_files};
 use crate::failure::Failure;
-use crate::output::{draft_of, is_number, remove_files};
 
 /// The name of the file of a time step. Below a million, names have six digits and sort as numbers.
 pub(super) fn name(step: u64, extension: &str) -> String {

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{
     Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, MinDistance, Motion, StepError,
@@ -259,7 +259,7 @@ impl Arguments {
             let options = CandidateOptions::default()
                 .with_min_distance(problem.distance.clone())
                 .with_can_collide(problem.can_collide.clone());
-            let report = during(progress::pairs(), |progress| {
+            let report = during(progress::count("pairs"), |progress| {
                 let step = problem.motion.step()?;
                 let report = StepReport::with_options(step, &problem.broad_phase, &options, progress);
                 report.map_err(Failure::from)

@@ -1,23 +1,24 @@
 //! The pages of `--view`: HTML files that show motions and their contacts.
 
-mod history;
+#[cfg(feature = "queries")]
 mod query;
 mod recording;
 mod setup;
+#[cfg(feature = "simulate")]
+mod simulation;
 mod step;
 mod up;
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use exact_ccd_mesh::Point;
-use exact_ccd_sim::scene::Rendering;
-use exact_ccd_sim::{HalfSpace, Simulation};
+use exact_ccd_mesh::{HalfSpace, Point};
 use exact_ccd_view::Page;
 
 use crate::failure::Failure;
 use crate::output::replace_file;
 use crate::scene::Scene;
+#[cfg(feature = "queries")]
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
 use setup::Setup;
@@ -63,18 +64,6 @@ impl View {
     pub(crate) fn recording(&self, files: &[PathBuf], scene: &Scene, half_spaces: &[HalfSpace]) -> Recording {
         let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.up());
         Recording::new(self.view.clone(), title(files), setup)
-    }
-
-    /// The recording of a simulation, which does nothing if there is to be no page of it.
-    pub(crate) fn simulation(
-        &self,
-        file: &Path,
-        simulation: &Simulation,
-        rendering: &Rendering,
-    ) -> Recording {
-        let upwards = rendering.upwards(simulation.settings().gravity);
-        let setup = || Setup::of_simulation(simulation).with_up(self.up().or(Some(upwards)));
-        Recording::new(self.view.clone(), name(file), setup)
     }
 
     fn up(&self) -> Option<Point> {

@@ -2,8 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd::Query;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Query, Separation};
 use exact_ccd_view::{Page, PageKind};
 
 use crate::failure::Failure;
@@ -64,7 +63,10 @@ impl<K: PageKind> ChosenQuery<K> {
     pub(crate) fn finish(self, separation: Separation) -> Result<(), Failure> {
         let Some(file) = &self.file else { return Ok(()) };
         let Some(Chosen { title, query, .. }) = self.chosen else {
-            return Err(Failure::NoQuery(self.number.unwrap_or_default()));
+            let number = self.number.unwrap_or_default();
+            return Err(Failure::new(format_args!(
+                "there is no query {number} to show: expected a number from 0 below that of the queries"
+            )));
         };
         super::write(file, &Page::of_query(title, &query, separation))
     }

@@ -1,13 +1,12 @@
 //! The page of a motion whose frames come one after the other.
 
-use std::io;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_mesh::{Frame, Violation};
-use exact_ccd_sim::{Simulation, Statistics};
+#[cfg(feature = "simulate")]
+use exact_ccd_view::History;
 use exact_ccd_view::Page;
 
-use super::history;
 use super::setup::Setup;
 use crate::failure::Failure;
 
@@ -18,9 +17,6 @@ pub(crate) struct Recording {
     /// The contents of the page, until it begins.
     setup: Setup,
     page: Option<Page>,
-    /// The time of the first frame of a simulation, and the time steps after it.
-    start: f64,
-    steps: Vec<Statistics>,
 }
 
 impl Recording {
@@ -31,8 +27,21 @@ impl Recording {
             file,
             title,
             page: None,
-            start: 0.0,
-            steps: Vec::new(),
+        }
+    }
+
+    /// The file of the page, if there is to be one.
+    #[cfg(feature = "simulate")]
+    pub(super) fn file(&self) -> Option<&Path> {
+        self.file.as_deref()
+    }
+
+    /// The same recording with charts.
+    #[cfg(feature = "simulate")]
+    pub(super) fn with_history(self, history: History) -> Self {
+        Self {
+            page: self.page.map(|page| page.with_history(history)),
+            ..self
         }
     }
 
@@ -44,25 +53,7 @@ impl Recording {
         self.push(&super::name(Path::new(name)), frame)
     }
 
-    /// Adds the surface in the state of a simulation, with the statistics of the time step that led to it.
-    pub(crate) fn add_state(
-        &mut self,
-        simulation: &Simulation,
-        step: Option<&Statistics>,
-    ) -> Result<(), Failure> {
-        let Some(file) = &self.file else { return Ok(()) };
-        let surface = simulation.system().surface_frame(&simulation.state().positions);
-        let frame = surface.map_err(|error| Failure::write(file, io::Error::other(error)))?;
-        // Without the rounding errors of multiples of the time step.
-        let time = (1e9 * simulation.time()).round() / 1e9;
-        match step {
-            Some(step) => self.steps.push(step.clone()),
-            None => self.start = time,
-        }
-        self.push(&format!("{time} s"), &frame)
-    }
-
-    fn push(&mut self, label: &str, frame: &Frame) -> Result<(), Failure> {
+    pub(super) fn push(&mut self, label: &str, frame: &Frame) -> Result<(), Failure> {
         let page = match &mut self.page {
             Some(page) => page,
             none => none.insert(std::mem::take(&mut self.setup).page(&self.title, frame)),
@@ -92,18 +83,5 @@ impl Recording {
             (Some(file), Some(page)) => super::write(&file, &super::with_answer(page, verdict, answer)),
             _ => Ok(()),
         }
-    }
-
-    /// Writes the page of a simulation, with charts of its time steps: a verdict about all of them, and lines
-    /// about the scene. `contact_distance` is d̂, in m.
-    pub(crate) fn finish_simulation(
-        mut self,
-        verdict: &str,
-        scene: &str,
-        contact_distance: f64,
-    ) -> Result<(), Failure> {
-        let history = history::of(self.start, &self.steps, contact_distance);
-        self.page = self.page.map(|page| page.with_history(history));
-        self.finish(verdict, scene)
     }
 }

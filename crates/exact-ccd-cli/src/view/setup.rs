@@ -1,8 +1,7 @@
 //! The contents of a page before its first frame.
 
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Frame, Point};
-use exact_ccd_sim::{HalfSpace, Simulation};
+use exact_ccd_mesh::{Frame, HalfSpace, Point};
 use exact_ccd_view::{Body, Page};
 
 use crate::scene::Scene;
@@ -11,12 +10,12 @@ use crate::scene::Scene;
 #[derive(Default)]
 pub(super) struct Setup {
     /// The ids of vertices and faces in their files, if the frames are from files.
-    ids: Option<FileIds>,
-    bodies: Vec<Body>,
-    half_spaces: Vec<HalfSpace>,
+    pub(super) ids: Option<FileIds>,
+    pub(super) bodies: Vec<Body>,
+    pub(super) half_spaces: Vec<HalfSpace>,
     /// The radii of rods and particles.
-    radii: Vec<f64>,
-    up: Option<Point>,
+    pub(super) radii: Vec<f64>,
+    pub(super) up: Option<Point>,
 }
 
 impl Setup {
@@ -26,20 +25,6 @@ impl Setup {
             ids: Some(scene.ids().clone()),
             bodies: scene.bodies(),
             half_spaces,
-            ..Self::default()
-        }
-    }
-
-    /// The setup of a simulation.
-    pub(super) fn of_simulation(simulation: &Simulation) -> Self {
-        let system = simulation.system();
-        let bodies = system.surface_bodies().into_iter().zip(system.body_kinds());
-        Self {
-            bodies: bodies
-                .map(|((name, vertices), kind)| Body::new(name, *kind, vertices))
-                .collect(),
-            half_spaces: system.half_spaces().to_vec(),
-            radii: system.surface_offsets(),
             ..Self::default()
         }
     }

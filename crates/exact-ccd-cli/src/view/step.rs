@@ -1,7 +1,6 @@
 //! The page of a step.
 
-use exact_ccd_mesh::{Aabb, Contact, Intersection, Motion};
-use exact_ccd_sim::HalfSpace;
+use exact_ccd_mesh::{Aabb, Contact, HalfSpace, Intersection, Motion};
 use exact_ccd_view::Page;
 
 use super::setup::Setup;

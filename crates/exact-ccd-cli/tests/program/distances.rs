@@ -1,6 +1,6 @@
 //! `exact-ccd step` and `exact-ccd audit` with a minimum distance.
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_mesh::{CandidateOptions, Detector, Frame, MinDistance, Point, StepReport};
 use proptest::prelude::*;
 use serde_json::{Value, json};

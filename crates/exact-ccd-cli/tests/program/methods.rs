@@ -1,8 +1,8 @@
 //! The methods of `exact-ccd queries`.
 
-use exact_ccd::parity::{self, Parity, Rounded};
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_data::DataKind;
+use exact_ccd_methods::parity::{self, Parity, Rounded};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -167,7 +167,7 @@ fn any_registered_method_answers_by_its_name_in_any_case() {
         .rsplit_once("1,1,,")
         .and_then(|(_, time)| time.parse().ok())
         .unwrap();
-    let exact = pass().time_of_impact().unwrap();
+    let exact = pass().time_of_impact(CONTACT).unwrap();
     assert!(time <= exact && time > exact - 1e-5, "{tight_inclusion}");
 }
 

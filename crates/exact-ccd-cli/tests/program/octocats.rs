@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd_sim::scene::Scene;
+use exact_ccd_scene::Scene;
 use exact_ccd_sim::{StepFilter, System};
 
 /// The box of the bodies, without the bowl, and the lengths that follow from it are those of the code of

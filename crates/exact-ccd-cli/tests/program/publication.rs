@@ -4,16 +4,19 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// The dependencies of all crates of the workspace on each other, from their manifests.
+/// The dependencies of all published crates on each other, from their manifests.
 fn dependencies(crates: &Path) -> BTreeMap<String, Vec<String>> {
     let folders = fs::read_dir(crates).unwrap().map(|entry| entry.unwrap());
-    let name_and_dependencies = folders.map(|folder| {
+    let name_and_dependencies = folders.filter_map(|folder| {
         let manifest = fs::read_to_string(folder.path().join("Cargo.toml")).unwrap();
+        if manifest.contains("publish = false") {
+            return None;
+        }
         let names = manifest.lines().filter_map(|line| {
             let name = line.split(['.', ' ', '=']).next()?;
             name.starts_with("exact-ccd").then(|| name.to_owned())
         });
-        (folder.file_name().into_string().unwrap(), names.collect())
+        Some((folder.file_name().into_string().unwrap(), names.collect()))
     });
     name_and_dependencies.collect()
 }

@@ -1,6 +1,6 @@
 //! The answers of `exact-ccd queries`.
 
-use exact_ccd::{ContactTime, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Kind, Point, Query, VertexFace};
 use proptest::prelude::*;
 
 use crate::folder::Folder;
@@ -125,7 +125,7 @@ fn coordinates_are_rounded_on_request() {
     let run = folder.run(&["queries", "--kind", "vf", "--round-input", "thirds.csv"]);
     assert_eq!(run.status, 0);
     let rounded = against_resting_face([0.25, 0.25, 1.0 / 3.0], [0.25, 0.25, -2.0]);
-    let expected = rounded.time_of_impact().unwrap();
+    let expected = rounded.time_of_impact(CONTACT).unwrap();
     assert_eq!(run.stdout, format!("{HEADER}0,1,1,{expected}\n"));
 }
 
@@ -160,15 +160,19 @@ fn assert_answers<K: Kind<Points = [Point; 4]>>(kind: &str, points: &[[[Point; 4
     for (index, (answer, query)) in answers.lines().zip(&queries).enumerate() {
         let [number, contact, count, toi]: [&str; 4] =
             answer.split(',').collect::<Vec<_>>().try_into().unwrap();
-        let times = query.contact_times();
+        let times = query.intervals(CONTACT);
         assert_eq!(number.parse(), Ok(index));
-        assert_eq!(contact.parse(), Ok(i32::from(query.collides())), "{query:?}");
+        assert_eq!(
+            contact.parse(),
+            Ok(i32::from(query.collides(CONTACT))),
+            "{query:?}"
+        );
         assert_eq!(
             count.parse(),
             Ok(times.count().map_or(-1, |count| count as i32)),
             "{query:?}"
         );
-        match times.first().map(ContactTime::lower) {
+        match times.first_time().map(ContactTime::lower) {
             Some(time) => assert_eq!(toi.parse().map(f64::to_bits), Ok(time.to_bits()), "{query:?}"),
             None => assert_eq!(toi, "", "{query:?}"),
         }

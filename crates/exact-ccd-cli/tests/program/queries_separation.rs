@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_data::{ColumnReader, DataFolder, QueryKind, TimesWithin};
 use proptest::prelude::*;
 
@@ -186,9 +185,9 @@ fn assert_answers<K: QueryKind>(points: &[[[Point; 4]; 2]], d: f64) {
     folder.write("q.csv", file(&queries));
     let d = Separation::new(d).unwrap();
     let expected = queries.iter().enumerate().map(|(index, query)| {
-        let intervals = query.intervals_within(d);
-        let toi = query.time_within(d).map(f64::to_bits);
-        (index, query.comes_within(d), intervals.len(), toi)
+        let intervals = query.intervals(d);
+        let toi = query.time_of_impact(d).map(f64::to_bits);
+        (index, query.collides(d), intervals.len(), toi)
     });
     let text = answers(&folder, K::SHORT, &d.get().to_string(), "q.csv");
     assert_eq!(rows(&text), expected.collect::<Vec<_>>(), "{}", K::SHORT);

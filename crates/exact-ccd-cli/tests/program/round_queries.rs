@@ -1,9 +1,9 @@
 //! The output of `exact-ccd round` for query files.
 
-use exact_ccd::parity::{Displacement, Rounded};
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_data::DataKind;
 use exact_ccd_mesh::Aabb;
+use exact_ccd_methods::parity::{Displacement, Rounded};
 use proptest::prelude::*;
 
 use crate::folder::Folder;

@@ -254,6 +254,28 @@ fn polygons_are_counted_or_refused() {
 }
 
 #[test]
+fn files_larger_than_allowed_are_refused() {
+    let folder = Folder::new();
+    let text = |z: f64| format!("v 0 0 {z:?}\nv 1 0 {z:?}\nv 1 1 {z:?}\nf 1 2 3\n");
+    folder.write("start.obj", text(0.0));
+    folder.write("end.obj", text(1.0));
+    let size = text(0.0).len();
+    for command in [
+        ["step", "start.obj", "end.obj"],
+        ["audit", "start.obj", "end.obj"],
+    ] {
+        let run = |size: usize| folder.run(&[&command[..], &["--max-size", &size.to_string()]].concat());
+        let allowed = run(size);
+        assert_eq!(allowed.status, 0, "{allowed:?}");
+        let (refused, limit) = (run(size - 1), size - 1);
+        assert_eq!(
+            refused.error(),
+            format!("start.obj: more than {limit} bytes, the size that --max-size allows")
+        );
+    }
+}
+
+#[test]
 fn points_alone_are_an_error_that_says_what_was_read() {
     let folder = Folder::new();
     folder.write("points.obj", "v 0 0 0\nv 1 0 0\n");

@@ -99,7 +99,7 @@ fn a_checkpoint_without_the_files_of_its_step_is_an_error() {
         ),
         (
             "18446744073709551615",
-            "the state has the step number 18446744073709551615, expected a number below",
+            "the state is invalid: `step` is 18446744073709551615, expected a number below",
         ),
     ] {
         folder.write(

@@ -13,6 +13,8 @@ fn the_program_of_a_user_takes_certified_steps() {
         .arg(root.join("docs/solver/Cargo.toml"))
         .arg("--target-dir")
         .arg(Path::new(env!("CARGO_TARGET_TMPDIR")).join("solver"))
+        // The compilation takes longer than the run.
+        .args(["--config", "profile.release.opt-level=1"])
         .output()
         .unwrap();
     let [stdout, stderr] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());

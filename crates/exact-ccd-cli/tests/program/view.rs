@@ -1,6 +1,6 @@
 //! The files that `--view` writes, beside the answers that are printed. `viewer/chromium` opens them.
 
-use exact_ccd::{Query, VertexFace};
+use exact_ccd::{CONTACT, Query, VertexFace};
 use serde_json::{Value, json};
 
 use crate::folder::Folder;
@@ -117,7 +117,10 @@ fn of_queries(queries: &[Query<VertexFace>], options: &[&str]) -> Value {
 fn the_first_query_in_contact_is_shown() {
     let page = of_queries(&[miss(), pass(), slide()], &[]);
     assert_eq!(page["title"], "Query 1 in vf.csv");
-    assert_eq!(page["query"]["times"][0][0].as_f64(), pass().time_of_impact());
+    assert_eq!(
+        page["query"]["times"][0][0].as_f64(),
+        pass().time_of_impact(CONTACT)
+    );
 }
 
 #[test]
@@ -134,7 +137,10 @@ fn a_query_is_chosen_by_its_number_or_is_the_first() {
 #[test]
 fn the_answer_of_the_page_is_exact_for_every_method() {
     let page = of_queries(&[pass()], &["--method", "parity"]);
-    assert_eq!(page["query"]["times"][0][0].as_f64(), pass().time_of_impact());
+    assert_eq!(
+        page["query"]["times"][0][0].as_f64(),
+        pass().time_of_impact(CONTACT)
+    );
 }
 
 #[test]

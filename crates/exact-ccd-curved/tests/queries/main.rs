@@ -7,8 +7,7 @@ mod extremes;
 mod sampled;
 mod straight;
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{Kind, Point};
+use exact_ccd::{Kind, Point, Separation};
 use exact_ccd_curved::{Polynomial, SearchOptions};
 
 fn within(d: f64) -> Separation {

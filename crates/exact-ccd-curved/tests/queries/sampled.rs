@@ -1,7 +1,6 @@
 //! Random motions against the distance at many times.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{CONTACT, EdgeEdge, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_curved::{Answer, CurvedKind, End, RigidMotion, SearchOptions, first_within};
 
 use crate::{points, within};
@@ -76,7 +75,7 @@ fn agrees_with_samples<K: CurvedKind>(
 
         let is_within = |time: f64, d: f64| {
             let places = points::<K>(|point| body(point).place(corners.as_ref()[point], time));
-            Query::<K>::new(places, places).unwrap().comes_within(within(d))
+            Query::<K>::new(places, places).unwrap().collides(within(d))
         };
         if d > ROUNDING && answer.free_until > 0.0 {
             // Before the end of the certain part, no sample is within d by more than rounding.
@@ -94,7 +93,7 @@ fn agrees_with_samples<K: CurvedKind>(
             let last = if answer.is_free() { SAMPLES } else { SAMPLES - 1 };
             for sample in 0..last {
                 let [start, end] = [sample, sample + 1].map(place);
-                let collides = Query::<K>::new(start, end).unwrap().collides();
+                let collides = Query::<K>::new(start, end).unwrap().collides(CONTACT);
                 assert!(!collides || answer.free_until == 0.0, "{sample} {answer:?}");
             }
             if answer.free_until > 0.0 {

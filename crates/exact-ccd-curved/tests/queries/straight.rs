@@ -1,7 +1,6 @@
 //! Motion without curvature.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Point, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_curved::{
     CurvedKind, End, Polynomial, Proximity, RigidMotion, SearchOptions, Trajectory, first_within,
 };
@@ -15,7 +14,7 @@ fn point(random: &mut fastrand::Rng) -> Point {
 
 fn compare<K: CurvedKind, T: Trajectory>(trajectories: &K::Trajectories<T>, query: &Query<K>, d: Separation) {
     let answer = first_within::<K, T>(trajectories, d, &SearchOptions::default()).unwrap();
-    let first = query.first_within(d);
+    let first = query.collision(d).map(|collision| collision.time());
     assert_eq!(answer.end == End::Free, first.is_none());
     match (answer.within, first) {
         (Some(reached), Some(first)) => {
@@ -44,7 +43,7 @@ macro_rules! straight_motion_is_one_exact_query {
                 let end = points::<$kind>(|i| end[i]);
                 let query = Query::<$kind>::new(start, end).unwrap();
                 let d = within([0.0, 1.0, 0.3][random.usize(0..3)]);
-                near += usize::from(query.comes_within(d));
+                near += usize::from(query.collides(d));
                 let mut index = 0..;
                 let polynomials = start.map(|p| Polynomial::new([p, end[index.next().unwrap()]]));
                 compare(&polynomials, &query, d);

@@ -8,7 +8,7 @@ mod gears;
 mod polynomials;
 mod straight;
 
-use exact_ccd::separation::Separation;
+use exact_ccd::Separation;
 use exact_ccd_curved::{CurvedStep, CurvedStepOptions, Instances, SearchOptions, curved_step};
 
 fn within(d: f64) -> Separation {

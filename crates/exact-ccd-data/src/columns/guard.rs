@@ -6,8 +6,10 @@
 
 use std::fs::File;
 use std::panic::{self, AssertUnwindSafe};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use bytes::Bytes;
+use exact_ccd_files::{Budget, Fault};
 use parquet::basic::Encoding;
 use parquet::column::page::{Page, PageMetadata, PageReader};
 use parquet::errors::{ParquetError, Result};
@@ -16,36 +18,30 @@ use parquet::file::reader::{ChunkReader, Length};
 
 use super::header::HeaderReader;
 
-/// The largest allowed ratio of the queries in a file, or of a page, and the size of the file; and the
-/// number of bytes that they may have in any case. Usual queries take a half to a fifth of their size.
-const RATIO: u64 = 200;
-const ALLOWANCE: u64 = 1 << 20;
-
-/// The most bytes that a file of this size may expand to.
-fn most(file_size: u64) -> u64 {
-    file_size.saturating_mul(RATIO).saturating_add(ALLOWANCE)
-}
-
 /// Checks the numbers that the metadata announce.
 ///
 /// # Errors
 /// If the columns overlap, so that the same bytes are read several times, or the queries, which have this
 /// number of coordinates, are far larger than the file.
 pub(super) fn check_size(file: &GuardedFile, metadata: &ParquetMetaData, coordinates: usize) -> Result<()> {
-    let size = file.len();
+    let limit = file.budget().limit();
     let rows = metadata.file_metadata().num_rows().unsigned_abs();
     let bytes = rows.saturating_mul((coordinates * size_of::<f64>()) as u64);
-    if bytes > most(size) {
+    if bytes > limit {
         return Err(ParquetError::General(format!(
-            "its {rows} queries take {bytes} bytes, more than {RATIO} times the size of the file"
+            "its {rows} queries take {bytes} bytes, and a file of its size has at most {limit}"
         )));
     }
     let columns = metadata.row_groups().iter().flat_map(RowGroupMetaData::columns);
     let sizes = columns.map(|column| column.compressed_size().unsigned_abs());
-    if sizes.fold(0, u64::saturating_add) > size {
+    if sizes.fold(0, u64::saturating_add) > file.len() {
         return Err(ParquetError::General("its columns overlap".to_owned()));
     }
     Ok(())
+}
+
+fn too_large(fault: Fault) -> ParquetError {
+    ParquetError::General(fault.to_string())
 }
 
 /// Calls the library. A panic becomes an error.
@@ -57,10 +53,29 @@ pub(super) fn catch<T>(call: impl FnOnce() -> Result<T>) -> Result<T> {
     answer.unwrap_or_else(|_| Err(ParquetError::General("its metadata contradict each other".into())))
 }
 
-/// The bytes of a file, without pages that are too large.
-pub(super) struct GuardedFile(pub(super) File);
+/// The bytes of a file, without pages that are too large. All bytes that are read, and the pages that they
+/// expand to, are counted.
+#[derive(Clone)]
+pub(super) struct GuardedFile {
+    file: Arc<File>,
+    budget: Arc<Mutex<Budget>>,
+}
 
 impl GuardedFile {
+    pub(super) fn new(file: File) -> Result<Self> {
+        let budget = Budget::new(u64::MAX);
+        budget.add_file(Length::len(&file)).map_err(too_large)?;
+        Ok(Self {
+            file: Arc::new(file),
+            budget: Arc::new(Mutex::new(budget)),
+        })
+    }
+
+    /// The account of the reading.
+    pub(super) fn budget(&self) -> MutexGuard<'_, Budget> {
+        self.budget.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
     /// True if a column chunk lies in the file.
     pub(super) fn holds(&self, chunk: &ColumnChunkMetaData) -> bool {
         let start = chunk.dictionary_page_offset().unwrap_or(chunk.data_page_offset());
@@ -73,7 +88,7 @@ impl GuardedFile {
 
 impl Length for GuardedFile {
     fn len(&self) -> u64 {
-        self.0.len()
+        self.file.len()
     }
 }
 
@@ -82,7 +97,7 @@ impl ChunkReader for GuardedFile {
 
     /// The library reads the header of a page with this, and nothing else.
     fn get_read(&self, start: u64) -> Result<Self::T> {
-        Ok(HeaderReader::new(self.0.try_clone()?, start, most(self.len())))
+        Ok(HeaderReader::new(self.clone(), start))
     }
 
     fn get_bytes(&self, start: u64, length: usize) -> Result<Bytes> {
@@ -94,7 +109,8 @@ impl ChunkReader for GuardedFile {
                 "the file is too short for what it announces".into(),
             ));
         }
-        self.0.get_bytes(start, length)
+        self.budget().step(length as u64);
+        self.file.get_bytes(start, length)
     }
 }
 
@@ -102,15 +118,17 @@ impl ChunkReader for GuardedFile {
 /// before its use.
 pub(super) struct GuardedPages<P> {
     pages: P,
+    file: GuardedFile,
     /// The largest number of values that can follow.
     left: usize,
     has_dictionary: bool,
 }
 
 impl<P: PageReader> GuardedPages<P> {
-    pub(super) fn new(pages: P, values: usize) -> Self {
+    pub(super) fn new(file: GuardedFile, pages: P, values: usize) -> Self {
         Self {
             pages,
+            file,
             left: values,
             has_dictionary: false,
         }
@@ -120,6 +138,11 @@ impl<P: PageReader> GuardedPages<P> {
 impl<P: PageReader> PageReader for GuardedPages<P> {
     fn get_next_page(&mut self) -> Result<Option<Page>> {
         let page = self.pages.get_next_page()?;
+        if let Some(page) = &page {
+            let budget = self.file.budget();
+            budget.take(page.buffer().len() as u64).map_err(too_large)?;
+            budget.step(page.num_values().into());
+        }
         let too_many = match &page {
             None => false,
             Some(Page::DictionaryPage { buf, num_values, .. }) => {

@@ -1,6 +1,5 @@
 //! The headers of pages, checked before the library allocates memory for a page.
 
-use std::fs::File;
 use std::io::{self, Read};
 
 use bytes::Bytes;
@@ -9,6 +8,7 @@ use parquet::errors::{ParquetError, Result};
 use parquet::file::reader::{ChunkReader, Length};
 
 use super::format::PAGE_HEADER;
+use super::guard::GuardedFile;
 use super::thrift::{STRUCT, Thrift};
 
 /// The bytes in which a header is expected, as powers of two. Usual headers have less than a hundred bytes,
@@ -20,19 +20,16 @@ const LENGTHS: [u32; 5] = [9, 12, 15, 18, 21];
 ///
 /// The header is read and checked with its first byte: the library asks for some headers that it never reads.
 pub(super) struct HeaderReader {
-    file: File,
+    file: GuardedFile,
     start: u64,
-    /// The largest allowed size of the page.
-    most: u64,
     header: Option<Reader<Bytes>>,
 }
 
 impl HeaderReader {
-    pub(super) fn new(file: File, start: u64, most: u64) -> Self {
+    pub(super) fn new(file: GuardedFile, start: u64) -> Self {
         Self {
             file,
             start,
-            most,
             header: None,
         }
     }
@@ -46,7 +43,7 @@ impl HeaderReader {
             let Some((length, size)) = header(&bytes) else {
                 continue;
             };
-            if size > self.most {
+            if size > self.file.budget().limit() {
                 return Err(ParquetError::General(format!("a page of {size} bytes")));
             }
             return Ok(bytes.slice(..length));

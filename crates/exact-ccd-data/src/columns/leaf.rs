@@ -92,7 +92,10 @@ impl<T: DataType> Column<T> {
         let descriptor = chunk.column_descr_ptr();
         Ok(Self {
             max_definition: descriptor.max_def_level(),
-            reader: ColumnReaderImpl::new(descriptor, Box::new(GuardedPages::new(pages, rows * values))),
+            reader: ColumnReaderImpl::new(
+                descriptor,
+                Box::new(GuardedPages::new((**file).clone(), pages, rows * values)),
+            ),
             name: leaf.name,
         })
     }

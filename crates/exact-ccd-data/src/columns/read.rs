@@ -47,8 +47,8 @@ impl<K: QueryKind> ColumnReader<K> {
     /// If the file cannot be opened, is not a Parquet file, or lacks a column.
     pub fn open(path: &Path) -> Result<Self, DataError> {
         let file = File::open(path).map_err(|source| DataError::io(path, source))?;
-        let file = Arc::new(GuardedFile(file));
         let wrong = |error: ParquetError| DataError::columns(path, ColumnProblem::from(error));
+        let file = Arc::new(GuardedFile::new(file).map_err(wrong)?);
         let metadata = footer::metadata(&file).map_err(wrong)?;
         let metadata = catch(|| ParquetMetaDataReader::decode_metadata(&metadata)).map_err(wrong)?;
         check_size(&file, &metadata, coordinates::<K>()).map_err(wrong)?;
@@ -65,6 +65,12 @@ impl<K: QueryKind> ColumnReader<K> {
             done: false,
             kind: PhantomData,
         })
+    }
+
+    /// The work and the memory so far.
+    #[cfg(test)]
+    pub(crate) fn spent(&self) -> [u64; 2] {
+        self.file.budget().spent()
     }
 
     /// The queries with all data that the file has about them.

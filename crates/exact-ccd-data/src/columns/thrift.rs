@@ -32,8 +32,10 @@ pub(super) enum Kind {
     Truth,
     /// A list of such values.
     List(&'static Kind),
-    /// A structure of these fields. It may have others.
-    Struct(&'static [(i16, Kind)]),
+    /// A structure of these fields, in the order of their numbers, from 1. It may have others.
+    Struct(&'static [Kind]),
+    /// A value of any type.
+    Other,
 }
 
 /// Bytes that have not been read. Every function returns `None` if they are not valid.
@@ -52,13 +54,12 @@ impl Thrift<'_> {
                 let (count, stated) = self.list()?;
                 (0..count).try_for_each(|_| self.known(kind, stated))
             }
-            (Kind::Struct(kinds), STRUCT) => self.fields(&mut |thrift, field, stated| match kinds
-                .iter()
-                .find(|(known, _)| *known == field)
-            {
-                Some((_, kind)) => thrift.known(kind, stated),
-                None => thrift.skip(stated),
+            (Kind::Struct(kinds), STRUCT) => self.fields(&mut |thrift, field, stated| {
+                // The numbers of fields rise from 1.
+                let kind = kinds.get(usize::from(field.unsigned_abs()) - 1);
+                thrift.known(kind.unwrap_or(&Kind::Other), stated)
             }),
+            (Kind::Other, _) => self.skip(stated),
             _ => None,
         }
     }

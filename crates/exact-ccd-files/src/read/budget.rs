@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::io::Read;
 
-use crate::error::{Fault, quoted};
+use crate::error::Fault;
 
 /// The largest allowed ratio of the data that a file expands to and its size. Meshes compress by 2 to 20, and
 /// regular grids by up to 100; deflate reaches 1,032.
@@ -17,7 +17,7 @@ const ALLOWANCE: u64 = 1 << 20;
 /// keeps until it is done. Both are proportional to the bytes of the file and of the data that the file
 /// expands to, so these two are limited.
 #[derive(Debug)]
-pub(super) struct Budget {
+pub struct Budget {
     /// The most bytes that the files may have, and that they may expand to.
     max_size: u64,
     /// The bytes of the files.
@@ -31,8 +31,9 @@ pub(super) struct Budget {
 }
 
 impl Budget {
-    /// The budget before the first file is read.
-    pub(super) fn new(max_size: u64) -> Self {
+    /// The account before the first file is read, for files of at most `max_size` bytes.
+    #[must_use]
+    pub fn new(max_size: u64) -> Self {
         Self {
             max_size,
             size: Cell::new(0),
@@ -52,7 +53,7 @@ impl Budget {
     ///
     /// # Errors
     /// If all files together are larger than allowed.
-    pub(super) fn add_file(&self, size: u64) -> Result<(), Fault> {
+    pub fn add_file(&self, size: u64) -> Result<(), Fault> {
         let limit = self.max_size;
         if size > self.size_left() {
             return Err(Fault::Size { limit });
@@ -65,7 +66,7 @@ impl Budget {
     ///
     /// # Errors
     /// If they are more than the limits allow.
-    pub(super) fn take(&self, bytes: u64) -> Result<(), Fault> {
+    pub fn take(&self, bytes: u64) -> Result<(), Fault> {
         let expanded = self.expanded.get().saturating_add(bytes);
         let limit = self.limit();
         if expanded > limit {
@@ -96,7 +97,7 @@ impl Budget {
     }
 
     /// Counts steps of work.
-    pub(super) fn step(&self, steps: u64) {
+    pub fn step(&self, steps: u64) {
         self.steps.set(self.steps.get().saturating_add(steps));
     }
 
@@ -109,39 +110,32 @@ impl Budget {
     /// Reads all data of a decompressor.
     ///
     /// # Errors
-    /// If the data are not valid, with `name` as the compression, or more than the limits allow, or than
-    /// `most`.
-    pub(super) fn read_all(&self, reader: impl Read, name: &str, most: u64) -> Result<Vec<u8>, Fault> {
+    /// If the data are not valid, with `expected` as their description, or more than the limits allow, or
+    /// than `most`.
+    pub(super) fn read_all(&self, reader: impl Read, expected: &str, most: u64) -> Result<Vec<u8>, Fault> {
         let mut data = Vec::new();
         let left = self.limit().saturating_sub(self.expanded.get());
         let read = reader
             .take(left.min(most).saturating_add(1))
             .read_to_end(&mut data);
-        read.map_err(|error| {
-            Fault::expected(
-                format!("data compressed by {name}"),
-                quoted(error.to_string().as_bytes()),
-            )
-        })?;
+        read.map_err(|error| Fault::of_io(expected, &error))?;
         self.take(data.len() as u64)?;
         Ok(data)
     }
 
-    /// The most bytes that the files may expand to.
-    fn limit(&self) -> u64 {
+    /// The most bytes that the files may expand to: 200 times their size and a mebibyte.
+    #[must_use]
+    pub fn limit(&self) -> u64 {
         self.limit_by_size().min(self.max_size)
     }
 
     fn limit_by_size(&self) -> u64 {
         self.size.get().saturating_mul(RATIO).saturating_add(ALLOWANCE)
     }
-}
 
-/// The account for tests.
-#[cfg(test)]
-impl Budget {
     /// The steps of work, and the bytes of memory.
-    pub(super) fn spent(&self) -> [u64; 2] {
+    #[must_use]
+    pub fn spent(&self) -> [u64; 2] {
         [self.steps.get(), self.bytes.get()]
     }
 }

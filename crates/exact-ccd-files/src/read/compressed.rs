@@ -19,6 +19,6 @@ pub(super) fn gunzip(bytes: &[u8], budget: &Budget) -> Result<Vec<u8>, ParseErro
         };
         return Err(fault.at(Place::File));
     }
-    let data = budget.read_all(MultiGzDecoder::new(bytes), "gzip", u64::MAX);
+    let data = budget.read_all(MultiGzDecoder::new(bytes), "data compressed by gzip", u64::MAX);
     data.map_err(|fault| fault.at(Place::File))
 }

@@ -71,28 +71,11 @@ const XML: Known = Known::Advice(
 );
 const EMPTY: Known = Known::Advice("empty", "export the mesh again");
 
-/// The extension that belongs to a format.
-fn extension(format: Format) -> &'static str {
-    match format {
-        Format::Ply => "ply",
-        Format::Obj => "obj",
-        Format::Stl => "stl",
-        Format::Off => "off",
-        Format::Msh => "msh",
-        Format::Vtu => "vtu",
-        Format::Vtp => "vtp",
-        Format::Vtk => "vtk",
-        Format::Gltf => "glb",
-        Format::Npy => "npy",
-        Format::Npz => "npz",
-    }
-}
-
 /// Checks that the contents are not recognisably something else.
 pub(super) fn check(bytes: &[u8], format: Format) -> Result<(), ParseError> {
     let (found, advice) = match recognise(bytes) {
         Some(Known::Mesh(found, own)) if own != format => {
-            (found, format!("rename the file to end in .{}", extension(own)))
+            (found, format!("rename the file to end in .{}", own.extension()))
         }
         Some(Known::Other(found, own)) => {
             let instead = Unsupported::of_extension(own).map_or("", |format| format.instead());

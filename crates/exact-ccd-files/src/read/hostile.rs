@@ -343,12 +343,17 @@ fn npz(data: &[u8], size: u32, count: usize) -> Vec<u8> {
         b"\x05\0\0\0a.npy",
         data,
     ];
-    let entry = [
-        b"PK\x01\x02\0\0\0\0\0\0\x08\0\0\0\0\0\0\0\0\0",
-        &sizes[..],
-        b"\x05\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0a.npy",
-    ];
-    let (local, list) = (local.concat(), entry.concat().repeat(count));
+    let entry = |number: usize| {
+        let name = format!("{number:06}.npy");
+        [
+            b"PK\x01\x02\0\0\0\0\0\0\x08\0\0\0\0\0\0\0\0\0",
+            &sizes[..],
+            b"\x0a\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0",
+            name.as_bytes(),
+        ]
+        .concat()
+    };
+    let (local, list) = (local.concat(), (0..count).map(entry).collect::<Vec<_>>().concat());
     let numbers = [(count as u16).to_le_bytes(); 2].concat();
     let place = [list.len() as u32, local.len() as u32]
         .map(u32::to_le_bytes)

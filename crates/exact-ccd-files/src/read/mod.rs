@@ -1,6 +1,5 @@
 //! Readers: one for each format, all with the same errors.
 
-mod binary;
 mod budget;
 mod cells;
 mod compressed;
@@ -20,16 +19,18 @@ mod off;
 mod options;
 mod ply;
 mod polygons;
+mod record;
 mod scalar;
 mod sequence;
 mod series;
 mod solids;
 mod stl;
 mod tet_mesh;
-mod text;
+mod tokens;
 mod vtk;
 mod zip;
 
+pub use budget::Budget;
 pub use frame::{parse_frame, read_frame};
 pub use group::{Group, PhysicalTag};
 pub use mesh_file::MeshFile;

@@ -7,14 +7,14 @@ use exact_ccd_mesh::Point;
 use super::budget::Budget;
 use super::cells::Cells;
 use super::group::Group;
-use super::text::{Line, Lines, Syntax, parse};
+use super::tokens::{Syntax, Tokens, parse};
 use crate::error::{Fault, ParseError, Place};
 
 /// The elements of one kind.
 struct Elements {
     kind: &'static str,
     /// The line of each element.
-    lines: Vec<usize>,
+    places: Vec<Place>,
     /// The corners of all elements, from 1, and their number up to the end of each.
     corners: Vec<i64>,
     ends: Vec<usize>,
@@ -24,7 +24,7 @@ impl Elements {
     fn new(kind: &'static str) -> Self {
         Self {
             kind,
-            lines: Vec::new(),
+            places: Vec::new(),
             corners: Vec::new(),
             ends: Vec::new(),
         }
@@ -36,11 +36,11 @@ impl Elements {
 
     /// Adds the element on the rest of a line. An index below 0 counts back from the latest of the vertices
     /// so far, which is −1.
-    fn add(&mut self, line: &mut Line, vertices_before: usize) -> Result<(), ParseError> {
-        self.lines.push(line.number());
-        while let Some(word) = line.word() {
-            let written =
-                index(word).ok_or_else(|| line.unexpected("a corner such as 1, 1/2, 1/2/3 or 1//3", word))?;
+    fn add(&mut self, tokens: &mut Tokens, vertices_before: usize) -> Result<(), ParseError> {
+        self.places.push(tokens.place());
+        while let Some(word) = tokens.word() {
+            let written = index(word)
+                .ok_or_else(|| tokens.unexpected("a corner such as 1, 1/2, 1/2/3 or 1//3", word))?;
             let absolute = match written {
                 0.. => written,
                 ..0 => written.saturating_add(vertices_before as i64).saturating_add(1),
@@ -70,7 +70,7 @@ impl Elements {
                 from_zero.ok_or_else(|| self.out_of_range(element, index, vertex_count))
             };
             let vertices = corners.map(vertex).collect::<Result<_, _>>()?;
-            Ok((Place::Line(self.lines[element]), vertices))
+            Ok((self.places[element], vertices))
         })
     }
 
@@ -82,11 +82,11 @@ impl Elements {
             first: 1,
             vertex_count: vertex_count as u64,
         }
-        .at(Place::Line(self.lines[number]))
+        .at(self.places[number])
     }
 
     fn charge(&self, budget: &Budget) {
-        budget.hold::<[usize; 2]>(self.count());
+        budget.hold::<(Place, usize)>(self.count());
         budget.hold::<i64>(self.corners.len());
     }
 }
@@ -114,49 +114,44 @@ pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
         points: Elements::new("point"),
         groups: Vec::new(),
     };
-    let mut lines = Lines::new(bytes, Syntax::CommentsAndContinuation, budget);
-    for mut line in &mut lines {
+    let mut tokens = Tokens::text(bytes, Syntax::CommentsAndContinuation, budget);
+    while tokens.next_line() {
         let vertices = statements.positions.len();
-        match line.word() {
-            Some(b"v") => statements.positions.push(position(&mut line)?),
-            Some(b"f") => statements.faces.add(&mut line, vertices)?,
-            Some(b"l") => statements.add_polyline(&mut line)?,
-            Some(b"p") => statements.points.add(&mut line, vertices)?,
-            Some(b"o" | b"g") => statements.begin_group(&line),
+        match tokens.word() {
+            // A weight or a colour may follow.
+            Some(b"v") => statements.positions.push(tokens.point()?),
+            Some(b"f") => statements.faces.add(&mut tokens, vertices)?,
+            Some(b"l") => statements.add_polyline(&mut tokens)?,
+            Some(b"p") => statements.points.add(&mut tokens, vertices)?,
+            Some(b"o" | b"g") => statements.begin_group(tokens.rest_of_line()),
             _ => {}
         }
     }
     if statements.positions.is_empty() {
-        return Err(Fault::ends("a statement `v`").at(lines.end()));
+        return Err(tokens.ends("a statement `v`"));
     }
     statements.charge(budget);
     statements.into_cells()
 }
 
-/// The coordinates of a `v`. A weight or a colour may follow.
-fn position(line: &mut Line) -> Result<Point, ParseError> {
-    Ok([line.coordinate()?, line.coordinate()?, line.coordinate()?])
-}
-
 impl<'a> Statements<'a> {
-    fn add_polyline(&mut self, line: &mut Line) -> Result<(), ParseError> {
+    fn add_polyline(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
         let number = self.polylines.count();
-        self.polylines.add(line, self.positions.len())?;
+        self.polylines.add(tokens, self.positions.len())?;
         let vertices = self.polylines.corners(number..number + 1).len();
         if vertices < 2 {
             let expected = "at least two vertices of a polyline";
-            return Err(Fault::expected(expected, vertices.to_string()).at(line.place()));
+            return Err(Fault::expected(expected, vertices.to_string()).at(tokens.place()));
         }
         Ok(())
     }
 
     /// Begins a group in the place of one without elements.
-    fn begin_group(&mut self, line: &Line<'a>) {
+    fn begin_group(&mut self, name: &'a [u8]) {
         let before = self.counts();
         if self.groups.last().is_some_and(|last| last.before == before) {
             self.groups.pop();
         }
-        let name = line.rest();
         self.groups.push(Begin { name, before });
     }
 

@@ -2,53 +2,51 @@
 
 use super::budget::Budget;
 use super::cells::{Cells, vertex_index};
-use super::text::{Line, Lines, Syntax, parse};
+use super::tokens::{Syntax, Tokens, parse};
 use crate::error::ParseError;
 
 pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
-    let mut lines = Lines::new(bytes, Syntax::Comments, budget);
-    let mut line = counts_line(&mut lines)?;
-    let vertex_count = line.count("the number of vertices")?;
-    let face_count = line.count("the number of faces")?;
+    let mut tokens = Tokens::text(bytes, Syntax::Comments, budget);
+    read_header(&mut tokens)?;
+    let vertex_count = tokens.count("the number of vertices")?;
+    let face_count = tokens.count("the number of faces")?;
 
     // The rest of the line after coordinates or corners is skipped: a normal, a colour or texture
     // coordinates.
     let mut cells = Cells::default();
     for vertex in 0..vertex_count {
-        let mut line = lines.expect(|| format!("vertex {vertex} of {vertex_count}"))?;
-        let position = [line.coordinate()?, line.coordinate()?, line.coordinate()?];
-        cells.positions.push(position);
+        tokens.expect_line(|| format!("vertex {vertex} of {vertex_count}"))?;
+        cells.positions.push(tokens.point()?);
     }
     let mut corners = Vec::new();
     for face in 0..face_count {
-        let mut line = lines.expect(|| format!("face {face} of {face_count}"))?;
+        tokens.expect_line(|| format!("face {face} of {face_count}"))?;
         corners.clear();
-        for _ in 0..line.count("the number of corners")? {
-            let index = line.integer("the index of a vertex")?;
+        for _ in 0..tokens.count("the number of corners")? {
+            let index = tokens.parse("the index of a vertex")?;
             let of = ("face", cells.faces.count);
-            corners.push(vertex_index(of, index, vertex_count, line.place())?);
+            corners.push(vertex_index(of, index, vertex_count, tokens.place())?);
         }
-        cells.faces.add(&corners, || line.place())?;
+        cells.faces.add(&corners, || tokens.place())?;
     }
-    lines.expect_end()?;
-    Ok(cells)
+    tokens.expect_end().map(|()| cells)
 }
 
-/// The line with the counts, after the header, which may be on the same line or missing.
-fn counts_line<'a>(lines: &mut Lines<'a>) -> Result<Line<'a>, ParseError> {
-    let mut line = lines.expect(|| "`OFF`".to_owned())?;
-    let header = line.clone().expect_word("`OFF`")?;
+/// Moves to the counts, after the header, which may be on the same line or missing.
+fn read_header(tokens: &mut Tokens) -> Result<(), ParseError> {
+    tokens.expect_line(|| "`OFF`".to_owned())?;
+    let mut after = tokens.clone();
+    let header = after.expect_word("`OFF`")?;
     if parse::<u64>(header).is_some() {
-        return Ok(line);
+        return Ok(());
     }
     if !is_header(header) {
-        return Err(line.unexpected("`OFF`", header));
+        return Err(tokens.unexpected("`OFF`", header));
     }
-    line.word();
-    if line.is_empty() {
-        lines.expect(|| "the numbers of vertices and faces".to_owned())
-    } else {
-        Ok(line)
+    *tokens = after;
+    match tokens.is_line_empty() {
+        true => tokens.expect_line(|| "the numbers of vertices and faces".to_owned()),
+        false => Ok(()),
     }
 }
 

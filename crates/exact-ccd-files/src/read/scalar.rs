@@ -1,8 +1,13 @@
-//! Numbers of all sizes in binary data.
+//! The types of numbers: their names in all formats, and their values in binary data.
 
-use super::binary::ByteOrder;
+/// The order of the bytes of a number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ByteOrder {
+    LittleEndian,
+    BigEndian,
+}
 
-/// The type of the numbers of an array.
+/// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -18,24 +23,50 @@ pub(super) enum Scalar {
     F64,
 }
 
-/// Decodes numbers of one size: `$to` from the bytes of a `$number`.
-macro_rules! decode {
-    ($bytes:expr, $order:expr, $number:ty, $to:expr) => {
-        $bytes
-            .as_chunks()
-            .0
-            .iter()
-            .map(|&chunk| {
-                $to(match $order {
-                    ByteOrder::LittleEndian => <$number>::from_le_bytes(chunk),
-                    ByteOrder::BigEndian => <$number>::from_be_bytes(chunk),
-                })
-            })
-            .collect()
+/// Each type with its names in PLY, in VTK's formats in lower case, and in numpy. No name has two meanings.
+/// VTK writes ids as 32 bits.
+const NAMES: [(Scalar, &[&str]); 11] = [
+    (Scalar::I8, &["char", "int8", "signed_char", "vtktypeint8", "i1"]),
+    (
+        Scalar::U8,
+        &["uchar", "uint8", "unsigned_char", "vtktypeuint8", "u1"],
+    ),
+    (Scalar::I16, &["short", "int16", "vtktypeint16", "i2"]),
+    (
+        Scalar::U16,
+        &["ushort", "uint16", "unsigned_short", "vtktypeuint16", "u2"],
+    ),
+    (Scalar::I32, &["int", "int32", "vtkidtype", "vtktypeint32", "i4"]),
+    (
+        Scalar::U32,
+        &["uint", "uint32", "unsigned_int", "vtktypeuint32", "u4"],
+    ),
+    (Scalar::I64, &["int64", "long", "vtktypeint64", "i8"]),
+    (Scalar::U64, &["uint64", "unsigned_long", "vtktypeuint64", "u8"]),
+    (Scalar::F16, &["f2"]),
+    (Scalar::F32, &["float", "float32", "f4"]),
+    (Scalar::F64, &["double", "float64", "f8"]),
+];
+
+/// Passes each number in some bytes to a function: `$to` of a `$number`.
+macro_rules! each {
+    ($bytes:expr, $order:expr, $number:ty, $take:expr, $to:expr) => {
+        for &chunk in $bytes.as_chunks().0 {
+            $take($to(match $order {
+                ByteOrder::LittleEndian => <$number>::from_le_bytes(chunk),
+                ByteOrder::BigEndian => <$number>::from_be_bytes(chunk),
+            }));
+        }
     };
 }
 
 impl Scalar {
+    /// The type with this name.
+    pub(super) fn named(name: &[u8]) -> Option<Self> {
+        let has_name = |(_, names): &&(Self, &[&str])| names.iter().any(|known| known.as_bytes() == name);
+        NAMES.iter().find(has_name).map(|&(scalar, _)| scalar)
+    }
+
     /// The size of a number in bytes.
     pub(super) fn size(self) -> usize {
         match self {
@@ -50,38 +81,58 @@ impl Scalar {
         !matches!(self, Self::F16 | Self::F32 | Self::F64)
     }
 
-    /// The numbers as the nearest `f64`; only integers beyond 2⁵³ are rounded. Bytes after the last
-    /// whole number are left out.
+    /// The numbers as the nearest `f64`; only integers beyond 2⁵³ are rounded. Bytes after the last whole
+    /// number are left out.
     pub(super) fn reals(self, bytes: &[u8], order: ByteOrder) -> Vec<f64> {
+        let mut reals = Vec::with_capacity(bytes.len() / self.size());
+        self.each_real(bytes, order, |real| reals.push(real));
+        reals
+    }
+
+    /// The number in these bytes as [`Scalar::reals`].
+    pub(super) fn real(self, bytes: &[u8], order: ByteOrder) -> f64 {
+        let mut number = 0.0;
+        self.each_real(bytes, order, |real| number = real);
+        number
+    }
+
+    /// The numbers as integers, none for floating-point numbers. Those above 2⁶³ − 1 become that: they are
+    /// indices, and out of range in any case.
+    pub(super) fn integers(self, bytes: &[u8], order: ByteOrder) -> Vec<i64> {
+        let mut integers = Vec::with_capacity(bytes.len() / self.size());
+        self.each_integer(bytes, order, |integer| integers.push(integer));
+        integers
+    }
+
+    /// The number in these bytes as [`Scalar::integers`].
+    pub(super) fn integer(self, bytes: &[u8], order: ByteOrder) -> i64 {
+        let mut number = 0;
+        self.each_integer(bytes, order, |integer| number = integer);
+        number
+    }
+
+    fn each_real(self, bytes: &[u8], order: ByteOrder, mut take: impl FnMut(f64)) {
         match self {
-            Self::I8 => decode!(bytes, order, i8, f64::from),
-            Self::U8 => decode!(bytes, order, u8, f64::from),
-            Self::I16 => decode!(bytes, order, i16, f64::from),
-            Self::U16 => decode!(bytes, order, u16, f64::from),
-            Self::I32 => decode!(bytes, order, i32, f64::from),
-            Self::U32 => decode!(bytes, order, u32, f64::from),
-            Self::I64 => decode!(bytes, order, i64, |x| x as f64),
-            Self::U64 => decode!(bytes, order, u64, |x| x as f64),
-            Self::F16 => decode!(bytes, order, u16, half),
-            Self::F32 => decode!(bytes, order, f32, f64::from),
-            Self::F64 => decode!(bytes, order, f64, |x| x),
+            Self::F16 => each!(bytes, order, u16, take, half),
+            Self::F32 => each!(bytes, order, f32, take, f64::from),
+            Self::F64 => each!(bytes, order, f64, take, f64::from),
+            Self::U64 => each!(bytes, order, u64, take, |x| x as f64),
+            _ => self.each_integer(bytes, order, |integer| take(integer as f64)),
         }
     }
 
-    /// The numbers as integers, none for floating-point numbers. Those above 2⁶³ − 1 become that:
-    /// they are indices, and out of range in any case.
-    pub(super) fn integers(self, bytes: &[u8], order: ByteOrder) -> Option<Vec<i64>> {
-        Some(match self {
-            Self::I8 => decode!(bytes, order, i8, i64::from),
-            Self::U8 => decode!(bytes, order, u8, i64::from),
-            Self::I16 => decode!(bytes, order, i16, i64::from),
-            Self::U16 => decode!(bytes, order, u16, i64::from),
-            Self::I32 => decode!(bytes, order, i32, i64::from),
-            Self::U32 => decode!(bytes, order, u32, i64::from),
-            Self::I64 => decode!(bytes, order, i64, |x| x),
-            Self::U64 => decode!(bytes, order, u64, |x| i64::try_from(x).unwrap_or(i64::MAX)),
-            Self::F16 | Self::F32 | Self::F64 => return None,
-        })
+    fn each_integer(self, bytes: &[u8], order: ByteOrder, mut take: impl FnMut(i64)) {
+        match self {
+            Self::I8 => each!(bytes, order, i8, take, i64::from),
+            Self::U8 => each!(bytes, order, u8, take, i64::from),
+            Self::I16 => each!(bytes, order, i16, take, i64::from),
+            Self::U16 => each!(bytes, order, u16, take, i64::from),
+            Self::I32 => each!(bytes, order, i32, take, i64::from),
+            Self::U32 => each!(bytes, order, u32, take, i64::from),
+            Self::I64 => each!(bytes, order, i64, take, i64::from),
+            Self::U64 => each!(bytes, order, u64, take, |x| i64::try_from(x).unwrap_or(i64::MAX)),
+            Self::F16 | Self::F32 | Self::F64 => {}
+        }
     }
 }
 

@@ -18,6 +18,17 @@ pub(super) enum Solid {
 }
 
 impl Solid {
+    /// The cell with these corners, whose number determines its kind.
+    pub(super) fn of(corners: &[u32]) -> Option<Self> {
+        match *corners {
+            [a, b, c, d] => Some(Self::Tetrahedron([a, b, c, d])),
+            [a, b, c, d, e] => Some(Self::Pyramid([a, b, c, d, e])),
+            [a, b, c, d, e, f] => Some(Self::Wedge([a, b, c, d, e, f])),
+            [a, b, c, d, e, f, g, h] => Some(Self::Hexahedron([a, b, c, d, e, f, g, h])),
+            _ => None,
+        }
+    }
+
     fn corners(&self) -> &[u32] {
         match self {
             Self::Tetrahedron(corners) => corners,

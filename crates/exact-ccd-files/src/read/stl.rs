@@ -2,11 +2,10 @@
 
 use exact_ccd_mesh::Point;
 
-use super::binary::Bytes;
 use super::budget::Budget;
 use super::cells::Cells;
 use super::polygons::Faces;
-use super::text::{Line, Lines, Syntax};
+use super::tokens::{Syntax, Tokens, is};
 use crate::error::{Fault, ParseError, Place};
 
 /// The length of the header of a binary file in bytes. The number of triangles and the triangles follow.
@@ -40,101 +39,68 @@ fn is_text(bytes: &[u8]) -> bool {
 }
 
 fn read_binary(bytes: &[u8], budget: &Budget) -> Result<Vec<Point>, ParseError> {
-    let mut bytes = Bytes::new(bytes, 0, budget);
-    bytes.take(HEADER as u64, || {
+    let mut tokens = Tokens::binary(bytes, 0, budget);
+    tokens.bytes(HEADER as u64, || {
         "`solid`, or 80 bytes and the number of triangles".to_owned()
     })?;
-    let count = u32::from_le_bytes(bytes.array(|| "the number of triangles".to_owned())?);
+    let count = u32::from_le_bytes(tokens.array(|| "the number of triangles".to_owned())?);
     let mut positions = Vec::new();
     for triangle in 0..count {
-        let triangle = bytes.take(TRIANGLE, || format!("triangle {triangle} of {count}"))?;
+        let triangle = tokens.bytes(TRIANGLE, || format!("triangle {triangle} of {count}"))?;
         let (numbers, _) = triangle.as_chunks::<4>();
         let (vectors, _) = numbers.as_chunks::<3>();
         let corners = vectors.iter().skip(1);
         positions.extend(corners.map(|corner| corner.map(|number| f64::from(f32::from_le_bytes(number)))));
     }
-    bytes.expect_end()?;
+    tokens.expect_end()?;
     Ok(positions)
 }
 
 fn read_text(bytes: &[u8], budget: &Budget) -> Result<Vec<Point>, ParseError> {
-    let mut words = Words::new(Lines::new(bytes, Syntax::Plain, budget));
+    let mut tokens = Tokens::text(bytes, Syntax::Free, budget);
     let mut positions = Vec::new();
-    while !words.at_end() {
-        words.expect("solid")?;
-        words.skip_line();
-        while words.expect_one_of("`facet` or `endsolid`", &["facet", "endsolid"])? == 0 {
-            read_facet(&mut words, &mut positions)?;
+    loop {
+        tokens.keyword("solid")?;
+        // The name of the solid.
+        tokens.rest_of_line();
+        while is_first(&mut tokens, ["facet", "endsolid"])? {
+            read_facet(&mut tokens, &mut positions)?;
         }
-        words.skip_line();
+        tokens.rest_of_line();
+        if !tokens.next_line() {
+            return Ok(positions);
+        }
     }
-    Ok(positions)
 }
 
 /// Reads the rest of a facet after the word `facet`.
-fn read_facet(words: &mut Words, positions: &mut Vec<Point>) -> Result<(), ParseError> {
+fn read_facet(tokens: &mut Tokens, positions: &mut Vec<Point>) -> Result<(), ParseError> {
     let face = positions.len() / 3;
-    words.expect("normal")?;
+    tokens.keyword("normal")?;
     for _ in 0..3 {
-        words.line("a normal")?.word();
+        tokens.expect_word("a normal")?;
     }
-    words.expect("outer")?;
-    words.expect("loop")?;
+    tokens.keyword("outer")?;
+    tokens.keyword("loop")?;
     let mut corners = 0;
-    while words.expect_one_of("`vertex` or `endloop`", &["vertex", "endloop"])? == 0 {
-        let mut coordinate = || words.line("a number")?.coordinate();
-        positions.push([coordinate()?, coordinate()?, coordinate()?]);
+    while is_first(tokens, ["vertex", "endloop"])? {
+        positions.push(tokens.point()?);
         corners += 1;
     }
     if corners != 3 {
         let found = corners.to_string();
-        return Err(Fault::expected(format!("3 corners of face {face}"), found).at(words.line.place()));
+        return Err(Fault::expected(format!("3 corners of face {face}"), found).at(tokens.place()));
     }
-    words.expect("endfacet")
+    tokens.keyword("endfacet")
 }
 
-/// The words of a text, independent of its lines.
-struct Words<'a> {
-    lines: Lines<'a>,
-    line: Line<'a>,
-}
-
-impl<'a> Words<'a> {
-    fn new(lines: Lines<'a>) -> Self {
-        let line = Line::default();
-        Self { lines, line }
+/// Reads the next word, which must be one of two keywords. Returns true for the first one.
+fn is_first(tokens: &mut Tokens, [first, second]: [&str; 2]) -> Result<bool, ParseError> {
+    let expected = || format!("`{first}` or `{second}`");
+    match tokens.word() {
+        Some(word) if is(word, first) => Ok(true),
+        Some(word) if is(word, second) => Ok(false),
+        Some(word) => Err(tokens.unexpected(expected(), word)),
+        None => Err(tokens.ends(expected())),
     }
-
-    /// The line with the next word. `expected` describes that word in the error at the end of the file.
-    fn line(&mut self, expected: &str) -> Result<&mut Line<'a>, ParseError> {
-        if self.line.is_empty() {
-            self.line = self.lines.expect(|| expected.to_owned())?;
-        }
-        Ok(&mut self.line)
-    }
-
-    fn at_end(&mut self) -> bool {
-        self.line("").is_err()
-    }
-
-    /// Skips the rest of the line: the name of a solid.
-    fn skip_line(&mut self) {
-        self.line = Line::default();
-    }
-
-    fn expect(&mut self, keyword: &str) -> Result<(), ParseError> {
-        self.expect_one_of(&format!("`{keyword}`"), &[keyword]).map(drop)
-    }
-
-    /// Reads the next word, which must be one of `keywords`, and returns its index in them.
-    fn expect_one_of(&mut self, expected: &str, keywords: &[&str]) -> Result<usize, ParseError> {
-        let line = self.line(expected)?;
-        let word = line.expect_word(expected)?;
-        let found = keywords.iter().position(|keyword| is(word, keyword));
-        found.ok_or_else(|| line.unexpected(expected, word))
-    }
-}
-
-fn is(word: &[u8], keyword: &str) -> bool {
-    word.eq_ignore_ascii_case(keyword.as_bytes())
 }

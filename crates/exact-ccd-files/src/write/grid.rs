@@ -84,26 +84,17 @@ impl UnstructuredGrid<'_> {
                 "a cell names vertex {corner}, but there are only {count} vertices"
             )));
         }
-        if let Some(bodies) = self.bodies.filter(|bodies| bodies.len() != count) {
-            let found = bodies.len();
-            return Err(invalid(format!(
-                "{found} bodies of vertices, expected one for each of {count} vertices"
-            )));
-        }
-        if let Some(ids) = self.ids.filter(|ids| ids.len() != count) {
-            let found = ids.len();
-            return Err(invalid(format!(
-                "{found} ids, expected one for each of {count} vertices"
-            )));
-        }
-        let Some(velocities) = self.velocities else {
-            return Ok(());
-        };
-        if velocities.len() != count {
-            let found = velocities.len();
-            return Err(invalid(format!(
-                "{found} velocities, expected one for each of {count} vertices"
-            )));
+        let velocities = self.velocities.unwrap_or_default();
+        for (name, found) in [
+            ("bodies of vertices", self.bodies.map(<[_]>::len)),
+            ("ids", self.ids.map(<[_]>::len)),
+            ("velocities", self.velocities.map(<[_]>::len)),
+        ] {
+            if let Some(found) = found.filter(|&found| found != count) {
+                return Err(invalid(format!(
+                    "{found} {name}, expected one for each of {count} vertices"
+                )));
+            }
         }
         match velocities.as_flattened().iter().find(|v| !v.is_finite()) {
             None => Ok(()),

@@ -249,13 +249,19 @@ fn binary() {
     changed[block + 7] = 5;
     assert_error(
         changed,
-        &format!("byte {block}: expected a block of at most 4 elements, found `5`"),
+        &format!(
+            "byte {}: expected a block of at most 4 elements, found `5`",
+            block + 4
+        ),
     );
     let mut changed = file.clone();
     changed[block + 4] = 0xff;
     assert_error(
         changed,
-        &format!("byte {block}: expected a block of at most 4 elements, found `-16777215`"),
+        &format!(
+            "byte {}: expected a block of at most 4 elements, found `-16777215`",
+            block + 4
+        ),
     );
     let end = file.len() - "$EndElements\n".len();
     assert_error(

@@ -1,4 +1,4 @@
-//! Archives of arrays, by a writer that is independent of the crate.
+//! Archives of arrays, as the crate `zip` writes them.
 
 use std::io::{Cursor, Write};
 use std::path::PathBuf;

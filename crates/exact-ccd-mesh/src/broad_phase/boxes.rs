@@ -3,11 +3,11 @@
 use exact_ccd::Point;
 use rayon::prelude::*;
 
+use super::aabb::Aabb;
 use super::block::{Block, LANES};
 use super::moving_box::MovingBox;
 use super::order::order;
-use crate::aabb::Aabb;
-use crate::primitive_count::{self, TooManyPrimitives};
+use super::primitive_count::{TooManyPrimitives, check_primitive_count};
 
 /// The least number of blocks that a thread fills in one task.
 const GRAIN: usize = 64;
@@ -33,7 +33,7 @@ impl<const T: usize> Boxes<T> {
     /// [`TooManyPrimitives`], if indices of 32 bits do not suffice.
     pub fn new(boxes: &[[Aabb; T]]) -> Result<Self, TooManyPrimitives> {
         const { assert!(T == 1 || T == 2, "boxes rest, or move from one place to another") };
-        primitive_count::check(boxes.len())?;
+        check_primitive_count(boxes.len())?;
         let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
         let mut all = Self::in_order(order(&centres, (0..boxes.len() as u32).collect()));
         all.set(|id| MovingBox::new(boxes[id as usize], [0.0; 3]));

@@ -1,5 +1,6 @@
-//! The broad phase: pairs of boxes that meet.
+//! The broad phase: pairs of boxes that meet. The boxes are of anything: no mesh is needed.
 
+mod aabb;
 mod all_pairs;
 mod block;
 mod boxes;
@@ -8,19 +9,24 @@ mod collector;
 mod moving_box;
 mod order;
 mod pairs;
+mod primitive_count;
 mod sweep;
 mod vectors;
 
 use core::ops::ControlFlow;
 
+pub use aabb::Aabb;
 pub use all_pairs::AllPairs;
 pub use boxes::Boxes;
 pub use bvh::Bvh;
 pub use collector::PairCollector;
+pub use primitive_count::TooManyPrimitives;
 pub use sweep::Sweep;
 
+pub(crate) use aabb::meet;
 pub(crate) use moving_box::MovingBox;
 pub(crate) use order::{extent, order};
+pub(crate) use primitive_count::check_primitive_count;
 
 /// A callback for batches of pairs from a broad phase; `Break` ends the search.
 pub type PairSink<'a> = dyn Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a;

@@ -2,7 +2,7 @@
 
 use exact_ccd::{Point, environment};
 
-use crate::aabb::Aabb;
+use super::aabb::Aabb;
 
 /// A box at both ends of a step, whose sides move at constant speed in between (T = 2), or a box at
 /// rest (T = 1).

@@ -3,7 +3,7 @@
 use exact_ccd::Point;
 use rayon::prelude::*;
 
-use crate::aabb::Aabb;
+use super::aabb::Aabb;
 
 /// The number of bits of a key for each axis.
 const BITS: u32 = 12;

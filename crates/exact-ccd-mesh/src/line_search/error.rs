@@ -1,7 +1,7 @@
 //! Errors of line searches.
 
-use crate::positions::PositionsError;
-use crate::step::StepError;
+use crate::mesh::PositionsError;
+use crate::steps::StepError;
 
 /// The reason why a line search has no result.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]

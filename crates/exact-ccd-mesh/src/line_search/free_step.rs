@@ -8,13 +8,10 @@ use super::advance::advance;
 use super::error::LineSearchError;
 use super::watched::{Watch, Watched};
 use crate::broad_phase::BroadPhase;
-use crate::by_kind::PairCounts;
-use crate::collect::{AnyContact, Collect, Earliest};
-use crate::contact::Contact;
-use crate::culled_search::CulledSearch;
-use crate::detector::Detector;
-use crate::positions;
-use crate::step::Step;
+use crate::mesh::check_positions;
+use crate::pairs::PairCounts;
+use crate::search::{AnyContact, Collect, Contact, CulledSearch, Detector, Earliest};
+use crate::steps::Step;
 
 /// Options of [`Detector::free_step`].
 #[derive(Clone, Copy)]
@@ -147,7 +144,7 @@ impl<B: BroadPhase> Detector<B> {
         direction: &[Point],
         options: &FreeStepOptions<'_>,
     ) -> Result<FreeStep, LineSearchError> {
-        positions::check(self.mesh(), direction).map_err(LineSearchError::Direction)?;
+        check_positions(self.mesh().vertex_count(), direction).map_err(LineSearchError::Direction)?;
         let x1 = advance(x0, direction, 1.0);
         let mut begun = self.begin(x0, &x1)?;
         let taken = free_step(
@@ -173,7 +170,7 @@ pub(super) fn free_step<B: BroadPhase>(
         return Err(LineSearchError::Keep(keep));
     }
     let watch = Watch::new(options.progress, options.cancel);
-    let earliest = watched(search, &step, Earliest::new(), &watch)?;
+    let earliest = watched(search, &step, Earliest::with_touching(), &watch)?;
     let [x0, x1] = step.positions();
     let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));
     let touching = earliest.touching();

@@ -7,13 +7,10 @@ use super::bisection::{Tolerance, bisect};
 use super::error::LineSearchError;
 use super::free_step::{FreeStepOptions, free_step};
 use crate::broad_phase::Bvh;
-use crate::can_collide::CanCollide;
-use crate::candidates::Candidates;
-use crate::culled_search::CulledSearch;
-use crate::mesh::TriangleMesh;
-use crate::min_distance::MinDistance;
-use crate::positions;
-use crate::step::Step;
+use crate::mesh::{TriangleMesh, check_positions};
+use crate::pairs::{CanCollide, MinDistance};
+use crate::search::{Candidates, CulledSearch};
+use crate::steps::Step;
 
 /// The algorithm of [`step_size`].
 #[derive(Clone, Copy)]
@@ -67,7 +64,7 @@ pub fn step_size(
     direction: &[Point],
     search: LineSearch<'_>,
 ) -> Result<f64, LineSearchError> {
-    positions::check(mesh, direction).map_err(LineSearchError::Direction)?;
+    check_positions(mesh.vertex_count(), direction).map_err(LineSearchError::Direction)?;
     let end = advance(start, direction, 1.0);
     let full = Step::new(mesh, start, &end)?;
     match search {

@@ -3,10 +3,9 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::collect::Collect;
 use crate::mesh::TriangleMesh;
-use crate::narrow_phase::NarrowPhase;
-use crate::pair_kind::PairKind;
+use crate::pairs::PairKind;
+use crate::search::{Collect, NarrowPhase};
 
 /// The caller's callbacks during a search.
 pub(super) struct Watch<'a> {

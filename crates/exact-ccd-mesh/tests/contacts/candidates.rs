@@ -3,7 +3,6 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use exact_ccd::parity::RootParity;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Detector, Pair, Step, StepError,
@@ -11,6 +10,7 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
+use crate::odd::Odd;
 use crate::scene::{Scene, contacts, on_threads};
 
 #[test]
@@ -61,7 +61,7 @@ fn methods_decide_candidates_one_by_one() {
         let (scene, _) = Scene::pieces(&mut random);
         let step = scene.step();
         let candidates = Candidates::new(step, &Bvh);
-        let methods: [&dyn Ccd; 2] = [&Exact, &RootParity::default()];
+        let methods: [&dyn Ccd; 2] = [&Exact, &Odd];
         for method in methods {
             let faces = candidates.vertex_face().iter().filter_map(|&[vertex, face]| {
                 let query = step.vertex_face(vertex, face).unwrap();
@@ -146,7 +146,7 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
         .collect();
     assert_eq!(nonsense.counts().total(), 12);
     assert!(nonsense.is_free(scene.step()));
-    assert!(nonsense.is_free_by(scene.step(), &RootParity::default()));
+    assert!(nonsense.is_free_by(scene.step(), &Odd));
     assert_eq!(nonsense.contacts(scene.step()), []);
     assert_eq!(nonsense.earliest_time_by(scene.step(), &Exact), None);
     assert!(Candidates::default().is_empty());

@@ -10,3 +10,6 @@ mod free_step;
 mod scene;
 mod start_check;
 mod within;
+
+#[path = "../odd/mod.rs"]
+mod odd;

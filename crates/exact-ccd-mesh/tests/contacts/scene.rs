@@ -1,7 +1,6 @@
 //! Random scenes and their pairs, by definition.
 
-use exact_ccd::separation::{DistanceBounds, Separation};
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{DistanceBounds, EdgeEdge, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{Candidates, Contact, MinDistance, Pair, PairKind, Point, Step, TriangleMesh};
 use fastrand::Rng;
 
@@ -190,7 +189,7 @@ pub(crate) fn contacts_within(
 fn contact<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Option<Contact> {
     let query = step.query::<K>(ids).unwrap();
     let d = allowed::<K>(step, ids, min_distance);
-    let impact = query.impact_within(d)?;
+    let impact = query.impact(d)?;
     let distance = if impact.touching_at_start() && !d.is_zero() {
         query.distance_at(0.0).unwrap()
     } else {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     CanCollide, Detector, FreeStepOptions, Intersection, LineSearchError, Point, StepError, TriangleMesh,
     intersections,
@@ -29,11 +29,13 @@ fn crossing(mesh: &TriangleMesh, x: &[Point]) -> Option<Intersection> {
         let at = |vertices: [u32; 4]| vertices.map(|vertex| x[vertex as usize]);
         let in_face = [a, b].into_iter().any(|end| {
             let points = at([end, v1, v2, v3]);
-            Query::<VertexFace>::new(points, points).unwrap().collides()
+            Query::<VertexFace>::new(points, points)
+                .unwrap()
+                .collides(CONTACT)
         });
         let on_side = [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(|[v, w]| {
             let points = at([a, b, v, w]);
-            Query::<EdgeEdge>::new(points, points).unwrap().collides()
+            Query::<EdgeEdge>::new(points, points).unwrap().collides(CONTACT)
         });
         in_face || on_side
     };

@@ -1,6 +1,6 @@
 //! Contacts within a minimum distance, compared with loops over all pairs.
 
-use exact_ccd::separation::{Separation, Thickness};
+use exact_ccd::{Separation, Thickness};
 use exact_ccd_mesh::{
     AllPairs, Audit, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Frame,
     FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Point, Step, StepReport, Sweep,

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use exact_ccd::CONTACT;
 use exact_ccd_mesh::{Bvh, Pair, PairCounts, Point, StepReport, TriangleMesh, step};
 
 use crate::motions::falling_sheet;
@@ -145,7 +146,7 @@ fn exactly_a_time_is_before_just_above_it() {
             .unwrap()
             .vertex_face(vertex, 0)
             .unwrap()
-            .time_of_impact();
+            .time_of_impact(CONTACT);
         assert_eq!(time, Some(0.5));
     }
     let earliest = report(&motion, &Bvh).earliest.unwrap();

@@ -3,8 +3,7 @@
 use exact_ccd::{EdgeEdge, Kind, Point, Query, VertexFace};
 
 use super::number::Number;
-
-pub(super) type Vector<N> = [N; 3];
+use crate::vector::{Vector, cross, dot, minus, plus};
 
 /// Four moving points a, b, c, d that are coplanar at contact, and the sides on which d then lies.
 ///
@@ -120,33 +119,4 @@ fn area<N: Number>([p, q]: &[[Vector<N>; 4]; 2], o: usize, [x, y]: [usize; 2]) -
     let end = cross(&qx, &qy);
     let middle = minus(&plus(&start, &end), &cross(&minus(&qx, &px), &minus(&qy, &py)));
     [start, middle, end]
-}
-
-#[inline]
-fn plus<N: Number>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
-    [
-        a.clone() + x.clone(),
-        b.clone() + y.clone(),
-        c.clone() + z.clone(),
-    ]
-}
-
-#[inline]
-fn minus<N: Number>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
-    [
-        a.clone() - x.clone(),
-        b.clone() - y.clone(),
-        c.clone() - z.clone(),
-    ]
-}
-
-#[inline]
-fn dot<N: Number>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> N {
-    a.clone() * x.clone() + b.clone() * y.clone() + c.clone() * z.clone()
-}
-
-#[inline]
-fn cross<N: Number>([a, b, c]: &Vector<N>, [x, y, z]: &Vector<N>) -> Vector<N> {
-    let minor = |p: &N, q: &N, r: &N, s: &N| p.clone() * s.clone() - q.clone() * r.clone();
-    [minor(b, c, y, z), minor(c, a, z, x), minor(a, b, x, y)]
 }

@@ -14,7 +14,6 @@ mod configuration;
 mod curve;
 mod inflection;
 mod inside;
-mod integers;
 mod number;
 mod sign_classification;
 mod tight;

@@ -7,8 +7,8 @@ use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
 use super::configuration::{Configuration, Configured, Polynomials};
 use super::curve::{Curve, Roots};
 use super::inside::is_inside;
-use super::integers::to_integers;
 use super::number::{Number, signs};
+use crate::integers::to_integers;
 use crate::interval::Interval;
 
 /// Bernstein sign classification ("BSC") of M. Tang, R. Tong, Z. Wang and D. Manocha.
@@ -145,12 +145,12 @@ mod tests {
             let query = Query::<VertexFace>::new(start, end).unwrap();
             prop_assert_eq!(
                 method.collides(&query),
-                is_given_up(&Configuration::new(&query)) || query.collides()
+                is_given_up(&Configuration::new(&query)) || query.collides(exact_ccd::CONTACT)
             );
             let query = Query::<EdgeEdge>::new(start, end).unwrap();
             prop_assert_eq!(
                 method.collides(&query),
-                is_given_up(&Configuration::new(&query)) || query.collides()
+                is_given_up(&Configuration::new(&query)) || query.collides(exact_ccd::CONTACT)
             );
         }
 

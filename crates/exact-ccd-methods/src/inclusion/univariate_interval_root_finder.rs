@@ -7,6 +7,7 @@ use super::cell::Cell;
 use super::gap::Coordinates;
 use super::interval_root_finder::greatest_displacement;
 use crate::interval::Interval;
+use crate::vector::{Vector, cross, dot, minus};
 
 /// UIRF, the univariate interval root finder: bisects t, and keeps the intervals in which the four
 /// points may be coplanar, until they are short; then it tests in interval arithmetic whether the
@@ -74,23 +75,13 @@ impl Decided for EdgeEdge {
     };
 }
 
-type Vector = [Interval; 3];
-
-fn sub(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|k| a[k] - b[k])
-}
-
-fn dot(a: Vector, b: Vector) -> Interval {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j])
-}
-
 impl Barycentric {
     /// q, x, y and z in an interval of time.
-    fn at(&self, coordinates: &Coordinates<Interval>, t: Interval) -> (Vector, [Vector; 3]) {
+    fn at(
+        &self,
+        coordinates: &Coordinates<Interval>,
+        t: Interval,
+    ) -> (Vector<Interval>, [Vector<Interval>; 3]) {
         let axes = [0, 1, 2].map(|axis| coordinates.at(axis, t));
         let position = |point: usize| axes.map(|axis| axis[point]);
         (position(self.point), self.triangle.map(position))
@@ -99,7 +90,7 @@ impl Barycentric {
     /// True if q may lie in the plane of the triangle.
     fn may_be_coplanar(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
         let (q, [x, y, z]) = self.at(coordinates, t);
-        dot(sub(q, x), cross(sub(y, x), sub(z, x))).contains_zero()
+        dot(&minus(&q, &x), &cross(&minus(&y, &x), &minus(&z, &x))).contains_zero()
     }
 
     /// True if the barycentric coordinates may have their signs. For the normal n, the one of x is
@@ -107,10 +98,10 @@ impl Barycentric {
     fn may_meet(&self, coordinates: &Coordinates<Interval>, t: Interval) -> bool {
         let (q, triangle) = self.at(coordinates, t);
         let [x, y, z] = triangle;
-        let normal = cross(sub(y, x), sub(z, x));
-        let to_corner = triangle.map(|corner| sub(corner, q));
+        let normal = cross(&minus(&y, &x), &minus(&z, &x));
+        let to_corner = triangle.map(|corner| minus(&corner, &q));
         (0..3).all(|k| {
-            let area = dot(normal, cross(to_corner[(k + 1) % 3], to_corner[(k + 2) % 3]));
+            let area = dot(&normal, &cross(&to_corner[(k + 1) % 3], &to_corner[(k + 2) % 3]));
             (area * Interval::exactly(self.signs[k])).upper >= 0.0
         })
     }

@@ -7,7 +7,8 @@ use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Query, TimeGuarantee, VertexF
 
 use super::jenkins_traub;
 use super::polynomial::{MAX_DEGREE, Polynomial};
-use super::vectors::{cross, difference, dot, slab};
+use super::vectors::{difference, slab};
+use crate::vector::{cross, dot};
 
 /// The floating-point root finder ("FPRF") of E. Vouga.
 ///

@@ -5,7 +5,8 @@ use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Kind, Point, Query, TimeGuara
 use super::closest::{point_triangle, segment_segment};
 use super::jenkins_traub;
 use super::polynomial::Polynomial;
-use super::vectors::{cross, difference, dot, points_at, slab};
+use super::vectors::{difference, points_at, slab};
+use crate::vector::{cross, dot};
 
 /// The minimum-separation root finder ("MSRF") of D. Harmon, D. Panozzo, O. Sorkine and D. Zorin.
 ///

@@ -3,9 +3,10 @@
 use exact_ccd::{Kind, Point, Query};
 
 use super::polynomial::Polynomial;
+use crate::vector::{cross, dot};
 
 /// A vector whose components are polynomials in time.
-pub(super) type Vector = [Polynomial; 3];
+pub(super) type Vector = crate::vector::Vector<Polynomial>;
 
 /// xᵢ − xⱼ, linear in time.
 #[inline(always)]
@@ -15,16 +16,6 @@ pub(super) fn difference<K: Kind>(query: &Query<K>, i: usize, j: usize) -> Vecto
         let [x, y] = [i, j].map(|point| (start[point][axis], end[point][axis] - start[point][axis]));
         Polynomial::new([x.0 - y.0, x.1 - y.1])
     })
-}
-
-#[inline(always)]
-pub(super) fn dot(a: &Vector, b: &Vector) -> Polynomial {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
-    [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j] * b[k] - a[k] * b[j])
 }
 
 /// c² − d² |n|² for n = e₁ × e₂ and c = w · n: not positive while w is within the distance d of the

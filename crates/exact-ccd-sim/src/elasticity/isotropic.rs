@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::psd;
 
 /// An isotropic energy density Ψ(F), in J/m³.
-pub trait Isotropic {
+pub(crate) trait Isotropic {
     /// Ψ(F). Infinite for deformations that the material excludes.
     fn value(&self, deformation: &Matrix3<f64>) -> f64;
 
@@ -25,14 +25,14 @@ pub trait Isotropic {
 /// the modes are those of B. Smith, F. de Goes, T. Kim, *Analytic eigensystems for isotropic distortion
 /// energies*, 2019.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Principal {
+pub(crate) struct Principal {
     /// ∂²Ψ/∂σᵢ∂σⱼ.
-    pub stretch: Matrix3<f64>,
+    pub(crate) stretch: Matrix3<f64>,
     /// (∂ᵢΨ + ∂ⱼΨ) / (σᵢ + σⱼ) for the pairs (i, j) = (1, 2), (2, 0), (0, 1): the rotation in the plane of i
     /// and j.
-    pub twist: [f64; 3],
+    pub(crate) twist: [f64; 3],
     /// (∂ᵢΨ − ∂ⱼΨ) / (σᵢ − σⱼ) for the same pairs: the shear in the plane of i and j.
-    pub flip: [f64; 3],
+    pub(crate) flip: [f64; 3],
 }
 
 /// The pairs of axes of [`Principal::twist`] and [`Principal::flip`].
@@ -40,7 +40,7 @@ pub(super) const PAIRS: [[usize; 2]; 3] = [[1, 2], [2, 0], [0, 1]];
 
 /// The Hessian of Ψ at F = U diag(σ) Vᵀ, stored in the frame of the singular vectors, where it is sparse.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Curvature {
+pub(crate) struct Curvature {
     u: Matrix3<f64>,
     v: Matrix3<f64>,
     /// ∂²Ψ/∂Fᵢᵢ∂Fⱼⱼ.
@@ -54,7 +54,7 @@ pub struct Curvature {
 impl Curvature {
     /// The Hessian at a deformation gradient. If `projected`, its negative eigenvalues are set to zero.
     #[must_use]
-    pub fn new(energy: &impl Isotropic, deformation: &Matrix3<f64>, projected: bool) -> Self {
+    pub(crate) fn new(energy: &impl Isotropic, deformation: &Matrix3<f64>, projected: bool) -> Self {
         let (u, stretches, v) = rotation_variant(deformation);
         let mut principal = energy.principal(&stretches);
         if projected {
@@ -82,14 +82,14 @@ impl Curvature {
 
     /// A row vector in the frame of V, as [`Curvature::block`] expects.
     #[must_use]
-    pub fn in_frame(&self, row: &Vector3<f64>) -> Vector3<f64> {
+    pub(crate) fn in_frame(&self, row: &Vector3<f64>) -> Vector3<f64> {
         self.v.tr_mul(row)
     }
 
     /// The second derivatives by two points x and y on which F depends as x aᵀ and y bᵀ. `a` and `b` are in
     /// the frame of V.
     #[must_use]
-    pub fn block(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
+    pub(crate) fn block(&self, a: &Vector3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
         let products = a.component_mul(b);
         let diagonal = self.own * products;
         let block = Matrix3::from_fn(|i, k| {

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::range::{OutOfRange, check, check_positive};
+
 /// Young's modulus and Poisson's ratio.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ElasticModuli {
@@ -11,42 +13,20 @@ pub struct ElasticModuli {
     pub poisson: f64,
 }
 
-/// An elastic modulus that is out of range.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ModuliError {
-    /// Young's modulus is not positive.
-    #[error("Young's modulus is {0}, expected a positive number")]
-    Young(f64),
-    /// Poisson's ratio is out of range.
-    #[error("Poisson's ratio is {0}, expected a number in [0, 0.5)")]
-    Poisson(f64),
-}
-
-impl ModuliError {
-    /// The name of the modulus among the fields of [`ElasticModuli`].
-    #[must_use]
-    pub fn field(&self) -> &'static str {
-        match self {
-            Self::Young(_) => "young",
-            Self::Poisson(_) => "poisson",
-        }
-    }
-}
-
 impl ElasticModuli {
     /// Checks that E > 0 and 0 ≤ ν < ½.
     ///
     /// # Errors
-    /// [`ModuliError`] names the modulus that is out of range.
-    pub fn check(&self) -> Result<(), ModuliError> {
-        if !(self.young > 0.0 && self.young.is_finite()) {
-            return Err(ModuliError::Young(self.young));
-        }
-        if !(0.0..0.5).contains(&self.poisson) {
-            return Err(ModuliError::Poisson(self.poisson));
-        }
-        Ok(())
+    /// [`OutOfRange`] names the modulus that is out of range.
+    pub fn check(&self) -> Result<(), OutOfRange> {
+        check_positive("young", self.young)?;
+        let poisson = self.poisson;
+        check(
+            (0.0..0.5).contains(&poisson),
+            "poisson",
+            poisson,
+            "a number in [0, 0.5)",
+        )
     }
 
     /// The shear modulus μ in Pa.

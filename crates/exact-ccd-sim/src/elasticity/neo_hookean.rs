@@ -9,7 +9,7 @@ use super::lame::ElasticModuli;
 ///
 /// Source: J. Bonet, R. D. Wood, *Nonlinear Continuum Mechanics for Finite Element Analysis*, section 6.4.3.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NeoHookean {
+pub(crate) struct NeoHookean {
     mu: f64,
     lambda: f64,
 }
@@ -17,7 +17,7 @@ pub struct NeoHookean {
 impl NeoHookean {
     /// The material that has these moduli at small strains.
     #[must_use]
-    pub fn new(moduli: ElasticModuli) -> Self {
+    pub(crate) fn new(moduli: ElasticModuli) -> Self {
         let (mu, lambda) = (moduli.shear(), moduli.lambda());
         Self { mu, lambda }
     }

@@ -12,7 +12,7 @@ use super::neo_hookean::cofactor;
 /// Source: B. Smith, F. de Goes, T. Kim, *Stable neo-Hookean flesh simulation*, ACM Transactions on Graphics
 /// 37(2), 2018, equation 14.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StableNeoHookean {
+pub(crate) struct StableNeoHookean {
     mu: f64,
     lambda: f64,
     alpha: f64,
@@ -21,7 +21,7 @@ pub struct StableNeoHookean {
 impl StableNeoHookean {
     /// The material that has these moduli at small strains (section 3.4 of the paper).
     #[must_use]
-    pub fn new(moduli: ElasticModuli) -> Self {
+    pub(crate) fn new(moduli: ElasticModuli) -> Self {
         let mu = 4.0 / 3.0 * moduli.shear();
         let lambda = moduli.lambda() + 5.0 / 6.0 * moduli.shear();
         // With this α, the stress vanishes at rest, where I = 3 and J = 1.

@@ -14,10 +14,12 @@ use crate::element::{Element, Matrix12, Vector12};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum SolidMaterial {
-    /// [`NeoHookean`]: infinite for inverted elements, so that no element inverts.
+    /// Ψ = μ/2 (tr FᵀF − 3) − μ ln J + λ/2 ln² J with J = det F (J. Bonet, R. D. Wood, *Nonlinear Continuum
+    /// Mechanics for Finite Element Analysis*): infinite for inverted elements, so that no element inverts.
     #[default]
     NeoHookean,
-    /// [`StableNeoHookean`]: finite for every deformation. Elements can invert.
+    /// The stable neo-Hookean energy (B. Smith, F. de Goes, T. Kim, 2018): finite for every deformation.
+    /// Elements can invert.
     StableNeoHookean,
 }
 

@@ -29,7 +29,7 @@ const OWN: f64 = 0.2;
 /// Wardetzky, A. Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with
 /// terms of the vertices on the boundary too.
 #[derive(Clone, Debug)]
-pub struct VertexBend {
+pub(crate) struct VertexBend {
     vertices: Vec<u32>,
     /// The vertices of each hinge, by their places in `vertices`.
     folds: Vec<[usize; 4]>,

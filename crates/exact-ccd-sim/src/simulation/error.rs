@@ -3,7 +3,7 @@
 use exact_ccd_mesh::Point;
 
 use super::start::Primitive;
-use crate::settings::SettingError;
+use crate::range::OutOfRange;
 
 /// An error at the start of a simulation or in a time step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -11,7 +11,7 @@ use crate::settings::SettingError;
 pub enum SimulationError {
     /// A setting is out of range.
     #[error(transparent)]
-    Setting(#[from] SettingError),
+    Setting(#[from] OutOfRange),
     /// A pair of friction names a body that does not exist.
     #[error(
         "`friction.pair` names the body `{name}`, expected one of the names of bodies and half spaces: {known}"
@@ -40,18 +40,9 @@ pub enum SimulationError {
         /// The number of vertices of the system.
         expected: usize,
     },
-    /// A number of the state is NaN or infinite, or the stiffness is negative.
-    #[error("the state has a number out of range in its {what}, expected finite numbers, and stiffness >= 0")]
-    NotFinite {
-        /// `positions`, `velocities`, and so on.
-        what: &'static str,
-    },
-    /// The number of time steps is too large to be exact as an f64.
-    #[error("the state has the step number {step}, expected a number below 2⁵³")]
-    Late {
-        /// The number of time steps.
-        step: u64,
-    },
+    /// A number of the state is out of range.
+    #[error("the state is invalid: {0}")]
+    InState(OutOfRange),
     /// The checkpoint has another value of a setting.
     #[error(
         "the checkpoint has `{what}` = {there}, expected {here} as in the settings: \
@@ -66,6 +57,12 @@ pub enum SimulationError {
         /// Its value in the settings, as JSON.
         here: String,
     },
+    /// The checkpoint identifies its system by hashes of another definition.
+    #[error(
+        "the checkpoint was saved by another version of the simulator: \
+         resume with that version, or start a new run"
+    )]
+    OtherVersion,
     /// The checkpoint belongs to another system.
     #[error(
         "the checkpoint belongs to a system with other {what}: \

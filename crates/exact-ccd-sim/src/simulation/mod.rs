@@ -18,7 +18,8 @@ use crate::checkpoint::Checkpoint;
 use crate::contact::{Barrier, StiffnessRange};
 use crate::filter::StepFilter;
 use crate::friction::Coefficients;
-use crate::settings::{SettingError, Settings};
+use crate::range::{OutOfRange, check, check_finite, check_not_negative};
+use crate::settings::Settings;
 use crate::solver::LinearSolver;
 use crate::state::State;
 use crate::system::{Fingerprint, System};
@@ -93,9 +94,6 @@ impl Simulation {
         check_filter(&system, &filter)?;
         filter.name().clone_into(&mut settings.ccd);
         settings.check(system.size())?;
-        if state.step >= 1 << f64::MANTISSA_DIGITS {
-            return Err(SimulationError::Late { step: state.step });
-        }
         let expected = system.start.len();
         let fits = |what, found| {
             (found == expected).then_some(()).ok_or(SimulationError::State {
@@ -110,37 +108,14 @@ impl Simulation {
             fits("earlier positions", earlier.positions.len())?;
             fits("earlier velocities", earlier.velocities.len())?;
         }
-        let is_finite = |points: &[Point]| points.as_flattened().iter().all(|x| x.is_finite());
-        let finite = |what, points: &[Point]| {
-            is_finite(points)
-                .then_some(())
-                .ok_or(SimulationError::NotFinite { what })
-        };
-        finite("positions", &state.positions)?;
-        finite("velocities", &state.velocities)?;
-        if let Some(earlier) = &state.earlier {
-            finite("earlier positions", &earlier.positions)?;
-            finite("earlier velocities", &earlier.velocities)?;
-        }
-        for origins in state.origins.values() {
-            finite("origins", origins)?;
-        }
-        if !state
-            .stiffness
-            .is_none_or(|stiffness| stiffness >= 0.0 && stiffness.is_finite())
-        {
-            return Err(SimulationError::NotFinite { what: "stiffness" });
-        }
+        check_numbers(&state).map_err(SimulationError::InState)?;
         start::check(&system, &state)?;
         let distance = settings.contact_distance.meters(system.size());
         let barrier = Barrier::new(distance);
         if !StiffnessRange::new(system.size(), system.mean_mass(), &barrier).is_valid() {
-            return Err(SettingError {
-                what: "contact-distance",
-                value: distance,
-                expected: "a length for which the masses give a positive and finite stiffness of the barrier",
-            }
-            .into());
+            let expected =
+                "a length for which the masses give a positive and finite stiffness of the barrier";
+            check(false, "contact-distance", distance, expected)?;
         }
         let coefficients = Coefficients::new(&settings.friction, &system.names());
         let coefficients = coefficients.map_err(|name| SimulationError::UnknownBody {
@@ -218,6 +193,32 @@ impl Simulation {
     pub fn time(&self) -> f64 {
         self.state.step as f64 * self.settings.time_step
     }
+}
+
+/// Checks that the numbers of a state are finite, and the stiffness not negative.
+fn check_numbers(state: &State) -> Result<(), OutOfRange> {
+    // Steps below 2⁵³ are exact as an f64.
+    let step = state.step;
+    check(
+        step < 1 << f64::MANTISSA_DIGITS,
+        "step",
+        step,
+        "a number below 2⁵³",
+    )?;
+    let finite = |field, points: &[Point]| {
+        let mut points = points.iter();
+        points.try_for_each(|point| check_finite(field, point))
+    };
+    finite("positions", &state.positions)?;
+    finite("velocities", &state.velocities)?;
+    if let Some(earlier) = &state.earlier {
+        finite("earlier.positions", &earlier.positions)?;
+        finite("earlier.velocities", &earlier.velocities)?;
+    }
+    for origins in state.origins.values() {
+        finite("origins", origins)?;
+    }
+    check_not_negative("stiffness", state.stiffness.unwrap_or(0.0))
 }
 
 /// Checks that the method of a filter takes the offsets of the bodies into account.

@@ -13,7 +13,8 @@ impl Checkpoint {
     ///
     /// # Errors
     /// [`SimulationError::OtherSetting`] and [`SimulationError::OtherSystem`] name the difference between
-    /// the checkpoint and the arguments. All other errors are those of [`Simulation::resume`].
+    /// the checkpoint and the arguments. [`SimulationError::OtherVersion`] is that of a checkpoint which
+    /// cannot be compared. All other errors are those of [`Simulation::resume`].
     pub fn resume(
         self,
         system: System,
@@ -26,6 +27,9 @@ impl Checkpoint {
         };
         if let Some(different) = different_setting(&self.settings, &settings) {
             return Err(different);
+        }
+        if !self.system.is_current() {
+            return Err(SimulationError::OtherVersion);
         }
         match self.system.difference(&system.fingerprint()) {
             None => Simulation::resume_with(system, settings, self.state, filter),

@@ -6,6 +6,7 @@ use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
 
 use super::SimulationError;
 use crate::contact::Barrier;
+use crate::range::{FINITE, OutOfRange};
 use crate::settings::Formulation;
 use crate::state::State;
 use crate::system::System;
@@ -33,7 +34,8 @@ impl Primitive {
     }
 
     /// The primitive with its vertex indices mapped by a function.
-    pub(crate) fn map(self, number: impl Fn(u32) -> u32) -> Self {
+    #[must_use]
+    pub fn map(self, number: impl Fn(u32) -> u32) -> Self {
         match self {
             Self::Vertex(vertex) => Self::Vertex(number(vertex)),
             Self::Edge(edge) => Self::Edge(edge.map(number)),
@@ -64,7 +66,13 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
             near: state.positions[vertex as usize],
         });
     }
-    let not_finite = || SimulationError::NotFinite { what: "positions" };
+    let not_finite = || {
+        SimulationError::InState(OutOfRange {
+            field: "positions",
+            found: "not finite".to_owned(),
+            expected: FINITE.to_owned(),
+        })
+    };
     // The frame has no vertices in the interior of solids, which touch nothing.
     let frame = system.surface_frame(&state.positions).map_err(|_| not_finite())?;
     let mesh = frame.mesh.clone();

@@ -41,7 +41,7 @@ impl Warning {
     /// The text of the warning with the names of the bodies of a system in place of their numbers.
     #[must_use]
     pub fn with_names(&self, system: &System) -> String {
-        self.text(|body| system.body_designation(body))
+        self.text(|body| system.designation(body))
     }
 
     fn text(&self, designation: impl Fn(usize) -> String) -> String {

@@ -1,12 +1,10 @@
 //! Errors of bodies and scripts.
 
-use exact_ccd::separation::{InvalidThickness, Thickness};
+use exact_ccd::InvalidThickness;
 use exact_ccd_mesh::{MeshError, Point, TetMeshError};
 
-use crate::elasticity::ModuliError;
 use crate::half_space::HalfSpaceError;
-use crate::load::LoadError;
-use crate::script::ScriptError;
+use crate::range::OutOfRange;
 
 /// An invalid body or script.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -29,12 +27,17 @@ pub enum SystemError {
     /// The faces of all bodies together do not form a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// An offset is out of range. [`SystemError::Offset`] names the body instead.
+    /// The sum of offsets is out of range.
     #[error(transparent)]
     Thickness(#[from] InvalidThickness),
     /// A load is out of range.
-    #[error(transparent)]
-    Load(#[from] LoadError),
+    #[error("load {load}: {source}")]
+    Load {
+        /// The load, from 0.
+        load: usize,
+        /// The number.
+        source: OutOfRange,
+    },
     /// A half space is invalid.
     #[error(transparent)]
     HalfSpace(#[from] HalfSpaceError),
@@ -78,23 +81,13 @@ pub enum SystemError {
         /// The first of the two edges, from 0.
         element: usize,
     },
-    /// An elastic modulus is out of range.
+    /// A parameter of a body is out of range.
     #[error("body {body}: {source}")]
-    Moduli {
+    Body {
         /// The body, from 0.
         body: usize,
-        /// The modulus and its value.
-        source: ModuliError,
-    },
-    /// The density, the thickness or the radius is not positive.
-    #[error("body {body}: the {what} is {value}, expected a positive finite number")]
-    NotPositive {
-        /// The body, from 0.
-        body: usize,
-        /// `density`, `thickness` or `radius`.
-        what: &'static str,
-        /// Its value.
-        value: f64,
+        /// The parameter.
+        source: OutOfRange,
     },
     /// A region of a solid has a tetrahedron that the solid does not have.
     #[error("body {body}: region {region} has tetrahedron {element}, expected a number below {count}")]
@@ -109,23 +102,14 @@ pub enum SystemError {
         count: usize,
     },
     /// The material of a region of a solid is out of range.
-    #[error("{source}, in region {region}")]
-    InRegion {
-        /// The region, from 0.
-        region: usize,
-        /// The error of the material.
-        source: Box<SystemError>,
-    },
-    /// The offset of the contact surface is out of range.
-    #[error(
-        "body {body}: the offset is {offset}, expected a number from 0 to {:e}",
-        Thickness::MAX
-    )]
-    Offset {
+    #[error("body {body}: {source}, in region {region}")]
+    Material {
         /// The body, from 0.
         body: usize,
-        /// Its offset.
-        offset: f64,
+        /// The region, from 0.
+        region: usize,
+        /// The parameter.
+        source: OutOfRange,
     },
     /// The mass of an element is not a normal number.
     #[error("body {body}: element {element} has a mass of {mass} kg, expected a positive normal number")]
@@ -137,25 +121,13 @@ pub enum SystemError {
         /// Its mass.
         mass: f64,
     },
-    /// A velocity at the start is not finite, or an obstacle has one.
-    #[error("body {body}: the {what} is {velocity:?}, expected {expected}")]
-    Velocity {
-        /// The body, from 0.
-        body: usize,
-        /// `velocity` or `angular velocity`.
-        what: &'static str,
-        /// Its value.
-        velocity: Point,
-        /// The velocities that are allowed.
-        expected: &'static str,
-    },
     /// A parameter of a script is out of range.
     #[error("script {script}: {source}")]
     Motion {
         /// The script, from 0.
         script: usize,
         /// The parameter.
-        source: ScriptError,
+        source: OutOfRange,
     },
     /// A script has a vertex index that is out of range.
     #[error(
@@ -169,13 +141,4 @@ pub enum SystemError {
         /// The number of vertices of the system.
         vertex_count: usize,
     },
-}
-
-/// Checks that a parameter of a body is positive and finite.
-pub(super) fn positive(body: usize, what: &'static str, value: f64) -> Result<(), SystemError> {
-    if value > 0.0 && value.is_finite() {
-        Ok(())
-    } else {
-        Err(SystemError::NotPositive { body, what, value })
-    }
 }

@@ -1,21 +1,31 @@
 //! Fingerprints of systems.
 
-use std::fmt::{self, Debug, Write};
-
+use exact_ccd_mesh::TriangleMesh;
 use serde::{Deserialize, Serialize};
 
 use super::System;
+use crate::body::{
+    Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties, SolidProperties,
+};
+use crate::digest::{Digest, Hash};
+use crate::half_space::HalfSpace;
+
+/// The definition of the hashes, which is another one whenever equal systems would get other hashes.
+const VERSION: u32 = 1;
 
 /// Hashes of the parts of a [`System`], of 64 bits: against accidental differences, not against forgery.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fingerprint {
+    /// The definition of the hashes; 0 in checkpoints without a number.
+    #[serde(default)]
+    version: u32,
     /// The hash of the initial positions.
     positions: String,
     /// The hash of the initial velocities.
     velocities: String,
     /// The hash of the corners of faces, edges and tetrahedra.
     elements: String,
-    /// The hash of masses, stiffnesses and offsets.
+    /// The hash of the materials and offsets of all bodies.
     materials: String,
     /// The hash of the scripts.
     scripts: String,
@@ -29,14 +39,26 @@ impl Fingerprint {
     pub(super) fn of(system: &System) -> Self {
         let tetrahedra: Vec<[u32; 4]> = system.tetrahedra().collect();
         Self {
-            positions: hash(&system.start),
-            velocities: hash(&system.velocities),
-            elements: hash(&(system.surface(), tetrahedra)),
-            materials: hash(&(&system.masses, &system.elements, &system.bends, &system.offsets)),
-            scripts: hash(&system.scripts),
-            half_spaces: hash(&system.half_spaces),
-            loads: hash(&system.loads),
+            version: VERSION,
+            positions: Hash::of(&system.start),
+            velocities: Hash::of(&system.velocities),
+            elements: Hash::of(&(system.surface(), tetrahedra)),
+            materials: system.materials.clone(),
+            scripts: Hash::of(&system.scripts),
+            half_spaces: Hash::of(&system.half_spaces),
+            loads: Hash::of(&system.loads),
         }
+    }
+
+    /// The hash of the materials and offsets of bodies.
+    pub(super) fn materials(bodies: &[Body]) -> String {
+        let materials: Vec<(&BodyKind, f64)> = bodies.iter().map(|body| (&body.kind, body.offset)).collect();
+        Hash::of(&materials)
+    }
+
+    /// True if the hashes have the same definition, so that they can be compared.
+    pub(crate) fn is_current(&self) -> bool {
+        self.version == VERSION
     }
 
     /// The first part in which two systems differ.
@@ -55,24 +77,69 @@ impl Fingerprint {
     }
 }
 
-/// The hash of the `Debug` text of a value, in which numbers are exact. The text contains the names of types
-/// and fields: a renamed field of an element or a script makes earlier checkpoints unusable.
-fn hash(value: &impl Debug) -> String {
-    let mut hash = Fnv1a(0xcbf2_9ce4_8422_2325);
-    // `write_str` below does not fail.
-    let _ = write!(hash, "{value:?}");
-    format!("{:016x}", hash.0)
+/// The kind of a body with its materials. Its elements are those of the system.
+impl Digest for BodyKind {
+    fn digest(&self, hash: &mut Hash) {
+        self.name().digest(hash);
+        match self {
+            Self::Solid {
+                material, regions, ..
+            } => (material, regions).digest(hash),
+            Self::Shell { material, .. } => {
+                let ShellProperties {
+                    density,
+                    young,
+                    poisson,
+                    thickness,
+                } = *material;
+                [density, young, poisson, thickness].digest(hash);
+            }
+            Self::Rod { material, .. } => {
+                let RodProperties {
+                    density,
+                    young,
+                    radius,
+                } = *material;
+                [density, young, radius].digest(hash);
+            }
+            Self::Particles { material } => {
+                let ParticleProperties { density, radius } = *material;
+                [density, radius].digest(hash);
+            }
+            Self::Obstacle { .. } => {}
+        }
+    }
 }
 
-/// The hash function FNV-1a with 64 bits: G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake, T. Hansen, *The FNV
-/// Non-Cryptographic Hash Algorithm*.
-struct Fnv1a(u64);
+impl Digest for SolidProperties {
+    fn digest(&self, hash: &mut Hash) {
+        let Self {
+            density,
+            young,
+            poisson,
+            energy,
+        } = *self;
+        ([density, young, poisson], energy as u32).digest(hash);
+    }
+}
 
-impl Write for Fnv1a {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        for byte in text.bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-        Ok(())
+impl Digest for Region {
+    fn digest(&self, hash: &mut Hash) {
+        let Self { tetrahedra, material } = self;
+        (tetrahedra, material).digest(hash);
+    }
+}
+
+impl Digest for HalfSpace {
+    fn digest(&self, hash: &mut Hash) {
+        let Self { name, point, normal } = self;
+        (name.as_str(), [point, normal]).digest(hash);
+    }
+}
+
+impl Digest for TriangleMesh {
+    fn digest(&self, hash: &mut Hash) {
+        let vertex_count = self.vertex_count() as u64;
+        (vertex_count, (self.faces(), self.edges())).digest(hash);
     }
 }

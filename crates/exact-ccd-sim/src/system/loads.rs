@@ -5,15 +5,25 @@ use nalgebra::Vector3;
 
 use super::{System, SystemError};
 use crate::load::Load;
+use crate::range::check;
 
 impl System {
     /// The same system with loads, in place of those that it has.
     ///
     /// # Errors
-    /// [`SystemError::Load`] names the first one with a number that is out of range.
+    /// [`SystemError::Load`] names the first one with a number that is out of range, or a vertex that the
+    /// system does not have.
     pub fn with_loads(self, loads: Vec<Load>) -> Result<Self, SystemError> {
+        let count = self.start.len();
         for (number, load) in loads.iter().enumerate() {
-            load.check(number, self.start.len())?;
+            let unknown = load.vertices.iter().find(|&&vertex| vertex as usize >= count);
+            let known = unknown.map_or(Ok(()), |vertex| {
+                let found = format_args!("a list with {vertex}");
+                check(false, "vertices", found, format_args!("indices below {count}"))
+            });
+            load.check()
+                .and(known)
+                .map_err(|source| SystemError::Load { load: number, source })?;
         }
         Ok(Self { loads, ..self })
     }

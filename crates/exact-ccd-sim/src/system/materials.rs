@@ -1,7 +1,8 @@
 //! The material of each tetrahedron of a solid.
 
-use super::error::{SystemError, positive};
+use super::error::SystemError;
 use crate::body::{Region, SolidProperties};
+use crate::range::{OutOfRange, check_positive};
 
 /// The material of each tetrahedron of a solid: that of its last region, otherwise that of the solid.
 pub(super) fn materials<'a>(
@@ -10,13 +11,10 @@ pub(super) fn materials<'a>(
     material: &'a SolidProperties,
     regions: &'a [Region],
 ) -> Result<Vec<&'a SolidProperties>, SystemError> {
-    check(body, material)?;
+    check(material).map_err(|source| SystemError::Body { body, source })?;
     let mut materials = vec![material; count];
     for (region, Region { tetrahedra, material }) in regions.iter().enumerate() {
-        check(body, material).map_err(|source| SystemError::InRegion {
-            region,
-            source: Box::new(source),
-        })?;
+        check(material).map_err(|source| SystemError::Material { body, region, source })?;
         for &element in tetrahedra {
             let slot = materials.get_mut(element as usize);
             *slot.ok_or(SystemError::Region {
@@ -30,8 +28,7 @@ pub(super) fn materials<'a>(
     Ok(materials)
 }
 
-fn check(body: usize, material: &SolidProperties) -> Result<(), SystemError> {
-    positive(body, "density", material.density)?;
-    let moduli = material.moduli().check();
-    moduli.map_err(|source| SystemError::Moduli { body, source })
+fn check(material: &SolidProperties) -> Result<(), OutOfRange> {
+    check_positive("density", material.density)?;
+    material.moduli().check()
 }

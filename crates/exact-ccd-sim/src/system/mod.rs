@@ -12,7 +12,7 @@ mod parts;
 
 use std::ops::Range;
 
-use exact_ccd::separation::{InvalidThickness, Thickness};
+use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
     Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Frame, MeshError, MinDistance, Point,
     PositionsError, Step, TriangleMesh,
@@ -39,6 +39,8 @@ pub struct System {
     pub(crate) velocities: Vec<Point>,
     pub(crate) masses: Vec<f64>,
     pub(crate) elements: Vec<Elastic>,
+    /// The hash of the materials, for the fingerprint.
+    materials: String,
     /// The bending of shells about vertices.
     pub(crate) bends: Vec<VertexBend>,
     /// The scripts of each vertex.
@@ -148,6 +150,7 @@ impl System {
             velocities: parts.velocities,
             masses: parts.masses,
             elements: parts.elements,
+            materials: Fingerprint::materials(bodies),
             bends: parts.bends,
             scripts: parts.scripts,
             rigidity: parts.rigidity,

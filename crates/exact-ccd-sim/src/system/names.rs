@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::System;
 use crate::contact::Collision;
 
-/// A body or a half space in messages: by its name, or else by its place in the scene file.
+/// A body or a half space in messages.
 pub(crate) fn designation(what: &str, index: usize, name: &str) -> String {
     match name {
         "" => format!("{what}[{index}]"),
@@ -15,10 +15,16 @@ pub(crate) fn designation(what: &str, index: usize, name: &str) -> String {
 }
 
 impl System {
-    /// A body in messages.
-    pub(crate) fn body_designation(&self, body: usize) -> String {
-        let name = self.names.get(body).map_or("", String::as_str);
-        designation("body", body, name)
+    /// The body or half space with this place in [`System::names`], in messages: by its name, or else by its
+    /// place among the bodies or the half spaces of a scene file.
+    #[must_use]
+    pub fn designation(&self, index: usize) -> String {
+        let bodies = self.names.len();
+        let name = self.names().get(index).copied().unwrap_or_default();
+        match index.checked_sub(bodies) {
+            None => designation("body", index, name),
+            Some(half_space) => designation("half-space", half_space, name),
+        }
     }
 
     /// The name of each body, or `body-N` for the Nth body if it has none.

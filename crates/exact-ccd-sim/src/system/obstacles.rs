@@ -3,7 +3,7 @@
 use exact_ccd_mesh::{Point, Step};
 
 use super::{System, SystemError};
-use crate::half_space::HalfSpace;
+use crate::half_space::{HalfSpace, Plane};
 
 impl System {
     /// The same system with half spaces as obstacles, in place of those that it has.
@@ -15,7 +15,7 @@ impl System {
             half_space.check(number)?;
         }
         Ok(Self {
-            planes: half_spaces.iter().map(HalfSpace::plane).collect(),
+            planes: half_spaces.iter().map(Plane::of).collect(),
             half_spaces,
             ..self
         })
@@ -52,12 +52,12 @@ impl System {
         if self.first_grounded(after).is_none() {
             return 1.0;
         }
-        let part = |half_space: &HalfSpace, vertex: usize| {
-            half_space.free_part([before[vertex], after[vertex]], self.offsets[vertex])
+        let part = |plane: &Plane, vertex: usize| {
+            plane.free_part([before[vertex], after[vertex]], self.offsets[vertex])
         };
         let vertices = || self.grounded.iter().map(|&vertex| vertex as usize);
-        let parts = self.half_spaces.iter();
-        let parts = parts.flat_map(|half_space| vertices().map(move |vertex| part(half_space, vertex)));
+        let parts = self.planes.iter();
+        let parts = parts.flat_map(|plane| vertices().map(move |vertex| part(plane, vertex)));
         parts.fold(1.0_f64.next_down(), f64::min).max(f64::EPSILON)
     }
 }

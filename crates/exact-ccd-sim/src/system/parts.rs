@@ -2,17 +2,18 @@
 
 use std::ops::Range;
 
-use exact_ccd::separation::Thickness;
+use exact_ccd::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
 use nalgebra::Vector3;
 
-use super::error::{SystemError, positive};
+use super::error::SystemError;
 use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
-use crate::elasticity::{Bend, Elastic, ElasticModuli, Membrane, Stretch, Tetrahedron, VertexBend, bending};
+use crate::elasticity::{Bend, Elastic, Membrane, Stretch, Tetrahedron, VertexBend, bending};
 use crate::gather::gather;
 use crate::hinges::hinges;
+use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
 
 /// The parts of a system under construction.
@@ -46,29 +47,7 @@ impl Parts {
             });
         }
         let is_obstacle = matches!(added.kind, BodyKind::Obstacle { .. });
-        let velocities = [
-            ("velocity", added.velocity),
-            ("angular velocity", added.angular_velocity),
-        ];
-        for (what, velocity) in velocities {
-            let (is_allowed, expected) = if is_obstacle {
-                (velocity == [0.0; 3], "zero: obstacles are moved by scripts")
-            } else {
-                (is_finite(&velocity), "finite numbers")
-            };
-            if !is_allowed {
-                return Err(SystemError::Velocity {
-                    body,
-                    what,
-                    velocity,
-                    expected,
-                });
-            }
-        }
-        if !(0.0..=Thickness::MAX).contains(&added.offset) {
-            let offset = added.offset;
-            return Err(SystemError::Offset { body, offset });
-        }
+        check_motion(added, is_obstacle).map_err(|source| SystemError::Body { body, source })?;
         let first = self.start.len();
         let count = added.points.len();
         self.start.extend(&added.points);
@@ -172,12 +151,10 @@ impl Parts {
         faces: Vec<[u32; 3]>,
         material: &ShellProperties,
     ) -> Result<(), SystemError> {
-        positive(body, "density", material.density)?;
-        positive(body, "thickness", material.thickness)?;
-        material
-            .moduli()
-            .check()
-            .map_err(|source| SystemError::Moduli { body, source })?;
+        check_positive("density", material.density)
+            .and(check_positive("thickness", material.thickness))
+            .and(material.moduli().check())
+            .map_err(|source| SystemError::Body { body, source })?;
         for (element, corners) in faces.iter().enumerate() {
             let points = gather(&self.start, corners);
             let membrane = Membrane::new(*corners, &points, material.thickness, material.moduli())
@@ -203,12 +180,10 @@ impl Parts {
         edges: Vec<[u32; 2]>,
         material: &RodProperties,
     ) -> Result<(), SystemError> {
-        positive(body, "density", material.density)?;
-        positive(body, "radius", material.radius)?;
-        let (young, poisson) = (material.young, 0.0);
-        ElasticModuli { young, poisson }
-            .check()
-            .map_err(|source| SystemError::Moduli { body, source })?;
+        check_positive("density", material.density)
+            .and(check_positive("radius", material.radius))
+            .and(check_positive("young", material.young))
+            .map_err(|source| SystemError::Body { body, source })?;
         for (element, ends) in edges.iter().enumerate() {
             let stretch = Stretch::new(*ends, &gather(&self.start, ends), material.axial_stiffness())
                 .ok_or(SystemError::Flat { body, element })?;
@@ -241,12 +216,40 @@ impl Parts {
         vertices: Range<usize>,
         material: &ParticleProperties,
     ) -> Result<(), SystemError> {
-        positive(body, "density", material.density)?;
-        positive(body, "radius", material.radius)?;
+        check_positive("density", material.density)
+            .and(check_positive("radius", material.radius))
+            .map_err(|source| SystemError::Body { body, source })?;
         self.masses[vertices.clone()].fill(mass(body, 0, material.mass())?);
         self.particles.extend(vertices.map(|vertex| vertex as u32));
         Ok(())
     }
+}
+
+/// Checks the velocities and the offset of a body.
+fn check_motion(body: &Body, is_obstacle: bool) -> Result<(), OutOfRange> {
+    for (field, velocity) in [
+        ("velocity", body.velocity),
+        ("angular-velocity", body.angular_velocity),
+    ] {
+        check_finite(field, &velocity)?;
+        let (rests, expected) = (velocity == [0.0; 3], "zero: obstacles are moved by scripts");
+        check(
+            !is_obstacle || rests,
+            field,
+            format_args!("{velocity:?}"),
+            expected,
+        )?;
+    }
+    let (offset, expected) = (
+        body.offset,
+        format_args!("a number from 0 to {:e}", Thickness::MAX),
+    );
+    check(
+        (0.0..=Thickness::MAX).contains(&offset),
+        "offset",
+        offset,
+        expected,
+    )
 }
 
 /// Checks the mass of an element.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use exact_ccd::{Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
+use exact_ccd::{CONTACT, Ccd, Decide, Guarantees, Kind, Query, TimeGuarantee};
 use exact_ccd_mesh::{Audit, Frame, Point, Violation};
 use exact_ccd_sim::{Script, Settings, Simulation, StepFilter, System, shapes};
 
@@ -14,7 +14,7 @@ struct Hasty {
 
 impl<K: Kind> Decide<K> for Hasty {
     fn collides(&self, query: &Query<K>) -> bool {
-        self.decides && query.collides()
+        self.decides && query.collides(CONTACT)
     }
 
     fn time_of_impact(&self, _: &Query<K>) -> Option<f64> {

@@ -3,8 +3,8 @@
 use std::sync::{Arc, Mutex};
 
 use exact_ccd::Exact;
-use exact_ccd::parity::RootParity;
 use exact_ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
+use exact_ccd_methods::parity::RootParity;
 use exact_ccd_sim::{
     Body, BodyKind, Checkpoint, Settings, ShellProperties, Simulation, SimulationError, StepFilter, System,
     shapes,

@@ -98,8 +98,5 @@ fn names_that_no_body_has_and_negative_coefficients_are_errors() {
         }
     );
     let error = error(vec![pair("block", "block", -0.1)]).to_string();
-    assert_eq!(
-        error,
-        "`friction.pair` is -0.1, expected coefficients not below 0"
-    );
+    assert_eq!(error, "`friction.pair` is -0.1, expected a number not below 0");
 }

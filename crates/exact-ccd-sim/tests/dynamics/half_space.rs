@@ -1,7 +1,7 @@
 //! Half spaces as obstacles.
 
 use exact_ccd_sim::{
-    Friction, HalfSpace, Length, Settings, Simulation, SimulationError, System, SystemError, shapes,
+    Friction, HalfSpace, Length, Plane, Settings, Simulation, SimulationError, System, SystemError, shapes,
 };
 use nalgebra::Vector3;
 
@@ -11,7 +11,7 @@ const TILTED: HalfSpace = HalfSpace::new([0.3, -0.7, 0.1], [0.31, 1.7, -0.23]);
 
 /// A cube with its lowest corner at a height above the tilted half space.
 fn above(height: f64) -> System {
-    let plane = TILTED.plane();
+    let plane = Plane::of(&TILTED);
     let shift = plane.point + plane.normal * height;
     let lowest = [[0.0, 0.4], [0.0, 0.4], [0.0, 0.4]];
     let corners = (0..8).map(|k: usize| Vector3::from_fn(|axis, _| lowest[axis][k >> axis & 1]));
@@ -30,7 +30,7 @@ fn above(height: f64) -> System {
 #[test]
 fn no_increment_enters_a_half_space() {
     let settings = Settings {
-        gravity: (TILTED.plane().normal * -300.0).into(),
+        gravity: (Plane::of(&TILTED).normal * -300.0).into(),
         time_step: 0.05,
         ..Settings::default()
     };
@@ -101,7 +101,7 @@ fn offsets_keep_their_distance() {
 /// A cube at rest on a half space does not drift, without friction: not by a millionth of its size in 2 s.
 #[test]
 fn a_cube_at_rest_does_not_drift() {
-    let plane = TILTED.plane();
+    let plane = Plane::of(&TILTED);
     let turn = nalgebra::Rotation3::rotation_between(&Vector3::y(), &plane.normal).unwrap();
     let cube = shapes::solid_box([2, 2, 2], [0.3; 3])
         .placed(|x| (plane.point + turn * (Vector3::from(x) + Vector3::y() * 1e-3)).into());

@@ -158,7 +158,7 @@ fn accelerations_begin_and_end() {
     ] {
         let error = system.clone().with_loads(vec![load]).unwrap_err();
         assert!(
-            matches!(error, SystemError::Load(error) if error.field == field),
+            matches!(&error, SystemError::Load { source, .. } if source.field == field),
             "{error}"
         );
     }

@@ -1,9 +1,10 @@
 //! The candidate pairs of the broad phase, against all pairs of primitives.
 
-use exact_ccd::{EdgeEdge, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
     Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
 };
+use exact_ccd_methods::parity::Displacement;
 use exact_ccd_sim::distance::{edge_edge, point_triangle};
 use fastrand::Rng;
 use nalgebra::Vector3;
@@ -122,12 +123,12 @@ impl Scene {
             |v| {
                 Query::<VertexFace>::new(at(start, v), at(end, v))
                     .unwrap()
-                    .collides()
+                    .collides(CONTACT)
             },
             |v| {
                 Query::<EdgeEdge>::new(at(start, v), at(end, v))
                     .unwrap()
-                    .collides()
+                    .collides(CONTACT)
             },
         )
     }
@@ -195,7 +196,7 @@ fn candidates_contain_all_pairs_that_collide_after_a_shift() {
                 .for_each(|point| *point = point.map(|x| x + far));
         }
         let bounds: Aabb = scene.start.iter().chain(&scene.end).copied().collect();
-        let displacement = bounds.displacement();
+        let displacement = Displacement::of_box(bounds.lower, bounds.upper);
         let [start, end] = [&scene.start, &scene.end].map(|points| {
             points
                 .iter()

@@ -7,6 +7,7 @@ use exact_ccd_sim::{
     Body, BodyKind, Checkpoint, Friction, Integrator, Length, Script, Scripted, Settings, Simulation,
     SimulationError, State, StepFilter, System, shapes,
 };
+use serde_json::Value;
 
 fn system() -> System {
     let cube = shapes::solid_box([1, 1, 1], [0.5; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.02, z + 0.2]);
@@ -149,6 +150,31 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
         }
     };
     assert_eq!(changed(&fewer, &[]), "elements");
+}
+
+/// A checkpoint of another version is an error, even if its system is the same.
+#[test]
+fn a_checkpoint_of_another_version_is_an_error() {
+    let simulation = Simulation::new(system(), settings()).unwrap();
+    let current = serde_json::to_value(simulation.checkpoint()).unwrap();
+    let resume = |checkpoint: Value| {
+        let checkpoint: Checkpoint = serde_json::from_value(checkpoint).unwrap();
+        checkpoint
+            .resume(system(), settings(), StepFilter::default())
+            .err()
+    };
+    assert_eq!(resume(current.clone()), None);
+    let mut earlier = current.clone();
+    earlier["system"]
+        .as_object_mut()
+        .unwrap()
+        .remove("version")
+        .unwrap();
+    let mut later = current;
+    later["system"]["version"] = 1_000_000.into();
+    for other in [earlier, later] {
+        assert_eq!(resume(other), Some(SimulationError::OtherVersion));
+    }
 }
 
 #[test]

@@ -1,8 +1,7 @@
 //! The distance that the surfaces of a system keep, by the exact decision of each pair, one by one. Pairs are
 //! found here, not by the broad phase.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Kind, Query, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{Aabb, Point};
 use exact_ccd_sim::System;
 
@@ -90,7 +89,7 @@ impl Increment<'_> {
         let query = Query::<K>::new(at(self.before), at(self.after)).unwrap();
         let separation = Separation::new(thickness).unwrap();
         assert!(
-            !query.comes_within(separation),
+            !query.collides(separation),
             "{vertices:?} come within {thickness}"
         );
     }

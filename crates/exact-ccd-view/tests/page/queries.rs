@@ -1,7 +1,6 @@
 //! Pages of queries.
 
-use exact_ccd::separation::Separation;
-use exact_ccd::{EdgeEdge, Query, VertexFace, VertexVertex};
+use exact_ccd::{EdgeEdge, Query, Separation, VertexFace, VertexVertex};
 use exact_ccd_view::{Page, PageKind};
 use serde_json::json;
 

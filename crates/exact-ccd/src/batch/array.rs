@@ -8,8 +8,8 @@ use super::run::{Batch, Found};
 use super::vectors::Instructions;
 use crate::collision::Collision;
 use crate::kind::Kind;
+use crate::options::Options;
 use crate::query::NonFinite;
-use crate::separation::Separation;
 
 /// A coordinate of a query in an array is infinite or not a number.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -28,12 +28,12 @@ pub struct NonFiniteQuery {
 /// [`Trajectories`](super::Trajectories) read less memory.
 ///
 /// ```
-/// use exact_ccd::{VertexFace, batch};
+/// use exact_ccd::{CONTACT, VertexFace, batch};
 ///
 /// let at = |z: f64| [[0.25, 0.25, z], [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 /// let queries = [[at(1.0), at(0.5)], [at(1.0), at(-1.0)]];
 /// let mut times = Vec::new();
-/// batch::Queries::<VertexFace>::new(&queries).collisions(|index, collision| {
+/// batch::Queries::<VertexFace>::new(&queries).collisions(CONTACT, |index, collision| {
 ///     times.push((index, collision.time_of_impact()));
 /// })?;
 /// assert_eq!(times, [(1, 0.5)]);
@@ -67,21 +67,12 @@ impl<'a, K: Kind> Queries<'a, K> {
     /// # Errors
     /// [`NonFiniteQuery`] names the first coordinate that is infinite or not a number. All collisions
     /// before that query have been found then, and none after it.
-    pub fn collisions(&self, found: impl FnMut(usize, Collision<'_, K>)) -> Result<(), NonFiniteQuery> {
-        self.collisions_within(Separation::default(), found)
-    }
-
-    /// Calls `found` with the index and the collision of each query whose primitives [come within
-    /// d](crate::Query::comes_within), in order. For d = 0 these are the
-    /// [`collisions`](Self::collisions).
-    ///
-    /// # Errors
-    /// As [`collisions`](Self::collisions).
-    pub fn collisions_within(
+    pub fn collisions(
         &self,
-        d: Separation,
+        options: impl Into<Options>,
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), NonFiniteQuery> {
+        let Options { separation, until } = options.into();
         let indices = consecutive::<K>();
         let mut rows = Vec::with_capacity(4 * CHUNK);
         for (chunk, points) in self.points.chunks(CHUNK).enumerate() {
@@ -104,8 +95,8 @@ impl<'a, K: Kind> Queries<'a, K> {
                 instructions: self.instructions,
                 rows: &rows,
                 queries: sound,
-                separations: d.into(),
-                until: 1.0,
+                separations: separation.into(),
+                until,
                 found,
             });
             if let Some(error) = error {

@@ -9,13 +9,12 @@
 //!
 //! Queries of a mesh are given by vertices ([`Trajectories`]), others by their points
 //! ([`Queries`]). Each collision is handed on as a [`Collision`](crate::Collision), whose times and
-//! impact continue from the decision. A batch may also be about a minimum separation
-//! ([`Trajectories::collisions_within`], [`Queries::collisions_within`]).
+//! impact continue from the decision. With options, a batch is also about a separation of each pair.
 //!
 //! [`collides`]: crate::Query::collides
 //!
 //! ```
-//! use exact_ccd::VertexFace;
+//! use exact_ccd::{CONTACT, VertexFace};
 //! use exact_ccd::batch::Trajectories;
 //!
 //! // Two vertices fall, one of them through a resting triangle.
@@ -25,7 +24,8 @@
 //!
 //! let trajectories = Trajectories::new(&x0, &x1)?;
 //! let mut colliding = Vec::new();
-//! trajectories.collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], |index, collision| {
+//! let queries = [[0, 2, 3, 4], [1, 2, 3, 4]];
+//! trajectories.collisions::<VertexFace>(&queries, CONTACT, |index, collision| {
 //!     colliding.push((index, collision.time_of_impact()));
 //! })?;
 //! assert_eq!(colliding, [(0, 0.5)]);

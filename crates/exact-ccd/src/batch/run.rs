@@ -6,14 +6,14 @@ use crate::collision::Collision;
 use crate::environment;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::separation::Separations;
+use crate::thickness::Separations;
 
 /// The callback for collisions. Behind a pointer: contacts are few, and the vector code is compiled
 /// only once for all callbacks.
 pub(super) type Found<'f, K> = &'f mut dyn for<'a> FnMut(usize, Collision<'a, K>);
 
-/// A batch of one kind: calls `found` with each query of rows that comes within its separation at a time
-/// not above `until`, and its index, in order. All indices of rows exist.
+/// A batch of one kind: calls `found` with each query of rows that first touches at a time not above
+/// `until`, and its index, in order. All indices of rows exist.
 #[expect(
     unnameable_types,
     reason = "an argument of a hidden function of a sealed trait"
@@ -31,7 +31,7 @@ impl<K: Kind> Batch<'_, K> {
     pub(crate) fn run(self) {
         let Self { until, found, .. } = self;
         let found: Found<'_, K> = &mut |index, collision| {
-            if until >= 1.0 || collision.first_contact_time().is_at_most(until) {
+            if let Some(collision) = collision.until(until) {
                 found(index, collision);
             }
         };
@@ -48,7 +48,7 @@ impl<K: Kind> Batch<'_, K> {
         for (index, vertices) in self.queries.iter().enumerate() {
             let (a, b) = vertices.as_ref().split_at(K::FIRST);
             let query: Query<K> = query_of(self.rows, vertices);
-            if let Some(collision) = query.collision_within(self.separations.between(a, b)) {
+            if let Some(collision) = query.collision(self.separations.between(a, b)) {
                 (self.found)(index, collision);
             }
         }

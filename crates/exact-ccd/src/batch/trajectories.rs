@@ -8,9 +8,10 @@ use super::vectors::Instructions;
 use crate::axis::Axis;
 use crate::collision::Collision;
 use crate::kind::Kind;
+use crate::options::Options;
 use crate::point::Point;
 use crate::query::{NonFinite, Query};
-use crate::separation::{Separation, Separations};
+use crate::thickness::Separations;
 
 /// Points that move in straight lines, at constant speed, from t = 0 to t = 1: the vertices of a
 /// mesh, laid out for many queries.
@@ -119,52 +120,24 @@ impl Trajectories {
     /// [collides](Query::collides), in order.
     ///
     /// # Errors
-    /// [`VertexOutOfRange`] names the first vertex that does not exist; nothing is found then.
-    pub fn collisions<K: Kind>(
-        &self,
-        queries: &[K::Vertices],
-        found: impl FnMut(usize, Collision<'_, K>),
-    ) -> Result<(), VertexOutOfRange> {
-        self.collisions_within(queries, Separation::default().into(), found)
-    }
-
-    /// Calls `found` with the index and the collision of each query of vertices that [comes
-    /// within](Query::comes_within) its separation, in order.
-    ///
-    /// # Errors
     /// [`VertexOutOfRange`] names the first vertex that does not exist, or that has no thickness;
     /// nothing is found then.
-    pub fn collisions_within<K: Kind>(
+    pub fn collisions<'d, K: Kind>(
         &self,
         queries: &[K::Vertices],
-        separations: Separations<'_>,
-        found: impl FnMut(usize, Collision<'_, K>),
-    ) -> Result<(), VertexOutOfRange> {
-        self.collisions_until(queries, separations, 1.0, found)
-    }
-
-    /// Calls `found` with the index and the collision of each query of vertices that first comes within
-    /// its separation at a time [not after](crate::ContactTime::is_at_most) `until`, in order. There is none
-    /// if `until` is negative or NaN. With a separation above 0, the earlier that is, the less it costs.
-    ///
-    /// # Errors
-    /// As [`collisions_within`](Self::collisions_within).
-    pub fn collisions_until<K: Kind>(
-        &self,
-        queries: &[K::Vertices],
-        separations: Separations<'_>,
-        until: f64,
+        options: impl Into<Options<Separations<'d>>>,
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
+        let Options { separation, until } = options.into();
         self.check::<K>(queries)?;
-        if let Separations::Thickness(thickness) = separations {
+        if let Separations::Thickness(thickness) = separation {
             check::<K>(queries, thickness.vertex_count())?;
         }
         K::run(Batch {
             instructions: self.instructions,
             rows: &self.rows,
             queries,
-            separations,
+            separations: separation,
             until,
             found: &mut found,
         });

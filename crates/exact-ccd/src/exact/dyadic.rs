@@ -25,15 +25,15 @@ pub(crate) fn decompose(x: f64) -> (i64, i32) {
     )
 }
 
-/// The numbers as integers, all divided by one power of two, and its exponent. Only bit patterns
-/// are read.
-pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], i32) {
+/// The numbers as integers, all divided by one power of two, and its exponent; none if all are zero. Only bit
+/// patterns are read.
+pub(crate) fn to_integers<const N: usize>(numbers: [f64; N]) -> ([IBig; N], Option<i32>) {
     let parts = numbers.map(decompose);
-    let unit = parts.iter().map(|part| part.1).min().unwrap_or(i32::MAX);
-    let integer = |(mantissa, exponent): (i64, i32)| match mantissa {
-        0 => IBig::ZERO,
-        _ => IBig::from(mantissa) << (exponent - unit) as usize,
+    let units = parts.iter().filter(|(mantissa, _)| *mantissa != 0);
+    let unit = units.map(|part| part.1).min();
+    let integer = |(mantissa, exponent): (i64, i32)| match (mantissa, unit) {
+        (0, _) | (_, None) => IBig::ZERO,
+        (_, Some(unit)) => IBig::from(mantissa) << (exponent - unit) as usize,
     };
-    // If all of them are zero, the unit is arbitrary.
-    (parts.map(integer), if unit == i32::MAX { 0 } else { unit })
+    (parts.map(integer), unit)
 }

@@ -3,12 +3,15 @@
 use alloc::vec::Vec;
 
 use super::instant::Instant;
+use super::intervals::intervals_of;
 use super::motion::Motion;
 use super::roots::roots;
+use super::split::Split;
 use crate::impact::Impact;
+use crate::interval::Intervals;
 use crate::kind::Kind;
 use crate::query::Query;
-use crate::time::{ContactTime, ContactTimes, Times};
+use crate::time::ContactTime;
 
 /// The earliest instant at which the primitives touch.
 #[derive(Clone, Debug)]
@@ -38,23 +41,25 @@ impl<K: Kind> FirstContact<K> {
         self.instants[self.first].round()
     }
 
-    /// All contact times.
-    pub(crate) fn times(&self) -> ContactTimes {
-        let (motion, instants) = (&self.motion, &self.instants);
-        let mut times = Times::default();
-        for (i, instant) in instants.iter().enumerate().skip(self.first) {
-            if i > self.first && !motion.touches(instant) {
-                continue;
-            }
-            times.push(instant.round());
-            // Contact over an interval begins at an event and includes the next one, because the
-            // primitives are closed.
-            let lasts = |next| motion.touches(&Instant::At(instant.before(next)));
-            if motion.is_always_coplanar() && instants.get(i + 1).is_some_and(lasts) {
-                return ContactTimes::Interval { first: times[0] };
-            }
-        }
-        ContactTimes::Finite(times)
+    /// All intervals of contact.
+    pub(crate) fn intervals(&self) -> Intervals {
+        let motion = &self.motion;
+        let (first, later) = (self.first, self.first + 1);
+        let later = self.instants[later..].iter();
+        let touching = later.filter(|instant| motion.touches(instant)).cloned();
+        let events: Vec<_> = [self.instants[first].clone()]
+            .into_iter()
+            .chain(touching)
+            .collect();
+        // Primitives that are not always coplanar touch at isolated times only.
+        intervals_of(&events, |t| {
+            motion.is_always_coplanar() && motion.touches(&Instant::At(t.clone()))
+        })
+    }
+
+    /// The impact of a query whose primitives touch at t = 0.
+    pub(crate) fn impact_at_start(query: &Query<K>) -> Impact {
+        Motion::new(query).impact(&Instant::At(Split::START))
     }
 
     /// The earliest contact: time, parameters and normal.

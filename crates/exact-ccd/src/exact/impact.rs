@@ -1,8 +1,9 @@
 //! Parameters and normal of a contact, by signs at its instant.
 
 use super::instant::Instant;
-use super::motion::{Motion, Vector, cross};
+use super::motion::Motion;
 use super::narrowing::Narrowing;
+use super::polynomial::{Vector, cross};
 use crate::impact::Impact;
 use crate::kind::{Kind, Side};
 use crate::point::Point;
@@ -64,7 +65,7 @@ impl<K: Kind> Contact<'_, K> {
     /// The normal of the common plane, on the side on which the first primitive is just before the
     /// contact. The first derivative of c that does not vanish determines the sign of c there.
     fn normal_of_plane(&self) -> Option<Point> {
-        let [e1, e2] = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
+        let [e1, e2] = [1, 2].map(|i| self.motion.points.to_scale(self.motion.difference(K::SPAN[i])));
         let normal = self.instant.direction(cross(&e1, &e2))?;
         let mut derivative = self.motion.volume.clone();
         let mut is_above = true;
@@ -84,8 +85,11 @@ impl<K: Kind> Contact<'_, K> {
     /// first primitive relative to the second, across the line of the edge.
     fn vertex_on_edge(&self, side: &Side) -> ([f64; 2], Option<Point>) {
         let [x, y] = side.edge;
-        let offset = self.motion.to_scale(self.motion.difference((side.vertex, x)));
-        let edge = self.motion.to_scale(self.motion.difference((y, x)));
+        let offset = self
+            .motion
+            .points
+            .to_scale(self.motion.difference((side.vertex, x)));
+        let edge = self.motion.points.to_scale(self.motion.difference((y, x)));
         let velocity = |vector: &Vector| [0, 1, 2].map(|axis: usize| vector[axis].velocity());
         let mut relative = velocity(&offset);
         let mut along = 0.0;
@@ -115,7 +119,7 @@ impl<K: Kind> Contact<'_, K> {
     /// The part of a vector that is orthogonal to the line that holds both primitives, if they have
     /// one, up to a positive factor.
     fn across_line(&self, edge: Vector, vector: Vector) -> Vector {
-        let spans = [1, 2].map(|i| self.motion.to_scale(self.motion.difference(K::SPAN[i])));
+        let spans = [1, 2].map(|i| self.motion.points.to_scale(self.motion.difference(K::SPAN[i])));
         let is_point = |line: &Vector| line.iter().all(|component| self.instant.sign(component).is_eq());
         match [edge].into_iter().chain(spans).find(|line| !is_point(line)) {
             Some(line) => cross(&line, &cross(&vector, &line)),

@@ -16,11 +16,6 @@ pub(crate) enum Instant {
 }
 
 impl Instant {
-    /// The sign of a polynomial at this time.
-    pub(crate) fn sign(&self, polynomial: &Polynomial) -> Ordering {
-        self.clone().narrow_to_sign(polynomial)
-    }
-
     /// The sign of a polynomial at this time: zero if it is also a root of that polynomial, otherwise the
     /// sign of all values in the closed bracket, which is made narrow enough. This instant keeps that
     /// bracket.

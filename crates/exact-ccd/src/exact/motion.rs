@@ -5,23 +5,17 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::marker::PhantomData;
 
-use super::dyadic::to_integers;
 use super::instant::Instant;
 use super::narrowing::Narrowing;
-use super::polynomial::Polynomial;
+use super::points::Points;
+use super::polynomial::{Polynomial, Vector, cross, cross_component, dot};
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 
-pub(crate) type Vector = [Polynomial; 3];
-
-/// The points of a query as polynomials in t, and the normal of their plane when they are coplanar.
-///
-/// Each axis is scaled by a power of two of its own: contact is invariant under such scalings.
+/// The points of a query, and the normal of their plane when they are coplanar.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion<K> {
-    points: [Vector; 4],
-    /// The coordinates on an axis are integers times two to this power.
-    units: [i32; 3],
+    pub(super) points: Points,
     /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
     pub(super) volume: Polynomial,
     /// e₁ × e₂.
@@ -31,20 +25,12 @@ pub(crate) struct Motion<K> {
 
 impl<K: Kind> Motion<K> {
     pub(crate) fn new(query: &Query<K>) -> Self {
-        let mut units = [0; 3];
-        let axes = [0, 1, 2].map(|axis: usize| {
-            let at = |i: usize| query.points()[i / 4][i % 4][axis];
-            let (integers, unit) = to_integers([0, 1, 2, 3, 4, 5, 6, 7].map(at));
-            units[axis] = unit;
-            [0, 1, 2, 3].map(|point| Polynomial::between(&integers[point], &integers[point + 4]))
-        });
-        let points = [0, 1, 2, 3].map(|point| [0, 1, 2].map(|axis: usize| axes[axis][point].clone()));
-        let [w, e1, e2] = K::SPAN.map(|difference| subtract(&points, difference));
+        let points = Points::new(query);
+        let [w, e1, e2] = K::SPAN.map(|difference| points.difference(difference));
         let normal = cross(&e1, &e2);
         Self {
             volume: dot(&w, &normal),
             points,
-            units,
             normal,
             kind: PhantomData,
         }
@@ -52,13 +38,7 @@ impl<K: Kind> Motion<K> {
 
     /// The difference of two points.
     pub(super) fn difference(&self, difference: Difference) -> Vector {
-        subtract(&self.points, difference)
-    }
-
-    /// A difference of points with the same unit on all axes, as lengths and angles need it.
-    pub(super) fn to_scale(&self, vector: Vector) -> Vector {
-        let least = self.units.into_iter().min().unwrap_or_default();
-        [0, 1, 2].map(|axis: usize| vector[axis].shifted((self.units[axis] - least) as usize))
+        self.points.difference(difference)
     }
 
     /// Returns true if the primitives touch at an instant at which the four points are coplanar.
@@ -131,21 +111,4 @@ impl<K: Kind> Motion<K> {
 /// A polynomial whose roots are the common roots of all components; zero if these are all zero.
 pub(super) fn common([x, y, z]: Vector) -> Polynomial {
     x.gcd(y).gcd(z)
-}
-
-pub(super) fn subtract(points: &[Vector; 4], (i, j): Difference) -> Vector {
-    [0, 1, 2].map(|axis: usize| &points[i][axis] - &points[j][axis])
-}
-
-fn cross_component(a: &Vector, b: &Vector, axis: usize) -> Polynomial {
-    let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-    &(&a[next] * &b[last]) - &(&a[last] * &b[next])
-}
-
-pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
-    [0, 1, 2].map(|axis| cross_component(a, b, axis))
-}
-
-pub(crate) fn dot(a: &Vector, b: &Vector) -> Polynomial {
-    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }

@@ -47,6 +47,11 @@ impl Polynomial {
         self.0.first().cloned().unwrap_or_default()
     }
 
+    /// The value at t = 1.
+    pub(crate) fn at_end(&self) -> IBig {
+        self.0.last().cloned().unwrap_or_default()
+    }
+
     /// The polynomial times 2ᵏ.
     pub(crate) fn shifted(&self, exponent: usize) -> Self {
         Self(self.0.iter().map(|coefficient| coefficient << exponent).collect())
@@ -137,4 +142,20 @@ impl Mul for &Polynomial {
         }
         Polynomial(product)
     }
+}
+
+/// A vector whose components are polynomials.
+pub(crate) type Vector = [Polynomial; 3];
+
+pub(super) fn cross_component(a: &Vector, b: &Vector, axis: usize) -> Polynomial {
+    let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+    &(&a[next] * &b[last]) - &(&a[last] * &b[next])
+}
+
+pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
+    [0, 1, 2].map(|axis| cross_component(a, b, axis))
+}
+
+pub(crate) fn dot(a: &Vector, b: &Vector) -> Polynomial {
+    &(&(&a[0] * &b[0]) + &(&a[1] * &b[1])) + &(&a[2] * &b[2])
 }

@@ -1,8 +1,8 @@
 //! Ratios of polynomials and directions of vectors at an instant, by signs.
 
-use super::motion::Vector;
 use super::narrowing::Narrowing;
 use super::polynomial::Polynomial;
+use super::polynomial::Vector;
 use crate::impact::unit;
 use crate::point::Point;
 

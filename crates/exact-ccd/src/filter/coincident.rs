@@ -6,19 +6,25 @@
 //! prove.
 
 use super::cubic::Cubic;
+use super::planar::is_across;
 use crate::impact::Impact;
+use crate::interval::{Interval, Intervals};
 use crate::kind::{Difference, Kind};
 use crate::query::Query;
-use crate::time::{ContactTime, ContactTimes, Times};
+use crate::time::ContactTime;
 
 /// Contact that is certain because coordinates are equal.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Coincidence {
+    /// There is contact at all times.
+    Always,
     /// An interval of contact begins at t = 0.
     FromStart,
     /// This is the only contact time.
     Only(ContactTime),
-    /// There is contact at some time.
+    /// There is contact at t = 0, and perhaps later.
+    AtStart,
+    /// There is contact at t = 1, or at some time.
     SomeTime,
 }
 
@@ -26,21 +32,23 @@ impl Coincidence {
     /// The earliest contact time, if it is certain.
     pub(super) fn first(self) -> Option<ContactTime> {
         match self {
-            Self::FromStart => Some(ContactTime::exactly(0.0)),
+            Self::Always | Self::FromStart | Self::AtStart => Some(ContactTime::exactly(0.0)),
             Self::Only(time) => Some(time),
             Self::SomeTime => None,
         }
     }
 
-    /// All contact times, if they are certain.
-    pub(super) fn times(self) -> Option<ContactTimes> {
-        let first = self.first()?;
-        if matches!(self, Self::FromStart) {
-            return Some(ContactTimes::Interval { first });
+    /// All intervals of contact, if they are certain.
+    pub(super) fn intervals(self) -> Option<Intervals> {
+        match self {
+            Self::Always => Some(Intervals::from_iter([Interval {
+                start: ContactTime::exactly(0.0),
+                end: ContactTime::exactly(1.0),
+                is_moment: false,
+            }])),
+            Self::Only(time) => Some(Intervals::from_iter([Interval::moment(time)])),
+            Self::FromStart | Self::AtStart | Self::SomeTime => None,
         }
-        let mut times = Times::default();
-        times.push(first);
-        Some(ContactTimes::Finite(times))
     }
 }
 
@@ -62,14 +70,15 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
         .iter()
         .any(|corner| meets(0, corner) && meets(1, corner))
     {
-        return Some(Coincidence::FromStart);
+        return Some(Coincidence::Always);
     }
-    for (end, time) in [0.0, 1.0].into_iter().enumerate() {
+    let ends = [(0.0, Coincidence::AtStart), (1.0, Coincidence::SomeTime)];
+    for (end, (time, coincidence)) in ends.into_iter().enumerate() {
         if all_meet(end) && cubic.is_certain_at(1 - end) {
             return Some(Coincidence::Only(ContactTime::exactly(time)));
         }
         if K::CORNERS.iter().any(|corner| meets(end, corner)) {
-            return Some(Coincidence::SomeTime);
+            return Some(coincidence);
         }
     }
     let axis = line(query)?;
@@ -87,13 +96,7 @@ pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Opti
 
 /// The axis of a line that contains all points, at both ends of the step.
 fn line<K: Kind>(query: &Query<K>) -> Option<usize> {
-    let is_flat = |axis: usize| {
-        query
-            .points()
-            .iter()
-            .all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
-    };
-    (0..3).find(|&axis| is_flat((axis + 1) % 3) && is_flat((axis + 2) % 3))
+    (0..3).find(|&axis| is_across(query, (axis + 1) % 3) && is_across(query, (axis + 2) % 3))
 }
 
 /// The impact of four points that are in one place at both ends of the step, and hence always: the

@@ -5,14 +5,17 @@ use arrayvec::ArrayVec;
 use super::coincident::{self, Coincidence};
 use super::coplanarity;
 use super::cubic::Root;
+use super::fixed_width;
 use super::impact::parameters_and_normal;
-use super::planar::{Beginning, Planar};
+use super::moment::Moment;
+use super::planar::{Event, Planar};
 use super::position::{self, Position};
 use crate::impact::Impact;
+use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::stage::Stage;
-use crate::time::{ContactTime, ContactTimes, Times};
+use crate::time::ContactTime;
 
 /// A proved contact, with the intermediate results of the proof.
 #[derive(Clone, Debug)]
@@ -28,9 +31,11 @@ pub(crate) enum Contact {
     },
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
-    Sliding(Beginning),
+    Sliding(Event),
     /// The primitives touch because coordinates are equal.
     Coincident(Coincidence),
+    /// The primitives first touch at this moment.
+    AtMoment(Moment),
 }
 
 impl Contact {
@@ -65,57 +70,96 @@ impl Contact {
             Self::AtRoot { .. } => Stage::Roots,
             Self::Sliding(_) => Stage::Planar,
             Self::Coincident(_) => Stage::Coincident,
+            Self::AtMoment(_) => Stage::FixedWidth,
         }
     }
 
     /// The earliest contact time, if the filters determine it.
     pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
-        match self {
+        if let Self::AtMoment(moment) = self {
+            return fixed_width::time(query, moment);
+        }
+        self.first_by_roundoff(query).or_else(|| match self {
             Self::AtRoot {
                 roots,
                 touching,
                 is_first: true,
-            } => coplanarity::precise(query).round(&roots[*touching]),
-            Self::AtRoot { is_first: false, .. } => None,
-            Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
-            Self::Coincident(coincidence) => coincidence.first(),
-        }
+            } => fixed_width::round(query, &roots[*touching]),
+            _ => fixed_width::first(query),
+        })
     }
 
-    /// All contact times, if the filters determine them.
-    pub(crate) fn times<K: Kind>(&self, query: &Query<K>) -> Option<ContactTimes> {
+    /// The same without integers of fixed width.
+    fn first_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
         match self {
             Self::AtRoot {
                 roots,
                 touching,
                 is_first: true,
             } => {
-                let (_, [first, later @ ..]) = roots.split_at_checked(*touching)? else {
-                    return None;
-                };
-                let precise = coplanarity::precise(query);
-                let mut times = Times::default();
-                times.push(precise.round(first)?);
-                for root in later {
-                    if position::at(query, root)? == Position::Inside {
-                        times.push(precise.round(root)?);
-                    }
-                }
-                Some(ContactTimes::Finite(times))
+                let root = &roots[*touching];
+                fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root))
             }
             Self::AtRoot { is_first: false, .. } => None,
-            Self::Sliding(_) => Some(ContactTimes::Interval {
-                first: self.first(query)?,
-            }),
-            Self::Coincident(coincidence) => coincidence.times(),
+            Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
+            Self::Coincident(coincidence) => coincidence.first(),
+            Self::AtMoment(_) => None,
+        }
+    }
+
+    /// All intervals of contact, if the filters determine them.
+    pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
+        self.intervals_by_roundoff(query)
+            .or_else(|| fixed_width::moments(query))
+    }
+
+    /// The same without integers of fixed width.
+    fn intervals_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
+        match self {
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => {
+                let (first, later) = roots.get(*touching..)?.split_first()?;
+                let precise = coplanarity::precise(query);
+                let moment = |root: &Root| {
+                    let dyadic = fixed_width::dyadic(query, root);
+                    dyadic.or_else(|| precise.round(root)).map(Interval::moment)
+                };
+                let of_later = later.iter().filter_map(|root| match position::at(query, root) {
+                    Some(Position::Inside) => Some(moment(root)),
+                    Some(Position::Outside) => None,
+                    None => Some(None),
+                });
+                [moment(first)].into_iter().chain(of_later).collect()
+            }
+            Self::AtRoot { is_first: false, .. } => None,
+            Self::Sliding(_) => {
+                let planar = Planar::new(query)?;
+                let interval = |[beginning, end]: &[Event; 2]| {
+                    Some(Interval {
+                        start: planar.round(beginning)?,
+                        end: planar.round(end)?,
+                        is_moment: false,
+                    })
+                };
+                planar.stretches()?.iter().map(interval).collect()
+            }
+            Self::Coincident(coincidence) => coincidence.intervals(),
+            Self::AtMoment(_) => None,
         }
     }
 
     /// The earliest contact, if the filters determine it.
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
         let (roots, touching) = match self {
-            Self::AtRoot { roots, touching, .. } => (roots, touching),
-            Self::Sliding(_) => return None,
+            Self::AtRoot {
+                roots,
+                touching,
+                is_first: true,
+            } => (roots, touching),
+            Self::AtRoot { is_first: false, .. } | Self::Sliding(_) | Self::AtMoment(_) => return None,
             Self::Coincident(_) => return coincident::impact(query),
         };
         let time = self.first(query)?;

@@ -2,6 +2,7 @@
 
 use super::cubic::Cubic;
 use super::double_double::DoubleDouble;
+use super::gap::Gap;
 use super::number::{Lanes, Number, Points, reach, subtract};
 use super::precise_cubic::PreciseCubic;
 use super::roundoff::UNIT;
@@ -44,8 +45,8 @@ impl<T: Lanes> Coplanarity<T> {
         }
     }
 
-    /// True where the planes of the primitives are certainly farther than d apart at all times: |c| >
-    /// d |n| for n = e₁ × e₂.
+    /// True where the planes of the primitives are certainly farther than the gap d apart at all times: |c|
+    /// > d |n| for n = e₁ × e₂. For contact, c has no root.
     ///
     /// Let n₀, m and n₁ be the Bernstein coefficients of n. |n| is convex, hence at most the
     /// combination of |n₀|, |m| and |n₁|, of degree 2; of degree 3, its coefficients are |n₀|, (|n₀| +
@@ -56,13 +57,16 @@ impl<T: Lanes> Coplanarity<T> {
     /// the extent: each coefficient of |n| is off by less than 8 u times the extent. The lengths and
     /// their means add at most ten roundings, and [`TINY`] in case the squares underflow.
     #[inline(always)]
-    pub(crate) fn are_planes_beyond(&self, d: T) -> T::Mask {
+    pub(crate) fn are_planes_beyond<G: Gap<T>>(&self, gap: G) -> T::Mask {
+        if !G::IS_POSITIVE {
+            return self.cubic.has_constant_sign();
+        }
         let [start, end] = self.normals;
         let (start, mixed, end) = (length_bound(start), length_bound(self.mixed), length_bound(end));
         let mut bounds = [start, (start + mixed) / 3.0, (mixed + end) / 3.0, end];
         let slack = self.extent * (16.0 * UNIT);
         for bound in &mut bounds {
-            *bound = d * (*bound * (1.0 + 16.0 * UNIT) + slack);
+            *bound = gap.value(slack) * (*bound * (1.0 + 16.0 * UNIT) + slack);
         }
         self.cubic.is_beyond(bounds)
     }

@@ -60,24 +60,23 @@ impl<T: Lanes> Cubic<T> {
         self.magnitude * (16.0 * UNIT) + UNDERFLOW
     }
 
-    /// True where c is certainly positive in all of [0, 1], because all coefficients are; and where
-    /// it is negative.
+    /// True where c certainly has one strict sign in all of [0, 1], because all coefficients have it.
     #[inline(always)]
-    pub(super) fn constant_signs(&self) -> [T::Mask; 2] {
-        let error = self.coefficient_error();
-        let [b0, b1, b2, b3] = self.bernstein;
-        [
-            b0.gt(error) & b1.gt(error) & b2.gt(error) & b3.gt(error),
-            (-b0).gt(error) & (-b1).gt(error) & (-b2).gt(error) & (-b3).gt(error),
-        ]
+    pub(super) fn has_constant_sign(&self) -> T::Mask {
+        self.exceeds([self.coefficient_error(); 4])
     }
 
     /// True where each coefficient certainly exceeds a bound, or is below its negative.
     #[inline(always)]
-    pub(super) fn is_beyond(&self, bounds: [T; 4]) -> T::Mask {
+    pub(super) fn is_beyond(&self, [c0, c1, c2, c3]: [T; 4]) -> T::Mask {
         let error = self.coefficient_error();
-        let ([b0, b1, b2, b3], [c0, c1, c2, c3]) = (self.bernstein, bounds);
-        let (c0, c1, c2, c3) = (c0 + error, c1 + error, c2 + error, c3 + error);
+        self.exceeds([c0 + error, c1 + error, c2 + error, c3 + error])
+    }
+
+    /// True where each computed coefficient exceeds a limit, or is below its negative.
+    #[inline(always)]
+    fn exceeds(&self, [c0, c1, c2, c3]: [T; 4]) -> T::Mask {
+        let [b0, b1, b2, b3] = self.bernstein;
         (b0.gt(c0) & b1.gt(c1) & b2.gt(c2) & b3.gt(c3))
             | ((-b0).gt(c0) & (-b1).gt(c1) & (-b2).gt(c2) & (-b3).gt(c3))
     }
@@ -103,11 +102,12 @@ impl Cubic<f64> {
     /// The sign of c in all of [0, 1], if it is certainly the same.
     #[inline]
     pub(super) fn constant_sign(&self) -> Option<Ordering> {
-        match self.constant_signs() {
-            [true, _] => Some(Ordering::Greater),
-            [_, true] => Some(Ordering::Less),
-            _ => None,
-        }
+        let sign = if self.starts_positive() {
+            Ordering::Greater
+        } else {
+            Ordering::Less
+        };
+        self.has_constant_sign().then_some(sign)
     }
 
     /// Brackets of all roots of c in [0, 1], in increasing order, if all of them are certainly

@@ -2,7 +2,10 @@
 //! domain. So F has no root if all these values lie strictly on one side of a plane through the
 //! origin.
 
+use core::f64::consts::SQRT_2;
+
 use super::coplanarity::length_bound;
+use super::gap::{Gap, Touching};
 use super::number::{Lanes, Points, subtract};
 use super::roundoff::{LARGEST, UNDERFLOW, UNIT};
 use super::vector::dot;
@@ -50,11 +53,16 @@ impl<T: Lanes> Hull<T> {
         [self.reach(0), self.reach(1), self.reach(2)]
     }
 
-    /// True where a coordinate of a corner exceeds [`LARGEST`].
+    /// True where a coordinate of a corner, or the gap, exceeds [`LARGEST`].
     #[inline(always)]
-    pub(crate) fn is_out_of_range(&self) -> T::Mask {
+    pub(crate) fn is_out_of_range<G: Gap<T>>(&self, gap: G) -> T::Mask {
         let largest = self.low[0].splat(LARGEST);
-        self.reach(0).gt(largest) | self.reach(1).gt(largest) | self.reach(2).gt(largest)
+        let far = self.reach(0).gt(largest) | self.reach(1).gt(largest) | self.reach(2).gt(largest);
+        if G::IS_POSITIVE {
+            far | gap.value(largest).gt(largest)
+        } else {
+            far
+        }
     }
 
     /// The corners at t = 0 or at t = 1.
@@ -88,50 +96,55 @@ impl<T: Lanes> Hull<T> {
         (x * self.reach(0) + y * self.reach(1) + z * self.reach(2)) * (8.0 * UNIT) + UNDERFLOW
     }
 
-    /// True where all corners certainly lie strictly on the same side of the plane through the
-    /// origin with this normal.
+    /// True where all corners are certainly farther than the gap from the plane through the origin with
+    /// this normal, on the same side. The product of the gap and the length has six roundings.
     #[inline(always)]
-    pub(super) fn separates(&self, direction: [T; 3]) -> T::Mask {
-        self.separates_by(direction, direction[0].splat(0.0))
-    }
-
-    /// True where all corners are certainly farther than d from the plane through the origin with this
-    /// normal, on the same side. The product of d and the length has six roundings.
-    #[inline(always)]
-    pub(crate) fn is_beyond(&self, direction: [T; 3], d: T) -> T::Mask {
-        self.separates_by(direction, d * (length_bound(direction) * (1.0 + 16.0 * UNIT)))
-    }
-
-    #[inline(always)]
-    fn separates_by(&self, direction: [T; 3], least: T) -> T::Mask {
-        let error = self.error_along(direction) + least;
+    pub(crate) fn is_beyond<G: Gap<T>>(&self, direction: [T; 3], gap: G) -> T::Mask {
+        let mut limit = self.error_along(direction);
+        if G::IS_POSITIVE {
+            limit = limit + gap.value(limit) * (length_bound(direction) * (1.0 + 16.0 * UNIT));
+        }
         let [first, rest @ ..] = self.along(direction);
-        let (mut above, mut below) = (first.gt(error), (-first).gt(error));
+        let (mut above, mut below) = (first.gt(limit), (-first).gt(limit));
         for value in rest {
-            above = above & value.gt(error);
-            below = below & (-value).gt(error);
+            above = above & value.gt(limit);
+            below = below & (-value).gt(limit);
         }
         above | below
     }
 }
 
 impl Hull<f64> {
-    /// Returns true if the bounding box of the corners does not contain the origin. Exact: the sign
-    /// of a difference of two f64 is right even when the difference is rounded, overflows or is
-    /// subnormal.
+    /// Returns true if all corners are farther than the gap from the origin on an axis, on one side.
+    /// Exact: rounding is monotone and the gap an f64, so that a difference that exceeds it when rounded
+    /// exceeds it before, even when it overflows or is subnormal.
     #[inline]
-    pub(super) fn box_excludes_origin(&self) -> bool {
-        (0..3).any(|axis| self.low[axis] > 0.0 || self.high[axis] < 0.0)
+    pub(super) fn is_beyond_axis(&self, gap: impl Gap<f64>) -> bool {
+        let d = gap.value(0.0);
+        (0..3).any(|axis| self.low[axis] > d || self.high[axis] < -d)
     }
 
-    /// Returns true if all corners are strictly on one side of a plane x = ±y, y = ±z or z = ±x.
-    /// Exact: rounding is monotone, so that the exact differences are in strict order if the rounded
-    /// ones are.
+    /// Returns true if all corners are farther than the gap from a plane x = ±y, y = ±z or z = ±x, on
+    /// one side.
+    ///
+    /// Without a gap, the exact differences are in strict order if the rounded ones are: rounding is
+    /// monotone. With one, the distance from the plane is |x ± y| / √2. With x and y rounded once, the sum
+    /// once more, it is off by at most 2 u (|x| + |y|) (1 + u); `SQRT_2` is above √2.
     #[inline]
-    pub(super) fn diagonal_separates(&self) -> bool {
-        [[0, 1], [1, 2], [2, 0]]
-            .into_iter()
-            .any(|[i, j]| diagonal_separates(self.corners[i].into_iter().zip(self.corners[j])))
+    pub(super) fn is_beyond_diagonal<G: Gap<f64>>(&self, gap: G) -> bool {
+        [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
+            let points = self.corners[i].into_iter().zip(self.corners[j]);
+            if !G::IS_POSITIVE {
+                return diagonal_separates(points);
+            }
+            let slack = 8.0 * UNIT * (self.reach(i) + self.reach(j));
+            // Infinite if a component is, so that a sum that is not a number proves nothing.
+            let least = (gap.value(0.0) * SQRT_2 + slack).next_up().next_up();
+            on_one_side(points, |x, y| {
+                let (difference, sum) = (x - y, x + y);
+                [difference > least, difference < -least, sum > least, sum < -least]
+            })
+        })
     }
 
     /// The mean of the corners, a direction that need not be accurate.
@@ -146,7 +159,7 @@ impl Hull<f64> {
         const STEPS: usize = 6;
         let mut nearest = self.centroid();
         for _ in 0..STEPS {
-            if self.separates(nearest) {
+            if self.is_beyond(nearest, Touching) {
                 return true;
             }
             let values = self.along(nearest);
@@ -164,16 +177,21 @@ impl Hull<f64> {
     }
 }
 
+/// Returns true if all points (x, y) are on the same of four sides.
+#[inline]
+fn on_one_side(points: impl Iterator<Item = (f64, f64)>, sides_of: impl Fn(f64, f64) -> [bool; 4]) -> bool {
+    let mut sides = [true; 4];
+    for (x, y) in points {
+        for (all, one) in sides.iter_mut().zip(sides_of(x, y)) {
+            *all &= one;
+        }
+    }
+    sides != [false; 4]
+}
+
 /// Returns true if all points (x, y) are strictly on one side of one of the diagonals x = y and x =
 /// −y.
 #[inline]
-pub(crate) fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
-    let mut sides = [true; 4];
-    for (x, y) in points {
-        sides[0] &= x > y;
-        sides[1] &= x < y;
-        sides[2] &= x > -y;
-        sides[3] &= x < -y;
-    }
-    sides != [false; 4]
+fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
+    on_one_side(points, |x, y| [x > y, x < y, x > -y, x < -y])
 }

@@ -1,15 +1,22 @@
 //! Floating-point filters: each one proves an answer or returns that it is unknown.
 //!
-//! [`screening`] is the ladder of the filters, [`contact`] continues from it to times and impacts,
+//! [`screening`] is the ladder of the filters, with its last stages for contact; [`nearness`] has those for
+//! a separation above 0. [`contact`] continues to times and impacts,
 //! [`roundoff`] has the conventions of the error bounds. Each bound is derived beside its code.
 
+mod alongside;
 mod coincident;
 mod contact;
 mod coplanarity;
 mod cubic;
 mod double_double;
+mod fixed_width;
+mod gap;
 mod hull;
 mod impact;
+mod lattice;
+mod moment;
+mod nearness;
 mod number;
 mod planar;
 mod position;
@@ -17,13 +24,14 @@ mod precise_cubic;
 mod roundoff;
 mod screening;
 mod vector;
+mod wide;
 
 pub(crate) use contact::Contact;
-pub(crate) use coplanarity::Coplanarity;
 pub(crate) use cubic::Cubic;
-pub(crate) use double_double::{DoubleDouble, ROUNDOFF};
-pub(crate) use hull::{Hull, diagonal_separates};
-pub(crate) use number::{Lanes, Number, Points, subtract};
-pub(crate) use roundoff::{LARGEST, UNDERFLOW, UNIT, certain_sign};
-pub(crate) use screening::{Decision, Screened, decide, decide_near_plane, screen_planes};
-pub(crate) use vector::{add, cross, dot, minus, scaled, select, towards};
+
+pub(crate) use gap::{Gap, Touching, Within};
+pub(crate) use hull::Hull;
+pub(crate) use nearness::{LEAST_UNTIL, decide_between, free_until};
+pub(crate) use number::{Lanes, Points};
+pub(crate) use roundoff::{UNIT, certain_sign};
+pub(crate) use screening::{Decision, Proved, Screened, decide, decide_near_plane, screen_planes};

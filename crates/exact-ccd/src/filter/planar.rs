@@ -2,8 +2,7 @@
 //! coplanarity cubic is zero, and the sides of the edges' lines on which the vertices lie decide.
 //!
 //! Each side is the sign of a quadratic. If all roots of the quadratics are simple and apart from
-//! each other, one sign changes at a time, so that contact which begins within the step lasts for
-//! an interval.
+//! each other, one sign changes at a time, so that contact lasts for intervals of positive length.
 
 use arrayvec::ArrayVec;
 
@@ -26,13 +25,15 @@ pub(super) struct Planar<'a, K> {
     axes: [usize; 2],
 }
 
-/// The event with which contact begins.
+/// The event with which an interval of contact begins or ends.
 #[derive(Clone, Debug)]
-pub(crate) enum Beginning {
+pub(crate) enum Event {
     /// The primitives are in contact at t = 0.
     Start,
-    /// A vertex reaches the line of an edge, and all other vertices lie on the required sides.
+    /// A vertex crosses the line of an edge, while all others lie on the required sides.
     Side(&'static Side, Root),
+    /// The primitives are in contact at t = 1.
+    End,
 }
 
 /// A root of a side's quadratic.
@@ -41,26 +42,25 @@ struct Crossing {
     root: Root,
 }
 
+/// Returns true if all points are in one plane across an axis, at t = 0 and at t = 1.
+pub(super) fn is_across<K: Kind>(query: &Query<K>, axis: usize) -> bool {
+    let mut ends = query.points().iter();
+    ends.all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
+}
+
 impl<'a, K: Kind> Planar<'a, K> {
     /// The query, if all its points move in one plane across an axis. Exact: coordinates are only
     /// compared.
     pub(super) fn new(query: &'a Query<K>) -> Option<Self> {
-        let is_flat = |axis: usize| {
-            query
-                .points()
-                .iter()
-                .all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
-        };
         let axes = [[1, 2], [2, 0], [0, 1]];
-        (0..3).find(|&axis| is_flat(axis)).map(|axis| Self {
+        (0..3).find(|&axis| is_across(query, axis)).map(|axis| Self {
             query,
             axes: axes[axis],
         })
     }
 
-    /// The beginning of contact; `Some(None)` if there certainly is no contact, `None` if that is
-    /// unknown.
-    pub(super) fn beginning(&self) -> Option<Option<Beginning>> {
+    /// The intervals of contact in increasing order, each by its two events; `None` if they are unknown.
+    pub(super) fn stretches(&self) -> Option<ArrayVec<[Event; 2], MAX_CROSSINGS>> {
         let [_, e1, e2] = K::SPAN;
         let facing = self.area(e1, e2).constant_sign()?;
         let mut inside = ArrayVec::<bool, 4>::new();
@@ -82,16 +82,22 @@ impl<'a, K: Kind> Planar<'a, K> {
         {
             return None;
         }
-        if inside.iter().all(|&inside| inside) {
-            return Some(Some(Beginning::Start));
-        }
+        let touch = |inside: &[bool]| inside.iter().all(|&inside| inside);
+        let mut stretches = ArrayVec::new();
+        let mut began = touch(&inside).then_some(Event::Start);
         for Crossing { side, root } in crossings {
             inside[side] = !inside[side];
-            if inside.iter().all(|&inside| inside) {
-                return Some(Some(Beginning::Side(&K::SIDES[side], root)));
+            let event = Event::Side(&K::SIDES[side], root);
+            // One sign changes at a time: contact begins or ends here, or there is none on either side.
+            match began.take() {
+                Some(beginning) => stretches.push([beginning, event]),
+                None => began = touch(&inside).then_some(event),
             }
         }
-        Some(None)
+        if let Some(beginning) = began {
+            stretches.push([beginning, Event::End]);
+        }
+        Some(stretches)
     }
 
     /// The cross product of two differences in the plane.
@@ -100,11 +106,12 @@ impl<'a, K: Kind> Planar<'a, K> {
         Cubic::new(coefficients, magnitude)
     }
 
-    /// The time at which contact begins, to the last bit.
-    pub(super) fn round(&self, beginning: &Beginning) -> Option<ContactTime> {
-        match beginning {
-            Beginning::Start => Some(ContactTime::exactly(0.0)),
-            Beginning::Side(side, root) => {
+    /// The time of an event, to the last bit.
+    pub(super) fn round(&self, event: &Event) -> Option<ContactTime> {
+        match event {
+            Event::Start => Some(ContactTime::exactly(0.0)),
+            Event::End => Some(ContactTime::exactly(1.0)),
+            Event::Side(side, root) => {
                 let [x, y] = side.edge.map(|end| (end, side.vertex));
                 let (coefficients, magnitude) = self.expand::<DoubleDouble>(x, y);
                 PreciseCubic::new(coefficients, magnitude).round(root)

@@ -1,55 +1,96 @@
 //! The ladder of the filters, from the cheapest to the costliest, for one query or for several side
 //! by side.
 
+use super::alongside;
 use super::coincident::coincidence;
 use super::contact::{Contact, Unknown};
 use super::coplanarity::Coplanarity;
 use super::cubic::Cubic;
+use super::fixed_width;
+use super::gap::{Gap, Touching, Within};
 use super::hull::Hull;
+use super::nearness;
 use super::number::{Lanes, Points};
 use super::planar::Planar;
 use crate::kind::Kind;
+use crate::options::Options;
 use crate::query::Query;
 use crate::stage::Stage;
+use crate::time::ContactTime;
 
 /// The outcome of the filters.
 pub(crate) enum Decision {
-    /// There is no contact, proved at this stage.
+    /// The primitives do not touch until the last time that counts, proved at this stage.
     Free(Stage),
-    /// There is a contact.
-    Contact(Contact),
+    /// The primitives touch.
+    Collision(Proved),
     /// The filters prove neither.
     Unknown,
 }
 
-/// Decides contact as far as the filters can.
+/// The proof that primitives touch.
+pub(crate) enum Proved {
+    Contact(Contact),
+    /// The first time within a separation above 0, and the stage that found it.
+    Within(ContactTime, Stage),
+}
+
+/// Decides whether primitives touch, as far as the filters can.
 #[inline]
-pub(crate) fn decide<K: Kind>(query: &Query<K>) -> Decision {
+pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
+    if options.separation.is_zero() {
+        return match screen(query, Touching) {
+            Ok(Near {
+                cubic: Some(cubic), ..
+            }) => decide_near_plane(query, &cubic),
+            Ok(Near { cubic: None, .. }) => Decision::Unknown,
+            Err(stage) => Decision::Free(stage),
+        };
+    }
+    match screen(query, Within(options.separation.get())) {
+        Ok(Near { hull, .. }) => nearness::decide(query, &hull, options),
+        Err(stage) => Decision::Free(stage),
+    }
+}
+
+/// A query that the common stages do not settle.
+struct Near {
+    hull: Hull<f64>,
+    /// The coplanarity cubic; none if coordinates are out of the range of the filters.
+    cubic: Option<Cubic<f64>>,
+}
+
+/// Passes a query through the stages that contact and a separation above 0 have in common; the stage that
+/// proves that the primitives do not touch.
+#[inline]
+fn screen<K: Kind>(query: &Query<K>, gap: impl Gap<f64>) -> Result<Near, Stage> {
     let hull = Hull::new::<K>(query.points());
-    if hull.box_excludes_origin() {
-        return Decision::Free(Stage::BoundingBox);
+    if hull.is_beyond_axis(gap) {
+        return Err(Stage::BoundingBox);
     }
-    if hull.diagonal_separates() {
-        return Decision::Free(Stage::Diagonals);
+    if hull.is_beyond_diagonal(gap) {
+        return Err(Stage::Diagonals);
     }
-    if hull.is_out_of_range() {
-        return Decision::Unknown;
+    if hull.is_out_of_range(gap) {
+        return Ok(Near { hull, cubic: None });
     }
     let coplanarity = Coplanarity::new::<K>(query.points());
-    if hull.separates(coplanarity.normals[0]) || hull.separates(coplanarity.normals[1]) {
-        return Decision::Free(Stage::Normals);
+    let [start, end] = coplanarity.normals;
+    if hull.is_beyond(start, gap) || hull.is_beyond(end, gap) {
+        return Err(Stage::Normals);
     }
-    if coplanarity.cubic.constant_sign().is_some() {
-        return Decision::Free(Stage::Coplanarity);
+    if coplanarity.are_planes_beyond(gap) {
+        return Err(Stage::Coplanarity);
     }
-    decide_near_plane(query, &coplanarity.cubic)
+    let cubic = Some(coplanarity.cubic);
+    Ok(Near { hull, cubic })
 }
 
 /// Queries side by side after the stages `Normals` and `Coplanarity`.
 pub(crate) struct Screened<T: Lanes> {
-    /// True where these stages prove that there is no contact.
+    /// True where these stages prove that the primitives do not touch.
     pub(crate) settled: T::Mask,
-    /// True where the coordinates are out of the range of all filters.
+    /// True where the coordinates are out of the range of these filters.
     pub(crate) out_of_range: T::Mask,
     /// The coplanarity cubics, for [`decide_near_plane`].
     pub(crate) cubic: Cubic<T>,
@@ -57,44 +98,52 @@ pub(crate) struct Screened<T: Lanes> {
 
 /// Passes queries side by side through the stages `Normals` and `Coplanarity`.
 #[inline(always)]
-pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>) -> Screened<T> {
+pub(crate) fn screen_planes<K: Kind, T: Lanes>(points: &Points<T>, gap: impl Gap<T>) -> Screened<T> {
     let hull = Hull::new::<K>(points);
-    let Coplanarity {
-        cubic,
-        normals: [start, end],
-        ..
-    } = Coplanarity::new::<K>(points);
-    let [positive, negative] = cubic.constant_signs();
-    let out_of_range = hull.is_out_of_range();
-    let settled = hull.separates(start) | hull.separates(end) | positive | negative;
+    let coplanarity = Coplanarity::new::<K>(points);
+    let [start, end] = coplanarity.normals;
+    let out_of_range = hull.is_out_of_range(gap);
+    let settled = hull.is_beyond(start, gap) | hull.is_beyond(end, gap) | coplanarity.are_planes_beyond(gap);
     Screened {
         settled: settled & !out_of_range,
         out_of_range,
-        cubic,
+        cubic: coplanarity.cubic,
     }
 }
 
-/// The last stages, for a query in range that [`screen_planes`] has not settled.
+/// The last stages of contact, for a query in range that the stages before have not settled.
 ///
 /// Few candidates get here. It is not inlined, so that the stages above stay small.
 #[inline(never)]
 pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Decision {
     if let Some(roots) = cubic.roots() {
         return match Contact::at_roots(query, roots) {
-            Ok(Some(contact)) => Decision::Contact(contact),
+            Ok(Some(contact)) => Decision::Collision(Proved::Contact(contact)),
             Ok(None) => Decision::Free(Stage::Roots),
-            Err(Unknown) => Decision::Unknown,
+            Err(Unknown) => decide_in_integers(query),
         };
     }
     if let Some(coincidence) = coincidence(query, cubic) {
-        return Decision::Contact(Contact::Coincident(coincidence));
+        return Decision::Collision(Proved::Contact(Contact::Coincident(coincidence)));
     }
-    if Hull::new::<K>(query.points()).some_direction_separates() {
+    let hull = Hull::new::<K>(query.points());
+    if alongside::separates(query, &hull) || hull.some_direction_separates() {
         return Decision::Free(Stage::Direction);
     }
-    match Planar::new(query).and_then(|planar| planar.beginning()) {
-        Some(Some(beginning)) => Decision::Contact(Contact::Sliding(beginning)),
-        Some(None) => Decision::Free(Stage::Planar),
+    match Planar::new(query).and_then(|planar| planar.stretches()) {
+        Some(stretches) => match stretches.into_iter().next() {
+            Some([beginning, _]) => Decision::Collision(Proved::Contact(Contact::Sliding(beginning))),
+            None => Decision::Free(Stage::Planar),
+        },
+        None => decide_in_integers(query),
+    }
+}
+
+/// The last stage before the exact path.
+fn decide_in_integers<K: Kind>(query: &Query<K>) -> Decision {
+    match fixed_width::first_moment(query) {
+        Some(Some(moment)) => Decision::Collision(Proved::Contact(Contact::AtMoment(moment))),
+        Some(None) => Decision::Free(Stage::FixedWidth),
         None => Decision::Unknown,
     }
 }

@@ -7,15 +7,14 @@ use dashu_int::IBig;
 
 use crate::environment;
 use crate::exact::to_integers;
-use crate::filter::Number;
 use crate::point::Point;
 
 /// A vector in integers.
-pub(crate) type Integers = [IBig; 3];
+type Integers = [IBig; 3];
 
 /// a · (b × c), in five operations.
 #[inline(always)]
-pub(crate) fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
+pub(super) fn determinant(a: Point, b: Point, c: Point) -> f64 {
     a[0] * (b[1] * c[2] - b[2] * c[1])
         + a[1] * (b[2] * c[0] - b[0] * c[2])
         + a[2] * (b[0] * c[1] - b[1] * c[0])
@@ -23,7 +22,7 @@ pub(crate) fn determinant<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3]) -> T {
 
 /// The determinant of magnitudes, with sums in place of differences.
 #[inline(always)]
-pub(crate) fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
+pub(super) fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
     let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
     a[0] * (b[1] * c[2] + b[2] * c[1])
         + a[1] * (b[2] * c[0] + b[0] * c[2])
@@ -31,13 +30,13 @@ pub(crate) fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
 }
 
 /// The determinant in integers.
-pub(crate) fn volume([a, b, c]: [&Integers; 3]) -> IBig {
+pub(super) fn volume([a, b, c]: [&Integers; 3]) -> IBig {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     &a[0] * minor(1, 2) + &a[1] * minor(2, 0) + &a[2] * minor(0, 1)
 }
 
 /// N points as vectors in integers, on each axis divided by a positive number.
-pub(crate) fn integers<const N: usize>(points: [&Point; N]) -> [Integers; N] {
+pub(super) fn integers<const N: usize>(points: [&Point; N]) -> [Integers; N] {
     let axes = [0, 1, 2].map(|axis: usize| to_integers(points.map(|point| point[axis])).0);
     core::array::from_fn(|i| [0, 1, 2].map(|axis: usize| axes[axis][i].clone()))
 }
@@ -45,7 +44,7 @@ pub(crate) fn integers<const N: usize>(points: [&Point; N]) -> [Integers; N] {
 /// The sign of (a − d) · ((b − d) × (c − d)): Shewchuk's adaptive predicate (Adaptive precision
 /// floating-point arithmetic and fast robust geometric predicates, 1997) where all coordinates are
 /// [safe](is_safe) and the environment is the default one, otherwise in integers.
-pub(crate) fn sign_of_determinant([a, b, c, d]: [&Point; 4]) -> Ordering {
+pub(super) fn sign_of_determinant([a, b, c, d]: [&Point; 4]) -> Ordering {
     let points = [a, b, c, d];
     let are_safe = |point: &&Point| point.iter().fold(true, |all, &x| all & is_safe(x));
     if environment::is_default() && points.iter().all(are_safe) {
@@ -57,7 +56,7 @@ pub(crate) fn sign_of_determinant([a, b, c, d]: [&Point; 4]) -> Ordering {
 }
 
 /// The sign of (a − d) · ((b − d) × (c − d)) in integers, in any floating-point environment.
-pub(crate) fn sign_in_integers(points: [&Point; 4]) -> Ordering {
+pub(super) fn sign_in_integers(points: [&Point; 4]) -> Ordering {
     let [a, b, c, d] = integers(points);
     let from_d = |p: &Integers| -> Integers { [0, 1, 2].map(|axis: usize| &p[axis] - &d[axis]) };
     volume([&from_d(&a), &from_d(&b), &from_d(&c)]).cmp(&IBig::ZERO)

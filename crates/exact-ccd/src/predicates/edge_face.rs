@@ -4,6 +4,7 @@ use core::cmp::Ordering::{self, Equal};
 
 use super::orient3d::sign_of_volume;
 use crate::kind::{EdgeEdge, VertexFace};
+use crate::options::CONTACT;
 use crate::point::Point;
 use crate::query::{NonFinite, Query};
 
@@ -70,7 +71,7 @@ impl EdgeFace {
         let [v1, v2, v3] = self.face;
         let points = [point, v1, v2, v3];
         // All coordinates are finite.
-        Query::<VertexFace>::new(points, points).is_ok_and(|query| query.collides())
+        Query::<VertexFace>::new(points, points).is_ok_and(|query| query.collides(CONTACT))
     }
 
     /// Returns true if a side of the face touches the edge.
@@ -78,7 +79,7 @@ impl EdgeFace {
         let ([a, b], [v1, v2, v3]) = (self.edge, self.face);
         [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(|[x, y]| {
             let points = [a, b, x, y];
-            Query::<EdgeEdge>::new(points, points).is_ok_and(|query| query.collides())
+            Query::<EdgeEdge>::new(points, points).is_ok_and(|query| query.collides(CONTACT))
         })
     }
 }

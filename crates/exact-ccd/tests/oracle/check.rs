@@ -1,9 +1,9 @@
 //! The answers of the crate, by all paths, are those of the definition.
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::separation::Separation;
 use exact_ccd::{
-    ContactTime, ContactTimes, EdgeEdge, Kind, Point, Query, VertexEdge, VertexFace, VertexVertex, exact,
+    ContactTime, EdgeEdge, Interval, Kind, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex,
+    exact,
 };
 
 use crate::definition::{self, Moment, Primitives};
@@ -41,76 +41,47 @@ fn points<K: Defined>(query: &Query<K>) -> [Vec<Point>; 2] {
         .map(|now| K::POINTS.iter().map(|&i| now[i]).collect())
 }
 
-fn truth<K: Defined>(query: &Query<K>, d: f64) -> Vec<([Moment; 2], bool)> {
-    let [start, end] = points(query);
-    definition::intervals(K::PRIMITIVES, [&start, &end], d)
-}
-
 fn moment(time: ContactTime) -> Moment {
     (time.lower(), time.is_exact())
 }
 
-/// The earliest contact of a batch of one query.
+/// The first time of a batch of one query.
 fn first_of_batch<K: Defined>(query: &Query<K>, d: Separation) -> Option<Moment> {
     let [start, end] = points(query);
     let mut vertices = K::Vertices::default();
     (0..).zip(vertices.as_mut()).for_each(|(i, vertex)| *vertex = i);
     let trajectories = Trajectories::new(&start, &end).expect("the points are finite");
     let mut first = None;
-    let found = |_: usize, collision: exact_ccd::Collision<'_, K>| {
-        first = Some(moment(collision.first_contact_time()));
-    };
-    let result = trajectories.collisions_within::<K>(&[vertices], d.into(), found);
+    let result = trajectories.collisions::<K>(&[vertices], d, |_, collision| {
+        first = Some(moment(collision.time()));
+    });
     result.expect("the vertices exist");
     first
 }
 
-/// Compares contact, all contact times, and the earliest of a batch; returns true for contact.
-pub(crate) fn assert_contact<K: Defined>(query: &Query<K>) -> bool {
-    let truth = truth(query, 0.0);
+/// Compares the decision, all times of touching, and the first one, also of a batch; returns true if there
+/// are any.
+pub(crate) fn assert_defined<K: Defined>(query: &Query<K>, d: Separation) -> bool {
+    let [start, end] = points(query);
+    let truth = definition::intervals(K::PRIMITIVES, [&start, &end], d.get());
     let first = truth.first().map(|(ends, _)| ends[0]);
-    let is_finite = truth.iter().all(|(_, is_moment)| *is_moment);
-    for times in [query.contact_times(), exact::contact_times(query)] {
-        assert_eq!(times.first().map(moment), first, "{query:?}");
-        match times {
-            ContactTimes::Finite(times) => {
-                assert!(is_finite, "{query:?}");
-                let times: Vec<Moment> = times.iter().map(|&time| moment(time)).collect();
-                let truth: Vec<Moment> = truth.iter().map(|(ends, _)| ends[0]).collect();
-                assert_eq!(times, truth, "{query:?}");
-            }
-            ContactTimes::Interval { .. } => assert!(!is_finite, "{query:?}"),
-        }
-    }
-    assert_eq!(query.collides(), first.is_some(), "{query:?}");
-    assert_eq!(exact::collides(query), first.is_some(), "{query:?}");
-    assert_eq!(query.time_of_impact(), first.map(|time| time.0), "{query:?}");
-    assert_eq!(first_of_batch(query, Separation::default()), first, "{query:?}");
-    first.is_some()
-}
-
-/// Compares the decision within d, its intervals, and the first time, also of a batch; returns true if the
-/// primitives come within d.
-pub(crate) fn assert_within<K: Defined>(query: &Query<K>, d: Separation) -> bool {
-    let truth: Vec<[Moment; 2]> = truth(query, d.get()).iter().map(|(ends, _)| *ends).collect();
-    let first = truth.first().map(|ends| ends[0]);
-    for intervals in [
-        query.intervals_within(d),
-        exact::separation::intervals_within(query, d),
-    ] {
-        let ends: Vec<_> = intervals
-            .iter()
-            .map(|interval| [moment(interval.start), moment(interval.end)])
+    for intervals in [query.intervals(d), exact::intervals(query, d)] {
+        let found: Vec<_> = intervals
+            .into_iter()
+            .map(
+                |Interval {
+                     start,
+                     end,
+                     is_moment,
+                 }| ([moment(start), moment(end)], is_moment),
+            )
             .collect();
-        assert_eq!(ends, truth, "{d:?}: {query:?}");
+        assert_eq!(found, truth, "{d:?}: {query:?}");
     }
-    let firsts = [query.first_within(d), exact::separation::first_within(query, d)];
-    assert_eq!(
-        firsts.map(|time| time.map(moment)),
-        [first; 2],
-        "{d:?}: {query:?}"
-    );
-    let decisions = [query.comes_within(d), exact::separation::comes_within(query, d)];
+    let lower = first.map(|(lower, _)| lower);
+    let times = [query.time_of_impact(d), exact::time_of_impact(query, d)];
+    assert_eq!(times, [lower; 2], "{d:?}: {query:?}");
+    let decisions = [query.collides(d), exact::collides(query, d)];
     assert_eq!(decisions, [first.is_some(); 2], "{d:?}: {query:?}");
     assert_eq!(first_of_batch(query, d), first, "{d:?}: {query:?}");
     first.is_some()

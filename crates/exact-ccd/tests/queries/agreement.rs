@@ -2,29 +2,32 @@
 
 use std::cell::RefCell;
 
-use exact_ccd::{EdgeEdge, Stage, VertexFace};
+use exact_ccd::{EdgeEdge, Kind, Separation, Stage, VertexFace};
 use proptest::prelude::*;
 
-use crate::check::{Defined, assert_contact};
+use crate::check::{Defined, assert_defined};
+use crate::each_kind::for_each_kind;
+use crate::families::{Rule, cases, extreme, ordinary, rule};
 use crate::generators::*;
-use crate::laws::{checked_times, query};
+use crate::kinds::query;
+use crate::laws::checked;
 use crate::primitives::{Points, Primitives};
 use crate::runner::for_all;
 
 fn agrees<K: Primitives>(cases: u32, points: impl Strategy<Value = Points>) {
     for_all(cases, points, |points| {
-        checked_times(&query::<K>(&points));
+        checked(&query::<K>(&points), Separation::ZERO);
     });
 }
 
 /// The definition is slow: it is compared on fewer cases.
 fn is_defined<K: Primitives + Defined>(cases: u32, points: impl Strategy<Value = Points>) {
     for_all(cases / 200 + 4, points, |points| {
-        assert_contact(&query::<K>(&points));
+        assert_defined(&query::<K>(&points), Separation::ZERO);
     });
 }
 
-/// Tests of each kind of query for each family, with the number of cases. The exact path is slow
+/// Tests of contact of each kind of query for each family, with the number of cases. The exact path is slow
 /// on numbers of very different magnitudes.
 macro_rules! agrees {
     ($($name:ident: $cases:literal, $points:expr;)*) => { $(
@@ -78,16 +81,82 @@ agrees! {
     on_extremes: 200, extremes();
 }
 
+fn agrees_within<K: Kind>(
+    count: u32,
+    points: impl Strategy<Value = Points>,
+    rule: impl Strategy<Value = Rule>,
+) {
+    for_all(cases(count), (points, rule), |(points, rule)| {
+        checked(&query::<K>(&points), rule.separation::<K>(&points));
+    });
+}
+
+fn ordinary_distances<K: Kind>() {
+    agrees_within::<K>(100_000, ordinary(), rule());
+}
+
+fn extreme_distances<K: Kind>() {
+    agrees_within::<K>(2_000, extreme(), rule());
+}
+
+fn contact<K: Kind>() {
+    agrees_within::<K>(6_000, ordinary(), Just(Rule::Fixed(0.0)));
+    agrees_within::<K>(400, extreme(), Just(Rule::Fixed(0.0)));
+}
+
+/// Checks some queries against the definition; both decisions must occur.
+fn are_defined<K: Defined>(
+    count: u32,
+    points: impl Strategy<Value = Points>,
+    rule: impl Strategy<Value = Rule>,
+) {
+    let counts = RefCell::new([0; 2]);
+    for_all(count, (points, rule), |(points, rule)| {
+        let touches = assert_defined(&query::<K>(&points), rule.separation::<K>(&points));
+        counts.borrow_mut()[usize::from(touches)] += 1;
+    });
+    let least = count / 100;
+    assert!(counts.borrow().iter().all(|&count| count > least), "{counts:?}");
+}
+
+fn defined<K: Defined>() {
+    are_defined::<K>(250, ordinary(), rule());
+    are_defined::<K>(12, extreme(), rule());
+    are_defined::<K>(400, ordinary(), Just(Rule::Fixed(0.0)));
+}
+
+for_each_kind! {
+    within_ordinary_distances => ordinary_distances;
+    within_extreme_distances => extreme_distances;
+    in_contact => contact;
+    with_the_definition => defined;
+}
+
+/// The stages at which some queries are decided, for each kind.
+fn stages<K: Kind>(points: impl Strategy<Value = Points>, rule: impl Strategy<Value = Rule>) -> Vec<Stage> {
+    let stages = RefCell::new(Vec::new());
+    for_all(4_000, (points, rule), |(points, rule)| {
+        let stage = query::<K>(&points).decide(rule.separation::<K>(&points)).1;
+        stages.borrow_mut().push(stage);
+    });
+    stages.into_inner()
+}
+
 /// The agreement above covers all stages.
 fn every_stage_settles_some<K: Primitives>() {
-    let stages = RefCell::new(Vec::new());
-    for_all(4_000, mixed::<K>(), |points| {
-        stages
-            .borrow_mut()
-            .push(query::<K>(&points).contact_times_with_stage().1);
-    });
+    let contact = stages::<K>(mixed::<K>(), Just(Rule::Fixed(0.0)));
+    let within = stages::<K>(ordinary(), rule());
     for stage in Stage::ALL {
-        assert!(stages.borrow().contains(stage), "{stage:?}");
+        let (of_contact, of_distance) = match stage {
+            Stage::Roots | Stage::Coincident | Stage::Direction | Stage::Planar => (true, false),
+            Stage::Start | Stage::Advancement | Stage::Crossing => (false, true),
+            _ => (true, true),
+        };
+        assert!(!of_contact || contact.contains(stage), "{stage:?} in contact");
+        assert!(
+            !of_distance || within.contains(stage),
+            "{stage:?} within a distance"
+        );
     }
 }
 

@@ -5,13 +5,18 @@ use std::cell::RefCell;
 use exact_ccd::batch::{
     self, Instructions, NonFiniteQuery, Trajectories, TrajectoriesError, VertexOutOfRange,
 };
-use exact_ccd::{Axis, Collision, EdgeEdge, Impact, NonFinite, Query, VertexFace, exact};
+use exact_ccd::{
+    Axis, CONTACT, Collision, EdgeEdge, Impact, Intervals, Kind, NonFinite, Point, Query, Separation,
+    Separations, Thickness, VertexEdge, VertexFace, exact,
+};
 use proptest::array::{uniform2, uniform4};
 use proptest::collection::vec;
-use proptest::prelude::any;
+use proptest::prelude::*;
 
+use crate::each_kind::for_each_kind;
+use crate::families::{cases, ordinary};
 use crate::generators::mixed;
-use crate::laws::{bits, query};
+use crate::kinds::{points_of, query};
 use crate::primitives::{Points, Primitives};
 use crate::runner::for_all;
 
@@ -21,22 +26,30 @@ const COUNT: u32 = 4_001;
 /// The sizes of batches: those around a vector of 8 queries and a chunk of 256, and all queries.
 const SIZES: [usize; 10] = [0, 1, 7, 8, 9, 255, 256, 257, 264, COUNT as usize];
 
-fn queries<K: Primitives>() -> Vec<Points> {
-    let queries = RefCell::new(Vec::new());
-    for_all(COUNT, mixed::<K>(), |points| queries.borrow_mut().push(points));
-    queries.into_inner()
+/// Values of a strategy.
+fn values<T: std::fmt::Debug>(count: u32, strategy: impl Strategy<Value = T>) -> Vec<T> {
+    let values = RefCell::new(Vec::new());
+    for_all(count, strategy, |value| values.borrow_mut().push(value));
+    values.into_inner()
 }
 
-/// The trajectories of the points of all queries, and the four vertices of each query.
-fn meshed<K: Primitives>(queries: &[Points]) -> (Trajectories, Vec<[u32; 4]>) {
-    let at = |time: usize| -> Vec<_> {
-        queries
-            .iter()
-            .flat_map(|points| query::<K>(points).points()[time])
-            .collect()
+/// The vertices of queries that have none in common.
+pub(crate) fn vertices<K: Kind>(count: usize) -> Vec<K::Vertices> {
+    let mut next = 0..;
+    let mut vertices = vec![K::Vertices::default(); count];
+    for vertex in vertices.iter_mut().flat_map(AsMut::as_mut) {
+        *vertex = next.next().unwrap();
+    }
+    vertices
+}
+
+/// Those vertices in motion.
+fn trajectories<P: AsRef<[Point]>>(queries: &[[P; 2]]) -> Trajectories {
+    let at = |time: usize| -> Vec<Point> {
+        let now = queries.iter().flat_map(|ends| ends[time].as_ref());
+        now.copied().collect()
     };
-    let vertices = (0..queries.len() as u32).map(|i| [0, 1, 2, 3].map(|k| 4 * i + k));
-    (Trajectories::new(&at(0), &at(1)).unwrap(), vertices.collect())
+    Trajectories::new(&at(0), &at(1)).unwrap()
 }
 
 /// All answers about a colliding query, to the last bit.
@@ -44,72 +57,118 @@ fn meshed<K: Primitives>(queries: &[Points]) -> (Trajectories, Vec<[u32; 4]>) {
 struct Answers {
     index: usize,
     points: Points,
-    times: (bool, Vec<(u64, bool)>),
+    intervals: Intervals,
     time_of_impact: u64,
     impact: Impact,
 }
 
 impl Answers {
-    fn of_query<K: Primitives>(index: usize, query: &Query<K>) -> Option<Self> {
-        query.collides().then(|| Self {
+    fn of_query<K: Kind>(index: usize, query: &Query<K>, d: Separation) -> Option<Self> {
+        query.collides(d).then(|| Self {
             index,
             points: *query.points(),
-            times: bits(&query.contact_times()),
-            time_of_impact: query.time_of_impact().unwrap().to_bits(),
-            impact: query.impact().unwrap(),
+            intervals: query.intervals(d),
+            time_of_impact: query.time_of_impact(d).unwrap().to_bits(),
+            impact: query.impact(d).unwrap(),
         })
     }
 
-    fn of_collision<K: Primitives>(index: usize, collision: &Collision<'_, K>) -> Self {
+    fn of_collision<K: Kind>(index: usize, collision: &Collision<'_, K>) -> Self {
         Self {
             index,
             points: *collision.query().points(),
-            times: bits(&collision.contact_times()),
+            intervals: collision.intervals(),
             time_of_impact: collision.time_of_impact().to_bits(),
             impact: collision.impact(),
         }
     }
 }
 
-fn answers_as_single_queries<K: Primitives>() {
-    let queries = queries::<K>();
-    let (trajectories, vertices) = meshed::<K>(&queries);
-    let expected: Vec<Answers> = queries
-        .iter()
-        .enumerate()
-        .filter_map(|(index, points)| Answers::of_query(index, &query::<K>(points)))
-        .collect();
-    assert!((100..queries.len() - 100).contains(&expected.len()));
+/// Checks batches of some of the queries of vertices, and, if the separation is the same for all, of points.
+fn assert_as_single_queries<K: Kind>(
+    queries: &[[K::Points; 2]],
+    separations: Separations<'_>,
+    sizes: &[usize],
+) {
+    let vertices = vertices::<K>(queries.len());
+    let separation = |index: usize| {
+        let (a, b) = vertices[index].as_ref().split_at(K::FIRST);
+        separations.between(a, b)
+    };
+    let of_query = |(index, &[start, end]): (usize, &[K::Points; 2])| {
+        Answers::of_query::<K>(index, &Query::new(start, end).unwrap(), separation(index))
+    };
+    let expected: Vec<Answers> = queries.iter().enumerate().filter_map(of_query).collect();
+    assert!((1..queries.len()).contains(&expected.len()));
+    let trajectories = trajectories(queries);
     for instructions in Instructions::available() {
-        let trajectories = trajectories.clone().with_instructions(instructions);
-        for size in SIZES {
+        let of_vertices = trajectories.clone().with_instructions(instructions);
+        for &size in sizes {
             let expected = &expected[..expected.partition_point(|answers| answers.index < size)];
             let mut found = Vec::new();
-            trajectories
-                .collisions::<K>(&vertices[..size], |index, collision| {
+            of_vertices
+                .collisions::<K>(&vertices[..size], separations, |index, collision| {
+                    assert_eq!(collision.separation(), separation(index));
                     found.push(Answers::of_collision(index, &collision));
                 })
                 .unwrap();
-            assert_eq!(found, expected, "vertices, {instructions:?}");
+            assert!(found == expected, "vertices, {instructions:?}, {separations:?}");
 
-            let mut found = Vec::new();
-            let of_points = batch::Queries::<K>::new(&queries[..size]).with_instructions(instructions);
-            of_points
-                .collisions(|index, collision| found.push(Answers::of_collision(index, &collision)))
-                .unwrap();
-            assert_eq!(found, expected, "points, {instructions:?}");
+            if let Separations::Uniform(d) = separations {
+                let mut found = Vec::new();
+                batch::Queries::<K>::new(&queries[..size])
+                    .with_instructions(instructions)
+                    .collisions(d, |index, collision| {
+                        found.push(Answers::of_collision(index, &collision));
+                    })
+                    .unwrap();
+                assert!(found == expected, "points, {instructions:?}, {d:?}");
+            }
         }
     }
 }
 
+fn answers_about_contact<K: Primitives>() {
+    let queries = values(COUNT, mixed::<K>());
+    assert_as_single_queries::<K>(&queries, Separation::ZERO.into(), &SIZES);
+}
+
 #[test]
 fn batches_of_vertex_face_answer_as_single_queries() {
-    answers_as_single_queries::<VertexFace>();
+    answers_about_contact::<VertexFace>();
 }
 
 #[test]
 fn batches_of_edge_edge_answer_as_single_queries() {
-    answers_as_single_queries::<EdgeEdge>();
+    answers_about_contact::<EdgeEdge>();
+}
+
+/// For one distance, and for a thickness of each vertex.
+fn answers_within_distances<K: Kind>() {
+    let thickness = prop_oneof![
+        Just([0.0; 4]),
+        uniform4(prop::sample::select(vec![0.0, 0.125, 0.5, 1.0])),
+        uniform4(0.0..0.5),
+    ];
+    let (queries, thickness): (Vec<[K::Points; 2]>, Vec<[f64; 4]>) =
+        values(cases(2_000), (ordinary(), thickness))
+            .into_iter()
+            .map(|(points, thickness)| (points.map(points_of::<K>), thickness))
+            .unzip();
+    let each = queries[0][0].as_ref().len();
+    let thickness: Vec<f64> = thickness.iter().flat_map(|of| &of[..each]).copied().collect();
+    let thickness = Thickness::new(&thickness).unwrap();
+
+    let sizes = [queries.len()];
+    assert_as_single_queries::<K>(&queries, (&thickness).into(), &sizes);
+    for d in [0.0, 0.25, 1.0] {
+        let d = Separation::new(d).unwrap();
+        assert_as_single_queries::<K>(&queries, d.into(), &sizes);
+    }
+}
+
+for_each_kind! {
+    batches_within_distances_answer_as_single_queries => answers_within_distances;
 }
 
 /// In units of 1 and of the smallest subnormal number, where many queries are degenerate.
@@ -125,16 +184,16 @@ fn small_integers_answer_as_integers_do<K: Primitives>() {
         let trajectories = Trajectories::new(&at(0), &at(1)).unwrap();
         let mut found = Vec::new();
         trajectories
-            .collisions::<K>(&vertices, |index, collision| {
-                found.push((index, bits(&collision.contact_times()), collision.impact().time));
+            .collisions::<K>(&vertices, CONTACT, |index, collision| {
+                found.push((index, collision.intervals(), collision.impact().time));
             })
             .unwrap();
         let expected: Vec<_> = (0..)
             .zip(&vertices)
             .filter_map(|(index, &vertices)| {
                 let query = trajectories.query::<K>(vertices).unwrap();
-                let time = exact::impact(&query)?.time;
-                Some((index, bits(&exact::contact_times(&query)), time))
+                let time = exact::impact(&query, CONTACT)?.time;
+                Some((index, exact::intervals(&query, CONTACT), time))
             })
             .collect();
         assert_eq!(found, expected);
@@ -149,9 +208,9 @@ fn batches_of_small_integers_answer_as_integers_do() {
 
 #[test]
 fn a_query_of_vertices_is_that_of_their_positions() {
-    let queries = queries::<EdgeEdge>();
-    let (trajectories, vertices) = meshed::<EdgeEdge>(&queries);
-    for (points, vertices) in queries.iter().zip(vertices) {
+    let queries = values(COUNT, mixed::<EdgeEdge>());
+    let trajectories = trajectories(&queries);
+    for (points, vertices) in queries.iter().zip(vertices::<EdgeEdge>(queries.len())) {
         assert_eq!(
             trajectories.query::<EdgeEdge>(vertices),
             Some(query::<EdgeEdge>(points))
@@ -180,15 +239,23 @@ fn errors_of_trajectories_name_vertex_and_coordinate() {
         error.to_string(),
         "vertex 1 has z = inf at t = 1, expected a finite number"
     );
-    let trajectories = Trajectories::new(&[o; 5], &[o; 5]).unwrap();
-    let found = trajectories.collisions::<VertexFace>(&[[0, 1, 2, 3], [4, 9, 5, 0]], |_, _| {
-        unreachable!("nothing is found");
-    });
+}
+
+#[test]
+fn errors_of_batches_name_query_and_vertex() {
+    let trajectories = Trajectories::new(&[[0.0; 3]; 5], &[[0.0; 3]; 5]).unwrap();
     let expected = VertexOutOfRange {
         query: 1,
         vertex: 9,
         vertex_count: 5,
     };
+    let found = trajectories.collisions::<VertexFace>(&[[0, 1, 2, 3], [4, 9, 5, 0]], CONTACT, |_, _| {
+        unreachable!("nothing is found");
+    });
+    assert_eq!(found, Err(expected));
+    let found = trajectories.collisions::<VertexEdge>(&[[0, 1, 2], [4, 0, 9]], CONTACT, |_, _| {
+        unreachable!("nothing is found");
+    });
     assert_eq!(found, Err(expected));
 }
 
@@ -201,7 +268,8 @@ fn errors_of_arrays_name_query_and_coordinate() {
         queries[bad][1][2][1] = f64::NEG_INFINITY;
         queries[700][1][3] = [f64::NAN; 3];
         let mut found = Vec::new();
-        let error = batch::Queries::<EdgeEdge>::new(&queries).collisions(|index, _| found.push(index));
+        let batch = batch::Queries::<EdgeEdge>::new(&queries);
+        let error = batch.collisions(CONTACT, |index, _| found.push(index));
         let error = error.unwrap_err();
         let expected = NonFiniteQuery {
             query: bad,

@@ -1,10 +1,10 @@
 //! The two halves of a step or of a primitive have the contacts of the whole. Exact on integers.
 
-use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Interval, Intervals, Point, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
-use crate::laws::query;
+use crate::kinds::query;
 use crate::primitives::{Points, Primitives, combine};
 use crate::runner::for_all;
 
@@ -22,21 +22,16 @@ fn middle(a: Point, b: Point) -> Point {
     combine([0.5, 0.5], [a, b])
 }
 
-fn times_of<K: Primitives>(points: &Points) -> ContactTimes {
-    query::<K>(points).contact_times()
+fn times_of<K: Primitives>(points: &Points) -> Intervals {
+    query::<K>(points).intervals(CONTACT)
 }
 
-/// The finitely many times, or the first of infinitely many.
-fn list(times: &ContactTimes) -> Vec<ContactTime> {
-    match times {
-        ContactTimes::Finite(times) => times.to_vec(),
-        ContactTimes::Interval { first } => vec![*first],
-    }
-}
-
-/// The image of a time under t ↦ 2 t − shift, exact for times in [1/2, 1], or without a shift.
-fn doubled(time: ContactTime, shift: f64) -> [f64; 2] {
-    [time.lower(), time.upper()].map(|t| 2.0 * t - shift)
+/// The part of an interval from one time to another: its ends, each between two f64, and true for a moment.
+fn part(whole: &Interval, low: f64, high: f64) -> Option<([[f64; 2]; 2], bool)> {
+    let is_apart = whole.start.upper() > high || whole.end.lower() < low;
+    let ends = [whole.start, whole.end].map(|time| [time.lower(), time.upper()].map(|t| t.clamp(low, high)));
+    let is_moment = whole.is_moment || ends.as_flattened().iter().all(|&t| t == ends[0][0]);
+    (!is_apart).then_some((ends, is_moment))
 }
 
 /// Returns true if a time may be the given one.
@@ -54,58 +49,46 @@ fn halves_of_the_step<K: Primitives>(points: &Points) {
     let [start, end] = *points;
     let noon = [0, 1, 2, 3].map(|i: usize| middle(start[i], end[i]));
     let whole = times_of::<K>(points);
-    let (morning, afternoon) = (times_of::<K>(&[start, noon]), times_of::<K>(&[noon, end]));
+    let halves = [([start, noon], 0.0), ([noon, end], 1.0)];
+    for (half, shift) in halves {
+        let (low, high) = (0.5 * shift, 0.5 * (1.0 + shift));
+        let parts: Vec<_> = whole.iter().filter_map(|whole| part(whole, low, high)).collect();
+        let times = times_of::<K>(&half);
+        assert_eq!(times.len(), parts.len(), "{points:?}");
+        for (time, ([start, end], is_moment)) in times.iter().zip(parts) {
+            // Exact for times in [1/2, 1], or without a shift.
+            let doubled = |bounds: [f64; 2]| bounds.map(|t| 2.0 * t - shift);
+            let is_part = may_be(time.start, doubled(start))
+                && may_be(time.end, doubled(end))
+                && time.is_moment == is_moment;
+            assert!(is_part, "{whole:?}, {time:?}: {points:?}");
+        }
+    }
+}
 
-    let lasts = morning.count().is_none() || afternoon.count().is_none();
-    assert_eq!(whole.count().is_none(), lasts, "{points:?}");
-    let (mut early, mut late) = (list(&whole), list(&whole));
-    early.retain(|time| time.upper() <= 0.5);
-    late.retain(|time| time.lower() >= 0.5);
-    let [mut in_morning, mut in_afternoon] = [list(&morning), list(&afternoon)];
-    if lasts {
-        // Only the beginning of an interval is given.
-        in_morning.truncate(1);
-        in_afternoon.truncate(usize::from(early.is_empty()));
-        late.truncate(in_afternoon.len());
+/// The union of intervals. Those that may have a time in common count as one.
+fn union(mut intervals: Vec<Interval>) -> Vec<Interval> {
+    intervals.sort_by_key(|interval| interval.start);
+    let mut union: Vec<Interval> = Vec::new();
+    for next in intervals {
+        match union.last_mut() {
+            Some(last) if next.start <= last.end => {
+                last.end = last.end.max(next.end);
+                last.is_moment &= next.is_moment;
+            }
+            _ => union.push(next),
+        }
     }
-    assert_eq!(early.len(), in_morning.len(), "{points:?}");
-    for (whole, half) in early.iter().zip(in_morning) {
-        assert_eq!(doubled(*whole, 0.0), [half.lower(), half.upper()], "{points:?}");
-    }
-    assert_eq!(late.len(), in_afternoon.len(), "{points:?}");
-    for (whole, half) in late.iter().zip(in_afternoon) {
-        assert!(
-            may_be(half, doubled(*whole, 1.0)),
-            "{whole:?}, {half:?}: {points:?}"
-        );
-    }
+    union
 }
 
 /// Cuts the edge between the last two points: an edge of the face, or the second edge.
 fn halves_of_a_primitive<K: Primitives>(points: &Points) {
     let left = points.map(|[a, b, c, d]| [a, b, c, middle(c, d)]);
     let right = points.map(|[a, b, c, d]| [a, b, middle(c, d), d]);
-    let whole = times_of::<K>(points);
-    let halves = [times_of::<K>(&left), times_of::<K>(&right)];
-
-    assert_eq!(
-        whole.count().is_none(),
-        halves.iter().any(|times| times.count().is_none()),
-        "{points:?}"
-    );
-    let mut expected: Vec<ContactTime> = halves.iter().flat_map(list).collect();
-    expected.sort_by(|a, b| {
-        (a.lower(), a.upper())
-            .partial_cmp(&(b.lower(), b.upper()))
-            .unwrap()
-    });
-    expected.dedup();
-    if whole.count().is_none() {
-        expected.truncate(1);
-    }
-    let mut found = list(&whole);
-    found.dedup();
-    assert_eq!(found, expected, "{points:?}");
+    let halves = [left, right].iter().flat_map(times_of::<K>).collect();
+    let whole = times_of::<K>(points).to_vec();
+    assert_eq!(union(whole), union(halves), "{points:?}");
 }
 
 fn cuts<K: Primitives>(check: impl Fn(&Points)) {

@@ -1,15 +1,18 @@
 //! The answers do not depend on the order of points, axes, units, the direction of time, or the
 //! frame of reference.
 
-use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Query, Separation, VertexFace};
 use proptest::array::{uniform2, uniform3};
 use proptest::prelude::*;
 
+use crate::each_kind::for_each_kind;
+use crate::families::{cases, ordinary, rule};
 use crate::generators::*;
-use crate::laws::{assert_reversible, assert_same_times, assert_symmetric, query};
+use crate::kinds::{Renamed, query};
+use crate::laws::{assert_reversible, assert_same_times};
 use crate::primitives::{Points, Primitives, combine};
 use crate::runner::for_all;
-use crate::symmetry::Symmetry;
+use crate::symmetry::{Symmetry, assert_symmetric};
 
 fn symmetry() -> impl Strategy<Value = Symmetry> {
     (
@@ -26,9 +29,9 @@ fn symmetry() -> impl Strategy<Value = Symmetry> {
         })
 }
 
-fn names_axes_and_units<K: Primitives>() {
+fn names_axes_and_units<K: Primitives + Renamed>() {
     for_all(10_000, (mixed::<K>(), symmetry()), |(points, symmetry)| {
-        assert_symmetric::<K>(&points, &symmetry);
+        assert_symmetric::<K>(&points, Separation::ZERO, &symmetry);
     });
 }
 
@@ -42,14 +45,35 @@ fn names_axes_and_units_do_not_matter_to_edges() {
     names_axes_and_units::<EdgeEdge>();
 }
 
+fn names_axes_and_the_unit<K: Renamed>() {
+    for_all(
+        cases(20_000),
+        (ordinary(), rule(), symmetry()),
+        |(points, rule, symmetry)| {
+            assert_symmetric::<K>(&points, rule.separation::<K>(&points), &symmetry);
+        },
+    );
+}
+
 #[test]
 fn time_can_run_backwards() {
     for_all(6_000, mixed::<VertexFace>(), |points| {
-        assert_reversible::<VertexFace>(&points);
+        assert_reversible(&query::<VertexFace>(&points), Separation::ZERO);
     });
     for_all(6_000, mixed::<EdgeEdge>(), |points| {
-        assert_reversible::<EdgeEdge>(&points);
+        assert_reversible(&query::<EdgeEdge>(&points), Separation::ZERO);
     });
+}
+
+fn reversible<K: Renamed>() {
+    for_all(cases(20_000), (ordinary(), rule()), |(points, rule)| {
+        assert_reversible(&query::<K>(&points), rule.separation::<K>(&points));
+    });
+}
+
+for_each_kind! {
+    names_axes_and_the_unit_do_not_matter_to_a_distance => names_axes_and_the_unit;
+    time_can_run_backwards_within_a_distance => reversible;
 }
 
 /// A frame of reference: axes that are not orthogonal, and an origin that moves.
@@ -75,7 +99,8 @@ fn seen_from((axes, origins): Frame, points: &Points) -> Points {
 fn frames_of_reference<K: Primitives>() {
     let points = prop_oneof![small_integers(2), degenerate(small_integers(2))];
     for_all(6_000, (points, frame()), |(points, frame)| {
-        assert_same_times(&query::<K>(&points), &query::<K>(&seen_from(frame, &points)));
+        let [one, other] = [points, seen_from(frame, &points)].map(|points| query::<K>(&points));
+        assert_same_times((&one, Separation::ZERO), (&other, Separation::ZERO));
     });
 }
 
@@ -89,9 +114,8 @@ fn the_frame_of_reference_does_not_matter() {
 #[test]
 fn a_collapsed_face_is_an_edge() {
     for_all(6_000, mixed::<EdgeEdge>(), |points| {
-        let face = points.map(|[p, _, x, y]| [p, x, y, y]);
-        let edge = points.map(|[p, _, x, y]| [p, p, x, y]);
-        let (face, edge): (Query<VertexFace>, Query<EdgeEdge>) = (query(&face), query(&edge));
-        assert_same_times(&face, &edge);
+        let face: Query<VertexFace> = query(&points.map(|[p, _, x, y]| [p, x, y, y]));
+        let edge: Query<EdgeEdge> = query(&points.map(|[p, _, x, y]| [p, p, x, y]));
+        assert_same_times((&face, Separation::ZERO), (&edge, Separation::ZERO));
     });
 }

@@ -1,11 +1,12 @@
 //! Queries constructed with contact at a known time. All arithmetic is exact on integers.
 
-use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Separation, VertexFace};
 use proptest::array::uniform3;
 use proptest::prelude::*;
 
 use crate::generators::*;
-use crate::laws::{checked_times, query};
+use crate::kinds::query;
+use crate::laws::{checked, contain};
 use crate::primitives::{Points, Primitives, combine};
 use crate::rational::Rational;
 use crate::runner::for_all;
@@ -29,8 +30,8 @@ fn contact_at_a_known_time<K: Primitives>() {
     let queries = (integers(), place, Rational::in_unit(12), factor);
     for_all(8_000, queries, |(points, place, time, d)| {
         let points = with_contact::<K>(points, place, time, d);
-        let times = checked_times(&query::<K>(&points));
-        assert_ne!(time.is_among(&times), Some(false), "{times:?}: {points:?}");
+        let times = checked(&query::<K>(&points), Separation::ZERO);
+        assert!(time.is_among(&times), "{times:?}: {points:?}");
     });
 }
 
@@ -51,13 +52,8 @@ fn graze_at_a_known_time<K: Primitives>() {
         (integers(), quarters(), velocity),
         |(points, place, velocity)| {
             let points = grazing::<K>(points, place, velocity);
-            let times = checked_times(&query::<K>(&points));
-            let is_known = |time: &ContactTime| time.is_exact() && time.lower() == place[0];
-            let found = match &times {
-                ContactTimes::Finite(times) => times.iter().any(is_known),
-                ContactTimes::Interval { first } => first.upper() <= place[0],
-            };
-            assert!(found, "{times:?}: {points:?}");
+            let times = checked(&query::<K>(&points), Separation::ZERO);
+            assert!(contain(&times, place[0]), "{times:?}: {points:?}");
         },
     );
 }

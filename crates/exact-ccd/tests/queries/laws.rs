@@ -1,96 +1,152 @@
-//! Properties of the answers to every query.
+//! Laws of the answers to every query, for contact and within a distance.
 
 use std::cmp::Ordering;
 
-use exact_ccd::{ContactTime, ContactTimes, Kind, Point, Query, exact};
+use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation, exact};
 
-use crate::primitives::{Points, Primitives};
-use crate::symmetry::Symmetry;
+use crate::kinds::query;
 
-/// The query of these points, which are finite.
-pub(crate) fn query<K: Kind<Points = [Point; 4]>>(points: &Points) -> Query<K> {
-    Query::new(points[0], points[1]).unwrap()
+/// All times at which the primitives touch. They are checked to be ordered intervals of the step, the same
+/// as those of the exact path bit for bit, and consistent with the other answers, which are computed apart
+/// from them, and with the primitives at single times.
+pub(crate) fn checked<K: Kind>(query: &Query<K>, d: Separation) -> Intervals {
+    // Times are equal if their bits are.
+    let intervals = query.intervals(d);
+    assert_eq!(intervals, exact::intervals(query, d), "{d:?}: {query:?}");
+    assert_sound(&intervals);
+
+    let first = intervals.first_time();
+    let decisions = [query.collides(d), exact::collides(query, d)];
+    assert_eq!(decisions, [first.is_some(); 2], "{d:?}: {query:?}");
+    let times = [query.time_of_impact(d), exact::time_of_impact(query, d)];
+    assert_eq!(times, [first.map(ContactTime::lower); 2], "{d:?}: {query:?}");
+    let collision = query.collision(d);
+    let time = collision.as_ref().map(Collision::time);
+    assert_eq!(time, first, "{d:?}: {query:?}");
+    let impact = collision.map(|collision| collision.impact().time);
+    assert_eq!(impact, first, "{d:?}: {query:?}");
+    assert_right_at_single_times(query, d, &intervals);
+    intervals
 }
 
-/// The contact times, checked: they are increasing times in [0, 1], the same as those of the exact
-/// path bit for bit, and consistent with the other answers, which are computed apart from them.
-pub(crate) fn checked_times<K: Kind>(query: &Query<K>) -> ContactTimes {
-    let times = query.contact_times();
-    assert_eq!(bits(&times), bits(&exact::contact_times(query)), "{query:?}");
-    assert_sound(&times);
-    let touches = times.first().is_some();
-    assert_eq!(query.collides(), touches, "{query:?}");
-    assert_eq!(exact::collides(query), touches, "exactly: {query:?}");
-    // The time of impact and the impact are computed without the later times.
-    let first = times.first();
-    let lower = first.map(|time| time.lower().to_bits());
-    assert_eq!(query.time_of_impact().map(f64::to_bits), lower, "{query:?}");
-    assert_eq!(query.impact().map(|impact| impact.time), first, "{query:?}");
-    times
-}
-
-/// The bits of contact times, and true if they are finitely many.
-pub(crate) fn bits(times: &ContactTimes) -> (bool, Vec<(u64, bool)>) {
-    let bits = |time: &ContactTime| (time.lower().to_bits(), time.is_exact());
-    match times {
-        ContactTimes::Finite(times) => (true, times.iter().map(bits).collect()),
-        ContactTimes::Interval { first } => (false, vec![bits(first)]),
+fn assert_sound(intervals: &Intervals) {
+    // Two times that are not f64 may lie between the same two f64.
+    let precedes = |a: ContactTime, b: ContactTime| a < b || (a == b && !a.is_exact());
+    for &Interval {
+        start,
+        end,
+        is_moment,
+    } in intervals
+    {
+        assert!(start.lower().is_sign_positive(), "{intervals:?}");
+        assert!(end.upper() <= 1.0, "{intervals:?}");
+        let is_ordered = if is_moment {
+            start == end
+        } else {
+            precedes(start, end)
+        };
+        assert!(is_ordered, "{intervals:?}");
+    }
+    for pair in intervals.windows(2) {
+        assert!(precedes(pair[0].end, pair[1].start), "{intervals:?}");
     }
 }
 
-fn assert_sound(times: &ContactTimes) {
-    let all: Vec<ContactTime> = match times {
-        ContactTimes::Finite(times) => times.to_vec(),
-        ContactTimes::Interval { first } => vec![*first],
-    };
-    if let ContactTimes::Interval { first } = times {
-        assert!(first.lower() < 1.0, "{times:?}");
-    }
-    for time in &all {
-        assert!(
-            time.lower() >= 0.0 && time.lower().is_sign_positive(),
-            "{times:?}"
+/// Returns true if t is in one of the intervals.
+pub(crate) fn contain(intervals: &Intervals, t: f64) -> bool {
+    intervals
+        .iter()
+        .any(|interval| interval.start.upper() <= t && t <= interval.end.lower())
+}
+
+/// Checks the intervals at the f64 around their ends, in the middle of each interval and of each gap: by the
+/// distance then, and by the decision about the primitives at rest in that position, if its coordinates are
+/// f64.
+fn assert_right_at_single_times<K: Kind>(query: &Query<K>, d: Separation, intervals: &Intervals) {
+    let ends = intervals
+        .iter()
+        .flat_map(|interval| [interval.start, interval.end]);
+    let around = ends.flat_map(|time| [time.lower(), time.upper()]);
+    let mut times: Vec<f64> = [0.0].into_iter().chain(around).chain([1.0]).collect();
+    times.dedup();
+    let between: Vec<f64> = times
+        .windows(2)
+        .filter_map(|pair| between(pair[0], pair[1]))
+        .collect();
+    for t in times.into_iter().chain(between) {
+        let touches = contain(intervals, t);
+        let distance = query.distance_at(t).unwrap();
+        assert_eq!(
+            distance.upper <= d.get(),
+            touches,
+            "at {t}, {distance:?}, {d:?}: {query:?}"
         );
-        assert!(time.upper() <= 1.0, "{times:?}");
-    }
-    for pair in all.windows(2) {
-        // Two times that are not f64 may lie between the same two f64.
-        let apart = pair[0].upper() <= pair[1].lower() && pair[0] != pair[1];
-        let in_one_gap = pair[0] == pair[1] && !pair[0].is_exact();
-        assert!(apart || in_one_gap, "{times:?}");
+        if let Some(resting) = at_rest(query, t) {
+            assert_eq!(resting.collides(d), touches, "at rest at {t}, {d:?}: {query:?}");
+        }
     }
 }
 
-/// Checks that a symmetry does not change the contact times.
-pub(crate) fn assert_symmetric<K: Primitives>(points: &Points, symmetry: &Symmetry) {
-    let image = symmetry.apply::<K>(points);
-    assert_same_times(&query::<K>(points), &query::<K>(&image));
+/// A number between others in [0, 1], with as few digits as possible near the middle.
+fn between(low: f64, high: f64) -> Option<f64> {
+    let middle = low.midpoint(high).to_bits();
+    (0..=52)
+        .rev()
+        .map(|digits| f64::from_bits(middle >> digits << digits))
+        .find(|&x| low < x && x < high)
 }
 
-pub(crate) fn assert_same_times<K: Kind, L: Kind>(one: &Query<K>, other: &Query<L>) {
-    let (times, others) = (one.contact_times(), other.contact_times());
-    assert_eq!(bits(&times), bits(&others), "{one:?} and {other:?}");
-    assert_eq!(one.collides(), other.collides(), "{one:?} and {other:?}");
+/// The primitives at rest where they are at time t, if these coordinates are f64.
+fn at_rest<K: Kind>(moving: &Query<K>, t: f64) -> Option<Query<K>> {
+    let [start, end] = moving.points();
+    let mut now = *start;
+    for (a, b) in now.as_flattened_mut().iter_mut().zip(end.as_flattened()) {
+        *a = sum(*a, product(t, sum(*b, -*a)?)?)?;
+    }
+    Some(query(&[now; 2]))
 }
 
-/// Checks that a contact at t is one at 1 − t when time runs backwards.
-pub(crate) fn assert_reversible<K: Primitives>(points: &Points) {
-    let [start, end] = *points;
-    let (forth, back) = (query::<K>(points), query::<K>(&[end, start]));
-    assert_eq!(forth.collides(), back.collides(), "{forth:?}");
-    let (times, reversed) = (forth.contact_times(), back.contact_times());
-    match (&times, &reversed) {
-        (ContactTimes::Finite(times), ContactTimes::Finite(reversed)) => {
-            assert_eq!(times.len(), reversed.len(), "{forth:?}");
-            for (a, b) in times.iter().zip(reversed.iter().rev()) {
-                assert!(may_add_up_to_one(*a, *b), "{a:?} and {b:?}: {forth:?}");
-            }
-        }
-        (ContactTimes::Interval { first }, ContactTimes::Interval { first: last }) => {
-            let sum = compare_sum_with_one(first.lower(), last.lower());
-            assert!(sum.is_lt(), "from {first:?} to 1 − {last:?}: {forth:?}");
-        }
-        _ => panic!("{times:?}, backwards {reversed:?}: {forth:?}"),
+/// a + b, if it is an f64: the rounding error by Knuth's algorithm is 0, not NaN after overflow.
+fn sum(a: f64, b: f64) -> Option<f64> {
+    let sum = a + b;
+    let of_b = sum - a;
+    let error = (a - (sum - of_b)) + (b - of_b);
+    (error == 0.0).then_some(sum)
+}
+
+/// a b, if it is an f64 and not tiny: then its error is a multiple of the smallest f64, and not rounded.
+fn product(a: f64, b: f64) -> Option<f64> {
+    let product = a * b;
+    let is_exact = a.mul_add(b, -product) == 0.0 && product.abs() > 1e-200;
+    (is_exact || a == 0.0 || b == 0.0).then_some(product)
+}
+
+/// Checks that two queries touch at the same times, bit for bit.
+pub(crate) fn assert_same_times<K: Kind, L: Kind>(
+    (one, d): (&Query<K>, Separation),
+    (other, e): (&Query<L>, Separation),
+) {
+    let (times, others) = (one.intervals(d), other.intervals(e));
+    assert_eq!(times, others, "{d:?}: {one:?}, {e:?}: {other:?}");
+    let decisions = [one.collides(d), other.collides(e)];
+    assert_eq!(
+        decisions,
+        [!times.is_empty(); 2],
+        "{d:?}: {one:?}, {e:?}: {other:?}"
+    );
+}
+
+/// Checks that the times from s to t are those from 1 − t to 1 − s when time runs backwards.
+pub(crate) fn assert_reversible<K: Kind>(forth: &Query<K>, d: Separation) {
+    let [start, end] = *forth.points();
+    let back = query::<K>(&[end, start]);
+    let (times, reversed) = (forth.intervals(d), back.intervals(d));
+    assert_eq!(times.len(), reversed.len(), "{d:?}: {forth:?}");
+    for (there, mirrored) in times.iter().zip(reversed.iter().rev()) {
+        let is_mirrored = there.is_moment == mirrored.is_moment
+            && may_add_up_to_one(there.start, mirrored.end)
+            && may_add_up_to_one(there.end, mirrored.start);
+        assert!(is_mirrored, "{there:?}, backwards {mirrored:?}, {d:?}: {forth:?}");
     }
 }
 

@@ -5,13 +5,15 @@
 mod agreement;
 mod batch;
 #[path = "../oracle/check.rs"]
-#[allow(dead_code, reason = "other tests need more of it")]
 mod check;
 mod cuts;
 #[path = "../oracle/definition/mod.rs"]
 mod definition;
+mod each_kind;
+mod families;
 mod generators;
 mod invariance;
+mod kinds;
 mod known_contacts;
 mod laws;
 mod named_cases;
@@ -24,3 +26,5 @@ mod runner;
 mod separated;
 mod subdivision;
 mod symmetry;
+mod until;
+mod within;

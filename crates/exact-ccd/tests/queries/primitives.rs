@@ -11,8 +11,6 @@ pub(crate) trait Primitives: Kind<Points = [Point; 4], Vertices = [u32; 4]> + 's
     const DOMAIN: &'static [[f64; 2]];
     /// Returns true if (u / one, v / one) lies in the domain.
     fn contains(parameters: [f64; 2], one: f64) -> bool;
-    /// The orders of the points that describe the same two primitives.
-    const RENAMINGS: &'static [[usize; 4]];
     /// The factors of the four points in F(·, u, v).
     fn weights(u: f64, v: f64) -> [f64; 4];
     /// A point of the domain for a point of the unit square.
@@ -21,14 +19,6 @@ pub(crate) trait Primitives: Kind<Points = [Point; 4], Vertices = [u32; 4]> + 's
 
 impl Primitives for VertexFace {
     const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    const RENAMINGS: &'static [[usize; 4]] = &[
-        [0, 1, 2, 3],
-        [0, 1, 3, 2],
-        [0, 2, 1, 3],
-        [0, 2, 3, 1],
-        [0, 3, 1, 2],
-        [0, 3, 2, 1],
-    ];
 
     fn contains([u, v]: [f64; 2], one: f64) -> bool {
         u >= 0.0 && v >= 0.0 && u + v <= one
@@ -45,16 +35,6 @@ impl Primitives for VertexFace {
 
 impl Primitives for EdgeEdge {
     const DOMAIN: &'static [[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-    const RENAMINGS: &'static [[usize; 4]] = &[
-        [0, 1, 2, 3],
-        [1, 0, 2, 3],
-        [0, 1, 3, 2],
-        [1, 0, 3, 2],
-        [2, 3, 0, 1],
-        [3, 2, 0, 1],
-        [2, 3, 1, 0],
-        [3, 2, 1, 0],
-    ];
 
     fn contains(parameters: [f64; 2], one: f64) -> bool {
         parameters.iter().all(|x| (0.0..=one).contains(x))

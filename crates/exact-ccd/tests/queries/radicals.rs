@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use dashu_int::UBig;
-use exact_ccd::{ContactTimes, EdgeEdge, Kind, Query, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, Separation, VertexFace};
 use proptest::prelude::*;
 
-use crate::laws::checked_times;
+use crate::laws::checked;
 use crate::runner::for_all;
 
 /// A vertex at (n t, 0, m) meets the tilting plane z = t x when n t² = m.
@@ -40,17 +40,15 @@ fn compare_power(t: f64, k: usize, m: u32, n: u32) -> Ordering {
 }
 
 fn is_rounded_root<K: Kind>(query: &Query<K>, k: usize, m: u32, n: u32) {
-    let times = checked_times(query);
-    let ContactTimes::Finite(times) = &times else {
-        panic!("{times:?}: {query:?}");
-    };
-    assert_eq!(times.len(), 1, "{times:?}: {query:?}");
-    let lower = compare_power(times[0].lower(), k, m, n);
+    let times = checked(query, Separation::ZERO);
+    assert_eq!(times.count(), Some(1), "{times:?}: {query:?}");
+    let time = times[0].start;
+    let lower = compare_power(time.lower(), k, m, n);
     assert!(lower.is_le(), "{times:?}: {query:?}");
-    assert_eq!(lower.is_eq(), times[0].is_exact(), "{times:?}: {query:?}");
-    if !times[0].is_exact() {
+    assert_eq!(lower.is_eq(), time.is_exact(), "{times:?}: {query:?}");
+    if !time.is_exact() {
         assert!(
-            compare_power(times[0].upper(), k, m, n).is_gt(),
+            compare_power(time.upper(), k, m, n).is_gt(),
             "{times:?}: {query:?}"
         );
     }
@@ -79,12 +77,12 @@ fn roots_of_squares_and_cubes_are_exact() {
     for m in 0..=16u32 {
         is_rounded_root(&square_root((m * m).into(), 256.0), 2, m * m, 256);
         assert_eq!(
-            square_root((m * m).into(), 256.0).time_of_impact(),
+            square_root((m * m).into(), 256.0).time_of_impact(CONTACT),
             Some(f64::from(m) / 16.0)
         );
         is_rounded_root(&cube_root((m * m * m).into(), 4096.0), 3, m * m * m, 4096);
         assert_eq!(
-            cube_root((m * m * m).into(), 4096.0).time_of_impact(),
+            cube_root((m * m * m).into(), 4096.0).time_of_impact(CONTACT),
             Some(f64::from(m) / 16.0)
         );
     }

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use exact_ccd::{ContactTime, ContactTimes};
+use exact_ccd::{Interval, Intervals};
 use proptest::prelude::*;
 
 /// m / n in [0, 1], with a small n.
@@ -39,23 +39,14 @@ impl Rational {
         0.0.partial_cmp(&t.mul_add(self.n, -self.m)).unwrap()
     }
 
-    /// Returns true if a contact time may be this number.
-    fn may_be(self, time: ContactTime) -> bool {
-        let above_lower = self.compare(time.lower());
-        if time.is_exact() {
-            above_lower.is_eq()
-        } else {
-            above_lower.is_gt() && self.compare(time.upper()).is_lt()
-        }
-    }
-
-    /// Returns true if this is one of the contact times; `None` if an interval leaves that open.
-    /// Numbers between the same two f64 count as equal, which is right for small numbers.
-    pub(crate) fn is_among(self, times: &ContactTimes) -> Option<bool> {
-        match times {
-            ContactTimes::Finite(times) => Some(times.iter().any(|time| self.may_be(*time))),
-            ContactTimes::Interval { first } if self.may_be(*first) => Some(true),
-            ContactTimes::Interval { first } => self.compare(first.lower()).is_le().then_some(false),
-        }
+    /// Returns true if this is one of the times. Numbers between the same two f64 count as equal, which is
+    /// right for small numbers.
+    pub(crate) fn is_among(self, times: &Intervals) -> bool {
+        let is_in = |&Interval { start, end, .. }: &Interval| {
+            let (after, before) = (self.compare(start.lower()), self.compare(end.upper()));
+            (after.is_gt() || after.is_eq() && start.is_exact())
+                && (before.is_lt() || before.is_eq() && end.is_exact())
+        };
+        times.iter().any(is_in)
     }
 }

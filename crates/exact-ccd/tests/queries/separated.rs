@@ -1,11 +1,12 @@
 //! Queries constructed to stay apart, on two sides of a plane. All arithmetic is exact on integers.
 
-use exact_ccd::{ContactTimes, EdgeEdge, Point, VertexFace};
+use exact_ccd::{EdgeEdge, Point, Separation, VertexFace};
 use proptest::array::{uniform2, uniform3};
 use proptest::prelude::*;
 
 use crate::generators::*;
-use crate::laws::{checked_times, query};
+use crate::kinds::query;
+use crate::laws::checked;
 use crate::primitives::{Points, Primitives, combine, dot};
 use crate::runner::for_all;
 
@@ -14,8 +15,8 @@ fn direction() -> impl Strategy<Value = Point> {
 }
 
 fn assert_never_touches<K: Primitives>(points: &Points) {
-    let times = checked_times(&query::<K>(points));
-    assert_eq!(times, ContactTimes::Finite(Default::default()), "{points:?}");
+    let times = checked(&query::<K>(points), Separation::ZERO);
+    assert!(times.is_empty(), "{points:?}");
 }
 
 /// The points, moved along each other so that at both ends the first primitive lies at or above a

@@ -3,11 +3,11 @@
 //! free of contact, the others are cut down to a minimal size. On small integers, primitives that
 //! do not touch are farther apart than that size.
 
-use exact_ccd::{ContactTime, ContactTimes, EdgeEdge, Point, VertexFace};
+use exact_ccd::{CONTACT, ContactTime, EdgeEdge, Point, VertexFace};
 use proptest::prelude::*;
 
 use crate::generators::*;
-use crate::laws::query;
+use crate::kinds::query;
 use crate::primitives::{Points, Primitives, at, combine, dot};
 use crate::runner::for_all;
 
@@ -81,28 +81,27 @@ fn touches_between<K: Primitives>(points: &Points, low: f64, high: f64) -> bool 
 }
 
 fn contacts_are_the_reported_ones<K: Primitives>(points: &Points) {
-    /// The time before and after a contact at which the primitives are clearly apart.
+    /// The time before and after an interval of contact at which the primitives are clearly apart.
     const NEAR: f64 = 1.0 / 64.0;
-    let times = query::<K>(points).contact_times();
-    let (all, until): (Vec<ContactTime>, f64) = match &times {
-        ContactTimes::Finite(times) => (times.to_vec(), 1.0),
-        ContactTimes::Interval { first } => (vec![*first], 0.0),
-    };
+    let times = query::<K>(points).intervals(CONTACT);
     let mut free_from = 0.0;
-    for time in all.iter().map(|time| time.lower()) {
+    for interval in &times {
+        let [start, end] = [interval.start, interval.end].map(ContactTime::lower);
         assert!(
-            !touches_between::<K>(points, free_from, time - NEAR),
-            "before {time}: {times:?}, {points:?}"
+            !touches_between::<K>(points, free_from, start - NEAR),
+            "before {start}: {times:?}, {points:?}"
         );
-        let (low, high) = ((time - SIZE).max(0.0), (time + SIZE).min(1.0));
-        assert!(
-            touches_between::<K>(points, low, high),
-            "at {time}: {times:?}, {points:?}"
-        );
-        free_from = time + NEAR;
+        for time in [start, start.midpoint(end), end] {
+            let (low, high) = ((time - SIZE).max(0.0), (time + SIZE).min(1.0));
+            assert!(
+                touches_between::<K>(points, low, high),
+                "at {time}: {times:?}, {points:?}"
+            );
+        }
+        free_from = end + NEAR;
     }
     assert!(
-        !touches_between::<K>(points, free_from, until),
+        !touches_between::<K>(points, free_from, 1.0),
         "after all: {times:?}, {points:?}"
     );
 }

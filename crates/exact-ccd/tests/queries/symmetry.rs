@@ -1,6 +1,10 @@
-//! Changes of a query that do not change its contact times, bit for bit.
+//! Changes of a query that do not change the times at which its primitives touch, bit for bit.
 
-use crate::primitives::{Points, Primitives};
+use exact_ccd::Separation;
+
+use crate::kinds::{Renamed, query};
+use crate::laws::assert_same_times;
+use crate::primitives::Points;
 
 /// A permutation of the points and of the axes, with mirrored and stretched axes.
 #[derive(Clone, Copy, Debug)]
@@ -11,22 +15,42 @@ pub(crate) struct Symmetry {
     pub(crate) axes: [usize; 3],
     /// True for each mirrored axis.
     pub(crate) mirrored: [bool; 3],
-    /// The exponents of the powers of two by which the axes are stretched, unless that would round.
+    /// The exponents of the powers of two by which the axes are stretched, unless that would round. A
+    /// distance above 0 has one unit for all axes, which is stretched by the first one.
     pub(crate) exponents: [i32; 3],
 }
 
 impl Symmetry {
-    pub(crate) fn apply<K: Primitives>(&self, points: &Points) -> Points {
+    fn apply<K: Renamed>(&self, points: &Points, d: Separation) -> (Points, Separation) {
+        let on_axis = |axis: usize| points.as_flattened().iter().map(move |point| point[axis]);
+        let powers = if d.is_zero() {
+            [0, 1, 2].map(|axis| power(self.exponents[axis], on_axis(axis)))
+        } else {
+            [power(self.exponents[0], (0..3).flat_map(on_axis).chain([d.get()])); 3]
+        };
+        let factor = |axis: usize| {
+            if self.mirrored[axis] {
+                -powers[axis]
+            } else {
+                powers[axis]
+            }
+        };
         let order = K::RENAMINGS[self.renaming % K::RENAMINGS.len()];
-        let factors = [0, 1, 2].map(|axis: usize| self.factor(points, axis));
-        points.map(|now| order.map(|point| self.axes.map(|axis| now[point][axis] * factors[axis])))
+        let image =
+            points.map(|now| order.map(|point| self.axes.map(|axis| now[point][axis] * factor(axis))));
+        (image, Separation::new(d.get() * powers[0]).unwrap())
     }
+}
 
-    fn factor(&self, points: &Points, axis: usize) -> f64 {
-        let sign = if self.mirrored[axis] { -1.0 } else { 1.0 };
-        let power = 2f64.powi(self.exponents[axis]);
-        let is_exact = |x: f64| (x * power).is_finite() && x * power / power == x;
-        let all_exact = points.as_flattened().iter().all(|point| is_exact(point[axis]));
-        if all_exact { sign * power } else { sign }
-    }
+/// The power of two with an exponent, or 1 if a product of it and one of the numbers would be rounded.
+fn power(exponent: i32, mut numbers: impl Iterator<Item = f64>) -> f64 {
+    let power = 2f64.powi(exponent);
+    let all_exact = numbers.all(|x| (x * power).is_finite() && x * power / power == x);
+    if all_exact { power } else { 1.0 }
+}
+
+/// Checks that a symmetry does not change the times.
+pub(crate) fn assert_symmetric<K: Renamed>(points: &Points, d: Separation, symmetry: &Symmetry) {
+    let (image, image_d) = symmetry.apply::<K>(points, d);
+    assert_same_times((&query::<K>(points), d), (&query::<K>(&image), image_d));
 }

@@ -1,6 +1,6 @@
 //! The exact path's answers to many queries in one number, down to the last bit.
 
-use exact_ccd::{ContactTime, ContactTimes, Query, exact};
+use exact_ccd::{CONTACT, ContactTime, Intervals, Query, exact};
 
 use crate::families::{Family, Points, Primitives, Random};
 
@@ -23,12 +23,12 @@ impl Digest {
         self.add(time.is_exact().into());
     }
 
-    fn add_times(&mut self, times: &ContactTimes) {
-        self.add(times.count().map_or(u64::MAX, |count| count as u64));
-        match times {
-            ContactTimes::Finite(times) => times.iter().for_each(|&time| self.add_time(time)),
-            interval => interval.first().into_iter().for_each(|time| self.add_time(time)),
-        }
+    /// The number of times and each of them, or the first of infinitely many.
+    fn add_times(&mut self, times: &Intervals) {
+        let count = times.count();
+        self.add(count.map_or(u64::MAX, |count| count as u64));
+        let listed = times.iter().take(count.unwrap_or(1));
+        listed.for_each(|interval| self.add_time(interval.start));
     }
 }
 
@@ -46,9 +46,9 @@ pub(crate) fn queries<K: Primitives>(family: Family, count: usize) -> impl Itera
 pub(crate) fn digest<K: Primitives>(family: Family, count: usize) -> u64 {
     let mut digest = Digest(0xcbf2_9ce4_8422_2325);
     for query in queries::<K>(family, count) {
-        digest.add(exact::collides(&query).into());
-        digest.add_times(&exact::contact_times(&query));
-        let impact = exact::impact(&query);
+        digest.add(exact::collides(&query, CONTACT).into());
+        digest.add_times(&exact::intervals(&query, CONTACT));
+        let impact = exact::impact(&query, CONTACT);
         digest.add(impact.is_some().into());
         if let Some(impact) = impact {
             digest.add_time(impact.time);

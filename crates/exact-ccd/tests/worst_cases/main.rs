@@ -3,7 +3,6 @@
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
 #[path = "../oracle/check.rs"]
-#[allow(dead_code, reason = "other tests need more of it")]
 mod check;
 mod coincident;
 #[path = "../oracle/definition/mod.rs"]
@@ -11,9 +10,9 @@ mod definition;
 mod digest;
 mod families;
 
-use exact_ccd::{EdgeEdge, Point, Query, Stage, VertexFace, exact};
+use exact_ccd::{CONTACT, EdgeEdge, Point, Query, Separation, Stage, VertexFace, exact};
 
-use check::{Defined, assert_contact};
+use check::{Defined, assert_defined};
 use families::{Family, Primitives, families};
 
 /// The number of queries of each family.
@@ -25,7 +24,7 @@ const DEFINED: usize = 5;
 fn are_defined<K: Primitives + Defined>() {
     for (_, family) in families::<K>() {
         for query in digest::queries::<K>(family, DEFINED) {
-            assert_contact(&query);
+            assert_defined(&query, Separation::ZERO);
         }
     }
 }
@@ -44,7 +43,7 @@ fn answers_to_two_edges_are_those_of_the_definition() {
 fn some_collide<K: Primitives>() {
     for (name, family) in families::<K>() {
         let mut queries = digest::queries::<K>(family, COUNT);
-        assert!(queries.any(|query| exact::collides(&query)), "{name}");
+        assert!(queries.any(|query| exact::collides(&query, CONTACT)), "{name}");
     }
 }
 
@@ -120,8 +119,16 @@ fn exact_answers_are_those_recorded() {
 fn filters_agree<K: Primitives>() {
     for (_, family) in families::<K>() {
         for query in digest::queries::<K>(family, COUNT) {
-            assert_eq!(query.collides(), exact::collides(&query), "{query:?}");
-            assert_eq!(query.contact_times(), exact::contact_times(&query), "{query:?}");
+            assert_eq!(
+                query.collides(CONTACT),
+                exact::collides(&query, CONTACT),
+                "{query:?}"
+            );
+            assert_eq!(
+                query.intervals(CONTACT),
+                exact::intervals(&query, CONTACT),
+                "{query:?}"
+            );
         }
     }
 }
@@ -136,12 +143,16 @@ fn filters_agree_with_the_exact_path() {
 fn coincidence<K: Primitives>(family: Family) {
     let mut settled = 0;
     for query in digest::queries::<K>(family, 1000) {
-        let (collides, stage) = query.collides_with_stage();
-        assert_eq!(collides, exact::collides(&query), "{query:?}");
+        let (collision, stage) = query.decide(CONTACT);
+        assert_eq!(collision.is_some(), exact::collides(&query, CONTACT), "{query:?}");
         assert_ne!(stage, Stage::Exact, "{query:?}");
         settled += usize::from(stage == Stage::Coincident);
-        assert_eq!(query.contact_times(), exact::contact_times(&query), "{query:?}");
-        let [impact, exactly] = [query.impact(), exact::impact(&query)];
+        assert_eq!(
+            query.intervals(CONTACT),
+            exact::intervals(&query, CONTACT),
+            "{query:?}"
+        );
+        let [impact, exactly] = [query.impact(CONTACT), exact::impact(&query, CONTACT)];
         assert_eq!(impact.map(|x| x.time), exactly.map(|x| x.time), "{query:?}");
         if stage == Stage::Coincident {
             assert_eq!(impact, exactly, "{query:?}");
@@ -164,7 +175,8 @@ fn one_place_at_the_end_of_the_range() {
     for x in [f64::MAX, 5e-324, -0.0, 1e300] {
         let points = [[x, -x, 0.0]; 4];
         let query = Query::<VertexFace>::new(points, points).unwrap();
-        assert_eq!(query.collides_with_stage(), (true, Stage::Coincident));
-        assert_eq!(query.impact(), exact::impact(&query));
+        assert_eq!(query.decide(CONTACT).1, Stage::Coincident);
+        assert!(query.collides(CONTACT));
+        assert_eq!(query.impact(CONTACT), exact::impact(&query, CONTACT));
     }
 }

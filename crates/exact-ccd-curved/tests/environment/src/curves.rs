@@ -1,7 +1,6 @@
 //! Curved motion: no bound of an error is known in another environment.
 
-use exact_ccd::VertexVertex;
-use exact_ccd::separation::Separation;
+use exact_ccd::{Separation, VertexVertex};
 use exact_ccd_curved::{
     CurvedStepError, CurvedStepOptions, Polynomial, SearchError, SearchOptions, Trajectory, curved_step,
     first_within,

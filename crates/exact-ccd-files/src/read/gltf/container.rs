@@ -1,7 +1,7 @@
 //! The container of binary glTF (GLB): JSON, and one buffer.
 
-use super::super::binary::Bytes;
 use super::super::budget::Budget;
+use super::super::tokens::Tokens;
 use crate::error::{Fault, ParseError};
 
 /// The JSON of a file, and its binary part, if it has one.
@@ -12,27 +12,26 @@ pub(super) fn split<'a>(
     if !file.starts_with(b"glTF") {
         return Ok((file, None));
     }
-    let mut bytes = Bytes::new(file, 4, budget);
-    let version = u32::from_le_bytes(bytes.array(|| "a version".to_owned())?);
+    let mut tokens = Tokens::binary(file, 4, budget);
+    let version = u32::from_le_bytes(tokens.array(|| "a version".to_owned())?);
     if version != 2 {
-        return Err(Fault::expected("version 2", version.to_string()).at(bytes.place()));
+        return Err(Fault::expected("version 2", version.to_string()).at(tokens.place()));
     }
-    bytes.take(4, || "the length of the file".to_owned())?;
-    let json = chunk(&mut bytes, *b"JSON")?;
-    match bytes.is_empty() {
+    tokens.bytes(4, || "the length of the file".to_owned())?;
+    let json = chunk(&mut tokens, *b"JSON")?;
+    match tokens.is_at_end() {
         true => Ok((json, None)),
-        false => Ok((json, Some(chunk(&mut bytes, *b"BIN\0")?))),
+        false => Ok((json, Some(chunk(&mut tokens, *b"BIN\0")?))),
     }
 }
 
 /// The next chunk, of this type.
-fn chunk<'a>(bytes: &mut Bytes<'a>, kind: [u8; 4]) -> Result<&'a [u8], ParseError> {
+fn chunk<'a>(tokens: &mut Tokens<'a>, kind: [u8; 4]) -> Result<&'a [u8], ParseError> {
     let name = || format!("a chunk `{}`", kind.escape_ascii());
-    let length = u32::from_le_bytes(bytes.array(name)?);
-    let place = bytes.place();
-    let found: [u8; 4] = bytes.array(name)?;
+    let length = u32::from_le_bytes(tokens.array(name)?);
+    let found: [u8; 4] = tokens.array(name)?;
     if found != kind {
-        return Err(Fault::expected(name(), format!("`{}`", found.escape_ascii())).at(place));
+        return Err(Fault::expected(name(), format!("`{}`", found.escape_ascii())).at(tokens.place()));
     }
-    bytes.take(length.into(), || format!("{length} bytes of {}", name()))
+    tokens.bytes(length.into(), || format!("{length} bytes of {}", name()))
 }

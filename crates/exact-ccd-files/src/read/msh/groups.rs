@@ -5,8 +5,11 @@ use std::ops::Range;
 
 use super::super::budget::Budget;
 use super::super::group::{Group, PhysicalTag};
-use super::values::{Record, Values};
-use crate::error::{Fault, ParseError, Place, quoted};
+use super::super::record::Record;
+use super::super::tokens::Tokens;
+use super::nodes::count_line;
+use super::{DOUBLE, INT};
+use crate::error::{Fault, ParseError, Place};
 
 /// The physical groups of a file, under construction.
 pub(super) struct Groups<'b> {
@@ -33,58 +36,53 @@ impl<'b> Groups<'b> {
         }
     }
 
-    pub(super) fn budget(&self) -> &'b Budget {
-        self.budget
-    }
-
     /// Reads the section `$PhysicalNames`, which is text even in a binary file.
-    pub(super) fn read_names<'a>(&mut self, values: &mut impl Values<'a>) -> Result<(), ParseError> {
+    pub(super) fn read_names(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
         const NAME: &str = "a dimension, a tag and a name in quotes";
-        for _ in 0..values.count_line("the number of physical names")? {
-            let (place, line) = values.line(NAME)?;
+        for _ in 0..count_line(tokens, "the number of physical names")? {
+            tokens.expect_line(|| NAME.to_owned())?;
+            let line = tokens.rest_of_line();
             let text = String::from_utf8_lossy(line);
-            let (physical, name) =
-                parse_name(&text).ok_or_else(|| Fault::expected(NAME, quoted(line)).at(place))?;
+            let (physical, name) = parse_name(&text).ok_or_else(|| tokens.unexpected(NAME, line))?;
             self.group(physical).name = name.replace(char::is_control, "\u{fffd}");
         }
-        values.end_section("$EndPhysicalNames")
+        tokens.expect_line_of("$EndPhysicalNames")
     }
 
     /// Reads the section `$Entities` of version 4.
-    pub(super) fn read_entities<'a>(&mut self, values: &mut impl Values<'a>) -> Result<(), ParseError> {
-        values.begin(Record::one("the numbers of entities"))?;
+    pub(super) fn read_entities(&mut self, tokens: &mut Tokens) -> Result<(), ParseError> {
+        tokens.begin(Record::one("the numbers of entities"))?;
         let mut counts = [0; 4];
         for count in &mut counts {
-            *count = values.size("the number of entities of a dimension")?;
+            *count = tokens.size("the number of entities of a dimension")?;
         }
-        values.end()?;
+        tokens.end()?;
         for (dimension, count) in (0..).zip(counts) {
             for number in 0..count {
-                values.begin(Record::of("entity", number, count))?;
-                self.read_entity(dimension, values)?;
-                values.end()?;
+                tokens.begin(Record::of("entity", number, count))?;
+                self.read_entity(dimension, tokens)?;
+                tokens.end()?;
             }
         }
-        values.end_section("$EndEntities")
+        tokens.expect_line_of("$EndEntities")
     }
 
-    fn read_entity<'a>(&mut self, dimension: i64, values: &mut impl Values<'a>) -> Result<(), ParseError> {
-        let place = values.place();
-        let entity = values.int("the tag of an entity")?;
+    fn read_entity(&mut self, dimension: i64, tokens: &mut Tokens) -> Result<(), ParseError> {
+        let entity = tokens.integer(INT, "the tag of an entity")?;
+        let place = tokens.place();
         // A point has a position, any other entity a bounding box.
         let coordinates = if dimension == 0 { 3 } else { 6 };
         for _ in 0..coordinates {
-            values.real("a coordinate of an entity")?;
+            tokens.real(DOUBLE, "a coordinate of an entity")?;
         }
         let first = self.tags.len();
-        for _ in 0..values.size("the number of physical tags")? {
-            let place = values.place();
-            self.tags
-                .push(absolute(values.int("the tag of a physical group")?, place)?);
+        for _ in 0..tokens.size("the number of physical tags")? {
+            let tag = tokens.integer(INT, "the tag of a physical group")?;
+            self.tags.push(absolute(tag, tokens.place())?);
         }
         if dimension > 0 {
-            for _ in 0..values.size("the number of bounding entities")? {
-                values.int("the tag of a bounding entity")?;
+            for _ in 0..tokens.size("the number of bounding entities")? {
+                tokens.integer(INT, "the tag of a bounding entity")?;
             }
         }
         let tags = first..self.tags.len();

@@ -6,102 +6,109 @@
 mod elements;
 mod groups;
 mod nodes;
-mod values;
 
-use super::binary::{ByteOrder, Bytes};
 use super::budget::Budget;
 use super::cells::Cells;
-use super::text::{Lines, Syntax, expect};
+use super::scalar::{ByteOrder, Scalar};
+use super::tokens::{Encoding, Syntax, Tokens};
 use crate::error::{Fault, ParseError, quoted};
 use groups::Groups;
-use values::{BinaryValues, TextValues, Values, Version};
+
+/// The types of numbers: `int` and `double`. Others are of the type `size_t`.
+const INT: Scalar = Scalar::I32;
+const DOUBLE: Scalar = Scalar::F64;
+
+/// The version of the format.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Version {
+    V2,
+    V4,
+}
 
 pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
     const VERSION: &str = "`2.2` or `4.1`";
     const ENCODING: &str = "`0` for text or `1` for binary";
     const SIZE: &str = "`8`, the size of a number";
-    let mut lines = Lines::new(bytes, Syntax::Plain, budget);
-    expect(&mut lines.expect(|| "`$MeshFormat`".to_owned())?, "$MeshFormat")?;
-    let line = &mut lines.expect(|| "the version, the encoding and the size of a number".to_owned())?;
-    let version = match line.expect_word(VERSION)? {
+    let mut tokens = Tokens::text(bytes, Syntax::Lines, budget);
+    tokens.expect_line(|| "`$MeshFormat`".to_owned())?;
+    tokens.keyword("$MeshFormat")?;
+    tokens.expect_line(|| "the version, the encoding and the size of a number".to_owned())?;
+    let version = match tokens.expect_word(VERSION)? {
         b"2.2" => Version::V2,
         b"4.1" => Version::V4,
-        other => return Err(line.unexpected(VERSION, other)),
+        other => return Err(tokens.unexpected(VERSION, other)),
     };
-    let is_binary = match line.expect_word(ENCODING)? {
+    let is_binary = match tokens.expect_word(ENCODING)? {
         b"0" => false,
         b"1" => true,
-        other => return Err(line.unexpected(ENCODING, other)),
+        other => return Err(tokens.unexpected(ENCODING, other)),
     };
-    let size = line.expect_word(SIZE)?;
+    let size = tokens.expect_word(SIZE)?;
     if is_binary && size != b"8" {
-        return Err(line.unexpected(SIZE, size));
+        return Err(tokens.unexpected(SIZE, size));
     }
-    line.expect_end()?;
-    let groups = Groups::new(budget);
+    tokens.expect_line_end()?;
     if is_binary {
-        let mut body = Bytes::new(bytes, bytes.len() - lines.rest().len(), budget);
-        let order = byte_order(&mut body)?;
-        read_sections(version, BinaryValues::new(body, order), groups)
-    } else {
-        read_sections(version, TextValues::new(lines), groups)
+        set_byte_order(&mut tokens)?;
     }
+    read_sections(version, &mut tokens)
 }
 
-/// The byte order in which the next number is 1.
-fn byte_order(bytes: &mut Bytes) -> Result<ByteOrder, ParseError> {
+/// Numbers are binary, in the byte order in which the next one is 1.
+fn set_byte_order(tokens: &mut Tokens) -> Result<(), ParseError> {
     const ONE: &str = "the number 1 in four bytes";
-    let place = bytes.place();
-    match bytes.array(|| ONE.to_owned())? {
-        [1, 0, 0, 0] => Ok(ByteOrder::LittleEndian),
-        [0, 0, 0, 1] => Ok(ByteOrder::BigEndian),
-        other => Err(Fault::expected(ONE, format!("{other:?}")).at(place)),
-    }
+    tokens.set_encoding(Encoding::Binary(ByteOrder::LittleEndian));
+    let order = match tokens.array(|| ONE.to_owned())? {
+        [1, 0, 0, 0] => ByteOrder::LittleEndian,
+        [0, 0, 0, 1] => ByteOrder::BigEndian,
+        other => return Err(Fault::expected(ONE, format!("{other:?}")).at(tokens.place())),
+    };
+    tokens.set_encoding(Encoding::Binary(order));
+    Ok(())
 }
 
 /// Reads all sections after the version. Sections other than nodes, elements and physical groups are skipped.
-fn read_sections<'a>(
-    version: Version,
-    mut values: impl Values<'a>,
-    mut groups: Groups<'_>,
-) -> Result<Cells, ParseError> {
-    values.skip_to("$EndMeshFormat")?;
+fn read_sections(version: Version, tokens: &mut Tokens) -> Result<Cells, ParseError> {
+    tokens.skip_to("$EndMeshFormat")?;
+    let mut groups = Groups::new(tokens.budget());
     let mut cells = Cells::default();
     let mut nodes = None;
     let mut elements = false;
-    while let Some((place, section)) = values.section() {
+    while tokens.next_line() {
+        let section = tokens.word().unwrap_or_default();
+        let place = tokens.place();
         let unexpected = |expected: &str| Err(Fault::expected(expected, quoted(section)).at(place));
         match (section, &nodes) {
             (b"$Nodes", None) => {
-                let read = nodes::read(version, &mut values)?;
-                read.tags.charge(groups.budget());
+                let read = nodes::read(version, tokens)?;
+                read.tags.charge(tokens.budget());
                 cells.positions = read.positions;
                 nodes = Some(read.tags);
             }
             (b"$Elements", Some(tags)) if !elements => {
-                elements::read(version, &mut values, tags, &mut cells, &mut groups)?;
+                elements::read(version, tokens, tags, &mut cells, &mut groups)?;
                 elements = true;
             }
             (b"$Elements", None) => return unexpected("`$Nodes` before the elements"),
             (b"$Nodes" | b"$Elements", _) => return unexpected("a section of which there is no other"),
-            (b"$PhysicalNames", _) => groups.read_names(&mut values)?,
+            (b"$PhysicalNames", _) => groups.read_names(tokens)?,
             (b"$Entities", _) if version == Version::V4 => {
                 if elements {
                     return unexpected("`$Entities` before the elements");
                 }
-                groups.read_entities(&mut values)?;
+                groups.read_entities(tokens)?;
             }
             // Without another `$`, no two places where the end may begin overlap: its search is linear.
             ([b'$', name @ ..], _) if name.iter().all(u8::is_ascii_alphanumeric) => {
                 let name = String::from_utf8_lossy(name);
-                values.skip_to(&format!("$End{name}"))?;
+                tokens.skip_to(&format!("$End{name}"))?;
             }
             _ => return unexpected("a section such as `$Nodes`"),
         }
     }
     for (is_there, section) in [(nodes.is_some(), "`$Nodes`"), (elements, "`$Elements`")] {
         if !is_there {
-            return Err(Fault::ends(section).at(values.place()));
+            return Err(tokens.ends(section));
         }
     }
     cells.groups = groups.finish(cells.positions.len());

@@ -5,7 +5,9 @@ use std::collections::HashMap;
 use exact_ccd_mesh::Point;
 
 use super::super::budget::Budget;
-use super::values::{Record, Values, Version};
+use super::super::record::Record;
+use super::super::tokens::Tokens;
+use super::{DOUBLE, INT, Version};
 use crate::error::{Fault, ParseError, Place};
 
 /// Positions in the order of the file, and their tags, which elements refer to.
@@ -43,64 +45,63 @@ impl Tags {
     }
 }
 
-pub(super) fn read<'a>(version: Version, values: &mut impl Values<'a>) -> Result<Nodes, ParseError> {
+pub(super) fn read(version: Version, tokens: &mut Tokens) -> Result<Nodes, ParseError> {
     let mut nodes = Nodes::default();
     match version {
-        Version::V2 => read_v2(values, &mut nodes)?,
-        Version::V4 => read_v4(values, &mut nodes)?,
+        Version::V2 => read_v2(tokens, &mut nodes)?,
+        Version::V4 => read_v4(tokens, &mut nodes)?,
     }
-    values.end_section("$EndNodes")?;
+    tokens.expect_line_of("$EndNodes")?;
     Ok(nodes)
 }
 
 /// Reads nodes one by one, each as tag and coordinates.
-fn read_v2<'a>(values: &mut impl Values<'a>, nodes: &mut Nodes) -> Result<(), ParseError> {
-    let count = values.count_line("the number of nodes")?;
+fn read_v2(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
+    let count = count_line(tokens, "the number of nodes")?;
     for number in 0..count {
-        values.begin(Record::of("node", number, count))?;
-        let place = values.place();
-        let tag = values.int("the tag of a node")?;
-        nodes.tags.insert(positive(tag, place)?, place)?;
-        nodes.positions.push(read_position(values)?);
-        values.end()?;
+        tokens.begin(Record::of("node", number, count))?;
+        let tag = positive_tag(tokens)?;
+        nodes.tags.insert(tag, tokens.place())?;
+        nodes.positions.push(read_position(tokens)?);
+        tokens.end()?;
     }
     Ok(())
 }
 
 /// Reads nodes in blocks, one for each entity of the geometry: all tags, then all coordinates.
-fn read_v4<'a>(values: &mut impl Values<'a>, nodes: &mut Nodes) -> Result<(), ParseError> {
-    values.begin(Record::one("the numbers of blocks and nodes"))?;
-    let blocks = values.size("the number of blocks")?;
-    let count_place = values.place();
-    let count = values.size("the number of nodes")?;
-    values.size("the least tag of a node")?;
-    values.size("the greatest tag of a node")?;
-    values.end()?;
+fn read_v4(tokens: &mut Tokens, nodes: &mut Nodes) -> Result<(), ParseError> {
+    tokens.begin(Record::one("the numbers of blocks and nodes"))?;
+    let blocks = tokens.size("the number of blocks")?;
+    let count = tokens.size("the number of nodes")?;
+    let count_place = tokens.place();
+    tokens.size("the least tag of a node")?;
+    tokens.size("the greatest tag of a node")?;
+    tokens.end()?;
     for block in 0..blocks {
-        values.begin(Record::of("node block", block, blocks))?;
-        let place = values.place();
-        let dimension = values.int("the dimension of an entity")?;
-        values.int("the tag of an entity")?;
-        let parametric = values.int("0 or 1 for parameters")? != 0;
-        let nodes_in_block = values.size("the number of nodes in the block")?;
-        values.end()?;
+        tokens.begin(Record::of("node block", block, blocks))?;
+        let dimension = tokens.integer(INT, "the dimension of an entity")?;
+        let place = tokens.place();
+        tokens.integer(INT, "the tag of an entity")?;
+        let parametric = tokens.integer(INT, "0 or 1 for parameters")? != 0;
+        let nodes_in_block = tokens.size("the number of nodes in the block")?;
+        tokens.end()?;
         let parameters = match dimension {
             0..=3 => i64::from(parametric) * dimension,
             _ => return Err(Fault::expected("a dimension from 0 to 3", format!("`{dimension}`")).at(place)),
         };
         for number in 0..nodes_in_block {
-            values.begin(Record::of("the tag of node", number, nodes_in_block))?;
-            let place = values.place();
-            nodes.tags.insert(values.size("the tag of a node")?, place)?;
-            values.end()?;
+            tokens.begin(Record::of("the tag of node", number, nodes_in_block))?;
+            let place = tokens.place();
+            nodes.tags.insert(tokens.size("the tag of a node")?, place)?;
+            tokens.end()?;
         }
         for number in 0..nodes_in_block {
-            values.begin(Record::of("node", number, nodes_in_block))?;
-            nodes.positions.push(read_position(values)?);
+            tokens.begin(Record::of("node", number, nodes_in_block))?;
+            nodes.positions.push(read_position(tokens)?);
             for _ in 0..parameters {
-                values.real("a parameter")?;
+                tokens.real(DOUBLE, "a parameter")?;
             }
-            values.end()?;
+            tokens.end()?;
         }
     }
     let found = nodes.positions.len();
@@ -110,14 +111,24 @@ fn read_v4<'a>(values: &mut impl Values<'a>, nodes: &mut Nodes) -> Result<(), Pa
     Err(Fault::expected(format!("{count} nodes"), found.to_string()).at(count_place))
 }
 
-fn read_position<'a>(values: &mut impl Values<'a>) -> Result<Point, ParseError> {
-    let x = values.real("the coordinate x")?;
-    let y = values.real("the coordinate y")?;
-    let z = values.real("the coordinate z")?;
+fn read_position(tokens: &mut Tokens) -> Result<Point, ParseError> {
+    let x = tokens.real(DOUBLE, "the coordinate x")?;
+    let y = tokens.real(DOUBLE, "the coordinate y")?;
+    let z = tokens.real(DOUBLE, "the coordinate z")?;
     Ok([x, y, z])
 }
 
-/// A tag from version 2, where it is a signed number.
-pub(super) fn positive(tag: i64, place: Place) -> Result<u64, ParseError> {
-    u64::try_from(tag).map_err(|_| Fault::expected("the tag of a node", format!("`{tag}`")).at(place))
+/// The tag of a node in version 2, where it is a signed number.
+pub(super) fn positive_tag(tokens: &mut Tokens) -> Result<u64, ParseError> {
+    const TAG: &str = "the tag of a node";
+    let tag = tokens.integer(INT, TAG)?;
+    u64::try_from(tag).map_err(|_| Fault::expected(TAG, format!("`{tag}`")).at(tokens.place()))
+}
+
+/// A count on a line of its own, which is text even in a binary file.
+pub(super) fn count_line(tokens: &mut Tokens, expected: &'static str) -> Result<u64, ParseError> {
+    tokens.expect_line(|| expected.to_owned())?;
+    let count = tokens.count(expected)?;
+    tokens.expect_line_end()?;
+    Ok(count)
 }

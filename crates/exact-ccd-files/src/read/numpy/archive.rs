@@ -20,11 +20,11 @@ pub(super) struct Archive<'a> {
 
 /// An array in an archive.
 pub(super) struct Entry {
-    /// The index among the members of the archive.
-    index: usize,
+    /// The number of the member of the archive.
+    member: usize,
     /// The name without `.npy`.
     pub(super) name: String,
-    /// The type and the shape; an error for an array of texts or of other types without a reader.
+    /// The type and the shape; an error for an array without a reader, and for a member that cannot be read.
     pub(super) header: Result<Header, ParseError>,
 }
 
@@ -41,25 +41,30 @@ impl fmt::Display for Entry {
 
 impl<'a> Archive<'a> {
     pub(super) fn open(bytes: &'a [u8], budget: &'a Budget) -> Result<Self, ParseError> {
-        let zip = Zip::open(bytes, budget)?;
+        let mut zip = Zip::open(bytes, budget)?;
         let mut arrays = Vec::new();
-        for (index, member) in zip.members.iter().enumerate() {
-            let Some(name) = member.name.strip_suffix(".npy") else {
+        for (member, name) in zip.names().into_iter().enumerate() {
+            let Some(name) = name.strip_suffix(".npy") else {
                 continue;
             };
-            let beginning = zip.beginning(member, LONGEST_HEADER)?;
-            budget.work(beginning.len() as u64).map_err(at_file)?;
-            let (name, header) = (name.to_owned(), Header::read(&beginning, budget));
-            arrays.push(Entry { index, name, header });
+            let header = match zip.beginning(member, LONGEST_HEADER) {
+                Ok(beginning) => {
+                    budget.work(beginning.len() as u64).map_err(at_file)?;
+                    Header::read(&beginning, budget)
+                }
+                Err(error) if matches!(error.fault, Fault::Expansion { .. }) => return Err(error),
+                Err(error) => Err(error),
+            };
+            let name = name.to_owned();
+            arrays.push(Entry { member, name, header });
         }
         budget.hold::<Entry>(arrays.len());
         Ok(Self { zip, budget, arrays })
     }
 
     /// Reads an array of the archive.
-    pub(super) fn read(&self, number: usize) -> Result<Array, ParseError> {
-        let member = &self.zip.members[self.arrays[number].index];
-        Array::read(&self.zip.read(member)?, self.budget)
+    pub(super) fn read(&mut self, number: usize) -> Result<Array, ParseError> {
+        Array::read(&self.zip.read(self.arrays[number].member)?, self.budget)
     }
 }
 

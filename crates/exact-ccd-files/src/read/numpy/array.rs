@@ -2,9 +2,8 @@
 
 use std::fmt;
 
-use super::super::binary::ByteOrder;
 use super::super::budget::Budget;
-use super::super::scalar::Scalar;
+use super::super::scalar::{ByteOrder, Scalar};
 use super::header::Header;
 use crate::error::{Fault, ParseError, Place};
 
@@ -50,7 +49,7 @@ impl Array {
     }
 
     /// All numbers, none for an array of floating-point numbers.
-    pub(super) fn integers(&self) -> Option<Vec<i64>> {
+    pub(super) fn integers(&self) -> Vec<i64> {
         self.scalar.integers(&self.data, self.order)
     }
 

@@ -18,7 +18,7 @@ impl Elements {
     /// If a list does not have its form throughout, or rows or a list may have counts of corners that their
     /// form does not have.
     pub(super) fn read(array: &Array, name: &str, form: Form) -> Result<Self, ParseError> {
-        let vertices = array.integers().unwrap_or_default();
+        let vertices = array.integers();
         let is_list = array.shape.len() == 1;
         let fault = |expected: &str| {
             let expected = format!("{expected} in {}", quoted(name.as_bytes()));

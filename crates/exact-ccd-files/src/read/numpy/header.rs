@@ -2,10 +2,9 @@
 //!
 //! numpy documentation, *A simple file format for NumPy arrays* (`numpy.lib.format`).
 
-use super::super::binary::{ByteOrder, Bytes};
 use super::super::budget::Budget;
-use super::super::scalar::Scalar;
-use super::super::text::parse;
+use super::super::scalar::{ByteOrder, Scalar};
+use super::super::tokens::{Tokens, parse};
 use crate::error::{Fault, ParseError, quoted};
 
 /// The most dimensions of an array, as in numpy before version 2.
@@ -34,19 +33,19 @@ enum Value<'a> {
 
 impl Header {
     pub(super) fn read(file: &[u8], budget: &Budget) -> Result<Self, ParseError> {
-        let mut bytes = Bytes::new(file, 0, budget);
-        let magic: [u8; 8] = bytes.array(|| "`\\x93NUMPY` and a version".to_owned())?;
+        let mut tokens = Tokens::binary(file, 0, budget);
+        let magic: [u8; 8] = tokens.array(|| "`\\x93NUMPY` and a version".to_owned())?;
         if !magic.starts_with(b"\x93NUMPY") {
-            return Err(Fault::expected("`\\x93NUMPY`", quoted(&magic[..6])).at(bytes.place()));
+            return Err(Fault::expected("`\\x93NUMPY`", quoted(&magic[..6])).at(tokens.place()));
         }
         let size = || "the length of the header".to_owned();
         let length = match magic[6] {
-            1 => u16::from_le_bytes(bytes.array(size)?).into(),
-            2 | 3 => u32::from_le_bytes(bytes.array(size)?),
-            other => return Err(Fault::expected("version 1 to 3", other.to_string()).at(bytes.place())),
+            1 => u16::from_le_bytes(tokens.array(size)?).into(),
+            2 | 3 => u32::from_le_bytes(tokens.array(size)?),
+            other => return Err(Fault::expected("version 1 to 3", other.to_string()).at(tokens.place())),
         };
-        let place = bytes.place();
-        let text = bytes.take(length.into(), || format!("a header of {length} bytes"))?;
+        let text = tokens.bytes(length.into(), || format!("a header of {length} bytes"))?;
+        let place = tokens.place();
         let header = std::str::from_utf8(text).ok().and_then(dictionary);
         let Some((descr, is_fortran, shape)) = header else {
             let expected = "a dictionary of descr, fortran_order and shape of numbers";
@@ -65,7 +64,7 @@ impl Header {
             order,
             is_fortran,
             shape,
-            length: bytes.offset(),
+            length: tokens.offset(),
             descr: descr.to_owned(),
         })
     }
@@ -84,21 +83,7 @@ fn number(descr: &str) -> Option<(Scalar, ByteOrder)> {
         (">", kind) => (ByteOrder::BigEndian, kind),
         _ => return None,
     };
-    let scalar = match kind {
-        "i1" => Scalar::I8,
-        "u1" => Scalar::U8,
-        "i2" => Scalar::I16,
-        "u2" => Scalar::U16,
-        "i4" => Scalar::I32,
-        "u4" => Scalar::U32,
-        "i8" => Scalar::I64,
-        "u8" => Scalar::U64,
-        "f2" => Scalar::F16,
-        "f4" => Scalar::F32,
-        "f8" => Scalar::F64,
-        _ => return None,
-    };
-    Some((scalar, order))
+    Some((Scalar::named(kind.as_bytes())?, order))
 }
 
 /// The type, the order and the shape in `{'descr': '<f4', 'fortran_order': False, 'shape': (2, 3)}`.

@@ -31,9 +31,9 @@ pub(in super::super) fn read_npy(bytes: &[u8], budget: &Budget) -> Result<Arrays
 /// The arrays in a `.npz` file by their names: positions (T, N, 3) or (N, 3), faces (F, 3) or (F, k), edges
 /// (E, 2) and tetrahedra (K, 4).
 pub(in super::super) fn read_npz(bytes: &[u8], budget: &Budget) -> Result<Arrays, ParseError> {
-    let archive = Archive::open(bytes, budget)?;
+    let mut archive = Archive::open(bytes, budget)?;
     let roles = Roles::of(&archive)?;
-    let elements = |role: Option<(usize, Form)>| {
+    let mut elements = |role: Option<(usize, Form)>| {
         let read = |(number, form): (usize, Form)| {
             let array = archive.read(number)?;
             budget.hold::<i64>(array.count());

@@ -2,9 +2,8 @@
 
 use std::collections::HashSet;
 
-use super::super::binary::ByteOrder;
-use super::super::budget::Budget;
-use super::super::text::{Line, Lines, expect};
+use super::super::scalar::{ByteOrder, Scalar};
+use super::super::tokens::{Encoding, Tokens};
 use crate::error::{ParseError, Place};
 use crate::named_part::NamedPart;
 
@@ -13,12 +12,6 @@ pub(super) struct Header<'a> {
     pub(super) elements: Vec<Element<'a>>,
     /// The parts that comments name.
     pub(super) parts: Vec<NamedPart>,
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum Encoding {
-    Text,
-    Binary(ByteOrder),
 }
 
 /// A table: `count` rows of these properties.
@@ -38,151 +31,113 @@ pub(super) struct Property<'a> {
 #[derive(Clone, Copy)]
 pub(super) enum Kind {
     One(Scalar),
-    List { count: Integer, item: Scalar },
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum Scalar {
-    Integer(Integer),
-    Float32,
-    Float64,
-}
-
-#[derive(Clone, Copy)]
-pub(super) enum Integer {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-}
-
-impl Scalar {
-    /// Its size in a binary file, in bytes.
-    pub(super) fn size(self) -> u64 {
-        match self {
-            Self::Integer(Integer::I8 | Integer::U8) => 1,
-            Self::Integer(Integer::I16 | Integer::U16) => 2,
-            Self::Integer(Integer::I32 | Integer::U32) | Self::Float32 => 4,
-            Self::Float64 => 8,
-        }
-    }
+    /// A number of items, an integer of the first type, and the items.
+    List {
+        count: Scalar,
+        item: Scalar,
+    },
 }
 
 impl<'a> Header<'a> {
     /// Reads all lines up to and including `end_header`.
-    pub(super) fn read(lines: &mut Lines<'a>, budget: &Budget) -> Result<Self, ParseError> {
+    pub(super) fn read(tokens: &mut Tokens<'a>) -> Result<Self, ParseError> {
         const STATEMENT: &str = "`format`, `comment`, `element`, `property` or `end_header`";
-        let mut magic = lines.expect(|| "`ply`".to_owned())?;
-        expect(&mut magic, "ply")?;
-        magic.expect_end()?;
+        let budget = tokens.budget();
+        tokens.expect_line_of("ply")?;
 
         let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
         let mut names = HashSet::new();
         let mut parts = Vec::new();
         loop {
-            let line = &mut lines.expect(|| "`end_header`".to_owned())?;
-            match line.expect_word(STATEMENT)? {
+            tokens.expect_line(|| "`end_header`".to_owned())?;
+            match tokens.expect_word(STATEMENT)? {
                 b"comment" => {
-                    if let Some(part) = NamedPart::parse(line.rest()) {
+                    if let Some(part) = NamedPart::parse(tokens.rest_of_line()) {
                         budget.hold::<NamedPart>(1);
                         parts.push(part);
                     }
                     continue;
                 }
                 b"obj_info" => continue,
-                b"format" => encoding = Some(read_encoding(line)?),
+                b"format" => encoding = Some(read_encoding(tokens)?),
                 b"element" => {
-                    let element = read_element(line)?;
+                    let element = read_element(tokens)?;
                     if !names.insert((None, element.name)) {
-                        return Err(line.unexpected("an element with a name of its own", element.name));
+                        return Err(tokens.unexpected("an element with a name of its own", element.name));
                     }
                     budget.hold::<Element>(1);
                     elements.push(element);
                 }
                 b"property" => {
-                    let property = read_property(line)?;
+                    let property = read_property(tokens)?;
                     budget.hold::<Property>(1);
                     if !names.insert((Some(elements.len()), property.name)) {
-                        return Err(line.unexpected("a property with a name of its own", property.name));
+                        return Err(tokens.unexpected("a property with a name of its own", property.name));
                     }
                     let element = elements.last_mut();
                     element
-                        .ok_or_else(|| line.unexpected("`element`", b"property"))?
+                        .ok_or_else(|| tokens.unexpected("`element`", b"property"))?
                         .properties
                         .push(property);
                 }
                 b"end_header" => {
-                    line.expect_end()?;
-                    let encoding = encoding.ok_or_else(|| line.unexpected("`format`", b"end_header"))?;
+                    tokens.expect_line_end()?;
+                    let encoding = encoding.ok_or_else(|| tokens.unexpected("`format`", b"end_header"))?;
                     return Ok(Self {
                         encoding,
                         elements,
                         parts,
                     });
                 }
-                other => return Err(line.unexpected(STATEMENT, other)),
+                other => return Err(tokens.unexpected(STATEMENT, other)),
             }
-            line.expect_end()?;
+            tokens.expect_line_end()?;
         }
     }
 }
 
-fn read_encoding(line: &mut Line) -> Result<Encoding, ParseError> {
+fn read_encoding(tokens: &mut Tokens) -> Result<Encoding, ParseError> {
     const ENCODING: &str = "`ascii`, `binary_little_endian` or `binary_big_endian`";
-    let encoding = match line.expect_word(ENCODING)? {
+    let encoding = match tokens.expect_word(ENCODING)? {
         b"ascii" => Encoding::Text,
         b"binary_little_endian" => Encoding::Binary(ByteOrder::LittleEndian),
         b"binary_big_endian" => Encoding::Binary(ByteOrder::BigEndian),
-        other => return Err(line.unexpected(ENCODING, other)),
+        other => return Err(tokens.unexpected(ENCODING, other)),
     };
-    expect(line, "1.0")?;
+    tokens.keyword("1.0")?;
     Ok(encoding)
 }
 
-fn read_element<'a>(line: &mut Line<'a>) -> Result<Element<'a>, ParseError> {
+fn read_element<'a>(tokens: &mut Tokens<'a>) -> Result<Element<'a>, ParseError> {
     Ok(Element {
-        name: line.expect_word("the name of an element")?,
-        count: line.count("the number of rows")?,
+        name: tokens.expect_word("the name of an element")?,
+        count: tokens.count("the number of rows")?,
         properties: Vec::new(),
-        place: line.place(),
+        place: tokens.place(),
     })
 }
 
-fn read_property<'a>(line: &mut Line<'a>) -> Result<Property<'a>, ParseError> {
-    let kind = match line.expect_word(TYPE)? {
-        b"list" => Kind::List {
-            count: match read_scalar(line)? {
-                (Scalar::Integer(count), _) => count,
-                (_, word) => return Err(line.unexpected("a type of integers", word)),
-            },
-            item: read_scalar(line)?.0,
-        },
-        word => Kind::One(scalar(line, word)?),
+fn read_property<'a>(tokens: &mut Tokens<'a>) -> Result<Property<'a>, ParseError> {
+    let kind = match tokens.expect_word(TYPE)? {
+        b"list" => {
+            let word = tokens.expect_word(TYPE)?;
+            let count = scalar(tokens, word)?;
+            if !count.is_integer() {
+                return Err(tokens.unexpected("a type of integers", word));
+            }
+            let item = tokens.expect_word(TYPE)?;
+            let item = scalar(tokens, item)?;
+            Kind::List { count, item }
+        }
+        word => Kind::One(scalar(tokens, word)?),
     };
-    let name = line.expect_word("the name of a property")?;
+    let name = tokens.expect_word("the name of a property")?;
     Ok(Property { name, kind })
 }
 
 const TYPE: &str = "a type such as `int`, `float` or `double`";
 
-fn read_scalar<'a>(line: &mut Line<'a>) -> Result<(Scalar, &'a [u8]), ParseError> {
-    let word = line.expect_word(TYPE)?;
-    Ok((scalar(line, word)?, word))
-}
-
-fn scalar(line: &Line, word: &[u8]) -> Result<Scalar, ParseError> {
-    Ok(match word {
-        b"char" | b"int8" => Scalar::Integer(Integer::I8),
-        b"uchar" | b"uint8" => Scalar::Integer(Integer::U8),
-        b"short" | b"int16" => Scalar::Integer(Integer::I16),
-        b"ushort" | b"uint16" => Scalar::Integer(Integer::U16),
-        b"int" | b"int32" => Scalar::Integer(Integer::I32),
-        b"uint" | b"uint32" => Scalar::Integer(Integer::U32),
-        b"float" | b"float32" => Scalar::Float32,
-        b"double" | b"float64" => Scalar::Float64,
-        other => return Err(line.unexpected(TYPE, other)),
-    })
+fn scalar(tokens: &Tokens, word: &[u8]) -> Result<Scalar, ParseError> {
+    Scalar::named(word).ok_or_else(|| tokens.unexpected(TYPE, word))
 }

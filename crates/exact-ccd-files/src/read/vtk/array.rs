@@ -5,10 +5,9 @@ use std::str::FromStr;
 
 use roxmltree::Node;
 
-use super::super::binary::ByteOrder;
 use super::super::budget::Budget;
-use super::super::scalar::Scalar;
-use super::super::text::parse;
+use super::super::scalar::{ByteOrder, Scalar};
+use super::super::tokens::{Syntax, Tokens, parse};
 use super::blocks::{Compression, Layout};
 use super::stream::Stream;
 use super::xml::File;
@@ -58,8 +57,8 @@ impl<'a> Encoding<'a> {
             other => return unexpected("`LittleEndian` or `BigEndian`", other),
         };
         let word = match root.attribute("header_type") {
-            None | Some("UInt32") => 4,
-            Some("UInt64") => 8,
+            None | Some("UInt32") => Scalar::U32,
+            Some("UInt64") => Scalar::U64,
             Some(other) => return unexpected("`UInt32` or `UInt64`", other),
         };
         let appended = match appended {
@@ -102,7 +101,7 @@ impl<'a> Encoding<'a> {
             return Err(file.fault(array, INTEGER, found));
         }
         self.values(file, array, scalar, |bytes| {
-            scalar.integers(bytes, self.layout.order).unwrap_or_default()
+            scalar.integers(bytes, self.layout.order)
         })
     }
 
@@ -114,19 +113,11 @@ impl<'a> Encoding<'a> {
         decode: impl FnOnce(&[u8]) -> Vec<T>,
     ) -> Result<Vec<T>, ParseError> {
         let text = text(array);
-        self.budget.step(text.len() as u64);
         let (mut stream, is_inline) = match file.attribute(array, "format")? {
             "ascii" => {
-                let number = |word: &str| {
-                    parse(word.as_bytes())
-                        .ok_or_else(|| file.fault(array, "a number", quoted(word.as_bytes())))
-                };
-                let numbers: Vec<T> = text
-                    .split_ascii_whitespace()
-                    .map(number)
-                    .collect::<Result<_, _>>()?;
-                self.budget.hold::<T>(numbers.len());
-                return Ok(numbers);
+                let mut tokens = Tokens::text(text.as_bytes(), Syntax::Free, self.budget);
+                let numbers = tokens.numbers("a number");
+                return numbers.map_err(|error| file.at(array, error.fault));
             }
             // An empty array may have no header.
             "binary" if text.trim_ascii().is_empty() => return Ok(Vec::new()),
@@ -184,17 +175,7 @@ fn text<'n>(array: Node<'n, 'n>) -> Cow<'n, str> {
 
 /// The type of the numbers of an array.
 fn scalar<'n>(file: &File<'n>, array: Node<'n, 'n>, expected: &str) -> Result<Scalar, ParseError> {
-    Ok(match file.attribute(array, "type")? {
-        "Int8" => Scalar::I8,
-        "UInt8" => Scalar::U8,
-        "Int16" => Scalar::I16,
-        "UInt16" => Scalar::U16,
-        "Int32" => Scalar::I32,
-        "UInt32" => Scalar::U32,
-        "Int64" => Scalar::I64,
-        "UInt64" => Scalar::U64,
-        "Float32" => Scalar::F32,
-        "Float64" => Scalar::F64,
-        other => return Err(file.fault(array, expected, quoted(other.as_bytes()))),
-    })
+    let name = file.attribute(array, "type")?;
+    let scalar = Scalar::named(name.to_ascii_lowercase().as_bytes());
+    scalar.ok_or_else(|| file.fault(array, expected, quoted(name.as_bytes())))
 }

@@ -2,8 +2,8 @@
 
 use flate2::read::ZlibDecoder;
 
-use super::super::binary::ByteOrder;
 use super::super::budget::Budget;
+use super::super::scalar::{ByteOrder, Scalar};
 use super::stream::Stream;
 use crate::error::Fault;
 
@@ -19,8 +19,8 @@ pub(super) enum Compression {
 #[derive(Clone, Copy)]
 pub(super) struct Layout {
     pub(super) order: ByteOrder,
-    /// The size of a number of a header in bytes: 4 or 8.
-    pub(super) word: usize,
+    /// The type of the numbers of a header.
+    pub(super) word: Scalar,
     pub(super) compression: Compression,
 }
 
@@ -35,20 +35,20 @@ impl Layout {
         if self.compression == Compression::None {
             // Several arrays may be the same part of the appended data.
             budget.take(first)?;
-            return take(stream, first, budget);
+            return stream.take(first, budget);
         }
         // The number of blocks, their size, and that of the last one if it is shorter.
         let [size, last] = self.words(stream, budget)?;
-        let header = take(stream, first.saturating_mul(self.word as u64), budget)?;
+        let header = stream.take(first.saturating_mul(self.word.size() as u64), budget)?;
         // Several arrays may have the same header.
         budget.work(header.len() as u64)?;
-        let compressed: Vec<u64> = header.chunks(self.word).map(|word| self.number(word)).collect();
+        let compressed = self.word.integers(&header, self.order);
         let mut data = Vec::new();
         for (block, &length) in compressed.iter().enumerate() {
             let is_short = last > 0 && block + 1 == compressed.len();
             let expanded = if is_short { last } else { size };
-            let bytes = take(stream, length, budget)?;
-            budget.work(BLOCK.saturating_add(length))?;
+            let bytes = stream.take(length.unsigned_abs(), budget)?;
+            budget.work(BLOCK + bytes.len() as u64)?;
             data.append(&mut self.expand(&bytes, expanded, budget)?);
         }
         Ok(data)
@@ -59,7 +59,7 @@ impl Layout {
         let wrong = |found: String| Fault::expected(format!("a block of {size} bytes"), found);
         let data = match self.compression {
             Compression::None => block.to_vec(),
-            Compression::Zlib => budget.read_all(ZlibDecoder::new(block), "zlib", size)?,
+            Compression::Zlib => budget.read_all(ZlibDecoder::new(block), "data compressed by zlib", size)?,
             Compression::Lz4 => {
                 budget.take(size)?;
                 // The size is within the budget.
@@ -78,24 +78,8 @@ impl Layout {
 
     /// The next numbers of a header.
     fn words<const N: usize>(&self, stream: &mut Stream, budget: &Budget) -> Result<[u64; N], Fault> {
-        let bytes = take(stream, (N * self.word) as u64, budget)?;
-        Ok(std::array::from_fn(|k| {
-            self.number(&bytes[k * self.word..][..self.word])
-        }))
+        let bytes = stream.take((N * self.word.size()) as u64, budget)?;
+        let words = self.word.integers(&bytes, self.order);
+        Ok(std::array::from_fn(|k| words[k].unsigned_abs()))
     }
-
-    fn number(&self, word: &[u8]) -> u64 {
-        let append = |number: u64, &byte: &u8| number << 8 | u64::from(byte);
-        match self.order {
-            ByteOrder::LittleEndian => word.iter().rev().fold(0, append),
-            ByteOrder::BigEndian => word.iter().fold(0, append),
-        }
-    }
-}
-
-fn take(stream: &mut Stream, count: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
-    let taken = stream.take(count);
-    let bytes = taken.map_err(|(expected, found)| Fault::expected(expected, found))?;
-    budget.step(bytes.len() as u64);
-    Ok(bytes)
 }

@@ -36,10 +36,12 @@ pub(super) fn add(
         // The corners of a pixel and of a voxel are ordered by their coordinates.
         (8, &[a, b, c, d]) => cells.faces.add(&[a, b, d, c], place)?,
         (11, &[a, b, c, d, e, f, g, h]) => cells.solids.push(Solid::Hexahedron([a, b, d, c, e, f, h, g])),
-        (10, &[a, b, c, d]) => cells.solids.push(Solid::Tetrahedron([a, b, c, d])),
-        (12, &[a, b, c, d, e, f, g, h]) => cells.solids.push(Solid::Hexahedron([a, b, c, d, e, f, g, h])),
-        (13, &[a, b, c, d, e, f]) => cells.solids.push(Solid::Wedge([a, b, c, d, e, f])),
-        (14, &[a, b, c, d, e]) => cells.solids.push(Solid::Pyramid([a, b, c, d, e])),
+        (10, [_, _, _, _])
+        | (12, [_, _, _, _, _, _, _, _])
+        | (13, [_, _, _, _, _, _])
+        | (14, [_, _, _, _, _]) => {
+            cells.solids.extend(Solid::of(corners));
+        }
         _ => {
             let found = format!(
                 "cell {cell} of type {kind}{} with {} corners",

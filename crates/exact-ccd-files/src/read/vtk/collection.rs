@@ -1,7 +1,7 @@
 //! Collections: times and the files that belong to them.
 
 use super::super::budget::Budget;
-use super::super::text::parse;
+use super::super::tokens::parse;
 use super::xml::{File, parse_xml};
 use crate::error::{ParseError, quoted};
 

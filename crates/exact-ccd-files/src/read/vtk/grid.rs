@@ -4,7 +4,7 @@ use roxmltree::Node;
 
 use super::super::budget::Budget;
 use super::super::cells::Cells;
-use super::super::text::parse;
+use super::super::tokens::parse;
 use super::appended;
 use super::array::Encoding;
 use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};

@@ -3,6 +3,9 @@
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
+use super::super::budget::Budget;
+use crate::error::Fault;
+
 /// The bytes of an array that have not been read.
 pub(super) enum Stream<'a> {
     Raw(&'a [u8]),
@@ -20,14 +23,15 @@ impl<'a> Stream<'a> {
         Self::Base64 { text, decoded }
     }
 
-    /// The next bytes; or the expected thing and the one in its place.
-    pub(super) fn take(&mut self, count: u64) -> Result<Vec<u8>, (String, String)> {
-        let missing = |left: usize| (format!("{count} bytes"), format!("{left}"));
-        let wanted = usize::try_from(count).map_err(|_| missing(usize::MAX))?;
+    /// The next bytes.
+    pub(super) fn take(&mut self, count: u64, budget: &Budget) -> Result<Vec<u8>, Fault> {
+        let missing = |left: usize| Fault::expected(format!("{count} bytes"), left.to_string());
+        let wanted = usize::try_from(count).unwrap_or(usize::MAX);
         match self {
             Self::Raw(bytes) => {
                 let left = bytes.len();
                 let taken = bytes.split_off(..wanted).ok_or_else(|| missing(left))?;
+                budget.step(count);
                 Ok(taken.to_vec())
             }
             Self::Base64 { text, decoded } => {
@@ -37,7 +41,8 @@ impl<'a> Stream<'a> {
                         return Err(missing(decoded.len()));
                     }
                     let bytes = STANDARD.decode(piece);
-                    let bytes = bytes.map_err(|error| ("base64".to_owned(), error.to_string()))?;
+                    let bytes = bytes.map_err(|error| Fault::expected("base64", error.to_string()))?;
+                    budget.step(piece.len() as u64);
                     decoded.extend(bytes);
                 }
                 let rest = decoded.split_off(wanted);

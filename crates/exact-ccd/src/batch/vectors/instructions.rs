@@ -4,6 +4,41 @@ use fearless_simd::Level;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use fearless_simd::Simd;
 
+/// Evaluates an expression with the vector instructions of a level: on x86 AVX-512, AVX2 or else SSE2.
+///
+/// SSE4.2 would add a quarter to the time in which the kernel compiles. A batch on a processor without AVX2,
+/// of 2008 to 2013, would take a tenth less time.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+macro_rules! dispatch {
+    ($level:expr, $simd:ident => $operation:expr) => {
+        if let Some($simd) = $level.as_avx512() {
+            fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $operation,
+            )
+        } else if let Some($simd) = $level.as_avx2() {
+            fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $operation,
+            )
+        } else if let Some($simd) = $level.as_sse2() {
+            fearless_simd::Simd::vectorize(
+                $simd,
+                #[inline(always)]
+                || $operation,
+            )
+        } else {
+            unreachable!("the crate does not compile without SSE2")
+        }
+    };
+}
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+pub(super) use dispatch;
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+pub(super) use fearless_simd::dispatch;
+
 /// A set of vector instructions of this processor.
 ///
 /// No answer depends on it. A choice is useful for tests and measurements only.
@@ -24,7 +59,6 @@ impl Instructions {
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
         let levels = [
             best.as_sse2().map(Simd::level),
-            best.as_sse4_2().map(Simd::level),
             best.as_avx2().map(Simd::level),
             best.as_avx512().map(Simd::level),
         ];

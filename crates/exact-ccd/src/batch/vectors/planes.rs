@@ -5,7 +5,7 @@ use fearless_simd::f64x8;
 use fearless_simd::prelude::*;
 
 use crate::batch::row::Row;
-use crate::filter::{Cubic, Points, Screened, screen_planes};
+use crate::filter::{Cubic, Gap, Points, Screened, screen_planes};
 use crate::kind::Kind;
 
 /// The number of queries in a vector.
@@ -13,36 +13,40 @@ pub(super) const LANES: usize = 8;
 
 /// The results of these filters for eight queries.
 pub(super) struct Rest {
-    /// The queries that are not settled, a bit for each.
-    pub(super) lanes: u64,
-    /// The queries with coordinates out of the range of all filters.
-    pub(super) out_of_range: u64,
+    /// The queries that are settled, a bit for each.
+    pub(super) settled: u64,
+    /// The queries with coordinates out of the range of these filters.
+    out_of_range: u64,
     /// Their coplanarity cubics.
     bernstein: [[f64; LANES]; 4],
     magnitude: [f64; LANES],
 }
 
 impl Rest {
-    /// The cubic of a query.
+    /// The cubic of a query in range.
     #[inline(always)]
-    pub(super) fn cubic(&self, lane: usize) -> Cubic<f64> {
-        Cubic {
+    pub(super) fn cubic(&self, lane: usize) -> Option<Cubic<f64>> {
+        (self.out_of_range >> lane & 1 == 0).then(|| Cubic {
             bernstein: self.bernstein.map(|lanes| lanes[lane]),
             magnitude: self.magnitude[lane],
-        }
+        })
     }
 }
 
 /// Passes eight queries through the filters.
 #[inline(always)]
-pub(super) fn screen<S: Simd, K: Kind>(simd: S, rows: &[[&Row; 4]; LANES]) -> Rest {
+pub(super) fn screen<S: Simd, K: Kind, G: Gap<f64x8<S>>>(
+    simd: S,
+    rows: &[[&Row; 4]; LANES],
+    gaps: G,
+) -> Rest {
     let Screened {
         settled,
         out_of_range,
         cubic,
-    } = screen_planes::<K, _>(&transposed(simd, rows));
+    } = screen_planes::<K, _>(&transposed(simd, rows), gaps);
     Rest {
-        lanes: (!settled).to_bitmask(),
+        settled: settled.to_bitmask(),
         out_of_range: out_of_range.to_bitmask(),
         bernstein: cubic.bernstein.map(Into::into),
         magnitude: cubic.magnitude.into(),

@@ -10,17 +10,24 @@ use fearless_simd::prelude::*;
 use fearless_simd::{f64x8, mask64x8};
 
 use crate::batch::row::{PLACES, Row};
-use crate::filter::UNIT;
+use crate::filter::{Gap, UNIT};
 use crate::kind::Kind;
 
-/// Returns true if a plane x = 0, y = 0 or z = 0, or one at 45° between two of them, separates the
-/// primitives.
+/// Returns true if all corners are farther than the gap from a plane x = 0, y = 0 or z = 0, or from one at
+/// 45° between two of them, on one side.
+///
+/// The distance from a plane x = ±y is |x ± y| / √2. With x and y rounded once, the sum once more, it
+/// is off by at most 2 u (|x| + |y|) (1 + u). `SQRT_2` is above √2; the product may be subnormal. Without a
+/// gap, x and ±y are only compared.
 #[inline(always)]
-pub(super) fn are_separated<S: Simd, K: Kind>(simd: S, rows: [&Row; 4]) -> bool {
+pub(super) fn are_beyond<S: Simd, K: Kind, G: Gap<f64>>(simd: S, rows: [&Row; 4], gap: G) -> bool {
     let corners = corners::<S, K>(simd, rows);
-    let zero = f64x8::splat(simd, 0.0);
-    are_beyond_axis(corners, zero)
-        || on_one_side(
+    let d = gap.value(0.0);
+    if are_beyond_axis(corners, f64x8::splat(simd, d)) {
+        return true;
+    }
+    if !G::IS_POSITIVE {
+        return on_one_side(
             corners,
             #[inline(always)]
             |x, next| {
@@ -31,19 +38,7 @@ pub(super) fn are_separated<S: Simd, K: Kind>(simd: S, rows: [&Row; 4]) -> bool 
                     x.simd_lt(-next),
                 ]
             },
-        )
-}
-
-/// Returns true if all corners are farther than d from such a plane, on one side: the filters
-/// `BoundingBox` and `Diagonals` of [`SeparationStage`](crate::separation::SeparationStage).
-///
-/// The distance from a plane x = ±y is |x ± y| / √2. With x and y rounded once, the sum once more, it
-/// is off by at most 2 u (|x| + |y|) (1 + u). `SQRT_2` is above √2; the product may be subnormal.
-#[inline(always)]
-pub(super) fn are_beyond<S: Simd, K: Kind>(simd: S, rows: [&Row; 4], d: f64) -> bool {
-    let corners = corners::<S, K>(simd, rows);
-    if are_beyond_axis(corners, f64x8::splat(simd, d)) {
-        return true;
+        );
     }
     let [a, b, c, e] = corners;
     let reach = a.abs().max(b.abs()).max(c.abs().max(e.abs()));

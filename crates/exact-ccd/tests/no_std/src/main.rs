@@ -20,9 +20,9 @@ use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::predicates::{EdgeFace, orient3d};
-use exact_ccd::separation::Separation;
 use exact_ccd::{
-    Collision, ContactTime, EdgeEdge, Kind, Point, Query, Stage, VertexEdge, VertexFace, environment, exact,
+    CONTACT, Collision, ContactTime, EdgeEdge, Kind, Point, Query, Separation, Stage, VertexEdge, VertexFace,
+    environment, exact,
 };
 
 /// The smallest subnormal number.
@@ -110,17 +110,17 @@ fn wrong_answer() -> Option<i32> {
     // Contact at 1/3, a time that the filters round.
     let at = |z: f64| [[1.0, 2.0, z], FACE[0], FACE[1], FACE[2]];
     let falling = Query::<VertexFace>::new(at(1.0), at(-2.0)).ok()?;
-    let collision = falling.collision()?;
-    let times = collision.contact_times();
+    let collision = falling.collision(CONTACT)?;
+    let times = collision.intervals();
     let coplanar = Coplanar::new();
     for (first, environment) in (1..).step_by(10).zip(ENVIRONMENTS) {
         let is_default = environment == 0;
         set(environment);
         let ordinary = answers(1.0);
         let subnormal = answers(TINY);
-        let stage = vertex_face(1.0).collides_with_stage().1;
+        let stage = vertex_face(1.0).decide(CONTACT).1;
         // Decided in the default environment, read in this one.
-        let (later, later_stage) = collision.contact_times_with_stage();
+        let later = collision.intervals();
         // Here, not after the next change of the environment.
         let detected = black_box(!environment::is_default());
         let are_contacts_exact = coplanar.are_decided();
@@ -131,7 +131,6 @@ fn wrong_answer() -> Option<i32> {
             // The environment is detected, and filters are in use only in the default one.
             detected != is_default,
             (stage == Stage::Exact) != is_default,
-            (later_stage == Stage::Exact) != is_default,
             later == times,
             are_contacts_exact,
         ];
@@ -161,8 +160,10 @@ impl Coplanar {
         let queries = [(); Self::COUNT].map(|()| [[(); 4]; 2].map(|points| points.map(|()| point())));
         let collide = queries.map(|[t0, t1]| {
             let start = ALLOCATOR.used.load(Relaxed);
-            let vertex_face = Query::<VertexFace>::new(t0, t1).is_ok_and(|query| exact::collides(&query));
-            let edge_edge = Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| exact::collides(&query));
+            let vertex_face =
+                Query::<VertexFace>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
+            let edge_edge =
+                Query::<EdgeEdge>::new(t0, t1).is_ok_and(|query| exact::collides(&query, CONTACT));
             ALLOCATOR.used.store(start, Relaxed);
             [vertex_face, edge_edge]
         });
@@ -187,14 +188,14 @@ impl Coplanar {
             .all(|(index, (&[t0, t1], collide))| {
                 let start = ALLOCATOR.used.load(Relaxed);
                 let is_right = Query::<K>::new(t0, t1).is_ok_and(|query| {
-                    let within = index % 7 != 0 || !collide[of] || query.comes_within(tiny);
-                    query.collides() == collide[of] && within
+                    let within = index % 7 != 0 || !collide[of] || query.collides(tiny);
+                    query.collides(CONTACT) == collide[of] && within
                 });
                 let mut found = false;
                 let batch = [[t0, t1]];
                 let batch = batch::Queries::<K>::new(&batch);
                 let mut of_batch = |_: usize, _: Collision<'_, K>| found = true;
-                let is_valid = batch.collisions(&mut of_batch).is_ok();
+                let is_valid = batch.collisions(CONTACT, &mut of_batch).is_ok();
                 ALLOCATOR.used.store(start, Relaxed);
                 is_right && is_valid && found == collide[of]
             })
@@ -274,7 +275,9 @@ fn answers(unit: f64) -> Option<Answers> {
     let trajectories = Trajectories::new(&at(1.0), &at(-1.0)).ok()?;
     let mut of_batch = [false; 2];
     trajectories
-        .collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], |index, _| of_batch[index] = true)
+        .collisions::<VertexFace>(&[[0, 2, 3, 4], [1, 2, 3, 4]], CONTACT, |index, _| {
+            of_batch[index] = true
+        })
         .ok()?;
     let points = |index: usize, z: f64| {
         let [a, b, v1, v2, v3] = at(z);
@@ -283,13 +286,15 @@ fn answers(unit: f64) -> Option<Answers> {
     let queries = [0, 1].map(|index| [points(index, 1.0), points(index, -1.0)]);
     let mut of_array = [false; 2];
     let queries = batch::Queries::<VertexFace>::new(&queries);
-    queries.collisions(|index, _| of_array[index] = true).ok()?;
+    queries
+        .collisions(CONTACT, |index, _| of_array[index] = true)
+        .ok()?;
 
     let [a, b] = scaled([[1.0, 2.0, 1.0], [1.0, 2.0, -1.0]], unit);
     let [v1, v2, v3] = scaled(FACE, unit);
     Some(Answers {
-        falling: vertex_face(unit).time_of_impact(),
-        parallel: resting.contact_times().count(),
+        falling: vertex_face(unit).time_of_impact(CONTACT),
+        parallel: resting.intervals(CONTACT).count(),
         batch: of_batch,
         array: of_array,
         orientation: orient3d([v1, v2, v3, b]).ok()?,
@@ -316,8 +321,8 @@ fn first_within() -> Option<[[u64; 2]; 2]> {
     };
     let query = Query::<VertexEdge>::new(at(0.0), at(HUGE)).ok()?;
     let d = Separation::new(1.0).ok()?;
-    let first = query.first_within(d)?;
-    let impact = query.impact_within(d)?;
+    let first = query.collision(d)?.time();
+    let impact = query.impact(d)?;
     let bits = |time: ContactTime| {
         (!time.is_start() && !time.is_exact()).then(|| [time.lower(), time.upper()].map(f64::to_bits))
     };

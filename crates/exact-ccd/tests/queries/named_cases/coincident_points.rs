@@ -2,18 +2,24 @@
 
 use exact_ccd::{EdgeEdge, Point, Query, VertexFace};
 
-use super::{HUGE, TINY, touches_at, touches_from};
+use super::{HUGE, TINY, touches_at, touches_during};
 
-fn both_touch_from_the_start(start: Point, end: Point) {
-    touches_from(&Query::<VertexFace>::new([start; 4], [end; 4]).unwrap(), 0.0);
-    touches_from(&Query::<EdgeEdge>::new([start; 4], [end; 4]).unwrap(), 0.0);
+fn both_touch_at_all_times(start: Point, end: Point) {
+    touches_during(
+        &Query::<VertexFace>::new([start; 4], [end; 4]).unwrap(),
+        &[[0.0, 1.0]],
+    );
+    touches_during(
+        &Query::<EdgeEdge>::new([start; 4], [end; 4]).unwrap(),
+        &[[0.0, 1.0]],
+    );
 }
 
 #[test]
 fn touch_at_all_times() {
     for x in [0.0, -0.0, 1.0, TINY, HUGE, f64::MAX] {
-        both_touch_from_the_start([x; 3], [x; 3]);
-        both_touch_from_the_start([x, 0.0, -x], [-x, 3.0, 0.1]);
+        both_touch_at_all_times([x; 3], [x; 3]);
+        both_touch_at_all_times([x, 0.0, -x], [-x, 3.0, 0.1]);
     }
 }
 
@@ -29,12 +35,12 @@ fn part_at_once() {
 #[test]
 fn stay_in_touch_at_one_corner() {
     let (origin, away) = ([0.0; 3], [TINY, HUGE, 1.0]);
-    touches_from(
+    touches_during(
         &Query::<VertexFace>::new([origin; 4], [origin, away, away, origin]).unwrap(),
-        0.0,
+        &[[0.0, 1.0]],
     );
-    touches_from(
+    touches_during(
         &Query::<EdgeEdge>::new([origin; 4], [origin, away, origin, away]).unwrap(),
-        0.0,
+        &[[0.0, 1.0]],
     );
 }

@@ -2,7 +2,7 @@
 
 use exact_ccd::{EdgeEdge, Point, Query};
 
-use super::{TINY, during, edge_against, never_touches, touches_at, touches_from};
+use super::{TINY, during, edge_against, never_touches, touches_at, touches_during};
 
 /// From (−1, 0, 0) to (1, 0, 0).
 const REST: [Point; 2] = [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
@@ -68,14 +68,14 @@ fn touch_at_the_end_only() {
 #[test]
 fn rest_across_each_other() {
     let edge = across(0.0, -1.0, 1.0, 0.0);
-    touches_from(&edge_against(REST, edge, edge), 0.0);
+    touches_during(&edge_against(REST, edge, edge), &[[0.0, 1.0]]);
 }
 
 #[test]
 fn slide_across_each_other() {
-    touches_from(
+    touches_during(
         &edge_against(REST, across(-2.0, -1.0, 1.0, 0.0), across(2.0, -1.0, 1.0, 0.0)),
-        0.25,
+        &[[0.25, 0.75]],
     );
 }
 

@@ -2,7 +2,7 @@
 
 use exact_ccd::{EdgeEdge, Point, Query};
 
-use super::{TINY, during, edge_against, never_touches, touches_at, touches_from};
+use super::{TINY, during, edge_against, never_touches, touches_at, touches_during};
 
 fn point(x: f64, y: f64, z: f64) -> [Point; 2] {
     [[x, y, z]; 2]
@@ -20,9 +20,9 @@ fn meet_edges() {
         &[0.5],
     );
     never_touches(&edge_against(rest, point(0.5, TINY, 1.0), point(0.5, TINY, -1.0)));
-    touches_from(
+    touches_during(
         &edge_against(rest, point(-3.0, 0.0, 0.0), point(5.0, 0.0, 0.0)),
-        0.25,
+        &[[0.25, 0.5]],
     );
 }
 
@@ -38,7 +38,7 @@ fn meet_each_other() {
         point(1.0, 2.0, 3.0),
         point(-1.0, -2.0, -3.0f64.next_up()),
     ));
-    touches_from(&edge_against(origin, origin, origin), 0.0);
+    touches_during(&edge_against(origin, origin, origin), &[[0.0, 1.0]]);
 }
 
 /// In one plane with the other edge at all times; the line y = s x − 1/4 passes over (s, 0) when s²

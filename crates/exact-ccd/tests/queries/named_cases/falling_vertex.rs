@@ -1,9 +1,9 @@
 //! A vertex that falls on a face.
 
-use exact_ccd::{Query, VertexFace};
+use exact_ccd::{Query, Separation, VertexFace};
 
 use super::{FACE, TINY, never_touches, touches_at, touches_just_above, vertex_against};
-use crate::laws::checked_times;
+use crate::laws::checked;
 
 fn falls(x: f64, y: f64) -> Query<VertexFace> {
     vertex_against(FACE, [x, y, 1.0], [x, y, -1.0])
@@ -61,7 +61,7 @@ fn does_not_slip_through_between_two_faces() {
     for x in [0.1, 0.2, 0.3, 1e-17, 1.0 / 3.0] {
         let (from, to) = ([x, 1.0 - x, 1.0], [x, 1.0 - x, -1.0]);
         let hits = [[a, b, c], [[1.0, 1.0, 0.0], c, b]]
-            .map(|face| checked_times(&vertex_against(face, from, to)).count() == Some(1));
+            .map(|face| checked(&vertex_against(face, from, to), Separation::ZERO).count() == Some(1));
         assert!(hits[0] != hits[1], "{x}: {hits:?}");
     }
 }

@@ -2,7 +2,7 @@
 
 use exact_ccd::{Point, Query, VertexFace};
 
-use super::{TINY, during, never_touches, touches_at, touches_from, vertex_against};
+use super::{TINY, during, never_touches, touches_at, touches_during, vertex_against};
 
 const A: Point = [0.0, 0.0, 0.0];
 const B: Point = [1.0, 0.0, 0.0];
@@ -20,7 +20,10 @@ fn is_hit_like_an_edge() {
         touches_at(&vertex_against(face, [1.0, 0.0, 1.0], [1.0, 0.0, -1.0]), &[0.5]);
         never_touches(&vertex_against(face, [0.5, TINY, 1.0], [0.5, TINY, -1.0]));
         never_touches(&vertex_against(face, [-TINY, 0.0, 1.0], [-TINY, 0.0, -1.0]));
-        touches_from(&vertex_against(face, [-1.0, 0.0, 0.0], [3.0, 0.0, 0.0]), 0.25);
+        touches_during(
+            &vertex_against(face, [-1.0, 0.0, 0.0], [3.0, 0.0, 0.0]),
+            &[[0.25, 0.5]],
+        );
     }
 }
 

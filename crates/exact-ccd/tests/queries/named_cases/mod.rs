@@ -9,19 +9,20 @@ mod flat_face;
 mod parallel_edges;
 mod sliding_vertex;
 mod tilting_face;
+mod touching_again;
 
-use exact_ccd::{ContactTimes, EdgeEdge, Kind, Point, Query, VertexFace};
+use exact_ccd::{EdgeEdge, Interval, Kind, Point, Query, Separation, VertexFace};
 
-use crate::laws::checked_times;
+use crate::laws::checked;
 
 const TINY: f64 = 5e-324;
 const HUGE: f64 = 1.7e308;
 
 /// The face (0, 0), (1, 0), (0, 1) at height 0.
-const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+pub(crate) const FACE: [Point; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
 
 /// A moving vertex and a face at rest.
-fn vertex_against(face: [Point; 3], from: Point, to: Point) -> Query<VertexFace> {
+pub(crate) fn vertex_against(face: [Point; 3], from: Point, to: Point) -> Query<VertexFace> {
     let [v1, v2, v3] = face;
     Query::new([from, v1, v2, v3], [to, v1, v2, v3]).unwrap()
 }
@@ -37,35 +38,40 @@ fn during<K: Kind<Points = [Point; 4]>>(points: impl Fn(f64) -> [Point; 4]) -> Q
     Query::new(points(-1.0), points(1.0)).unwrap()
 }
 
-/// Checks that contact is at these times only, all of them f64.
+/// Checks that the primitives touch in these intervals only, whose ends are all f64.
+#[track_caller]
+pub(crate) fn touches_within<K: Kind>(query: &Query<K>, d: Separation, expected: &[[f64; 2]]) {
+    let intervals = checked(query, d);
+    let ends = |interval: &Interval| {
+        let [start, end] = [interval.start, interval.end];
+        assert!(start.is_exact() && end.is_exact(), "{intervals:?}");
+        assert_eq!(interval.is_moment, start == end, "{intervals:?}");
+        [start.lower(), end.lower()]
+    };
+    assert_eq!(intervals.iter().map(ends).collect::<Vec<_>>(), expected);
+}
+
+/// Checks that contact is in these intervals only.
+#[track_caller]
+fn touches_during<K: Kind>(query: &Query<K>, intervals: &[[f64; 2]]) {
+    touches_within(query, Separation::ZERO, intervals);
+}
+
+/// Checks that contact is at these times only.
 #[track_caller]
 fn touches_at<K: Kind>(query: &Query<K>, times: &[f64]) {
-    let expected: Vec<_> = times.iter().map(|&time| (time, true)).collect();
-    assert_eq!(finitely(query), expected);
+    let moments: Vec<_> = times.iter().map(|&time| [time; 2]).collect();
+    touches_during(query, &moments);
 }
 
 /// Checks that contact is just above these f64 only.
 #[track_caller]
 fn touches_just_above<K: Kind>(query: &Query<K>, times: &[f64]) {
-    let expected: Vec<_> = times.iter().map(|&time| (time, false)).collect();
-    assert_eq!(finitely(query), expected);
-}
-
-#[track_caller]
-fn finitely<K: Kind>(query: &Query<K>) -> Vec<(f64, bool)> {
-    let ContactTimes::Finite(times) = checked_times(query) else {
-        panic!("contact for an interval of time");
-    };
-    times.iter().map(|time| (time.lower(), time.is_exact())).collect()
-}
-
-/// Checks that contact lasts for an interval from this time on.
-#[track_caller]
-fn touches_from<K: Kind>(query: &Query<K>, time: f64) {
-    let ContactTimes::Interval { first } = checked_times(query) else {
-        panic!("contact at single times");
-    };
-    assert_eq!((first.lower(), first.is_exact()), (time, true));
+    let found = checked(query, Separation::ZERO);
+    assert_eq!(found.count(), Some(times.len()), "{found:?}");
+    for (Interval { start, .. }, time) in found.into_iter().zip(times) {
+        assert_eq!((start.lower(), start.is_exact()), (*time, false));
+    }
 }
 
 #[track_caller]

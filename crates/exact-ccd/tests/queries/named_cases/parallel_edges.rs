@@ -2,7 +2,7 @@
 
 use exact_ccd::{EdgeEdge, Point};
 
-use super::{TINY, during, edge_against, never_touches, touches_at, touches_from};
+use super::{TINY, during, edge_against, never_touches, touches_at, touches_during};
 
 const REST: [Point; 2] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]];
 
@@ -29,17 +29,17 @@ fn fall_through_each_other() {
 
 #[test]
 fn slide_along_each_other() {
-    touches_from(
+    touches_during(
         &edge_against(REST, along(2.0, 3.0, 0.0), along(0.0, 1.0, 0.0)),
-        0.5,
+        &[[0.5, 1.0]],
     );
-    touches_from(
+    touches_during(
         &edge_against(REST, along(2.0, 3.0, 0.0), along(-6.0, -5.0, 0.0)),
-        0.125,
+        &[[0.125, 0.375]],
     );
-    touches_from(
+    touches_during(
         &edge_against(REST, along(0.0, 1.0, 0.0), along(2.0, 3.0, 0.0)),
-        0.0,
+        &[[0.0, 0.5]],
     );
     touches_at(
         &edge_against(REST, along(2.0, 3.0, 0.0), along(1.0, 2.0, 0.0)),
@@ -54,10 +54,10 @@ fn slide_along_each_other() {
 
 #[test]
 fn rest_on_each_other() {
-    touches_from(&edge_against(REST, REST, REST), 0.0);
-    touches_from(
+    touches_during(&edge_against(REST, REST, REST), &[[0.0, 1.0]]);
+    touches_during(
         &edge_against(REST, along(1.0, 2.0, 0.0), along(1.0, 2.0, 0.0)),
-        0.0,
+        &[[0.0, 1.0]],
     );
     never_touches(&edge_against(REST, along(2.0, 3.0, 0.0), along(2.0, 3.0, 0.0)));
 }

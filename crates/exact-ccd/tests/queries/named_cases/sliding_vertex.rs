@@ -2,16 +2,19 @@
 
 use exact_ccd::{Query, VertexFace};
 
-use super::{FACE, TINY, never_touches, touches_at, touches_from, vertex_against};
+use super::{FACE, TINY, never_touches, touches_at, touches_during, vertex_against};
 
 #[test]
 fn rests_in_it() {
-    touches_from(&vertex_against(FACE, [0.25, 0.25, 0.0], [0.25, 0.25, 0.0]), 0.0);
+    touches_during(
+        &vertex_against(FACE, [0.25, 0.25, 0.0], [0.25, 0.25, 0.0]),
+        &[[0.0, 1.0]],
+    );
 }
 
 #[test]
 fn rests_on_its_corner() {
-    touches_from(&vertex_against(FACE, FACE[1], FACE[1]), 0.0);
+    touches_during(&vertex_against(FACE, FACE[1], FACE[1]), &[[0.0, 1.0]]);
 }
 
 #[test]
@@ -20,19 +23,28 @@ fn rests_beside_it() {
 }
 
 #[test]
-fn slides_into_it() {
+fn slides_across_it() {
     // The vertex crosses the edge x = 0 at t = 1/4 and the hypotenuse at t = 7/16.
-    touches_from(&vertex_against(FACE, [-1.0, 0.25, 0.0], [3.0, 0.25, 0.0]), 0.25);
+    touches_during(
+        &vertex_against(FACE, [-1.0, 0.25, 0.0], [3.0, 0.25, 0.0]),
+        &[[0.25, 0.4375]],
+    );
 }
 
 #[test]
 fn slides_out_of_it() {
-    touches_from(&vertex_against(FACE, [0.25, 0.25, 0.0], [-1.0, 0.25, 0.0]), 0.0);
+    touches_during(
+        &vertex_against(FACE, [0.25, 0.25, 0.0], [-0.75, 0.25, 0.0]),
+        &[[0.0, 0.25]],
+    );
 }
 
 #[test]
 fn slides_along_its_edge() {
-    touches_from(&vertex_against(FACE, [-1.0, 0.0, 0.0], [3.0, 0.0, 0.0]), 0.25);
+    touches_during(
+        &vertex_against(FACE, [-1.0, 0.0, 0.0], [3.0, 0.0, 0.0]),
+        &[[0.25, 0.5]],
+    );
 }
 
 #[test]
@@ -52,6 +64,6 @@ fn moves_along_with_it() {
         let start = [[0.25, 0.25, height], a, b, c];
         Query::<VertexFace>::new(start, start.map(|[x, y, z]| [x + 4.0, y - 2.0, z])).unwrap()
     };
-    touches_from(&drifts(0.0), 0.0);
+    touches_during(&drifts(0.0), &[[0.0, 1.0]]);
     never_touches(&drifts(TINY));
 }

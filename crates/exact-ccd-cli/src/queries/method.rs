@@ -1,0 +1,158 @@
+//! The methods of `exact-ccd queries`.
+
+use std::fmt;
+use std::str::FromStr;
+use std::sync::Arc;
+
+use exact_ccd::{Ccd, ContactTime, Decide, Kind, Point, Query, Separation, TimeGuarantee};
+use exact_ccd_methods::parity::{self, Parity, Rounded, RoundingError};
+use exact_ccd_methods::{UnknownMethod, by_name};
+use serde_json::Value;
+
+use super::kind::Kind as AnyKind;
+use crate::failure::{Failure, failures};
+use crate::shortest::shortest;
+
+failures! { UnknownMethod }
+
+/// A registered method, or the parity in integers. Those that count contacts are apart.
+#[derive(Clone)]
+pub(crate) enum Method {
+    Exact,
+    Parity,
+    ParityRational,
+    Other(Arc<dyn Ccd>),
+}
+
+/// The name of [`Method::ParityRational`], which is no method of its own: it is the parity without rounding.
+const PARITY_RATIONAL: &str = "parity-rational";
+
+impl FromStr for Method {
+    type Err = UnknownMethod;
+
+    fn from_str(name: &str) -> Result<Self, UnknownMethod> {
+        match name.to_ascii_lowercase().as_str() {
+            "exact" => Ok(Self::Exact),
+            "parity" => Ok(Self::Parity),
+            PARITY_RATIONAL => Ok(Self::ParityRational),
+            _ => by_name(name)
+                .map(|method| Self::Other(method.into()))
+                .map_err(|mut unknown| {
+                    unknown.known.push(PARITY_RATIONAL.to_owned());
+                    unknown
+                }),
+        }
+    }
+}
+
+impl Method {
+    fn name(&self) -> &str {
+        match self {
+            Self::Exact => "exact",
+            Self::Parity => "parity",
+            Self::ParityRational => PARITY_RATIONAL,
+            Self::Other(method) => method.name(),
+        }
+    }
+
+    /// Checks that the method has queries of a kind, and, if the distance is not 0, times within a
+    /// distance. The exact method has both.
+    pub(crate) fn check(&self, kind: AnyKind, d: Separation) -> Result<(), Failure> {
+        let method = self.name();
+        match (self, kind) {
+            (Self::Exact, _) => Ok(()),
+            (_, AnyKind::Ve | AnyKind::Vv) => Err(Failure::new(format_args!(
+                "--kind {kind} needs --method exact: the method {method} has the kinds vf and ee"
+            ))),
+            _ if !d.is_zero() => Err(Failure::new(format_args!(
+                "--min-distance above 0 needs --method exact: the method {method} decides contact"
+            ))),
+            _ => Ok(()),
+        }
+    }
+
+    /// The answer to a query within a distance, which [`check`](Self::check) accepts.
+    pub(crate) fn answer<K: Kind<Points = [Point; 4]>>(
+        &self,
+        query: &Query<K>,
+        d: Separation,
+    ) -> Result<Answer, RoundingError>
+    where
+        dyn Ccd: Decide<K>,
+    {
+        Ok(match self {
+            Self::Exact => Answer::exact(query, d),
+            Self::Parity => Rounded::shift(query)?.parity().into(),
+            Self::ParityRational => parity::rational(query).into(),
+            Self::Other(method) => {
+                let time = method.time_of_impact(query);
+                let has_times = method.guarantees().time != TimeGuarantee::Absent;
+                Answer {
+                    collides: time.is_some(),
+                    count: String::new(),
+                    toi: time.filter(|_| has_times),
+                }
+            }
+        })
+    }
+}
+
+/// The answer of a method to a query.
+pub(crate) struct Answer {
+    pub(crate) collides: bool,
+    /// The number of contacts or its parity, or the number of intervals of times within a distance; empty
+    /// from a method that does not count.
+    count: String,
+    pub(crate) toi: Option<f64>,
+}
+
+impl Answer {
+    /// The answer of the exact method: contact, or the times within a distance above 0.
+    pub(crate) fn exact<K: Kind>(query: &Query<K>, d: Separation) -> Self {
+        let intervals = query.intervals(d);
+        let count = if d.is_zero() {
+            intervals.count()
+        } else {
+            Some(intervals.len())
+        };
+        Self {
+            collides: !intervals.is_empty(),
+            count: count.map_or("-1".to_owned(), |count| count.to_string()),
+            toi: intervals.first_time().map(ContactTime::lower),
+        }
+    }
+}
+
+impl Answer {
+    /// The count as a number, a parity as text, null from a method that does not count.
+    pub(crate) fn json_count(&self) -> Value {
+        match self.count.parse::<i64>() {
+            Ok(number) => number.into(),
+            Err(_) if self.count.is_empty() => Value::Null,
+            Err(_) => self.count.clone().into(),
+        }
+    }
+}
+
+impl From<Parity> for Answer {
+    fn from(parity: Parity) -> Self {
+        let count = match parity {
+            Parity::Even => "even",
+            Parity::Odd => "odd",
+            Parity::Boundary => "boundary",
+        };
+        Self {
+            collides: parity.is_collision(),
+            count: count.to_owned(),
+            toi: None,
+        }
+    }
+}
+
+/// The columns `contact`, `count` and `toi`.
+impl fmt::Display for Answer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let toi = self.toi.map_or(String::new(), shortest);
+        write!(f, "{},{},{toi}", u8::from(self.collides), self.count)
+    }
+}

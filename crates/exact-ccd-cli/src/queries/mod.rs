@@ -1,0 +1,203 @@
+//! `exact-ccd queries`: the contacts of the queries in files, by any method.
+
+mod answer_rows;
+pub(crate) mod kind;
+mod method;
+pub(crate) mod query_files;
+pub(crate) mod recognise;
+mod tally;
+
+use std::io::{self, BufWriter, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use exact_ccd::{EdgeEdge, Query, Separation, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{QueryKind, Rounding, Sample};
+use exact_ccd_methods::parity::RoundingError;
+use exact_ccd_view::PageKind;
+use indicatif::ProgressBar;
+use rayon::prelude::*;
+
+use crate::failure::Failure;
+use crate::inputs::check_file;
+use crate::min_distance;
+use crate::notes::Notes;
+use crate::progress::{self, during};
+use crate::view::{ChosenQuery, QueryView};
+use answer_rows::AnswerRows;
+use kind::Kind;
+use method::{Answer, Method};
+use query_files::Samples;
+use recognise::{kind_of, no_queries};
+use tally::Tally;
+
+/// The number of queries that are read before they are answered in parallel.
+const BATCH: usize = 4096;
+
+/// The contacts of the queries in files, by the exact method or another one
+///
+/// A query is a row for each of its points at t = 0, then the same at t = 1.
+/// The points are, by the kind of the queries,
+///   vf  the vertex and the corners of the face: eight rows
+///   ee  the ends of the first edge and those of the second: eight rows
+///   ve  the vertex and the ends of the edge: six rows
+///   vv  the two vertices: four rows
+/// A row is the numerators and denominators of x, y and z, six columns; or x, y
+/// and z, each a decimal such as 0.1, which stands for the nearest f64, a
+/// hexadecimal float such as 0x1.8p-3, or a fraction such as 3/16. In all rows or
+/// in none, one more column is the ground truth, 1 for contact and 0 for none.
+/// Files whose names end in .parquet have the columns of `exact-ccd convert`
+/// instead.
+///
+/// Without --kind, the kind is that of the folder, vertex-face or edge-edge, of
+/// the column kind of a Parquet file, or the only one whose queries fill the rows
+/// of a file, which is noted. If it is not certain, that is an error.
+///
+/// The answers are CSV, a row for each query:
+///   query    the number of the query, from 0, over all files
+///   contact  1 or 0
+///   count    the number of distinct contact times, -1 for an interval
+///   toi      the earliest, rounded down to f64, as the shortest decimal that
+///            reads back to it; empty if there is none
+///
+/// With --min-distance D, primitives at most D apart are in contact. If D is
+/// above 0, count is the number of maximal closed intervals of contact times.
+/// D is the f64 nearest to the number given, and the distance of the primitives
+/// is compared with it exactly.
+///
+/// Two methods count the parity of the number of contacts, as in the paper
+/// "Fast and Exact Root Parity for Continuous Collision Detection" (2022):
+/// parity shifts and rounds each query, parity-rational computes in integers.
+/// They do not distinguish two contacts from none. Their toi is empty, and
+///   contact  is 0 for even, 1 for odd and boundary
+///   count    is even, odd, or boundary for a contact at t = 0 or t = 1, with
+///            an edge of the face, or with an end of an edge
+///
+/// The other methods are those of `exact-ccd bench`. Their count is empty, and
+/// so is the toi of those without times. Only the exact method has the kinds ve
+/// and vv, and distances above 0.
+///
+/// If there is ground truth, the numbers of false positives and of false
+/// negatives go to standard error.
+///
+/// With --json, each answer is a JSON object on a line, with the same names.
+///
+/// Exit status: 0 whatever the answers, 2 error, among them an input without a
+/// query. The queries before an error are answered.
+#[derive(clap::Args)]
+#[command(verbatim_doc_comment)]
+pub(crate) struct Arguments {
+    /// A vertex against a face, an edge against an edge, a vertex against an edge, or a vertex
+    /// against a vertex [default: that of the files, if it is certain]
+    #[arg(long)]
+    kind: Option<Kind>,
+    /// Count primitives at most D apart as touching, in the unit of the coordinates.
+    #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    min_distance: Separation,
+    /// The method, in upper or lower case: exact, parity, parity-rational, or one of `exact-ccd bench`.
+    #[arg(long, default_value = "exact")]
+    method: Method,
+    /// Round coordinates that are not exactly f64 to the nearest, instead of refusing them.
+    #[arg(long)]
+    round_input: bool,
+    /// Print JSON lines in place of CSV. docs/reports.md has their schema.
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    view: QueryView,
+    /// The files; - is standard input.
+    #[arg(required = true, value_name = "FILE")]
+    files: Vec<PathBuf>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    // A bar and answers on the same terminal would overwrite each other.
+    let bar = if io::stdout().is_terminal() {
+        ProgressBar::hidden()
+    } else {
+        progress::count("queries")
+    };
+    let (method, d) = (&arguments.method, arguments.min_distance);
+    query_files::check(&arguments.files, |file| {
+        check_file(file, "a query file, CSV or Parquet")
+    })?;
+    let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
+    method.check(kind, d)?;
+    let tally = during(bar, |progress| match kind {
+        Kind::Vf => answer_all::<VertexFace>(arguments, &|query| method.answer(query, d), progress),
+        Kind::Ee => answer_all::<EdgeEdge>(arguments, &|query| method.answer(query, d), progress),
+        Kind::Ve => answer_all::<VertexEdge>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
+        Kind::Vv => answer_all::<VertexVertex>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
+    });
+    match tally {
+        Ok(tally) if tally.queries() == 0 => return Err(no_queries()),
+        Ok(tally) => tally.report(),
+        Err(failure) => failure.unless_closed_pipe()?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The decision of one query.
+type Decision<'a, K> = &'a (dyn Fn(&Query<K>) -> Result<Answer, RoundingError> + Sync);
+
+fn answer_all<K: QueryKind + PageKind + 'static>(
+    arguments: &Arguments,
+    decide: Decision<'_, K>,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Tally, Failure> {
+    let rounding = if arguments.round_input {
+        Rounding::ToNearest
+    } else {
+        Rounding::Refuse
+    };
+    let mut output = AnswerRows::new(BufWriter::new(io::stdout().lock()), arguments.json)?;
+    let mut tally = Tally::default();
+    let mut choice = arguments.view.choice();
+    let answered = arguments.files.iter().try_for_each(|file| {
+        let samples = query_files::open::<K>(file, rounding)?;
+        answer(
+            file,
+            samples,
+            decide,
+            &mut tally,
+            &mut choice,
+            &mut output,
+            progress,
+        )
+    });
+    let flushed = output.flush();
+    answered?;
+    flushed?;
+    choice.finish(arguments.min_distance)?;
+    Ok(tally)
+}
+
+fn answer<K: QueryKind + PageKind>(
+    file: &Path,
+    mut samples: Samples<K>,
+    decide: Decision<'_, K>,
+    tally: &mut Tally,
+    choice: &mut ChosenQuery<K>,
+    output: &mut AnswerRows<impl Write>,
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<(), Failure> {
+    let first = tally.queries();
+    loop {
+        let mut read = Ok(());
+        let or_stop = |sample: Result<_, _>| sample.map_err(|error| read = Err(error)).ok();
+        let batch: Vec<Sample<K>> = samples.by_ref().take(BATCH).map_while(or_stop).collect();
+        let answers: Vec<_> = batch.par_iter().map(|sample| decide(&sample.query)).collect();
+        for (sample, answer) in batch.iter().zip(answers) {
+            let query = tally.queries();
+            let answer = answer.map_err(|source| query_files::failed(file, query - first, source))?;
+            output.write(query, &answer)?;
+            tally.add(answer.collides, sample.truth);
+            choice.see(query_files::name(file), query, &sample.query, answer.collides);
+        }
+        progress(batch.len());
+        read?;
+        if batch.len() < BATCH {
+            return Ok(());
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! The kind of queries in files, where it is certain.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader};
+use std::path::{Path, PathBuf};
+
+use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_data::{ColumnReader, DataError, QueryKind};
+
+use super::kind::Kind;
+use super::query_files::{is_dash, is_parquet};
+use crate::failure::Failure;
+use crate::notes::Notes;
+
+/// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
+/// ends too early may have the rows of another one.
+pub(crate) fn kind_of(given: Option<Kind>, files: &[PathBuf], notes: &mut Notes) -> Result<Kind, Failure> {
+    if let Some(kind) = given {
+        return Ok(kind);
+    }
+    let mut found: Option<Kind> = None;
+    for file in files {
+        let kind = of_file(file, notes)?;
+        match found {
+            Some(other) if other != kind => {
+                return Err(Failure::of(
+                    file,
+                    format_args!("queries of the kind {kind}, after others of the kind {other}"),
+                ));
+            }
+            _ => found = Some(kind),
+        }
+    }
+    found.ok_or_else(|| uncertain(Path::new("")))
+}
+
+/// The kind that a Parquet file names, that of the folder as in the published data sets, or the only one
+/// whose queries fill the rows of the file.
+fn of_file(file: &Path, notes: &mut Notes) -> Result<Kind, Failure> {
+    if is_dash(file) {
+        return Err(uncertain(file));
+    }
+    if is_parquet(file) {
+        return of_columns(file).ok_or_else(|| uncertain(file));
+    }
+    let rows = row_count(file).map_err(|source| DataError::Io {
+        file: file.to_owned(),
+        source,
+    })?;
+    if rows == 0 {
+        return Err(no_queries());
+    }
+    if let Some(kind) = of_folder(file) {
+        return Ok(kind);
+    }
+    let kind = of_count(rows).ok_or_else(|| uncertain(file))?;
+    notes.note(format!(
+        "{}: {rows} rows are queries of the kind {kind}; --kind names another",
+        file.display()
+    ));
+    Ok(kind)
+}
+
+fn uncertain(file: &Path) -> Failure {
+    Failure::of(
+        file,
+        "the kind of the queries is not certain from the file; --kind vf|ee|ve|vv names it",
+    )
+}
+
+/// The failure of an input without a query.
+pub(crate) fn no_queries() -> Failure {
+    Failure::new("0 queries: the input is empty")
+}
+
+fn of_folder(file: &Path) -> Option<Kind> {
+    let file = std::path::absolute(file).ok()?;
+    match file.parent()?.file_name()?.to_str() {
+        Some("vertex-face") => Some(Kind::Vf),
+        Some("edge-edge") => Some(Kind::Ee),
+        _ => None,
+    }
+}
+
+fn of_columns(file: &Path) -> Option<Kind> {
+    fn reads<K: QueryKind>(file: &Path) -> bool {
+        let first = ColumnReader::<K>::open(file).map(|reader| reader.records().next());
+        matches!(first, Ok(Some(Ok(_))))
+    }
+    [
+        (Kind::Vf, reads::<VertexFace>(file)),
+        (Kind::Ee, reads::<EdgeEdge>(file)),
+        (Kind::Ve, reads::<VertexEdge>(file)),
+        (Kind::Vv, reads::<VertexVertex>(file)),
+    ]
+    .into_iter()
+    .find_map(|(kind, reads)| reads.then_some(kind))
+}
+
+/// A query has eight rows, of vf or ee, six of ve, or four of vv.
+fn of_count(rows: usize) -> Option<Kind> {
+    if rows == 0 || rows.is_multiple_of(8) {
+        return None;
+    }
+    match (rows.is_multiple_of(6), rows.is_multiple_of(4)) {
+        (true, false) => Some(Kind::Ve),
+        (false, true) => Some(Kind::Vv),
+        _ => None,
+    }
+}
+
+/// The number of lines that are not blank.
+fn row_count(file: &Path) -> io::Result<usize> {
+    let mut reader = BufReader::new(File::open(file)?);
+    let (mut line, mut rows) = (Vec::new(), 0);
+    while reader.read_until(b'\n', &mut line)? > 0 {
+        rows += usize::from(!line.trim_ascii().is_empty());
+        line.clear();
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_kind_follows_from_a_count_if_no_other_one_fits() {
+        for (rows, kind) in [
+            (4, Some(Kind::Vv)),
+            (6, Some(Kind::Ve)),
+            (18, Some(Kind::Ve)),
+            (20, Some(Kind::Vv)),
+            (0, None),
+            (8, None),
+            (12, None),
+            (24, None),
+            (5, None),
+        ] {
+            assert_eq!(of_count(rows), kind, "{rows}");
+        }
+    }
+}

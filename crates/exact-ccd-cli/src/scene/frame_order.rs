@@ -1,0 +1,318 @@
+//! The order of frames by the numbers in their names.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Files in the order of the numbers in their names, as a shell does not give them.
+///
+/// ```
+/// use exact_ccd_cli::FrameOrder;
+///
+/// let order = FrameOrder::of(["f1.ply", "f10.ply", "f2.ply"].map(Into::into).to_vec());
+/// assert_eq!(order.files, ["f1.ply", "f2.ply", "f10.ply"].map(std::path::PathBuf::from));
+/// assert!(order.is_changed);
+/// assert_eq!(order.missing.iter().map(ToString::to_string).collect::<Vec<_>>(), ["3 to 9"]);
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct FrameOrder {
+    /// The files in order. Runs of digits compare as numbers, and two runs with a point between them as a
+    /// decimal; everything else compares as text.
+    pub files: Vec<PathBuf>,
+    /// Two files of which the second one would be before the first one if a point between digits were text
+    /// between two numbers, as in `v2.9` and `v2.10`: their order is not certain.
+    pub uncertain: Option<[PathBuf; 2]>,
+    /// True if the files were given in another order.
+    pub is_changed: bool,
+    /// The numbers that are missing in the row, if the names differ in one whole number only.
+    pub missing: Vec<Missing>,
+}
+
+/// Missing numbers in a row of files: `first`, `first + stride`, … up to `last`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// The first missing number.
+    pub first: u64,
+    /// The last missing number before the next file.
+    pub last: u64,
+    /// The difference of consecutive numbers: the greatest one that divides all differences.
+    pub stride: u64,
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { first, last, stride } = self;
+        match (first == last, stride) {
+            (true, _) => write!(f, "{first}"),
+            (false, 1) => write!(f, "{first} to {last}"),
+            (false, _) => write!(f, "{first} to {last} in steps of {stride}"),
+        }
+    }
+}
+
+impl FrameOrder {
+    /// Orders files that are a row, that is, whose names differ in one number only. The order given is
+    /// kept if the names differ in anything else.
+    ///
+    /// ```
+    /// use exact_ccd_cli::FrameOrder;
+    ///
+    /// let order = |names: [&str; 3]| FrameOrder::of_row(names.map(Into::into).to_vec());
+    /// assert!(order(["f1.ply", "f10.ply", "f2.ply"]).is_changed);
+    /// assert!(!order(["start.ply", "middle.ply", "end.ply"]).is_changed);
+    /// assert!(!order(["f1.ply", "f0.ply", "f1.ply"]).is_changed);
+    /// assert!(order(["t1.0.ply", "t0.50.ply", "t0.25.ply"]).is_changed);
+    /// assert!(order(["t0.25.ply", "t0.5.ply", "t0.75.ply"]).uncertain.is_some());
+    /// ```
+    #[must_use]
+    pub fn of_row(given: Vec<PathBuf>) -> Self {
+        let ordered = Self::of(given.clone());
+        let is_increasing = |row: Vec<Piece>| row.windows(2).all(|pair| pair[0] < pair[1]);
+        if row(&ordered.files).is_some_and(is_increasing) {
+            ordered
+        } else {
+            Self {
+                files: given,
+                uncertain: None,
+                is_changed: false,
+                missing: Vec::new(),
+            }
+        }
+    }
+
+    /// Orders files. Equal numbers with other zeros before them, and other ties, are in the order
+    /// of the paths; the same path twice stays twice.
+    #[must_use]
+    pub fn of(given: Vec<PathBuf>) -> Self {
+        let mut files = given.clone();
+        files.sort_by(|a, b| by_number(Reading::Decimals, a, b));
+        let numbers = row(&files).and_then(|row| row.iter().map(Piece::whole).collect::<Option<Vec<_>>>());
+        Self {
+            is_changed: files != given,
+            uncertain: files
+                .windows(2)
+                .find(|pair| is_uncertain(pair))
+                .map(|pair| [pair[0].clone(), pair[1].clone()]),
+            missing: numbers.map_or(Vec::new(), |numbers| gaps(&numbers)),
+            files,
+        }
+    }
+}
+
+/// The meaning of a point between two runs of digits.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reading {
+    /// It is that of a decimal, unless there are more points, as in a date.
+    Decimals,
+    /// It is text between two numbers.
+    Numbers,
+}
+
+/// A piece of a path. Numbers are compared by the number of digits before the point, by these digits, then
+/// by those after the point, without zeros at the end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Piece<'a> {
+    Number(usize, &'a [u8], &'a [u8]),
+    Text(&'a [u8]),
+}
+
+impl<'a> Piece<'a> {
+    fn number(whole: &'a [u8], fraction: &'a [u8]) -> Self {
+        let zeros = whole.iter().take_while(|&&digit| digit == b'0').count();
+        let zeros_at_end = fraction.iter().rev().take_while(|&&digit| digit == b'0').count();
+        let fraction = &fraction[..fraction.len() - zeros_at_end];
+        Self::Number(whole.len() - zeros, &whole[zeros..], fraction)
+    }
+
+    /// The value of a number without a fraction.
+    fn whole(&self) -> Option<u64> {
+        match self {
+            Self::Number(0, _, []) => Some(0),
+            Self::Number(_, digits, []) => std::str::from_utf8(digits).ok()?.parse().ok(),
+            _ => None,
+        }
+    }
+}
+
+/// The order in which `frame2` is before `frame10`.
+fn by_number(reading: Reading, a: &Path, b: &Path) -> Ordering {
+    let by_pieces = pieces(reading, a).cmp(&pieces(reading, b));
+    by_pieces.then_with(|| a.cmp(b))
+}
+
+/// Returns true if the order of two files depends on the meaning of a point, and their names have the same
+/// pieces but for the numbers.
+fn is_uncertain(pair: &[PathBuf]) -> bool {
+    let [a, b] = pair else { return false };
+    let texts = |path| {
+        let pieces = pieces(Reading::Numbers, path).into_iter();
+        pieces.map(|piece| match piece {
+            Piece::Text(text) => Some(text),
+            Piece::Number(..) => None,
+        })
+    };
+    texts(a).eq(texts(b)) && by_number(Reading::Numbers, a, b) == Ordering::Greater
+}
+
+fn pieces(reading: Reading, path: &Path) -> Vec<Piece<'_>> {
+    let bytes = path.as_os_str().as_encoded_bytes();
+    let runs = bytes.chunk_by(|a, b| a.is_ascii_digit() == b.is_ascii_digit());
+    let runs: Vec<_> = runs.collect();
+    let is_point = |at: Option<usize>| at.and_then(|at| runs.get(at)) == Some(&&b"."[..]);
+    let mut pieces = Vec::new();
+    let mut at = 0;
+    while let Some(&run) = runs.get(at) {
+        let is_decimal = reading == Reading::Decimals
+            && run[0].is_ascii_digit()
+            && is_point(Some(at + 1))
+            && !is_point(at.checked_sub(1))
+            && !is_point(Some(at + 3));
+        match runs.get(at + 2) {
+            Some(fraction) if is_decimal => {
+                pieces.push(Piece::number(run, fraction));
+                at += 3;
+                continue;
+            }
+            _ if run[0].is_ascii_digit() => pieces.push(Piece::number(run, &[])),
+            _ => pieces.push(Piece::Text(run)),
+        }
+        at += 1;
+    }
+    pieces
+}
+
+/// The numbers of files whose names differ in one number only.
+fn row(files: &[PathBuf]) -> Option<Vec<Piece<'_>>> {
+    let files: Vec<_> = files.iter().map(|file| pieces(Reading::Decimals, file)).collect();
+    let first = files.first()?;
+    let mut place = None;
+    for file in &files {
+        if file.len() != first.len() {
+            return None;
+        }
+        for (at, (a, b)) in first.iter().zip(file).enumerate() {
+            if a != b && *place.get_or_insert(at) != at {
+                return None;
+            }
+        }
+    }
+    let place = place?;
+    let numbers: Vec<_> = files.into_iter().map(|file| file[place]).collect();
+    let are_numbers = numbers.iter().all(|piece| matches!(piece, Piece::Number(..)));
+    are_numbers.then_some(numbers)
+}
+
+/// The gaps in increasing numbers.
+fn gaps(numbers: &[u64]) -> Vec<Missing> {
+    let pairs = || numbers.windows(2).map(|pair| (pair[0], pair[1]));
+    let stride = pairs().fold(0, |stride, (a, b)| greatest_common_divisor(stride, b - a));
+    let wide = pairs().filter(|(a, b)| b - a > stride);
+    wide.map(|(a, b)| Missing {
+        first: a + stride,
+        last: b - stride,
+        stride,
+    })
+    .collect()
+}
+
+fn greatest_common_divisor(a: u64, b: u64) -> u64 {
+    if b == 0 {
+        a
+    } else {
+        greatest_common_divisor(b, a % b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn order(names: &[&str]) -> FrameOrder {
+        FrameOrder::of(names.iter().map(PathBuf::from).collect())
+    }
+
+    #[test]
+    fn names_are_ordered_by_the_numbers_in_them() {
+        let ordered = [
+            "2.ply",
+            "10.ply",
+            "a1b2.ply",
+            "a1b10.ply",
+            "a02.ply",
+            "a2.ply",
+            "a10.ply",
+            "a.ply",
+            "b0.ply",
+        ];
+        let mut names = ordered;
+        names.reverse();
+        assert_eq!(order(&names).files, ordered.map(PathBuf::from));
+        assert!(order(&names).is_changed && !order(&ordered).is_changed);
+    }
+
+    #[test]
+    fn missing_numbers_follow_from_the_common_step() {
+        let missing = |names: &[&str]| {
+            let missing = order(names).missing;
+            missing.iter().map(Missing::to_string).collect::<Vec<_>>()
+        };
+        assert_eq!(
+            missing(&["f08.ply", "f10.ply", "f11.ply", "f15.ply"]),
+            ["9", "12 to 14"]
+        );
+        assert_eq!(
+            missing(&["f0.ply", "f10.ply", "f50.ply", "f70.ply"]),
+            ["20 to 40 in steps of 10", "60"]
+        );
+        for complete in [
+            &["f1.ply", "f2.ply", "f3.ply"][..],
+            &["f0.ply", "f5.ply"],
+            &["f1.ply"],
+            &[],
+        ] {
+            assert!(missing(complete).is_empty(), "{complete:?}");
+        }
+        // Names that differ in text, in two numbers, or not at all are not a row.
+        for other in [
+            ["a1.ply", "b9.ply"],
+            ["a1b1.ply", "a9b9.ply"],
+            ["a1.ply", "a1.ply"],
+        ] {
+            assert!(missing(&other).is_empty(), "{other:?}");
+        }
+        assert!(missing(&["f1.ply", "f99999999999999999999.ply"]).is_empty());
+        assert!(missing(&["t0.25.ply", "t0.50.ply", "t1.00.ply"]).is_empty());
+    }
+
+    #[test]
+    fn a_point_between_digits_is_that_of_a_decimal() {
+        let ordered = ["t0.05.ply", "t0.25.ply", "t0.50.ply", "t1.00.ply", "t10.00.ply"];
+        let mut names = ordered;
+        names.reverse();
+        let order = FrameOrder::of_row(names.map(PathBuf::from).to_vec());
+        assert_eq!(order.files, ordered.map(PathBuf::from));
+        assert!(order.is_changed && order.uncertain.is_none());
+        // A date is not a decimal.
+        let dates = ["2026.9.30.ply", "2026.11.2.ply"];
+        assert_eq!(self::order(&dates).files, dates.map(PathBuf::from));
+    }
+
+    #[test]
+    fn an_order_that_depends_on_the_meaning_of_a_point_is_uncertain() {
+        for [first, second] in [["t0.25.ply", "t0.5.ply"], ["v2.10.ply", "v2.9.ply"]] {
+            for given in [[first, second], [second, first]] {
+                let order = FrameOrder::of_row(given.map(PathBuf::from).to_vec());
+                assert_eq!(order.uncertain, Some([first, second].map(PathBuf::from)));
+            }
+        }
+        for certain in [
+            ["v2.0009.ply", "v2.0010.ply"],
+            ["t0.5.ply", "t1.25.ply"],
+            ["f1.ply", "f1.5.ply"],
+            ["f9.ply", "f10.ply"],
+        ] {
+            assert_eq!(order(&certain).uncertain, None, "{certain:?}");
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! Meshes at rest: the places where a mesh passes through itself, and the check that it does not where a step
+//! begins.
+
+mod intersections;
+mod start_check;
+
+pub use intersections::{
+    Intersection, IntersectionsError, crossings, crossings_by, intersections, intersections_among,
+    intersections_by,
+};
+
+pub(crate) use start_check::StartCheck;

@@ -1,0 +1,117 @@
+//! Axis-aligned boxes around moving points.
+
+use exact_ccd::Point;
+
+/// A closed axis-aligned box.
+///
+/// Boxes of points and their unions are made by comparisons alone: no coordinate is rounded. A
+/// point that moves in a straight line stays in the box of its two ends, and an edge or a face in
+/// the union of its vertices' boxes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aabb {
+    /// The least coordinates.
+    pub lower: Point,
+    /// The greatest coordinates.
+    pub upper: Point,
+}
+
+impl Aabb {
+    /// The empty box: the neutral element of [`union`](Self::union).
+    pub const EMPTY: Self = Self {
+        lower: [f64::INFINITY; 3],
+        upper: [f64::NEG_INFINITY; 3],
+    };
+
+    /// The box of one point.
+    #[must_use]
+    pub fn of(point: Point) -> Self {
+        Self {
+            lower: point,
+            upper: point,
+        }
+    }
+
+    /// The smallest box around two boxes.
+    #[must_use]
+    pub fn union(&self, other: &Self) -> Self {
+        // Not f64::min and max: their handling of NaN costs time, and there is no NaN here.
+        let lesser = |a: f64, b: f64| if b < a { b } else { a };
+        let greater = |a: f64, b: f64| if b > a { b } else { a };
+        Self {
+            lower: core::array::from_fn(|axis| lesser(self.lower[axis], other.lower[axis])),
+            upper: core::array::from_fn(|axis| greater(self.upper[axis], other.upper[axis])),
+        }
+    }
+
+    /// Returns true if a point is in the box.
+    #[must_use]
+    pub fn contains(&self, point: &Point) -> bool {
+        (0..3).all(|axis| (self.lower[axis]..=self.upper[axis]).contains(&point[axis]))
+    }
+
+    /// The center, rounded. NaN for an empty box.
+    #[must_use]
+    pub fn center(&self) -> Point {
+        core::array::from_fn(|axis| 0.5 * (self.lower[axis] + self.upper[axis]))
+    }
+
+    /// The lengths of the sides, rounded.
+    #[must_use]
+    pub fn sides(&self) -> Point {
+        core::array::from_fn(|axis| self.upper[axis] - self.lower[axis])
+    }
+
+    /// Returns true if the boxes have a common point. Boxes that touch have one.
+    #[must_use]
+    #[inline]
+    pub fn overlaps(&self, other: &Self) -> bool {
+        meet(&[*self], &[*other])
+    }
+
+    /// The box with each side moved outwards by at least `margin`, which is not negative; the same
+    /// box for 0.
+    ///
+    /// fl(x − m) may lie above x − m, by less than one unit in the last place in any direction of
+    /// rounding; the next f64 below it does not. Where subnormal numbers are flushed to zero, x, m and the
+    /// result are each off by less than 2⁻¹⁰²²; 2⁻¹⁰²⁰ covers that. So the result contains every point within
+    /// `margin`, along each axis, of a point of the box, in any floating-point environment.
+    #[must_use]
+    #[inline]
+    pub fn inflated(&self, margin: f64) -> Self {
+        const FLUSHED: f64 = 4.0 * f64::MIN_POSITIVE;
+        // By its bits: a comparison may read a subnormal number as zero.
+        if margin.to_bits() == 0 {
+            return *self;
+        }
+        Self {
+            lower: self.lower.map(|x| (x - margin).next_down() - FLUSHED),
+            upper: self.upper.map(|x| (x + margin).next_up() + FLUSHED),
+        }
+    }
+}
+
+/// Returns true unless an axis separates two boxes at all of T times, in the same order at each.
+///
+/// For T = 2 and boxes whose sides move at constant speed, two boxes that are separated at both
+/// ends are separated at all times in between, because the gap is linear in time.
+#[inline]
+pub(crate) fn meet<const T: usize>(a: &[Aabb; T], b: &[Aabb; T]) -> bool {
+    // Without short circuit: the comparisons cost less than a branch that is hard to predict.
+    let is_before = |p: &[Aabb; T], q: &[Aabb; T], axis: usize| {
+        (0..T).fold(true, |all, time| {
+            all & (p[time].upper[axis] < q[time].lower[axis])
+        })
+    };
+    (0..3).fold(true, |all, axis| {
+        all & !is_before(a, b, axis) & !is_before(b, a, axis)
+    })
+}
+
+/// The smallest box around some points.
+impl FromIterator<Point> for Aabb {
+    fn from_iter<T: IntoIterator<Item = Point>>(points: T) -> Self {
+        points
+            .into_iter()
+            .fold(Self::EMPTY, |aabb, point| aabb.union(&Self::of(point)))
+    }
+}

@@ -1,0 +1,105 @@
+//! Half spaces: grounds and walls without a mesh.
+
+mod first_contact;
+mod side;
+
+use exact_ccd::Point;
+
+/// A half space that no vertex enters: all x with n · (x − p) ≤ 0, for a point p of its boundary and the
+/// normal n of the boundary, which points outward.
+///
+/// The boundary is exactly the plane of these floating-point numbers. Contact with it is decided exactly
+/// ([`HalfSpace::is_apart`]).
+///
+/// ```
+/// use exact_ccd_mesh::HalfSpace;
+///
+/// let ground = HalfSpace::new([0.0, 0.0, 0.1], [0.0, 0.0, 3.0]);
+/// assert!(ground.is_apart([0.0, 0.0, 0.1_f64.next_up()], 0.0));
+/// assert!(!ground.is_apart([0.0, 0.0, 0.1], 0.0));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct HalfSpace {
+    /// Its name, which several half spaces may share. Empty for no name.
+    pub name: String,
+    /// A point of the boundary.
+    pub point: Point,
+    /// The normal of the boundary, of any length.
+    pub normal: Point,
+}
+
+/// A half space with a point that is not finite, or without a normal.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("the half space {half_space} has the {what} {value:?}, expected {expected}")]
+pub struct HalfSpaceError {
+    /// The number of the half space, from 0.
+    pub half_space: usize,
+    /// `point` or `normal`.
+    pub what: &'static str,
+    /// Its value.
+    pub value: Point,
+    /// The values that are allowed.
+    pub expected: &'static str,
+}
+
+impl HalfSpace {
+    /// The half space with a point of its boundary and the normal of the boundary, without a name.
+    #[must_use]
+    pub const fn new(point: Point, normal: Point) -> Self {
+        let name = String::new();
+        Self { name, point, normal }
+    }
+
+    /// The same half space with another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        let name = name.into();
+        Self { name, ..self }
+    }
+
+    /// Checks that the point is finite and that the normal has a direction.
+    ///
+    /// # Errors
+    /// [`HalfSpaceError`] has the number `half_space`.
+    pub fn check(&self, half_space: usize) -> Result<(), HalfSpaceError> {
+        let Self { point, normal, .. } = *self;
+        let error = |what, value, expected| HalfSpaceError {
+            half_space,
+            what,
+            value,
+            expected,
+        };
+        if !point.iter().all(|x| x.is_finite()) {
+            return Err(error("point", point, "finite numbers"));
+        }
+        if !dot(normal, normal).is_normal() {
+            return Err(error(
+                "normal",
+                normal,
+                "a vector whose squared length is a normal number",
+            ));
+        }
+        Ok(())
+    }
+
+    /// The normal divided by its length, in floating point.
+    #[must_use]
+    pub fn unit_normal(&self) -> Point {
+        let length = dot(self.normal, self.normal).sqrt();
+        self.normal.map(|x| x / length)
+    }
+
+    /// True if a point is farther than `offset` ≥ 0 from the half space: n · (x − p) > `offset` |n|, exactly,
+    /// for the numbers as they are. False if a coordinate is not finite.
+    ///
+    /// A vertex in linear motion has n · (x − p) linear in time, hence at least its lesser value at both
+    /// ends: the vertex stays apart in the whole step if and only if it is apart at both ends.
+    #[must_use]
+    pub fn is_apart(&self, x: Point, offset: f64) -> bool {
+        side::is_beyond(self.normal, self.point, x, offset)
+    }
+}
+
+fn dot(a: Point, b: Point) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}

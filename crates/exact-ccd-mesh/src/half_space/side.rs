@@ -1,0 +1,135 @@
+//! The side of a plane, exactly.
+
+use dashu_int::IBig;
+use exact_ccd::{Point, environment};
+
+/// True if n · (x − p) > `offset` |n|, exactly, for `offset` ≥ 0. False if a number is not finite.
+pub(super) fn is_beyond(normal: Point, point: Point, x: Point, offset: f64) -> bool {
+    let numbers = normal.iter().chain(&point).chain(&x).chain([&offset]);
+    if !numbers.into_iter().all(|number| number.is_finite()) {
+        return false;
+    }
+    in_floating_point(normal, point, x, offset).unwrap_or_else(|| in_integers(normal, point, x, offset))
+}
+
+/// The filter, which needs the default [`environment`]. With the unit roundoff u, each of the three
+/// products nᵢ (xᵢ − pᵢ) has two rounding errors and takes part in two sums, so that the error of their sum
+/// s is at most γ₄ S, where S is the sum of the absolute values of the exact products and γ₄ = 4u / (1 −
+/// 4u) (N. Higham, *Accuracy and Stability of Numerical Algorithms*, 2002, section 3.1). The computed S is
+/// at least (1 − u)⁴ S. The squares of |n| have one rounding error each and two sums, of positive terms,
+/// underflow adds at most 3u to their normal sum, the square root halves this and adds one error, and so
+/// does the product by the offset: less than 6u in all, relative to the result r. The difference s − r has
+/// another error, of u |s − r|. So the sign of s − r is right if |s − r| > 8u (S + r), up to underflow of
+/// the four other products, which adds at most 2⁻¹⁰⁷⁵ each: `MIN_POSITIVE` = 2⁻¹⁰²² covers that. Overflow
+/// gives an infinite bound or NaN, which prove nothing.
+fn in_floating_point(normal: Point, point: Point, x: Point, offset: f64) -> Option<bool> {
+    let product = |axis: usize| normal[axis] * (x[axis] - point[axis]);
+    let products = [product(0), product(1), product(2)];
+    let sum = products[0] + products[1] + products[2];
+    let size = products[0].abs() + products[1].abs() + products[2].abs();
+    let squared = normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2];
+    let least = offset * squared.sqrt();
+    let bound = 4.0 * f64::EPSILON * (size + least) + f64::MIN_POSITIVE;
+    let excess = sum - least;
+    // Comparisons with NaN and with an infinite bound are false.
+    (environment::is_default() && squared.is_normal() && excess.abs() > bound).then_some(excess > 0.0)
+}
+
+/// The definition: s = n · (x − p) is positive, and s² > `offset`² |n|².
+fn in_integers(normal: Point, point: Point, x: Point, offset: f64) -> bool {
+    let [normal, point, x] = [normal, point, x].map(|numbers| numbers.map(integer));
+    let sum: IBig = (0..3).map(|axis| &normal[axis] * (&x[axis] - &point[axis])).sum();
+    if sum <= IBig::ZERO {
+        return false;
+    }
+    let squared: IBig = normal.iter().map(|n| n * n).sum();
+    let offset = integer(offset);
+    &sum * &sum > &offset * &offset * squared
+}
+
+/// The number times 2¹⁰⁷⁴, which is an integer for every finite f64.
+pub(super) fn integer(number: f64) -> IBig {
+    let bits = number.to_bits();
+    let fraction = bits & ((1 << 52) - 1);
+    let exponent = (bits >> 52 & 0x7ff) as usize;
+    let (mantissa, shift) = if exponent == 0 {
+        (fraction, 0)
+    } else {
+        (fraction | 1 << 52, exponent - 1)
+    };
+    let magnitude = IBig::from(mantissa) << shift;
+    if number.is_sign_negative() {
+        -magnitude
+    } else {
+        magnitude
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The filter and the definition agree on numbers of any magnitude, near the plane too.
+    #[test]
+    fn the_filter_agrees_with_the_definition() {
+        let mut random = fastrand::Rng::with_seed(18);
+        let (mut decided, mut left) = (0, 0);
+        for case in 0..20_000 {
+            let mut number = || {
+                let exponent = match case % 4 {
+                    0 => random.i32(-1074..1023),
+                    1 => random.i32(-530..-500),
+                    _ => random.i32(-3..3),
+                };
+                (2.0 * random.f64() - 1.0) * 2.0_f64.powi(exponent)
+            };
+            let normal = [number(), number(), number()];
+            let point = [number(), number(), number()];
+            let mut x = [number(), number(), number()];
+            let mut offset = if case % 3 == 0 { number().abs() } else { 0.0 };
+            if case % 4 > 1 {
+                // Near the boundary: the last coordinate solves the equation, up to some units of rounding.
+                let length = (normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]).sqrt();
+                let rest = (0..2)
+                    .map(|axis| normal[axis] * (x[axis] - point[axis]))
+                    .sum::<f64>();
+                x[2] = point[2] + (offset * length - rest) / normal[2];
+                (0..random.u32(0..40)).for_each(|_| x[2] = x[2].next_up());
+                offset = if offset > 0.0 { offset.next_up() } else { 0.0 };
+            }
+            if normal
+                .iter()
+                .chain(&point)
+                .chain(&x)
+                .all(|number| number.is_finite())
+            {
+                let exact = in_integers(normal, point, x, offset);
+                match in_floating_point(normal, point, x, offset) {
+                    Some(found) => {
+                        decided += 1;
+                        assert_eq!(found, exact, "{normal:?} {point:?} {x:?} {offset}");
+                    }
+                    None => left += 1,
+                }
+            }
+        }
+        assert!(decided > 9000 && left > 3000, "{decided} {left}");
+    }
+
+    /// A point of the boundary is not beyond it, the next number is.
+    #[test]
+    fn the_boundary_is_exact() {
+        let ground =
+            |height: f64, offset| is_beyond([0.0, 3.0, 0.0], [7.0, 0.1, 0.0], [1e9, height, 0.3], offset);
+        assert!(!ground(0.1, 0.0) && ground(0.1_f64.next_up(), 0.0) && !ground(f64::NAN, 0.0));
+        // 0.1 + 0.25 is not an f64: its neighbours are on different sides.
+        let sum: f64 = 0.1 + 0.25;
+        let sides = [sum.next_down(), sum, sum.next_up()].map(|height| ground(height, 0.25));
+        assert!(!sides[0] && sides[2], "{sides:?}");
+        // The square of the smallest positive number is not a number, and still counts.
+        let tiny = f64::from_bits(1);
+        assert!(is_beyond([tiny, 0.0, 0.0], [0.0; 3], [tiny, 0.0, 0.0], 0.0));
+        assert!(!is_beyond([tiny, 0.0, 0.0], [0.0; 3], [tiny, 0.0, 0.0], tiny));
+        assert!(is_beyond([1e300, 1e300, 0.0], [-1e308; 3], [1e308; 3], 1e308));
+    }
+}

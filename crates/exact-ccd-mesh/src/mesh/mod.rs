@@ -1,0 +1,17 @@
+//! Meshes at one time: connectivity and positions, of triangles with rods and points, and of tetrahedra.
+
+mod boundary;
+mod connectivity;
+mod frame;
+mod positions;
+mod tet_error;
+mod tet_mesh;
+
+pub use boundary::TetFaces;
+pub use connectivity::{MeshError, TriangleMesh};
+pub use frame::{Frame, FrameError};
+pub use positions::{PositionsError, check_positions};
+pub use tet_error::TetMeshError;
+pub use tet_mesh::TetMesh;
+
+pub(crate) use connectivity::sides;

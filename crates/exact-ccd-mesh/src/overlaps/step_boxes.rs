@@ -1,0 +1,286 @@
+//! The boxes of a mesh's primitives during a step.
+
+use std::collections::HashSet;
+use std::ops::ControlFlow;
+
+use exact_ccd::Point;
+use rayon::prelude::*;
+
+use super::margin::Margin;
+use crate::broad_phase::{Aabb, Boxes, BroadPhase, MovingBox, PairSink, extent, order};
+use crate::mesh::{TriangleMesh, sides};
+use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
+use crate::steps::Step;
+
+/// The boxes of the primitives in successive steps of one mesh: boxes that move (T = 2), or boxes at
+/// rest, each around the whole path of a primitive (T = 1).
+///
+/// All boxes are in the order of the vertices along a space-filling curve: a face and an edge come
+/// where the first of their vertices does. The order is kept from step to step until it has become
+/// too long.
+#[derive(Clone, Debug)]
+pub(crate) struct StepBoxes<const T: usize> {
+    /// The boxes of each [`PrimitiveSet`].
+    sets: [Boxes<T>; PrimitiveSet::COUNT],
+    /// The other ends of the edges of each vertex, if there are loose edges.
+    other_ends: OtherEnds,
+    /// The boxes of the vertices, in the order of the mesh.
+    moving: Vec<MovingBox<T>>,
+    /// The amounts by which boxes are larger on each side.
+    margin: Margin,
+    /// Those of the vertices, if they differ.
+    margins: Vec<f64>,
+    /// The start of a vertex amid many others: coordinates are relative to it, so that single
+    /// precision is fine.
+    origin: Point,
+    /// The time until which the boxes of `moving` hold, or NaN.
+    time: f64,
+    /// True if the boxes are those of the current step.
+    has_begun: bool,
+    /// The number of vertices of the mesh for which the order was made, if it was made.
+    ordered: Option<usize>,
+    /// The shortest extent of the order since it was made.
+    extent: f64,
+}
+
+/// Vertices are ordered anew when the extent of their order has grown by this factor.
+const MAX_GROWTH: f64 = 1.5;
+
+impl<const T: usize> StepBoxes<T> {
+    /// No boxes yet.
+    pub(crate) fn new(margin: Margin) -> Self {
+        Self {
+            sets: [(); PrimitiveSet::COUNT].map(|()| Boxes::in_order(Vec::new())),
+            other_ends: OtherEnds::default(),
+            moving: Vec::new(),
+            margin,
+            margins: Vec::new(),
+            origin: [0.0; 3],
+            time: f64::NAN,
+            has_begun: false,
+            ordered: None,
+            extent: 0.0,
+        }
+    }
+
+    /// Ends the current step. The next one is of the same mesh, with the same predicate.
+    pub(crate) fn end(&mut self) {
+        self.has_begun = false;
+    }
+
+    /// Orders the primitives for a new step, if it has not begun; places no boxes.
+    fn begin(&mut self, step: &Step<'_>, can_collide: &CanCollide) {
+        if self.has_begun {
+            return;
+        }
+        let [x0, _] = step.positions();
+        (self.has_begun, self.time) = (true, f64::NAN);
+        let now = extent(x0, self.get(PrimitiveSet::Vertices).ids());
+        if self.ordered != Some(x0.len()) || now > MAX_GROWTH * self.extent {
+            self.order(step.mesh(), x0, can_collide);
+        } else {
+            self.extent = self.extent.min(now);
+        }
+        // A vertex in the middle of the order is amid many others, even if some vertices are far
+        // away.
+        let ids = self.get(PrimitiveSet::Vertices).ids();
+        let middle = ids.get(ids.len() / 2);
+        self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
+    }
+
+    fn order(&mut self, mesh: &TriangleMesh, x0: &[Point], can_collide: &CanCollide) {
+        let ids = (0..x0.len() as u32).filter(|&vertex| can_collide.takes_part(&[vertex]));
+        let vertices = order(x0, ids.collect());
+        self.extent = extent(x0, &vertices);
+        let mut rank = vec![0; x0.len()];
+        for (place, &id) in (0..).zip(&vertices) {
+            rank[id as usize] = place;
+        }
+        let faces = by_first_vertex(&rank, mesh.faces(), can_collide);
+        let edges = by_first_vertex(&rank, mesh.edges(), can_collide);
+
+        let other_ends = OtherEnds::new(mesh, &edges);
+        let mut loose_vertices = vertices.clone();
+        loose_vertices.retain(|&vertex| other_ends.is_loose(vertex));
+        let loose_edges = loose_edges(mesh, &edges, can_collide);
+        let mut ends = Vec::new();
+        if !loose_edges.is_empty() {
+            ends.clone_from(&vertices);
+            ends.retain(|&vertex| other_ends.is_end(mesh, vertex));
+            self.other_ends = other_ends;
+        }
+
+        // In the order of `PrimitiveSet`.
+        self.sets = [vertices, faces, edges, loose_vertices, ends, loose_edges].map(Boxes::in_order);
+        if self.margin.uniform().is_none() {
+            self.margins = self.margin.largest(mesh);
+        }
+        self.ordered = Some(x0.len());
+    }
+
+    pub(crate) fn get(&self, set: PrimitiveSet) -> &Boxes<T> {
+        &self.sets[set as usize]
+    }
+
+    /// Places the boxes of all primitives of a kind of pairs for the step until `time`.
+    pub(crate) fn place<K: Searched>(&mut self, step: &Step<'_>, can_collide: &CanCollide, time: f64) {
+        self.begin(step, can_collide);
+        let [first, second] = K::SETS;
+        self.move_vertices(step, time);
+        self.place_set(step.mesh(), first);
+        if second != first {
+            self.place_set(step.mesh(), second);
+        }
+    }
+
+    fn place_set(&mut self, mesh: &TriangleMesh, set: PrimitiveSet) {
+        let (moving, boxes) = (&self.moving, &mut self.sets[set as usize]);
+        match set {
+            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => {
+                boxes.set(|id| moving[id as usize]);
+            }
+            PrimitiveSet::Faces => boxes.set(|id| around(moving, &mesh.faces()[id as usize])),
+            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => {
+                boxes.set(|id| around(moving, &mesh.edges()[id as usize]));
+            }
+        }
+    }
+
+    /// Returns true if the current step has begun, and its mesh has no pairs of a kind.
+    pub(crate) fn lacks<K: Searched>(&self) -> bool {
+        self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
+    }
+
+    /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there is a stride.
+    pub(crate) fn pairs<K: Searched>(
+        &self,
+        mesh: &TriangleMesh,
+        broad_phase: &impl BroadPhase,
+        sample: Option<usize>,
+        sink: &PairSink<'_>,
+    ) -> ControlFlow<()> {
+        let is_covered = |&ids: &[u32; 2]| {
+            K::vertices(mesh, ids).is_none_or(|vertices| K::is_covered(&self.other_ends, &vertices))
+        };
+        let uncovered = |pairs: &[[u32; 2]]| {
+            let pairs: Vec<_> = pairs.iter().copied().filter(|ids| !is_covered(ids)).collect();
+            sink(&pairs)
+        };
+        let sink: &PairSink<'_> = if K::SOME_ARE_COVERED { &uncovered } else { sink };
+        let [first, second] = K::SETS;
+        match sample {
+            Some(stride) => broad_phase.between(&self.get(first).sample(stride), self.get(second), sink),
+            None if first == second => broad_phase.within(self.get(first), sink),
+            None => broad_phase.between(self.get(first), self.get(second), sink),
+        }
+    }
+
+    fn move_vertices(&mut self, step: &Step<'_>, time: f64) {
+        if self.time == time {
+            return;
+        }
+        self.time = time;
+        let [x0, x1] = step.positions();
+        let origin = self.origin;
+        let ends = x0.par_iter().zip(x1).with_min_len(512);
+        let moving = &mut self.moving;
+        let inflated = |margin: f64, x0: Point, x1: Point| {
+            let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
+            MovingBox::new(places, origin)
+        };
+        // Copies of the loop: the usual one does not inflate.
+        match self.margin.uniform() {
+            Some(0.0) => ends
+                .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+                .collect_into_vec(moving),
+            Some(margin) => ends
+                .map(|(&x0, &x1)| inflated(margin, x0, x1))
+                .collect_into_vec(moving),
+            None => ends
+                .zip(&self.margins)
+                .map(|((&x0, &x1), &margin)| inflated(margin, x0, x1))
+                .collect_into_vec(moving),
+        }
+    }
+}
+
+/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T =
+/// 1).
+///
+/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products
+/// that may underflow; no value between x₀ and x₁ overflows. Rounded in any direction, it is off by at most
+/// 3 ε (|x₀| + |x₁|), and the bound itself and the sides by another ε. Where subnormal numbers are flushed
+/// to zero, each of the six operands and results is off by less than 2⁻¹⁰²².
+fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
+    let mut end = Aabb::EMPTY;
+    for axis in 0..3 {
+        let (a, b) = (x0[axis], x1[axis]);
+        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
+        let near = ((1.0 - time) * a + time * b).clamp(lower, upper);
+        let error = 8.0 * f64::EPSILON * a.abs() + 8.0 * f64::EPSILON * b.abs() + 8.0 * f64::MIN_POSITIVE;
+        end.lower[axis] = near - error;
+        end.upper[axis] = near + error;
+    }
+    let start = Aabb::of(x0);
+    match T {
+        1 => [start.union(&end); T],
+        _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
+    }
+}
+
+#[inline(always)]
+fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u32; N]) -> MovingBox<T> {
+    vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
+        all.union(&boxes[vertex as usize])
+    })
+}
+
+/// Those of the edges that belong to no face that takes part.
+fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
+    let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
+    let left_out = mesh.faces().iter().filter(|face| !takes_part(face));
+    // Only edges of faces that are left out may lack a face.
+    let mut lacking: HashSet<[u32; 2]> = left_out.flat_map(sides).collect();
+    if !lacking.is_empty() {
+        for side in mesh.faces().iter().filter(takes_part).flat_map(sides) {
+            lacking.remove(&side);
+        }
+    }
+    let first_loose = mesh.edges().len() - mesh.loose_edges().len();
+    let mut loose = edges.to_vec();
+    loose.retain(|&edge| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]));
+    loose
+}
+
+/// The indices of the primitives that take part, in the order of the ranks of their first vertices.
+fn by_first_vertex<const N: usize>(
+    rank: &[u32],
+    primitives: &[[u32; N]],
+    can_collide: &CanCollide,
+) -> Vec<u32> {
+    let first = |vertices: &[u32; N]| vertices.iter().map(|&v| rank[v as usize]).min().unwrap_or(0);
+    let taking_part = || {
+        (0..)
+            .zip(primitives)
+            .filter(|(_, vertices)| can_collide.takes_part(*vertices))
+    };
+    // A counting sort: `begin` has the first place of each rank.
+    let mut begin = vec![0u32; rank.len() + 1];
+    let mut sum = 0;
+    for (_, vertices) in taking_part() {
+        begin[first(vertices) as usize + 1] += 1;
+        sum += 1;
+    }
+    let mut ids = vec![0; sum];
+    let mut sum = 0;
+    for count in &mut begin {
+        sum += *count;
+        *count = sum;
+    }
+    for (id, vertices) in taking_part() {
+        let place = &mut begin[first(vertices) as usize];
+        ids[*place as usize] = id;
+        *place += 1;
+    }
+    ids
+}

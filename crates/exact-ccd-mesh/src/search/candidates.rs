@@ -1,0 +1,275 @@
+//! The pairs of primitives that come near each other in a step.
+
+use std::ops::ControlFlow;
+
+use exact_ccd::{Ccd, EdgeEdge, TimeOutOfStep, VertexEdge, VertexFace, VertexVertex};
+use rayon::prelude::*;
+
+use super::collect::{AnyContact, Collect, ContactsUntil, Earliest};
+use super::contact::Contact;
+use super::method;
+use super::narrow_phase::NarrowPhase;
+use crate::broad_phase::{BroadPhase, PairCollector};
+use crate::overlaps::{self, CandidateError, CandidateOptions, Receive};
+use crate::pairs::{ByKind, MinDistance, Pair, PairCounts, PairKind, Searched};
+use crate::steps::Step;
+
+/// Pairs of primitives that come near each other in a step, by their indices.
+///
+/// Pairs that share a vertex are never among them. The pairs of a step hold for every step of the
+/// same mesh from the same start to positions in between, such as [`Step::at`] returns: so one
+/// broad phase suffices for a whole line search.
+///
+/// The exact decisions are about contact, or about the [minimum
+/// distance](CandidateOptions::min_distance) of the options. Those of other methods are about contact.
+///
+/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+/// [`crossings`](crate::crossings) finds such edges.
+///
+/// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
+/// mesh does not have are no contacts.
+///
+/// ```
+/// use exact_ccd::Exact;
+/// use exact_ccd_mesh::{Bvh, Candidates, Step, TriangleMesh};
+///
+/// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
+/// let start = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 1.0]];
+/// let mut end = start;
+/// end[3][2] = -1.0;
+///
+/// let step = Step::new(&mesh, &start, &end)?;
+/// let candidates = Candidates::new(step, &Bvh);
+/// assert_eq!(candidates.vertex_face(), [[3, 0]]);
+/// assert_eq!(candidates.earliest_contact(step).map(|contact| contact.impact.time.lower()), Some(0.5));
+///
+/// let shorter = step.at(0.25);
+/// assert!(candidates.is_free(Step::new(&mesh, &start, &shorter)?));
+/// assert!(!candidates.is_free_by(step, &Exact));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Candidates {
+    pairs: ByKind<Vec<[u32; 2]>>,
+    min_distance: MinDistance,
+}
+
+/// The number of pairs that a thread examines exactly between two checks for the end of the search.
+const GRAIN: usize = 2048;
+
+impl Candidates {
+    /// All pairs whose boxes over the step overlap: all contacts of the step are among them.
+    #[must_use]
+    pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase) -> Self {
+        let candidates = Self::with_options(step, broad_phase, &CandidateOptions::default());
+        candidates.expect("the default distances are 0")
+    }
+
+    /// The candidates of a step, with options.
+    ///
+    /// # Errors
+    /// [`CandidateError`], if the distance is negative or not a number, or if the number of
+    /// thicknesses is not that of vertices.
+    pub fn with_options(
+        step: Step<'_>,
+        broad_phase: &impl BroadPhase,
+        options: &CandidateOptions,
+    ) -> Result<Self, CandidateError> {
+        let collectors = ByKind::<PairCollector>::default();
+        let _ = overlaps::stream(step, broad_phase, options, &collectors)?;
+        Ok(Self {
+            pairs: collectors.map(PairCollector::into_sorted),
+            min_distance: options.min_distance.clone(),
+        })
+    }
+
+    /// Passes the candidates of a step on as they are found, in batches, from any thread, without
+    /// storing them.
+    ///
+    /// The order of batches and of pairs in them may differ from run to run. Returns `Break` if the
+    /// sink did.
+    ///
+    /// # Errors
+    /// As [`with_options`](Self::with_options).
+    pub fn stream(
+        step: Step<'_>,
+        broad_phase: &impl BroadPhase,
+        options: &CandidateOptions,
+        sink: impl Fn(&[Pair]) -> ControlFlow<()> + Sync,
+    ) -> Result<ControlFlow<()>, CandidateError> {
+        overlaps::stream(step, broad_phase, options, &Sink(sink))
+    }
+
+    /// Pairs of a vertex and a face that it is no corner of, sorted.
+    #[must_use]
+    pub fn vertex_face(&self) -> &[[u32; 2]] {
+        &self.pairs.vertex_face
+    }
+
+    /// Pairs of two edges, the smaller index first, without a common vertex, sorted.
+    #[must_use]
+    pub fn edge_edge(&self) -> &[[u32; 2]] {
+        &self.pairs.edge_edge
+    }
+
+    /// Pairs of a vertex and a loose edge that no pair of edges covers, sorted: see [`Pair`].
+    #[must_use]
+    pub fn vertex_edge(&self) -> &[[u32; 2]] {
+        &self.pairs.vertex_edge
+    }
+
+    /// Pairs of two loose vertices, the smaller index first, sorted.
+    #[must_use]
+    pub fn vertex_vertex(&self) -> &[[u32; 2]] {
+        &self.pairs.vertex_vertex
+    }
+
+    /// All pairs, in their order.
+    pub fn pairs(&self) -> impl Iterator<Item = Pair> {
+        let faces = self.vertex_face().iter().copied().map(VertexFace::pair);
+        let edges = self.edge_edge().iter().copied().map(EdgeEdge::pair);
+        let loose = self.vertex_edge().iter().copied().map(VertexEdge::pair);
+        let points = self.vertex_vertex().iter().copied().map(VertexVertex::pair);
+        faces.chain(edges).chain(loose).chain(points)
+    }
+
+    /// The numbers of pairs of each kind.
+    #[must_use]
+    pub fn counts(&self) -> PairCounts {
+        self.pairs.as_ref().map(Vec::len)
+    }
+
+    /// Returns true if there are no pairs.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.counts().total() == 0
+    }
+
+    /// Returns true if none of the pairs touches in the step, exactly. Ends soon after the first
+    /// contact found.
+    #[must_use]
+    pub fn is_free(&self, step: Step<'_>) -> bool {
+        let contact = AnyContact::new(|_| true);
+        self.examine(step, &contact);
+        !contact.is_found()
+    }
+
+    /// The earliest contact of the pairs in the step, exactly, or `None` if the step is free of
+    /// contact.
+    #[must_use]
+    pub fn earliest_contact(&self, step: Step<'_>) -> Option<Contact> {
+        let earliest = Earliest::new();
+        let narrow_phase = self.examine(step, &earliest);
+        narrow_phase.contact(step.mesh(), earliest.pair()?)
+    }
+
+    /// All contacts of the pairs in the step, exactly, the earliest first.
+    #[must_use]
+    pub fn contacts(&self, step: Step<'_>) -> Vec<Contact> {
+        self.collect(step, ContactsUntil::all())
+    }
+
+    /// The contacts whose first time is not after `time`, exactly, the earliest first.
+    ///
+    /// # Errors
+    /// [`TimeOutOfStep`], if `time` is not in [0, 1].
+    pub fn contacts_until(&self, step: Step<'_>, time: f64) -> Result<Vec<Contact>, TimeOutOfStep> {
+        Ok(self.collect(step, ContactsUntil::new(time)?))
+    }
+
+    fn collect(&self, step: Step<'_>, contacts: ContactsUntil) -> Vec<Contact> {
+        self.examine(step, &contacts);
+        contacts.sorted()
+    }
+
+    /// Returns true if none of the pairs touches in the step, according to a method.
+    ///
+    /// This is about contact, whatever the minimum distance. A loose vertex is passed to the method
+    /// as an edge of length zero.
+    #[must_use]
+    pub fn is_free_by(&self, step: Step<'_>, method: &dyn Ccd) -> bool {
+        method::is_free(method, &self.pairs, &step)
+    }
+
+    /// The earliest time of impact of the pairs in the step, according to a method, or `None` if
+    /// the step is free of contact.
+    ///
+    /// It is in \[0, 1\]. A time of the method that is not a number counts as 0. As
+    /// [`is_free_by`](Self::is_free_by), this is about contact, whatever the minimum distance.
+    #[must_use]
+    pub fn earliest_time_by(&self, step: Step<'_>, method: &dyn Ccd) -> Option<f64> {
+        method::earliest_time(method, &self.pairs, &step)
+    }
+
+    /// Passes all pairs to a collector.
+    fn examine(&self, step: Step<'_>, collector: &impl Collect) -> NarrowPhase {
+        // All on threads of the pool: entering it from outside costs a context switch each time.
+        rayon::scope(|_| {
+            let min_distance = self.min_distance.clone().extended_to(step.mesh());
+            let narrow_phase = NarrowPhase::of(&step, min_distance);
+            let _ = self.examine_all(step, &narrow_phase, collector);
+            narrow_phase
+        })
+    }
+
+    fn examine_all(
+        &self,
+        step: Step<'_>,
+        narrow_phase: &NarrowPhase,
+        collector: &impl Collect,
+    ) -> ControlFlow<()> {
+        self.examine_kind::<VertexFace>(step, narrow_phase, collector)?;
+        self.examine_kind::<EdgeEdge>(step, narrow_phase, collector)?;
+        self.examine_kind::<VertexEdge>(step, narrow_phase, collector)?;
+        self.examine_kind::<VertexVertex>(step, narrow_phase, collector)
+    }
+
+    fn examine_kind<K: Searched>(
+        &self,
+        step: Step<'_>,
+        narrow_phase: &NarrowPhase,
+        collector: &impl Collect,
+    ) -> ControlFlow<()> {
+        let pairs = K::of(&self.pairs).par_chunks(GRAIN);
+        pairs.try_for_each(|pairs| collector.examine::<K>(narrow_phase, step.mesh(), pairs))
+    }
+}
+
+impl FromIterator<Pair> for Candidates {
+    fn from_iter<I: IntoIterator<Item = Pair>>(pairs: I) -> Self {
+        let mut lists = ByKind::<Vec<[u32; 2]>>::default();
+        for pair in pairs {
+            match pair {
+                Pair::VertexFace { vertex, face } => lists.vertex_face.push([vertex, face]),
+                Pair::EdgeEdge { a, b } => lists.edge_edge.push([a.min(b), a.max(b)]),
+                Pair::VertexEdge { vertex, edge } => lists.vertex_edge.push([vertex, edge]),
+                Pair::VertexVertex { a, b } => lists.vertex_vertex.push([a.min(b), a.max(b)]),
+            }
+        }
+        let sorted = |mut pairs: Vec<[u32; 2]>| {
+            pairs.par_sort_unstable();
+            pairs.dedup();
+            pairs
+        };
+        Self {
+            pairs: lists.map(sorted),
+            min_distance: MinDistance::default(),
+        }
+    }
+}
+
+impl Receive for ByKind<PairCollector> {
+    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
+        K::of(self).add(pairs)
+    }
+}
+
+/// A sink of candidates of all kinds.
+struct Sink<F>(F);
+
+impl<F: Fn(&[Pair]) -> ControlFlow<()> + Sync> Receive for Sink<F> {
+    fn receive<K: Searched>(&self, pairs: Vec<[u32; 2]>) -> ControlFlow<()> {
+        let pairs: Vec<Pair> = pairs.into_iter().map(K::pair).collect();
+        (self.0)(&pairs)
+    }
+}

@@ -1,0 +1,244 @@
+//! Collectors of the contacts among candidates.
+
+use std::ops::ControlFlow;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+use exact_ccd::{ContactTime, TimeOutOfStep};
+
+use super::contact::{Contact, earlier};
+use super::narrow_phase::NarrowPhase;
+use crate::mesh::TriangleMesh;
+use crate::pairs::{Pair, PairCounts, PairKind};
+
+/// A collector of contacts: receives batches of candidates in any order, on any thread.
+pub(crate) trait Collect: Sync {
+    /// True if contacts that are found early shorten the search, and if a pair may be examined
+    /// twice.
+    const PROFITS_FROM_SAMPLE: bool;
+
+    /// The time after which contacts are irrelevant.
+    fn until(&self) -> f64;
+
+    /// Examines candidates of one kind. `Break` ends the search.
+    fn examine<K: PairKind>(
+        &self,
+        narrow_phase: &NarrowPhase,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+    ) -> ControlFlow<()>;
+}
+
+/// The existence of a contact that counts.
+pub(crate) struct AnyContact<F> {
+    is_found: AtomicBool,
+    /// Evaluated for pairs in contact only.
+    counts: F,
+}
+
+impl<F: Fn(Pair) -> bool + Sync> AnyContact<F> {
+    pub(crate) fn new(counts: F) -> Self {
+        Self {
+            is_found: AtomicBool::new(false),
+            counts,
+        }
+    }
+
+    pub(crate) fn is_found(&self) -> bool {
+        self.is_found.load(Ordering::Relaxed)
+    }
+}
+
+impl<F: Fn(Pair) -> bool + Sync> Collect for AnyContact<F> {
+    const PROFITS_FROM_SAMPLE: bool = true;
+
+    fn until(&self) -> f64 {
+        1.0
+    }
+
+    fn examine<K: PairKind>(
+        &self,
+        narrow_phase: &NarrowPhase,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+    ) -> ControlFlow<()> {
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
+            if !self.is_found() && approach.contact().is_some() && (self.counts)(K::pair(ids)) {
+                self.is_found.store(true, Ordering::Relaxed);
+            }
+        });
+        if self.is_found() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+}
+
+/// The earliest contact that any thread has found.
+pub(crate) struct Earliest {
+    /// The bits of the least f64 that is not below its time. Written under the lock, so that it
+    /// never increases.
+    limit: AtomicU64,
+    contact: Mutex<Option<(ContactTime, Pair)>>,
+    /// The pairs that start within their distance, some of them twice, if they are to be counted. Their boxes
+    /// meet at t = 0, so that a search until any time examines all of them.
+    touching: Option<Mutex<Vec<Pair>>>,
+}
+
+impl Earliest {
+    pub(crate) fn new() -> Self {
+        Self {
+            limit: AtomicU64::new(1f64.to_bits()),
+            contact: Mutex::new(None),
+            touching: None,
+        }
+    }
+
+    /// The same, with the pairs that start within their distance.
+    pub(crate) fn with_touching() -> Self {
+        Self {
+            touching: Some(Mutex::default()),
+            ..Self::new()
+        }
+    }
+
+    /// The pair of the contact.
+    pub(crate) fn pair(&self) -> Option<Pair> {
+        let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
+        contact.map(|(_, pair)| pair)
+    }
+
+    /// The numbers of pairs that start within their distance.
+    pub(crate) fn touching(self) -> PairCounts {
+        let mut pairs = self.touching.map_or_else(Vec::new, |pairs| {
+            pairs.into_inner().unwrap_or_else(PoisonError::into_inner)
+        });
+        pairs.sort_unstable();
+        pairs.dedup();
+        PairCounts::of(&pairs)
+    }
+
+    /// The pair of a contact at t = 0. Only a lesser pair comes before it.
+    fn pair_at_start(&self) -> Option<Pair> {
+        if self.until() > 0.0 {
+            return None;
+        }
+        let contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
+        contact.filter(|(time, _)| time.is_start()).map(|(_, pair)| pair)
+    }
+
+    fn add(&self, time: ContactTime, pair: Pair) {
+        let mut contact = self.contact.lock().unwrap_or_else(PoisonError::into_inner);
+        *contact = earlier(*contact, Some((time, pair)));
+        if let Some((time, _)) = *contact {
+            self.limit.store(time.upper().to_bits(), Ordering::Relaxed);
+        }
+    }
+}
+
+impl Collect for Earliest {
+    const PROFITS_FROM_SAMPLE: bool = true;
+
+    fn until(&self) -> f64 {
+        f64::from_bits(self.limit.load(Ordering::Relaxed))
+    }
+
+    fn examine<K: PairKind>(
+        &self,
+        narrow_phase: &NarrowPhase,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+    ) -> ControlFlow<()> {
+        let mut touching = Vec::new();
+        let mut lesser = Vec::new();
+        let pairs = match self.pair_at_start() {
+            // The kinds are examined in the order of pairs.
+            Some(first) if self.touching.is_none() && K::pair([0; 2]) > first => {
+                return ControlFlow::Break(());
+            }
+            Some(first) if self.touching.is_none() => {
+                lesser.extend(pairs.iter().copied().filter(|&ids| K::pair(ids) < first));
+                &lesser
+            }
+            _ => pairs,
+        };
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
+            let times = approach.times();
+            if times.starts_within && self.touching.is_some() {
+                touching.push(K::pair(ids));
+            }
+            // Equal times count: then the lesser pair comes first.
+            if let Some(time) = times.contact
+                && time.lower() <= self.until()
+            {
+                self.add(time, K::pair(ids));
+            }
+        });
+        if let Some(all) = &self.touching
+            && !touching.is_empty()
+        {
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            all.append(&mut touching);
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// All contacts until a time.
+pub(crate) struct ContactsUntil {
+    time: f64,
+    contacts: Mutex<Vec<Contact>>,
+}
+
+impl ContactsUntil {
+    /// The contacts until a time of the step.
+    pub(crate) fn new(time: f64) -> Result<Self, TimeOutOfStep> {
+        TimeOutOfStep::check(time)?;
+        Ok(Self { time, ..Self::all() })
+    }
+
+    pub(crate) fn all() -> Self {
+        Self {
+            time: 1.0,
+            contacts: Mutex::default(),
+        }
+    }
+
+    /// The contacts in their order.
+    pub(crate) fn sorted(self) -> Vec<Contact> {
+        let mut contacts = self.contacts.into_inner().unwrap_or_else(PoisonError::into_inner);
+        contacts.sort_unstable_by(Contact::compare);
+        contacts
+    }
+}
+
+impl Collect for ContactsUntil {
+    const PROFITS_FROM_SAMPLE: bool = false;
+
+    fn until(&self) -> f64 {
+        self.time
+    }
+
+    fn examine<K: PairKind>(
+        &self,
+        narrow_phase: &NarrowPhase,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+    ) -> ControlFlow<()> {
+        let mut found = Vec::new();
+        narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
+            let Some(collision) = approach.contact() else {
+                return;
+            };
+            if collision.time().is_at_most(self.time) {
+                found.push(Contact::new(K::pair(ids), &collision));
+            }
+        });
+        if !found.is_empty() {
+            let mut contacts = self.contacts.lock().unwrap_or_else(PoisonError::into_inner);
+            contacts.append(&mut found);
+        }
+        ControlFlow::Continue(())
+    }
+}

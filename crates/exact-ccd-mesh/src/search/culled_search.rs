@@ -1,0 +1,201 @@
+//! A search that examines few candidates: contacts that are found cull the rest.
+
+use std::ops::ControlFlow;
+
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+
+use super::collect::{AnyContact, Collect, Earliest};
+use super::contact::Contact;
+use super::narrow_phase::NarrowPhase;
+use crate::broad_phase::BroadPhase;
+use crate::overlaps::{Margin, StepBoxes};
+use crate::pairs::{CanCollide, MinDistance, Pair, Searched};
+use crate::steps::Step;
+
+/// A search in successive steps of one mesh.
+#[derive(Clone, Debug)]
+pub(crate) struct CulledSearch<B> {
+    broad_phase: B,
+    memory: Memory,
+}
+
+/// The memory of earlier steps, for one predicate and one distance.
+#[derive(Clone, Debug)]
+struct Memory {
+    narrow_phase: NarrowPhase,
+    resting: StepBoxes<1>,
+    moving: StepBoxes<2>,
+}
+
+/// One block of primitives in this many is examined first: enough to find an early contact among
+/// many.
+const SAMPLE_STRIDE: usize = 64;
+
+/// Displacements below this fraction of the mean edge length count as short. The box around a short
+/// path is hardly larger than a box that moves along it, and its tests are cheaper.
+const SHORT_DISPLACEMENT: f64 = 0.25;
+
+/// Boxes are placed anew if the time until which contacts matter has shrunk to this fraction.
+const SHRUNK_TIME: f64 = 0.5;
+
+impl Memory {
+    /// No step yet.
+    fn new(can_collide: CanCollide, min_distance: MinDistance) -> Self {
+        let margin = Margin::new(min_distance.clone(), 0.0);
+        Self {
+            narrow_phase: NarrowPhase::new(can_collide, min_distance),
+            resting: StepBoxes::new(margin.clone()),
+            moving: StepBoxes::new(margin),
+        }
+    }
+}
+
+impl<B: BroadPhase> CulledSearch<B> {
+    /// A search among the pairs that can collide, for those that come within a distance.
+    pub(crate) fn new(broad_phase: B, can_collide: CanCollide, min_distance: MinDistance) -> Self {
+        Self {
+            broad_phase,
+            memory: Memory::new(can_collide, min_distance),
+        }
+    }
+
+    pub(crate) fn broad_phase(&self) -> &B {
+        &self.broad_phase
+    }
+
+    pub(crate) fn can_collide(&self) -> &CanCollide {
+        self.memory.narrow_phase.can_collide()
+    }
+
+    /// Replaces the pairs that can collide, without memory of earlier steps.
+    pub(crate) fn set_can_collide(&mut self, can_collide: CanCollide) {
+        let min_distance = self.memory.narrow_phase.min_distance().clone();
+        self.memory = Memory::new(can_collide, min_distance);
+    }
+
+    /// Replaces the distance, without memory of earlier steps.
+    pub(crate) fn set_min_distance(&mut self, min_distance: MinDistance) {
+        self.memory = Memory::new(self.can_collide().clone(), min_distance);
+    }
+
+    /// The earliest contact of a step of the mesh.
+    pub(crate) fn earliest_contact(&mut self, step: &Step<'_>) -> Option<Contact> {
+        let earliest = Earliest::new();
+        self.run(step, &earliest);
+        self.contact(step, earliest.pair()?)
+    }
+
+    /// The contact of a pair in the last step.
+    pub(crate) fn contact(&self, step: &Step<'_>, pair: Pair) -> Option<Contact> {
+        self.memory.narrow_phase.contact(step.mesh(), pair)
+    }
+
+    /// Returns true if a step of the mesh is free of contact of the pairs that count.
+    pub(crate) fn is_free(&mut self, step: &Step<'_>, counts: impl Fn(Pair) -> bool + Sync) -> bool {
+        let contact = AnyContact::new(counts);
+        self.run(step, &contact);
+        !contact.is_found()
+    }
+
+    /// Passes all candidates until the collector's time to the collector, possibly with others. The
+    /// search ends early if the collector breaks.
+    pub(crate) fn run(&mut self, step: &Step<'_>, collector: &impl Collect) {
+        let Self { broad_phase, memory } = self;
+        let Memory {
+            narrow_phase,
+            resting,
+            moving,
+        } = memory;
+        // All on threads of the pool: entering it from outside costs a context switch each time.
+        let _ = rayon::scope(|_| {
+            narrow_phase.begin(step);
+            resting.end();
+            moving.end();
+            let pass = Pass {
+                step,
+                broad_phase: &*broad_phase,
+                narrow_phase: &*narrow_phase,
+                collector,
+                short: time_of_short_displacements(step),
+            };
+            pass.examine::<VertexFace>(resting, moving)?;
+            pass.examine::<EdgeEdge>(resting, moving)?;
+            pass.examine::<VertexEdge>(resting, moving)?;
+            pass.examine::<VertexVertex>(resting, moving)
+        });
+    }
+}
+
+impl Step<'_> {
+    /// The earliest contact, or `None` if the step is free of contact. For many steps of one mesh,
+    /// a [`Detector`](crate::Detector) is faster.
+    ///
+    /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+    /// [`crossings`](crate::crossings) finds such edges.
+    #[must_use]
+    pub fn earliest_contact(&self, broad_phase: &impl BroadPhase) -> Option<Contact> {
+        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).earliest_contact(self)
+    }
+
+    /// Returns true if no two primitives touch during the step. For many steps of one mesh, a
+    /// [`Detector`](crate::Detector) is faster.
+    ///
+    /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
+    /// [`crossings`](crate::crossings) finds such edges.
+    #[must_use]
+    pub fn is_free(&self, broad_phase: &impl BroadPhase) -> bool {
+        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).is_free(self, |_| true)
+    }
+}
+
+/// The time until which all displacements are short.
+fn time_of_short_displacements(step: &Step<'_>) -> f64 {
+    let [x0, x1] = step.positions();
+    let length = |a: Point, b: Point| (0..3).fold(0.0, |most: f64, axis| most.max((a[axis] - b[axis]).abs()));
+    let longest = x0.iter().zip(x1).map(|(&a, &b)| length(a, b)).fold(0.0, f64::max);
+    let edges = step.mesh().edges().iter().step_by(SAMPLE_STRIDE);
+    let count = edges.len() as f64;
+    let sum: f64 = edges
+        .map(|edge| edge.map(|v| x0[v as usize]))
+        .map(|[a, b]| length(a, b))
+        .sum();
+    SHORT_DISPLACEMENT * sum / count / longest
+}
+
+/// One pass over the candidates of a step.
+struct Pass<'a, B, C> {
+    step: &'a Step<'a>,
+    broad_phase: &'a B,
+    narrow_phase: &'a NarrowPhase,
+    collector: &'a C,
+    /// The time until which all displacements are short.
+    short: f64,
+}
+
+impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
+    /// Examines the candidates of one kind, by the better boxes.
+    fn examine<K: Searched>(&self, resting: &mut StepBoxes<1>, moving: &mut StepBoxes<2>) -> ControlFlow<()> {
+        if resting.lacks::<K>() || moving.lacks::<K>() {
+            ControlFlow::Continue(())
+        } else if self.collector.until() < self.short {
+            self.examine_among::<K, 1>(resting)
+        } else {
+            self.examine_among::<K, 2>(moving)
+        }
+    }
+
+    fn examine_among<K: Searched, const T: usize>(&self, boxes: &mut StepBoxes<T>) -> ControlFlow<()> {
+        let can_collide = self.narrow_phase.can_collide();
+        let mesh = self.step.mesh();
+        let examine = |pairs: &[_]| self.collector.examine::<K>(self.narrow_phase, mesh, pairs);
+        let time = self.collector.until();
+        boxes.place::<K>(self.step, can_collide, time);
+        if C::PROFITS_FROM_SAMPLE {
+            boxes.pairs::<K>(mesh, self.broad_phase, Some(SAMPLE_STRIDE), &examine)?;
+            if self.collector.until() < SHRUNK_TIME * time {
+                boxes.place::<K>(self.step, can_collide, self.collector.until());
+            }
+        }
+        boxes.pairs::<K>(mesh, self.broad_phase, None, &examine)
+    }
+}

@@ -1,0 +1,23 @@
+//! The search for contacts: exact tests of pairs, among all candidates of a step, or in step after step with
+//! few tests.
+
+mod approach;
+mod candidates;
+mod collect;
+mod contact;
+mod contact_points;
+mod culled_search;
+mod detector;
+mod method;
+mod narrow_phase;
+mod report;
+
+pub use candidates::Candidates;
+pub use contact::Contact;
+pub use contact_points::contact_points;
+pub use detector::Detector;
+pub use report::{StepReport, step};
+
+pub(crate) use collect::{AnyContact, Collect, Earliest};
+pub(crate) use culled_search::CulledSearch;
+pub(crate) use narrow_phase::NarrowPhase;

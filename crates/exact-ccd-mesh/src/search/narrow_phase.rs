@@ -1,0 +1,143 @@
+//! The narrow phase: exact tests of candidates, in batches.
+
+use exact_ccd::batch::Trajectories;
+use exact_ccd::{EdgeEdge, Options, Separation, Separations, VertexEdge, VertexFace, VertexVertex};
+
+use super::approach::Approach;
+use super::contact::Contact;
+use crate::mesh::TriangleMesh;
+use crate::pairs::{CanCollide, MinDistance, Pair, PairKind};
+use crate::steps::Step;
+
+/// Exact tests of the candidates of a step, in batches.
+#[derive(Clone, Debug)]
+pub(crate) struct NarrowPhase {
+    can_collide: CanCollide,
+    min_distance: MinDistance,
+    trajectories: Trajectories,
+}
+
+/// The number of pairs in a batch.
+const CHUNK: usize = 256;
+
+impl NarrowPhase {
+    /// A narrow phase without a step, for the pairs that can collide.
+    pub(crate) fn new(can_collide: CanCollide, min_distance: MinDistance) -> Self {
+        let trajectories =
+            Trajectories::new(&[], &[]).expect("there are as many positions at both ends: none");
+        Self {
+            can_collide,
+            min_distance,
+            trajectories,
+        }
+    }
+
+    /// The narrow phase of a step, for all pairs.
+    pub(crate) fn of(step: &Step<'_>, min_distance: MinDistance) -> Self {
+        let mut narrow_phase = Self::new(CanCollide::all(), min_distance);
+        narrow_phase.begin(step);
+        narrow_phase
+    }
+
+    /// Takes the positions of another step.
+    pub(crate) fn begin(&mut self, step: &Step<'_>) {
+        let [x0, x1] = step.positions();
+        self.trajectories
+            .set(x0, x1)
+            .expect("a step has as many positions at both ends, and all are finite");
+    }
+
+    pub(crate) fn can_collide(&self) -> &CanCollide {
+        &self.can_collide
+    }
+
+    pub(crate) fn min_distance(&self) -> &MinDistance {
+        &self.min_distance
+    }
+
+    pub(crate) fn trajectories(&self) -> &Trajectories {
+        &self.trajectories
+    }
+
+    /// Calls `found` with each pair that first comes within its minimum distance at a time not after `until`.
+    ///
+    /// Pairs with a common vertex are left out, as are those that cannot collide and those that
+    /// `mesh`, the mesh of the step, does not have.
+    pub(crate) fn approaches<K: PairKind>(
+        &self,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+        until: f64,
+        mut found: impl FnMut([u32; 2], Approach<'_, K>),
+    ) {
+        let separations = self.min_distance.separations();
+        // Copies of the loop: the usual one has no call of a predicate.
+        if self.can_collide.is_all() && !K::CAN_BE_CONNECTED {
+            self.approaches_if(mesh, pairs, until, separations, K::are_apart, found);
+            return;
+        }
+        let can_collide = |vertices: &K::Vertices| {
+            let (a, b) = vertices.as_ref().split_at(K::FIRST);
+            K::are_apart(vertices) && self.can_collide.allows(a, b)
+        };
+        if !K::CAN_BE_CONNECTED {
+            self.approaches_if(mesh, pairs, until, separations, can_collide, found);
+            return;
+        }
+        let not_connected =
+            |vertices: &K::Vertices| can_collide(vertices) && !K::are_connected(mesh, vertices);
+        let connected = |vertices: &K::Vertices| can_collide(vertices) && K::are_connected(mesh, vertices);
+        let contact = Separation::default().into();
+        self.approaches_if(mesh, pairs, until, separations, not_connected, &mut found);
+        self.approaches_if(mesh, pairs, until, contact, connected, found);
+    }
+
+    fn approaches_if<K: PairKind>(
+        &self,
+        mesh: &TriangleMesh,
+        pairs: &[[u32; 2]],
+        until: f64,
+        separations: Separations<'_>,
+        can_collide: impl Fn(&K::Vertices) -> bool,
+        mut found: impl FnMut([u32; 2], Approach<'_, K>),
+    ) {
+        let inner = self.min_distance.inner();
+        let options = Options::within(separations).until(until);
+        let (mut kept, mut queries) = ([[0; 2]; CHUNK], [K::Vertices::default(); CHUNK]);
+        for pairs in pairs.chunks(CHUNK) {
+            let mut count = 0;
+            for &ids in pairs {
+                if let Some(vertices) = K::vertices(mesh, ids) {
+                    // Without a branch: about half of all pairs from a broad phase are neighbours
+                    // in the mesh.
+                    (kept[count % CHUNK], queries[count % CHUNK]) = (ids, vertices);
+                    count += usize::from(can_collide(&vertices));
+                }
+            }
+            self.trajectories
+                .collisions::<K>(&queries[..count], options, |index, collision| {
+                    found(kept[index], Approach::new(collision, inner));
+                })
+                .expect("a mesh has the vertices of its primitives, and each has a thickness");
+        }
+    }
+
+    /// The contact of a pair; `None` if the pair does not touch in the step, or if `mesh`, the mesh
+    /// of the step, does not have it.
+    pub(crate) fn contact(&self, mesh: &TriangleMesh, pair: Pair) -> Option<Contact> {
+        match pair {
+            Pair::VertexFace { vertex, face } => self.contact_of::<VertexFace>(mesh, [vertex, face]),
+            Pair::EdgeEdge { a, b } => self.contact_of::<EdgeEdge>(mesh, [a, b]),
+            Pair::VertexEdge { vertex, edge } => self.contact_of::<VertexEdge>(mesh, [vertex, edge]),
+            Pair::VertexVertex { a, b } => self.contact_of::<VertexVertex>(mesh, [a, b]),
+        }
+    }
+
+    fn contact_of<K: PairKind>(&self, mesh: &TriangleMesh, ids: [u32; 2]) -> Option<Contact> {
+        let vertices = K::vertices(mesh, ids)?;
+        let query = self.trajectories.query::<K>(vertices)?;
+        let collision = query.collision(self.min_distance.between::<K>(mesh, &vertices))?;
+        let collision = Approach::new(collision, self.min_distance.inner()).contact()?;
+        Some(Contact::new(K::pair(ids), &collision))
+    }
+}

@@ -1,0 +1,53 @@
+//! Planes through the origin that have all corners strictly on one side.
+
+use std::cmp::Ordering;
+
+use exact_ccd::Point;
+
+use super::number::{Number, Vector, dot};
+use crate::interval::Interval;
+
+/// The normals that are tried for any query: the axes, their pairs, and all three, as in El Topo.
+const NORMALS: [Point; 7] = [
+    [0.0, 0.0, 1.0],
+    [0.0, 1.0, 0.0],
+    [0.0, 1.0, 1.0],
+    [1.0, 0.0, 0.0],
+    [1.0, 0.0, 1.0],
+    [1.0, 1.0, 0.0],
+    [1.0, 1.0, 1.0],
+];
+
+/// True if a plane is found, among those across fixed directions and those along the two triangles
+/// of each face, so that the origin is not in the hull of the corners.
+pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -> bool {
+    let middles = corners.map(|corner| corner.map(Interval::middle));
+    let normals = faces
+        .iter()
+        .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+        .filter_map(|triangle| normal(triangle.map(|corner| middles[corner])));
+    NORMALS
+        .into_iter()
+        .chain(normals)
+        .any(|normal| is_on_one_side(corners, normal))
+}
+
+/// The unit normal of a triangle; `None` if it is not finite or zero in floating-point arithmetic.
+fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
+    let subtract = |a: Point, b: Point| [0, 1, 2].map(|axis: usize| a[axis] - b[axis]);
+    let (e, f) = (subtract(b, a), subtract(c, a));
+    let normal = [
+        e[1] * f[2] - e[2] * f[1],
+        e[2] * f[0] - e[0] * f[2],
+        e[0] * f[1] - e[1] * f[0],
+    ];
+    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    (length > 0.0 && length.is_finite()).then(|| normal.map(|x| x / length))
+}
+
+fn is_on_one_side(corners: &[Vector<Interval>; 8], normal: Point) -> bool {
+    let normal = normal.map(Interval::exactly);
+    let mut sides = corners.iter().map(|corner| dot(&normal, corner).certain_sign());
+    let first = sides.next().flatten();
+    matches!(first, Some(Ordering::Less | Ordering::Greater)) && sides.all(|side| side == first)
+}

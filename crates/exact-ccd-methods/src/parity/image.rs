@@ -1,0 +1,159 @@
+//! The image of the domain under F, and its predicates.
+
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+use exact_ccd::{Kind, Point, Query};
+
+use super::number::{Number, Vector, dot, turn, volume};
+use crate::integers::to_integers;
+
+/// The domain of (t, u, v): its corners, and the faces as cycles of four of them.
+pub(super) struct Domain {
+    /// F at the corners at t = 0, and at t = 1 in the same order: `(i, j)` stands for xᵢ − xⱼ. A
+    /// triangle has its last corner twice.
+    pub(super) corners: [(usize, usize); 4],
+    pub(super) faces: &'static [[usize; 4]],
+}
+
+/// The domain for a vertex and a face.
+const PRISM: Domain = Domain {
+    corners: [(0, 1), (0, 2), (0, 3), (0, 3)],
+    faces: &[
+        [0, 1, 2, 2],
+        [4, 5, 6, 6],
+        [0, 1, 5, 4],
+        [1, 2, 6, 5],
+        [2, 0, 4, 6],
+    ],
+};
+
+/// The domain for two edges.
+const HEXAHEDRON: Domain = Domain {
+    corners: [(0, 2), (0, 3), (1, 2), (1, 3)],
+    faces: &[
+        [0, 1, 3, 2],
+        [4, 5, 7, 6],
+        [0, 1, 5, 4],
+        [1, 3, 7, 5],
+        [3, 2, 6, 7],
+        [2, 0, 4, 6],
+    ],
+};
+
+impl Domain {
+    /// The domain of a kind of query, whose first primitive is a vertex or an edge.
+    #[inline]
+    pub(super) fn of<K: Kind<Points = [Point; 4]>>() -> &'static Self {
+        if K::FIRST == 1 { &PRISM } else { &HEXAHEDRON }
+    }
+
+    /// The faces that are triangles.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [usize; 3]> {
+        self.faces
+            .iter()
+            .filter(|[.., c, d]| c == d)
+            .map(|&[a, b, c, _]| [a, b, c])
+    }
+
+    /// The points of which F at a corner is the difference.
+    #[inline]
+    pub(super) fn pair<'q, K>(&self, query: &'q Query<K>, corner: usize) -> [&'q Point; 2]
+    where
+        K: Kind<Points = [Point; 4]>,
+    {
+        let (points, (i, j)) = (&query.points()[corner / 4], self.corners[corner % 4]);
+        [&points[i], &points[j]]
+    }
+
+    /// The points of which F at the corners are differences.
+    pub(super) fn pairs<K>(&self, query: &Query<K>) -> [[Point; 2]; 8]
+    where
+        K: Kind<Points = [Point; 4]>,
+    {
+        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.pair(query, corner).map(|&point| point))
+    }
+}
+
+/// The vectors from the origin to the eight corners, and the direction of a ray.
+pub(super) type Vectors<N> = [Vector<N>; 9];
+
+/// The index of the direction of the ray among the vectors.
+pub(super) const RAY: usize = 8;
+
+/// The vectors as differences of two points, before anything is computed or rounded.
+pub(super) type Differences = [[Point; 2]; 9];
+
+/// The corners as differences, and a ray.
+#[inline]
+pub(super) fn with_ray(pairs: &[[Point; 2]; 8], ray: Point) -> Differences {
+    let mut differences = [[ray, [0.0; 3]]; 9];
+    differences[..RAY].copy_from_slice(pairs);
+    differences
+}
+
+#[inline]
+pub(super) fn vectors<N: Number + From<f64>>(differences: &Differences) -> Vectors<N> {
+    differences.map(|[minuend, subtrahend]| {
+        [0, 1, 2].map(|axis: usize| N::from(minuend[axis]) - N::from(subtrahend[axis]))
+    })
+}
+
+/// All vectors, divided by the same power of two.
+pub(super) fn integers<const N: usize>(differences: &[[Point; 2]; N]) -> [Vector<IBig>; N] {
+    to_integers(differences).map(|[minuend, subtrahend]| {
+        let [x, y, z] = minuend;
+        let [a, b, c] = subtrahend;
+        [x - a, y - b, z - c]
+    })
+}
+
+/// A polynomial in vectors, which are given by their indices. Its sign is the predicate.
+#[derive(Clone, Copy)]
+pub(super) enum Predicate {
+    /// a · (b × c).
+    Volume([usize; 3]),
+    /// The component of a × b along an axis.
+    Turn(usize, [usize; 2]),
+    /// a · b.
+    Dot([usize; 2]),
+    /// For the origin and a patch with four corners, V₀ V₂ − V₁ V₃, where Vᵢ is the volume of the
+    /// corners but the i-th. It is the function of the paper that vanishes on the patch.
+    Phi([usize; 4]),
+}
+
+impl Predicate {
+    /// True if this is a determinant of vectors of which two are the same, as for a triangle that
+    /// has a corner twice, and for a point at rest. It is zero then, but no rounded arithmetic proves it.
+    pub(super) fn vanishes(self, differences: &Differences) -> bool {
+        let same = |i: usize, j: usize| differences[i] == differences[j];
+        match self {
+            Self::Volume([a, b, c]) => same(a, b) || same(b, c) || same(c, a),
+            Self::Turn(_, [a, b]) => same(a, b),
+            Self::Dot(_) | Self::Phi(_) => false,
+        }
+    }
+
+    #[inline]
+    pub(super) fn value<N: Number>(self, vectors: &[Vector<N>]) -> N {
+        let volume = |a: usize, b: usize, c: usize| volume(&vectors[a], &vectors[b], &vectors[c]);
+        match self {
+            Self::Volume([a, b, c]) => volume(a, b, c),
+            Self::Turn(axis, [a, b]) => turn(axis, &vectors[a], &vectors[b]),
+            Self::Dot([a, b]) => dot(&vectors[a], &vectors[b]),
+            Self::Phi([a, b, c, d]) => volume(b, c, d) * volume(a, b, d) - volume(a, c, d) * volume(a, b, c),
+        }
+    }
+}
+
+/// An image of the domain, with a ray.
+pub(super) trait Image {
+    /// The sign of a predicate.
+    fn sign(&self, predicate: Predicate) -> Ordering;
+}
+
+impl Image for Vectors<IBig> {
+    fn sign(&self, predicate: Predicate) -> Ordering {
+        predicate.value(self).cmp(&IBig::ZERO)
+    }
+}

@@ -1,0 +1,74 @@
+//! Signs in intervals, and exactly where these leave them open.
+
+use std::cell::OnceCell;
+use std::cmp::Ordering;
+
+use dashu_int::IBig;
+
+use super::expansion::Expansion;
+use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
+use super::number::Number;
+use crate::interval::Interval;
+
+/// An image in intervals, and exactly where these leave a sign open.
+pub(super) struct Intervals {
+    differences: Differences,
+    vectors: Vectors<Interval>,
+    exact: OnceCell<Exact>,
+}
+
+enum Exact {
+    Expansions(Box<Vectors<Expansion>>),
+    /// Where expansions would overflow or underflow.
+    Integers(Box<Vectors<IBig>>),
+}
+
+impl Exact {
+    fn new(differences: &Differences) -> Self {
+        if Expansion::can_hold(differences.as_flattened()) {
+            Self::Expansions(Box::new(vectors(differences)))
+        } else {
+            Self::Integers(Box::new(integers(differences)))
+        }
+    }
+
+    fn sign(&self, predicate: Predicate) -> Ordering {
+        match self {
+            Self::Expansions(vectors) => predicate
+                .value(vectors.as_slice())
+                .certain_sign()
+                .unwrap_or(Ordering::Equal),
+            Self::Integers(vectors) => vectors.sign(predicate),
+        }
+    }
+}
+
+impl Intervals {
+    pub(super) fn new(differences: &Differences) -> Self {
+        Self {
+            vectors: vectors(differences),
+            differences: *differences,
+            exact: OnceCell::new(),
+        }
+    }
+
+    pub(super) fn vectors(&self) -> &Vectors<Interval> {
+        &self.vectors
+    }
+
+    fn exact_sign(&self, predicate: Predicate) -> Ordering {
+        if predicate.vanishes(&self.differences) {
+            return Ordering::Equal;
+        }
+        self.exact
+            .get_or_init(|| Exact::new(&self.differences))
+            .sign(predicate)
+    }
+}
+
+impl Image for Intervals {
+    fn sign(&self, predicate: Predicate) -> Ordering {
+        let sign = predicate.value(&self.vectors).certain_sign();
+        sign.unwrap_or_else(|| self.exact_sign(predicate))
+    }
+}

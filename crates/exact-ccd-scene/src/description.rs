@@ -1,0 +1,276 @@
+//! The contents of a scene file.
+
+use std::path::PathBuf;
+
+use exact_ccd_mesh::Point;
+use serde::{Deserialize, Serialize};
+
+use super::group::GroupKey;
+use super::half_spaces;
+use super::placement::{Placement, Rotation, Scale};
+use super::rendering::Rendering;
+use exact_ccd_mesh::HalfSpace;
+use exact_ccd_sim::Force;
+use exact_ccd_sim::Script;
+use exact_ccd_sim::Settings;
+use exact_ccd_sim::{ParticleProperties, RodProperties, ShellProperties, SolidProperties};
+
+/// A scene.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct Description {
+    /// The simulated time, in s. Required: the check comes after parsing, so that its error is located at
+    /// the file and not at whichever table comes first.
+    pub(super) duration: Option<f64>,
+    /// The settings of the simulation.
+    #[serde(default)]
+    pub(super) settings: Settings,
+    /// The bodies, `[[body]]`.
+    #[serde(default)]
+    pub(super) body: Vec<BodyDescription>,
+    /// The half spaces, `[[half-space]]`.
+    #[serde(default, with = "half_spaces", skip_serializing_if = "Vec::is_empty")]
+    pub(super) half_space: Vec<HalfSpace>,
+    /// The settings of the pictures.
+    #[serde(default, skip_serializing_if = "Rendering::is_default")]
+    pub(super) render: Rendering,
+}
+
+/// A body. Without a material, it is an obstacle.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct BodyDescription {
+    /// The name, which several bodies may share.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) name: String,
+    /// A mesh file. Solids need tetrahedra (.msh). All other bodies accept any file that
+    /// [`exact_ccd_files::read_frame`] accepts, and the surface of tetrahedra.
+    pub(super) mesh: Option<PathBuf>,
+    /// A generated mesh in place of a file.
+    pub(super) shape: Option<Shape>,
+    /// The material of a solid.
+    pub(super) solid: Option<SolidProperties>,
+    /// The material of a shell.
+    pub(super) shell: Option<ShellProperties>,
+    /// The material of a rod.
+    pub(super) rod: Option<RodProperties>,
+    /// The material of particles.
+    pub(super) particles: Option<ParticleProperties>,
+    /// The offset of the contact surface, in m.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) offset: f64,
+    /// The scaling about the origin, applied first.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) scale: Scale,
+    /// The rotation about the origin, applied second.
+    pub(super) rotate: Option<Rotation>,
+    /// The translation in m, applied third.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) translate: Point,
+    /// The initial velocity, in m/s.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) velocity: Point,
+    /// The initial angular velocity about the center of mass, in rad/s.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) angular_velocity: Point,
+    /// The materials of groups of a solid, `[[body.region]]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) region: Vec<RegionDescription>,
+    /// The loads on its vertices, `[[body.load]]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) load: Vec<LoadDescription>,
+    /// The scripts of its vertices, `[[body.script]]`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) script: Vec<ScriptDescription>,
+}
+
+/// A physical group of a solid with a material of its own.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct RegionDescription {
+    /// The group.
+    pub(super) group: GroupKey,
+    /// Its material.
+    pub(super) solid: SolidProperties,
+}
+
+/// A generated mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) enum Shape {
+    /// [`shapes::solid_box`](exact_ccd_sim::shapes::solid_box).
+    Box {
+        /// The number of cells along each axis.
+        cells: [u8; 3],
+        /// The lengths of the sides, in m.
+        size: Point,
+    },
+    /// [`shapes::cloth`](exact_ccd_sim::shapes::cloth).
+    Grid {
+        /// The numbers of cells along x and z.
+        cells: [u16; 2],
+        /// The lengths of the sides, in m.
+        size: [f64; 2],
+    },
+    /// [`shapes::sphere`](exact_ccd_sim::shapes::sphere).
+    Sphere {
+        /// The number of subdivisions of an icosahedron.
+        subdivisions: u8,
+        /// The radius, in m.
+        radius: f64,
+    },
+    /// [`shapes::line`](exact_ccd_sim::shapes::line).
+    Line {
+        /// The number of edges.
+        edges: u16,
+        /// The length, in m.
+        length: f64,
+    },
+    /// [`shapes::knot`](exact_ccd_sim::shapes::knot).
+    Knot {
+        /// The number of edges.
+        edges: u16,
+        /// The length, in m.
+        length: f64,
+    },
+    /// [`shapes::particles`](exact_ccd_sim::shapes::particles).
+    Points {
+        /// The number of points along each axis.
+        counts: [u8; 3],
+        /// The lengths of the sides, in m.
+        size: Point,
+    },
+}
+
+impl BodyDescription {
+    /// The materials that the body has, by their keys.
+    pub(super) fn materials(&self) -> Vec<&'static str> {
+        let materials = [
+            ("solid", self.solid.is_some()),
+            ("shell", self.shell.is_some()),
+            ("rod", self.rod.is_some()),
+            ("particles", self.particles.is_some()),
+        ];
+        let given = materials.into_iter().filter(|(_, is_given)| *is_given);
+        given.map(|(key, _)| key).collect()
+    }
+
+    /// The placement of its mesh.
+    pub(super) fn placement(&self) -> Placement {
+        Placement {
+            scale: self.scale,
+            rotate: self.rotate,
+            translate: self.translate,
+        }
+    }
+
+    /// The same body at another place.
+    pub(super) fn at(self, placement: Placement) -> Self {
+        let Placement {
+            scale,
+            rotate,
+            translate,
+        } = placement;
+        Self {
+            scale,
+            rotate,
+            translate,
+            ..self
+        }
+    }
+
+    /// The key of the material, for messages.
+    pub(super) fn material(&self) -> &'static str {
+        self.materials().first().copied().unwrap_or("solid")
+    }
+}
+
+/// A selection of vertices and their motion.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct ScriptDescription {
+    /// The selected vertices.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) vertices: Selection,
+    /// Their motion.
+    pub(super) motion: Script,
+    /// The axes along which they are scripted.
+    #[serde(default = "all_axes", skip_serializing_if = "are_all")]
+    pub(super) axes: Vec<Axis>,
+    /// The time at which the motion begins, in s.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) from: f64,
+    /// The time from which they are free, in s.
+    pub(super) release: Option<f64>,
+}
+
+/// An axis of the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+fn all_axes() -> Vec<Axis> {
+    vec![Axis::X, Axis::Y, Axis::Z]
+}
+
+fn are_all(axes: &[Axis]) -> bool {
+    axes == all_axes()
+}
+
+impl ScriptDescription {
+    /// A script along all axes, at all times.
+    pub(super) fn new(vertices: Selection, motion: Script) -> Self {
+        Self {
+            vertices,
+            motion,
+            axes: all_axes(),
+            from: 0.0,
+            release: None,
+        }
+    }
+}
+
+/// A selection of vertices and a force on them.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) struct LoadDescription {
+    /// The selected vertices.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) vertices: Selection,
+    /// The force.
+    pub(super) force: Force,
+    /// The time at which it begins, in s.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub(super) from: f64,
+    /// The time at which it ends, in s.
+    pub(super) until: Option<f64>,
+}
+
+/// A selection of vertices of a body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+pub(super) enum Selection {
+    /// All vertices.
+    #[default]
+    All,
+    /// The vertices in a box, after the placement of the body.
+    Box {
+        /// The least coordinates, in m.
+        lower: Point,
+        /// The greatest coordinates, in m.
+        upper: Point,
+    },
+    /// The vertices with these numbers in the mesh, from 0.
+    Vertices(Vec<u32>),
+    /// The vertices of a group of the mesh file.
+    Group(GroupKey),
+}
+
+/// True for a value that is the same as if it were not given.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}

@@ -1,0 +1,52 @@
+//! The text scenes of IPC.
+//!
+//! Source of the format: the reference implementation of M. Li et al., *Incremental Potential Contact*, 2020
+//! (github.com/ipc-sim/IPC, version of March 2024): `Config.cpp` and `Config.hpp` for keywords and default
+//! values, `main.cpp` for the placement of meshes, `AnimScripter.cpp` for motions, `IglUtils.cpp` for
+//! selections, and `Optimizer.cpp` for lengths relative to the box and for gravity.
+
+mod bodies;
+mod entries;
+mod file;
+mod friction;
+mod held;
+mod part;
+mod shape;
+mod words;
+
+use exact_ccd_mesh::HalfSpace;
+use exact_ccd_sim::Length;
+
+use super::fault::Fault;
+use super::meshes::Meshes;
+use super::notes::Notes;
+use crate::description::Description;
+use crate::rendering::Rendering;
+use file::File;
+
+/// The scene in the text of a file.
+pub(super) fn import(text: &str, meshes: &mut Meshes, notes: &Notes) -> Result<Description, Fault> {
+    let file = File::parse(text, notes)?;
+    let mut body = bodies::bodies(&file, meshes, notes)?;
+    let mut half_space: Vec<HalfSpace> = file.planes.iter().map(|(plane, _)| plane.clone()).collect();
+    let pairs = friction::pairs(&file, &mut body, &mut half_space, notes);
+    let mut settings = file.settings;
+    settings.friction.pairs = pairs;
+    if file.is_absolute {
+        let lengths = [
+            &mut settings.contact_distance,
+            &mut settings.friction.static_velocity,
+            &mut settings.tolerance,
+        ];
+        for length in lengths {
+            *length = Length::Absolute(length.meters(1.0));
+        }
+    }
+    Ok(Description {
+        duration: Some(file.duration),
+        settings,
+        body,
+        half_space,
+        render: Rendering::default(),
+    })
+}

@@ -1,0 +1,210 @@
+//! From a scene file to a simulation.
+
+use std::path::Path;
+
+use exact_ccd_sim::{
+    Body, Checkpoint, Load, Scripted, Settings, Simulation, SimulationError, StepFilter, System,
+};
+
+use super::body::load;
+use super::description::{Axis, BodyDescription, Description, Selection};
+use super::document::{Document, SceneError};
+use super::field_error::FieldError;
+use super::import::{Imported, Note, import};
+use super::locate::{of_simulation, of_system};
+use super::parse::parse;
+use super::rendering::Rendering;
+
+/// The filter of a CCD method, by its name in a scene file and the system of the scene; or a message with
+/// the names that there are.
+pub type FilterByName<'a> = dyn Fn(&str, &System) -> Result<StepFilter, String> + 'a;
+
+/// The system, the settings and the duration of a scene file.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The bodies and their scripts.
+    pub system: System,
+    /// The settings.
+    pub settings: Settings,
+    /// The filter of the CCD method that the scene names.
+    pub filter: StepFilter,
+    /// The duration, as a number of time steps.
+    pub steps: u64,
+    /// The settings of the pictures.
+    pub rendering: Rendering,
+    /// The entries of a scene of another program that are ignored.
+    pub notes: Vec<Note>,
+}
+
+impl Scene {
+    /// Reads a scene file, or one of another program as of [`import`]. Mesh files are read from the folder
+    /// `meshes`, or from that of the scene file.
+    ///
+    /// # Errors
+    /// [`SceneError`] names the file, the line and the field.
+    pub fn read(
+        file: impl AsRef<Path>,
+        meshes: Option<&Path>,
+        filter_by_name: &FilterByName<'_>,
+    ) -> Result<Self, SceneError> {
+        let file = file.as_ref();
+        if let Some(Imported { toml, meshes, notes }) = import(file, meshes)? {
+            let mut label = file.as_os_str().to_owned();
+            label.push(" as TOML");
+            let scene = Self::parse(&toml, Path::new(&label), Some(&meshes), filter_by_name)?;
+            return Ok(Self { notes, ..scene });
+        }
+        let bytes = std::fs::read(file).map_err(|source| SceneError::Io {
+            file: file.to_owned(),
+            source,
+        })?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let valid = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(&error.as_bytes()[..valid]);
+            let message = "found bytes that are no text in UTF-8, expected a scene in TOML";
+            Document { file, text: &text }.error_at(valid, |_| message.to_owned())
+        })?;
+        Self::parse(&text, file, meshes, filter_by_name)
+    }
+
+    /// Parses the text of a scene file. `file` is its path, for messages and for the folder of mesh files.
+    ///
+    /// # Errors
+    /// As [`Scene::read`].
+    pub fn parse(
+        text: &str,
+        file: &Path,
+        meshes: Option<&Path>,
+        filter_by_name: &FilterByName<'_>,
+    ) -> Result<Self, SceneError> {
+        let document = Document { file, text };
+        let description = parse(&document)?;
+        let folder = meshes.or_else(|| file.parent()).unwrap_or(Path::new(""));
+        let scene = Self::of(description, folder, filter_by_name);
+        scene.map_err(|error| document.error_of(error))
+    }
+
+    /// The described scene, with mesh files in a folder.
+    fn of(
+        description: Description,
+        folder: &Path,
+        filter_by_name: &FilterByName<'_>,
+    ) -> Result<Self, FieldError> {
+        let Some(duration) = description.duration else {
+            let message = "the key `duration` is missing, expected a number of seconds";
+            return Err(FieldError::new("", message));
+        };
+        description
+            .render
+            .check()
+            .map_err(|error| error.below("render"))?;
+        if description.body.is_empty() {
+            let message = "the scene has no body, expected at least one `[[body]]`";
+            return Err(FieldError::new("body", message));
+        }
+        let mut parts = Parts::default();
+        for (index, described) in description.body.iter().enumerate() {
+            let added = parts.add(described, folder);
+            added.map_err(|error| error.below(&format!("body.{index}")))?;
+        }
+        let system = System::new(&parts.bodies, &parts.scripts)
+            .and_then(|system| system.with_half_spaces(description.half_space.clone()))
+            .and_then(|system| system.with_loads(parts.loads))
+            .map_err(|error| of_system(&description, &error))?;
+        let settings = description.settings;
+        let filter = filter_by_name(&settings.ccd, &system)
+            .map_err(|message| FieldError::new("settings.ccd", message))?;
+        let mut scene = Self {
+            system,
+            settings,
+            filter,
+            steps: 0,
+            rendering: description.render,
+            notes: Vec::new(),
+        };
+        // A simulation checks the settings, of which the number of steps needs a positive time step.
+        let simulation = scene.simulation();
+        simulation.map_err(|error| of_simulation(&scene.system, &error))?;
+        scene.steps = steps(duration, scene.settings.time_step)?;
+        Ok(scene)
+    }
+
+    /// The simulation from its start.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`].
+    pub fn simulation(&self) -> Result<Simulation, SimulationError> {
+        let settings = Settings {
+            ccd: StepFilter::default().name().to_owned(),
+            ..self.settings.clone()
+        };
+        Simulation::new(self.system.clone(), settings)?.with_filter(self.filter.clone())
+    }
+
+    /// The simulation from a checkpoint of this scene.
+    ///
+    /// # Errors
+    /// As [`Checkpoint::resume`].
+    pub fn resume(&self, checkpoint: Checkpoint) -> Result<Simulation, SimulationError> {
+        checkpoint.resume(self.system.clone(), self.settings.clone(), self.filter.clone())
+    }
+}
+
+/// The bodies of a scene with their scripts and loads.
+#[derive(Default)]
+struct Parts {
+    bodies: Vec<Body>,
+    scripts: Vec<Scripted>,
+    loads: Vec<Load>,
+    vertex_count: u32,
+}
+
+impl Parts {
+    fn add(&mut self, described: &BodyDescription, folder: &Path) -> Result<(), FieldError> {
+        let (body, groups) = load(described, folder)?;
+        let selected = |selection: &Selection, number| {
+            let selected = selection.vertices(&body.points, &groups, self.vertex_count);
+            selected.map_err(|message| FieldError::new(format!("{number}.vertices"), message))
+        };
+        for (number, script) in described.script.iter().enumerate() {
+            let scripted = Scripted {
+                vertices: selected(&script.vertices, number).map_err(|error| error.below("script"))?,
+                script: script.motion.clone(),
+                axes: [Axis::X, Axis::Y, Axis::Z].map(|axis| script.axes.contains(&axis)),
+                from: script.from,
+                release: script.release,
+            };
+            scripted.check().map_err(|error| {
+                let motion = if error.field.contains('.') { "motion" } else { "" };
+                FieldError::new(format!("script.{number}.{motion}.{}", error.field), error)
+            })?;
+            self.scripts.push(scripted);
+        }
+        for (number, load) in described.load.iter().enumerate() {
+            let load = Load {
+                vertices: selected(&load.vertices, number).map_err(|error| error.below("load"))?,
+                force: load.force,
+                from: load.from,
+                until: load.until,
+            };
+            let checked = load.check();
+            checked.map_err(|error| FieldError::new(format!("load.{number}.{}", error.field), error))?;
+            self.loads.push(load);
+        }
+        self.vertex_count += body.points.len() as u32;
+        self.bodies.push(body);
+        Ok(())
+    }
+}
+
+/// The duration as a number of time steps.
+fn steps(duration: f64, time_step: f64) -> Result<u64, FieldError> {
+    // Bounded so that the cast to u64 is exact.
+    let steps = (duration / time_step).round();
+    if duration >= 0.0 && steps < 1e15 {
+        return Ok(steps as u64);
+    }
+    let message =
+        format!("the duration is {duration} s, expected a number not below 0, of fewer than 10¹⁵ time steps");
+    Err(FieldError::new("duration", message))
+}

@@ -1,0 +1,101 @@
+//! Meshes from files and from shapes.
+
+use std::path::Path;
+
+use exact_ccd_files::{Format, Group, MeshFile, Polygons, read_tet_groups};
+use exact_ccd_mesh::{Point, TetMesh};
+
+use super::description::Shape;
+use exact_ccd_sim::shapes;
+use exact_ccd_sim::{Body, BodyKind};
+
+/// A mesh with its faces and, if it has any, its loose edges and its tetrahedra.
+#[derive(Default)]
+pub(super) struct Mesh {
+    pub(super) points: Vec<Point>,
+    pub(super) faces: Vec<[u32; 3]>,
+    pub(super) edges: Vec<[u32; 2]>,
+    pub(super) tetrahedra: Vec<[u32; 4]>,
+    /// The groups of the file.
+    pub(super) groups: Vec<Group>,
+}
+
+impl Mesh {
+    /// Reads the mesh in a file.
+    pub(super) fn read(path: &Path) -> Result<Self, String> {
+        if Format::of_path(path) == Some(Format::Msh) {
+            let (mesh, groups) = read_tet_groups(path).map_err(|error| error.to_string())?;
+            return Ok(Self {
+                points: mesh.positions().to_vec(),
+                faces: mesh.surface().to_vec(),
+                tetrahedra: mesh.tetrahedra().to_vec(),
+                edges: Vec::new(),
+                groups,
+            });
+        }
+        let file = MeshFile::read(path, Polygons::Triangulate);
+        let MeshFile { frame, groups, .. } = file.map_err(|error| error.to_string())?;
+        Ok(Self {
+            faces: frame.mesh.faces().to_vec(),
+            edges: frame.mesh.loose_edges().to_vec(),
+            points: frame.positions,
+            tetrahedra: Vec::new(),
+            groups,
+        })
+    }
+
+    /// Generates the mesh of a shape.
+    pub(super) fn generate(shape: Shape) -> Result<Self, String> {
+        let product = |counts: &[u64]| counts.iter().product();
+        let (count, what, lengths): (u64, _, &[f64]) = match &shape {
+            Shape::Box { cells, size } => (product(&cells.map(u64::from)), "cells", size),
+            Shape::Grid { cells, size } => (product(&cells.map(u64::from)), "cells", size),
+            Shape::Sphere { radius, .. } => (1, "cells", std::slice::from_ref(radius)),
+            Shape::Line { edges, length } | Shape::Knot { edges, length } => {
+                (u64::from(*edges), "edges", std::slice::from_ref(length))
+            }
+            // The sides of a lattice may have no length.
+            Shape::Points { counts, .. } => (product(&counts.map(u64::from)), "points", &[]),
+        };
+        if !(1..=shapes::MAX_CELLS).contains(&count) {
+            let max = shapes::MAX_CELLS;
+            return Err(format!("the shape has {count} {what}, expected 1 to {max}"));
+        }
+        let is_positive = |length: &&f64| **length > 0.0 && length.is_finite();
+        if let Some(length) = lengths.iter().find(|length| !is_positive(length)) {
+            return Err(format!(
+                "the shape has a length of {length} m, expected a positive number"
+            ));
+        }
+        let Body { points, kind, .. } = match shape {
+            Shape::Box { cells, size } => shapes::solid_box(cells, size),
+            Shape::Grid { cells, size } => shapes::cloth(cells, size),
+            Shape::Sphere { subdivisions, .. } if subdivisions > shapes::MAX_SUBDIVISIONS => {
+                let max = shapes::MAX_SUBDIVISIONS;
+                return Err(format!(
+                    "the sphere has {subdivisions} subdivisions, expected at most {max}"
+                ));
+            }
+            Shape::Sphere { subdivisions, radius } => shapes::sphere(subdivisions, radius),
+            Shape::Line { edges, length } => shapes::line(edges, length),
+            Shape::Knot { edges, length } => shapes::knot(edges, length),
+            Shape::Points { counts, size } => shapes::particles(counts, size),
+        };
+        let mut mesh = Self {
+            points,
+            ..Self::default()
+        };
+        match kind {
+            BodyKind::Shell { faces, .. } | BodyKind::Obstacle { faces } => mesh.faces = faces,
+            BodyKind::Solid { tetrahedra, .. } => {
+                let solid = TetMesh::new(mesh.points.clone(), tetrahedra);
+                let solid = solid.map_err(|error| error.to_string())?;
+                mesh.faces = solid.surface().to_vec();
+                mesh.tetrahedra = solid.tetrahedra().to_vec();
+            }
+            BodyKind::Rod { edges, .. } => mesh.edges = edges,
+            BodyKind::Particles { .. } => {}
+        }
+        Ok(mesh)
+    }
+}

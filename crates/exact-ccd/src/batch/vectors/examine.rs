@@ -1,0 +1,87 @@
+//! The filters on chunks of queries.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f64x8};
+
+use super::chunks::{Unsettled, for_each_chunk};
+use super::gaps::Gaps;
+use super::planes::{LANES, screen, transposed};
+use super::rows;
+use crate::batch::run::{Batch, query, rows_of};
+use crate::collision::Collision;
+use crate::distance::Separation;
+use crate::filter::{Decision, Gap, Hull, LEAST_UNTIL, decide_between, decide_near_plane, free_until};
+use crate::kind::Kind;
+use crate::query::Query;
+
+/// Calls `found` with each query of a batch that collides, and its index, in order; those after `until` may
+/// be left out.
+#[inline(always)]
+pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, gaps: G) {
+    let Batch {
+        rows,
+        queries,
+        until,
+        found,
+        ..
+    } = batch;
+    let until = until.clamp(LEAST_UNTIL, 1.0);
+    let mut report = |index: usize, query: &Query<K>, separation: Separation, decision: Decision| {
+        if let Ok(collision) = Collision::from_decision(query, separation, decision) {
+            found(index, collision);
+        }
+    };
+    for_each_chunk(
+        queries.len(),
+        #[inline(always)]
+        |chunk| {
+            let (mut near, mut approaching) = (Unsettled::new(), Unsettled::new());
+            for index in chunk {
+                let rows = rows_of::<K>(rows, &queries[index]);
+                near.push_unless(rows::are_beyond::<S, K, _>(simd, rows, gaps.of(index)), index);
+            }
+            near.for_each_eight::<K>(
+                rows,
+                queries,
+                #[inline(always)]
+                |indices, eight| {
+                    let rest = screen::<S, K, _>(simd, eight, gaps.of_eight(simd, indices));
+                    for (lane, &index) in indices.iter().enumerate() {
+                        let is_settled = rest.settled >> lane & 1 != 0;
+                        if <G::One as Gap<f64>>::IS_POSITIVE {
+                            approaching.push_unless(is_settled, index);
+                        } else if !is_settled {
+                            let query = query(eight[lane]);
+                            let decision = match rest.cubic(lane) {
+                                Some(cubic) => decide_near_plane(&query, &cubic),
+                                None => Decision::Unknown,
+                            };
+                            report(index, &query, Separation::ZERO, decision);
+                        }
+                    }
+                },
+            );
+            if !<G::One as Gap<f64>>::IS_POSITIVE {
+                return;
+            }
+            approaching.for_each_eight::<K>(
+                rows,
+                queries,
+                #[inline(always)]
+                |indices, eight| {
+                    let hull = Hull::new::<K>(&transposed(simd, eight));
+                    let gaps_of_eight = gaps.of_eight(simd, indices);
+                    let d = gaps_of_eight.value(f64x8::splat(simd, 0.0));
+                    let free: [f64; LANES] = free_until::<K, _>(&hull, d, until).into();
+                    for (lane, &index) in indices.iter().enumerate() {
+                        if free[lane] < until {
+                            let (query, d) = (query(eight[lane]), gaps.separation(index));
+                            let decision = decide_between(&query, d, [free[lane], until]);
+                            report(index, &query, d, decision);
+                        }
+                    }
+                },
+            );
+        },
+    );
+}

@@ -1,0 +1,83 @@
+//! The gaps of the queries of a batch.
+
+use fearless_simd::prelude::*;
+use fearless_simd::{Simd, f64x8};
+
+use super::planes::LANES;
+use crate::distance::Separation;
+use crate::filter::{Gap, Touching, Within};
+use crate::kind::Kind;
+use crate::thickness::Separations;
+
+/// The gap of each query of a batch, by its index.
+pub(super) trait Gaps: Copy {
+    type One: Gap<f64>;
+    type Eight<S: Simd>: Gap<f64x8<S>>;
+
+    fn separation(self, index: usize) -> Separation;
+
+    fn of(self, index: usize) -> Self::One;
+
+    /// Those of at most eight queries, side by side.
+    fn of_eight<S: Simd>(self, simd: S, indices: &[usize]) -> Self::Eight<S>;
+}
+
+/// Contact.
+impl Gaps for Touching {
+    type One = Self;
+    type Eight<S: Simd> = Self;
+
+    #[inline(always)]
+    fn separation(self, _: usize) -> Separation {
+        Separation::ZERO
+    }
+
+    #[inline(always)]
+    fn of(self, _: usize) -> Self {
+        self
+    }
+
+    #[inline(always)]
+    fn of_eight<S: Simd>(self, _: S, _: &[usize]) -> Self {
+        self
+    }
+}
+
+/// Separations of queries.
+pub(super) struct Separated<'a, K: Kind> {
+    pub(super) queries: &'a [K::Vertices],
+    pub(super) separations: Separations<'a>,
+}
+
+impl<K: Kind> Clone for Separated<'_, K> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<K: Kind> Copy for Separated<'_, K> {}
+
+impl<K: Kind> Gaps for Separated<'_, K> {
+    type One = Within<f64>;
+    type Eight<S: Simd> = Within<f64x8<S>>;
+
+    #[inline(always)]
+    fn separation(self, index: usize) -> Separation {
+        let (a, b) = self.queries[index].as_ref().split_at(K::FIRST);
+        self.separations.between(a, b)
+    }
+
+    #[inline(always)]
+    fn of(self, index: usize) -> Self::One {
+        Within(self.separation(index).get())
+    }
+
+    #[inline(always)]
+    fn of_eight<S: Simd>(self, simd: S, indices: &[usize]) -> Self::Eight<S> {
+        let mut d = [0.0; LANES];
+        for (d, &index) in d.iter_mut().zip(indices) {
+            *d = self.separation(index).get();
+        }
+        Within(f64x8::from_slice(simd, &d))
+    }
+}

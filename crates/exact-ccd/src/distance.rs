@@ -1,0 +1,106 @@
+//! Distances: the threshold of a query, and bounds of the distance at one time.
+
+use crate::non_negative::NonNegative;
+
+/// A distance d: two primitives touch if they are at most d apart. It is a finite f64, at least 0, in the
+/// unit of the coordinates.
+///
+/// It is taken exactly. −0.0 is 0. The default is 0, which is contact.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Separation(NonNegative);
+
+/// A separation is negative, infinite or not a number.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("separation {value} is not a finite number of at least 0")]
+pub struct InvalidSeparation {
+    /// The separation.
+    pub value: f64,
+}
+
+impl Separation {
+    /// The separation 0: contact.
+    pub const ZERO: Self = Self(NonNegative::ZERO);
+
+    /// The separation d.
+    ///
+    /// # Errors
+    /// [`InvalidSeparation`], if d is negative, infinite or not a number.
+    pub fn new(d: f64) -> Result<Self, InvalidSeparation> {
+        NonNegative::new(d)
+            .map(Self)
+            .ok_or(InvalidSeparation { value: d })
+    }
+
+    /// The separation as an f64.
+    #[must_use]
+    #[inline]
+    pub fn get(self) -> f64 {
+        self.0.get()
+    }
+
+    /// Returns true for 0.
+    #[must_use]
+    #[inline]
+    pub fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+
+    /// The least f64 that is not below the sum of two separations, which is at most the largest f64.
+    ///
+    /// In integers, which no floating-point environment changes. In units in the last place of the
+    /// larger summand, the smaller one is rounded up, and the sum then has at most 54 bits; if it has
+    /// more than 53, half of it is rounded up. Both roundings together are one: ⌈⌈x⌉ / 2⌉ = ⌈x / 2⌉.
+    #[inline]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        const DIGITS: u32 = f64::MANTISSA_DIGITS - 1;
+        let (a, b) = (self.get().to_bits(), other.get().to_bits());
+        // A subnormal number has the unit of the smallest normal one.
+        let exponent = |bits: u64| (bits >> DIGITS).max(1);
+        let significand = |bits: u64| bits - ((exponent(bits) - 1) << DIGITS);
+        let (small, large) = (a.min(b), a.max(b));
+        let shift = (exponent(large) - exponent(small)).min(63);
+        let sum = significand(large) + significand(small).div_ceil(1 << shift);
+        let carry = u64::from(sum > 2 << DIGITS);
+        let bits = ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry);
+        Self(NonNegative::new(f64::from_bits(bits)).expect("the sum is at most the largest f64"))
+    }
+}
+
+impl TryFrom<f64> for Separation {
+    type Error = InvalidSeparation;
+
+    fn try_from(d: f64) -> Result<Self, InvalidSeparation> {
+        Self::new(d)
+    }
+}
+
+/// The distance of two primitives at one time, between two f64.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DistanceBounds {
+    /// The largest f64 that is not above the distance.
+    pub lower: f64,
+    /// The smallest f64 that is not below the distance; infinite if the distance is above all of
+    /// them.
+    pub upper: f64,
+}
+
+/// A time is not in [0, 1].
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("time {time} is not in the step, from 0 to 1")]
+pub struct TimeOutOfStep {
+    /// The time.
+    pub time: f64,
+}
+
+impl TimeOutOfStep {
+    /// Checks that a time is in [0, 1]; −0.0 is 0.
+    ///
+    /// # Errors
+    /// The time, if it is outside or NaN.
+    pub fn check(time: f64) -> Result<(), Self> {
+        match NonNegative::new(time) {
+            Some(checked) if checked.get() <= 1.0 => Ok(()),
+            _ => Err(Self { time }),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! The four moving points and the distance d in integers of one unit.
+
+use alloc::vec::Vec;
+
+use dashu_int::IBig;
+
+use super::feature::{Feature, Pair};
+use crate::distance::Separation;
+use crate::exact::dyadic::decompose;
+use crate::exact::motion::common;
+use crate::exact::points::Points;
+use crate::exact::polynomial::{Polynomial, Vector, cross, dot};
+use crate::kind::{Difference, Kind};
+use crate::query::Query;
+
+/// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
+/// contact, distance is not invariant under a scaling of one axis.
+pub(super) struct Approach {
+    points: Points,
+    squared_separation: Polynomial,
+    /// The coordinates are integers times two to this power.
+    pub(super) unit: i32,
+}
+
+impl Approach {
+    pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
+        let points = Points::new(query);
+        let (mantissa, exponent) = decompose(d.get());
+        let of_separation = (mantissa != 0).then_some(exponent);
+        let unit = points.least_unit().into_iter().chain(of_separation).min();
+        let unit = unit.unwrap_or_default();
+        let separation = IBig::from(mantissa) << of_separation.map_or(0, |own| (own - unit) as usize);
+        let separation = Polynomial::between(&separation, &separation);
+        Self {
+            points: points.scaled_to(unit),
+            squared_separation: &separation * &separation,
+            unit,
+        }
+    }
+
+    /// The points at one time, as constant polynomials, and d = 0.
+    pub(super) fn at<K: Kind>(query: &Query<K>, t: f64) -> Self {
+        let (numerator, exponent) = decompose(t);
+        // A number in [0, 1] has no bit above 2⁰: a positive exponent is that of zero.
+        let exponent = exponent.min(0);
+        let approach = Self::new(query, Separation::ZERO);
+        let at_time = |coordinate: &Polynomial| {
+            let (start, end) = (coordinate.at_start(), coordinate.at_end());
+            let moved = (end - &start) * IBig::from(numerator);
+            Polynomial::constant((start << exponent.unsigned_abs() as usize) + moved)
+        };
+        Self {
+            points: approach.points.map(at_time),
+            squared_separation: Polynomial::constant(IBig::ZERO),
+            unit: approach.unit + exponent,
+        }
+    }
+
+    pub(super) fn difference(&self, difference: Difference) -> Vector {
+        self.points.difference(difference)
+    }
+
+    /// The features of the primitives.
+    pub(super) fn features<K: Kind>(&self) -> Vec<Feature> {
+        let vertices = K::FEATURES.vertices.iter().map(|&(difference, parameters)| {
+            let x = self.difference(difference);
+            (
+                Pair::Vertices(difference, parameters),
+                Polynomial::constant(IBig::ONE),
+                [dot(&x, &x), Polynomial::constant(IBig::ONE)],
+                Vec::new(),
+            )
+        });
+        let sides = K::FEATURES.sides.iter().map(|side| {
+            let [a, b] = side.edge;
+            let (x, e) = (self.difference((side.vertex, a)), self.difference((b, a)));
+            let along = dot(&e, &x);
+            let beyond = &dot(&e, &e) - &along;
+            let (length, direction) = factor(e);
+            let across = cross(&direction, &x);
+            (
+                Pair::VertexEdge(side),
+                length,
+                [dot(&across, &across), dot(&direction, &direction)],
+                [along, beyond].into(),
+            )
+        });
+        let inner = K::FEATURES.inner.map(|_| {
+            let [w, e1, e2] = K::SPAN.map(|difference| self.difference(difference));
+            let n = cross(&e1, &e2);
+            let guards = K::SIDES.iter().map(|side| {
+                let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
+                let area = dot(&n, &cross(&x, &y));
+                if side.along { area } else { -area }
+            });
+            let guards = guards.collect();
+            let (length, direction) = factor(n);
+            let volume = dot(&w, &direction);
+            let quotient = [&volume * &volume, dot(&direction, &direction)];
+            (Pair::Inner, length, quotient, guards)
+        });
+        vertices
+            .chain(sides)
+            .chain(inner)
+            .map(|(pair, length, quotient, guards)| {
+                Feature::new(pair, length, quotient, guards, &self.squared_separation)
+            })
+            .collect()
+    }
+}
+
+/// A vector as the product of a common factor of its components, which vanishes when it does, and of a
+/// direction, which vanishes at no time unless the vector is always zero.
+fn factor(vector: Vector) -> (Polynomial, Vector) {
+    let length = common(vector.clone());
+    let direction = if length.coefficients().len() == 1 || length.is_zero() {
+        vector
+    } else {
+        vector.map(|component| component.over(&length))
+    };
+    (length, direction)
+}

@@ -1,0 +1,77 @@
+//! The closest points of the primitives at an instant, and the direction from one to the other.
+
+use core::cmp::Ordering;
+
+use super::approach::Approach;
+use super::feature::{Feature, Pair};
+use crate::exact::instant::Instant;
+use crate::exact::narrowing::Narrowing;
+use crate::exact::polynomial::{Vector, cross, dot};
+use crate::impact::Impact;
+use crate::kind::{Kind, Side};
+use crate::point::Point;
+
+/// The parameters of two points, and the direction from that on the second primitive to that on the
+/// first.
+type Closest = ([f64; 2], Option<Point>);
+
+/// The closest points at the first instant within d.
+pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Option<Impact> {
+    let time = first.round();
+    // In a bracket narrower than the resolution of the ratios, approximations prove nearly all of
+    // their signs.
+    let instant = Narrowing::new(first);
+    instant.narrow_to(80);
+    let within = features.iter().filter(|feature| feature.is_within(&instant));
+    let closest = within.min_by(|one, other| one.compare(other, &instant))?;
+    let (parameters, normal) = match closest.pair {
+        Pair::Vertices(difference, parameters) => {
+            (parameters, instant.direction(approach.difference(difference)))
+        }
+        Pair::VertexEdge(side) => vertex_edge(approach, side, &instant),
+        Pair::Inner => inner::<K>(approach, closest, &instant),
+    };
+    Some(Impact {
+        time,
+        parameters,
+        normal,
+    })
+}
+
+/// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the
+/// direction from it to the vertex that of (e · e) x − (e · x) e.
+fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> Closest {
+    let [a, b] = side.edge;
+    let (x, e) = (approach.difference((side.vertex, a)), approach.difference((b, a)));
+    let (along, squared_length) = (dot(&e, &x), dot(&e, &e));
+    let s = instant.ratio(&along, &squared_length);
+    let [start, end] = side.domain;
+    let parameters = [0, 1].map(|i: usize| start[i] + s * (end[i] - start[i]));
+
+    let is_of_first = side.vertex < a;
+    let direction: Vector = [0, 1, 2].map(|axis: usize| {
+        let towards_vertex = &(&squared_length * &x[axis]) - &(&along * &e[axis]);
+        if is_of_first {
+            towards_vertex
+        } else {
+            -towards_vertex
+        }
+    });
+    (parameters, instant.direction(direction))
+}
+
+/// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
+/// w.
+fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> Closest {
+    let [w, e1, e2] = K::SPAN.map(|difference| approach.difference(difference));
+    let n = cross(&e1, &e2);
+    let squared_length = dot(&n, &n);
+    let parameters = K::PARAMETERS.map(|side| instant.ratio(&feature.guards[side], &squared_length));
+    let side = instant.sign(&dot(&w, &n));
+    let direction = match side {
+        Ordering::Greater => instant.direction(n),
+        Ordering::Less => instant.direction(n.map(|component| -component)),
+        Ordering::Equal => None,
+    };
+    (parameters, direction)
+}

@@ -1,0 +1,163 @@
+//! Contact decided by the signs of integers of fixed width.
+//!
+//! Where primitives are flat, parallel and in touch, the numbers whose signs decide are zero, or so near to
+//! it that no error bound of floating point proves a sign. They are computed exactly here. Contact at t = 0
+//! is that of four points at rest. Later, the roots of the cubic are those of its exact coefficients, each
+//! rounded only once.
+
+use arrayvec::ArrayVec;
+
+use super::cubic::{Cubic, Root};
+use super::lattice::{Lattice, without_ends};
+use super::moment::Moment;
+use super::precise_cubic::PreciseCubic;
+use super::wide::Wide;
+use crate::interval::{Interval, Intervals};
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::time::ContactTime;
+
+/// Integers of 256 bits: coordinates of all 53 bits that differ by a factor of 2²⁸ at most.
+type Integer = Wide<4>;
+type Integers<K> = Lattice<K, 4>;
+
+/// The number of times at which a cubic may vanish, with the ends of the step.
+const MAX_MOMENTS: usize = 5;
+
+/// The moment of the first contact; `Some(None)` if there certainly is no contact, `None` if that is unknown.
+#[inline(never)]
+pub(super) fn first_moment<K: Kind>(query: &Query<K>) -> Option<Option<Moment>> {
+    let integers = Integers::new(query)?;
+    if integers.is_flat_at([0, 1]) && integers.touches(&Moment::Start)? {
+        return Some(Some(Moment::Start));
+    }
+    let cubic = integers.cubic();
+    if cubic == [Integer::ZERO; 4] {
+        let touches = integers.touches(&Moment::Later)?;
+        return (!touches).then_some(None);
+    }
+    for moment in flat_moments(&cubic)? {
+        if integers.touches(&moment)? {
+            return Some(Some(moment));
+        }
+    }
+    Some(None)
+}
+
+/// The first time of contact, if it is certain.
+pub(super) fn first<K: Kind>(query: &Query<K>) -> Option<ContactTime> {
+    time(query, &first_moment(query)??)
+}
+
+/// All times of contact, if they certainly are isolated moments.
+pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
+    let integers = Integers::new(query)?;
+    let cubic = integers.cubic();
+    if cubic == [Integer::ZERO; 4] {
+        let only_at_start = integers.touches(&Moment::Start)? && !integers.touches(&Moment::Later)?;
+        return only_at_start.then(|| {
+            [Interval::moment(ContactTime::exactly(0.0))]
+                .into_iter()
+                .collect()
+        });
+    }
+    let of_contact = flat_moments(&cubic)?
+        .into_iter()
+        .filter_map(|moment| match integers.touches(&moment) {
+            Some(false) => None,
+            Some(true) => Some(match &moment {
+                Moment::Root(root) => rounded(&integers, &cubic, root),
+                moment => time(query, moment),
+            }),
+            None => Some(None),
+        });
+    of_contact.map(|time| time.map(Interval::moment)).collect()
+}
+
+/// The time of a root of the coplanarity cubic in a bracket.
+pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
+    time(query, &Moment::Root(*root))
+}
+
+/// The time of a moment of contact.
+pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<ContactTime> {
+    match moment {
+        Moment::Root(root) => {
+            let integers = Integers::new(query)?;
+            rounded(&integers, &integers.cubic(), root)
+        }
+        Moment::End => Some(ContactTime::exactly(1.0)),
+        Moment::Start => Some(ContactTime::exactly(0.0)),
+        // An interval of times has none.
+        Moment::Later => None,
+    }
+}
+
+/// The moments at which a cubic that is not zero vanishes, in increasing order, if they are certain.
+///
+/// The bounds of [`Cubic::new`] hold with the largest coefficient as magnitude: each coefficient is rounded
+/// once, n = 1 of the ten roundings there, and the largest rounded one is below its integer by one rounding
+/// at most. Coefficients are below 2²⁵⁵, squares of them below 2⁵¹⁴: nothing overflows. The largest is at
+/// least 1, so that what underflows is far below the bounds.
+fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
+    let (inner, [at_start, at_end]) = without_ends(*cubic);
+    let values = inner.map(|c| c.approximate().high);
+    let roots = Cubic::new(values, largest(values)).roots()?;
+    let mut moments = ArrayVec::new();
+    moments.extend(at_start.then_some(Moment::Start));
+    moments.extend(roots.into_iter().map(Moment::Root));
+    moments.extend(at_end.then_some(Moment::End));
+    Some(moments)
+}
+
+fn largest(values: [f64; 4]) -> f64 {
+    values.into_iter().map(f64::abs).fold(0.0, f64::max)
+}
+
+/// The time of the only root of a cubic in a bracket.
+fn rounded<K: Kind>(integers: &Integers<K>, cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
+    let dyadic = fraction(root).and_then(|fraction| at_fraction(integers, fraction));
+    dyadic.or_else(|| between_adjacent(cubic, root))
+}
+
+/// The root of the coplanarity cubic in a bracket, if it is a multiple of 2⁻¹⁰, as in flat worlds many are.
+pub(super) fn dyadic<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
+    let fraction = fraction(root)?;
+    at_fraction(&Integers::new(query)?, fraction)
+}
+
+/// The number of parts of the step whose ends are tried.
+const PARTS: i128 = 1 << 10;
+
+/// The number of such parts that have elapsed at the end next to a root, if that is in the bracket.
+fn fraction(root: &Root) -> Option<i128> {
+    let elapsed = libm::round(root.near * PARTS as f64);
+    let t = elapsed / PARTS as f64;
+    (t > root.low && t < root.high).then_some(elapsed as i128)
+}
+
+/// The time at which this part of the step has elapsed, if the cubic vanishes then.
+///
+/// The volume of [`Lattice::is_flat_at`] is exact if b + k ≤ 83, for coordinates of b bits and 2ᵏ parts, a
+/// fraction in lowest terms.
+fn at_fraction<K: Kind>(integers: &Integers<K>, elapsed: i128) -> Option<ContactTime> {
+    let common = elapsed.trailing_zeros().min(PARTS.trailing_zeros());
+    let parts = [elapsed, PARTS - elapsed].map(|part| part >> common);
+    let is_exact = integers.bits + (PARTS.trailing_zeros() - common) <= 83;
+    let time = ContactTime::exactly(elapsed as f64 / PARTS as f64);
+    (is_exact && integers.is_flat_at(parts)).then_some(time)
+}
+
+/// The root in a bracket between two adjacent f64, if the signs of the cubic at both are certain.
+///
+/// The bound of [`PreciseCubic::new`] holds as in [`flat_moments`]: a coefficient in twice the precision is
+/// off by 2⁻¹⁰⁴ of itself, less than one operation of the twenty there.
+fn between_adjacent(cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
+    let values = cubic.map(Wide::approximate);
+    let [c0, c1, c2, c3] = values.map(|value| value.high);
+    // The slope in the units of the integers.
+    let [a1, a2, a3] = [c1 - 3.0 * c0, c2 - 2.0 * c1 + 3.0 * c0, c3 - c2 + c1 - c0];
+    let slope = (3.0 * a3 * root.near + 2.0 * a2) * root.near + a1;
+    let precise = PreciseCubic::new(values, largest([c0, c1, c2, c3]));
+    precise.round(&Root { slope, ..*root })
+}

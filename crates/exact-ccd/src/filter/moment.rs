@@ -1,0 +1,63 @@
+//! Moments of a step, and the signs of quadratics q₀ (1−t)² + q₁ (1−t) t + q₂ t² there, from their exact
+//! coefficients.
+
+use core::cmp::Ordering;
+
+use super::cubic::Root;
+use super::roundoff::{UNIT, certain_sign};
+use super::wide::Wide;
+
+/// A time or an interval of times.
+#[derive(Clone, Debug)]
+pub(crate) enum Moment {
+    /// t = 0.
+    Start,
+    /// All times after 0.
+    Later,
+    /// The root in a bracket.
+    Root(Root),
+    /// t = 1.
+    End,
+}
+
+impl Moment {
+    /// The sign of the quadratic with these coefficients, if it is certain and the same for all times of the
+    /// moment. Only the coefficients that matter are computed.
+    ///
+    /// After t = 0, (1−t)², (1−t) t and t² are positive, but for the first two at t = 1: coefficients without
+    /// two opposite signs have one sign in all of (0, 1], if the last is not zero.
+    pub(super) fn sign<const N: usize>(&self, coefficient: impl Fn(usize) -> Wide<N>) -> Option<Ordering> {
+        match self {
+            Self::Start => Some(coefficient(0).sign()),
+            Self::End => Some(coefficient(2).sign()),
+            Self::Root(root) => near(&[0, 1, 2].map(coefficient), root),
+            Self::Later => {
+                let last = coefficient(2).sign();
+                let are_certain = (0..2).all(|i| {
+                    let sign = coefficient(i).sign();
+                    sign.is_eq() || sign == last
+                });
+                are_certain.then_some(last)
+            }
+        }
+    }
+}
+
+/// The sign of a quadratic in a bracket, if it is certain.
+///
+/// M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its slope. The value at `near` results from
+/// at most 10 roundings: that of the coefficient, 1 − t twice, two products twice, two sums; n = 10. The
+/// integers are at least 1, so that what underflows is far below the bound.
+fn near<const N: usize>(quadratic: &[Wide<N>; 3], root: &Root) -> Option<Ordering> {
+    if quadratic.iter().all(Wide::is_zero) {
+        return Some(Ordering::Equal);
+    }
+    let [q0, q1, q2] = quadratic.map(|q| q.approximate().high);
+    let (t, s) = (root.near, 1.0 - root.near);
+    let value = (q0 * s + q1 * t) * s + q2 * t * t;
+    let radius = (root.high - root.near).max(root.near - root.low);
+    certain_sign(
+        value,
+        (q0.abs() + q1.abs() + q2.abs()) * (5.0 * radius + 16.0 * UNIT),
+    )
+}

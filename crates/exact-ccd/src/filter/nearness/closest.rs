@@ -1,0 +1,104 @@
+//! A guess of the closest points at one time, without bound.
+
+use crate::filter::vector::{dot, minus, towards};
+use crate::kind::Kind;
+use crate::point::Point;
+
+/// F at the closest points, as an affine combination of its corners.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Closest {
+    /// A corner: two vertices.
+    Corner(usize),
+    /// From the first corner towards the second, by a fraction in [0, 1]: a vertex and an edge.
+    Between([usize; 2], f64),
+    /// From corner 0 towards two others, by fractions in [0, 1], of a sum of at most 1 if there are
+    /// three corners only: a vertex and a face, or two edges.
+    Inner([usize; 2], [f64; 2]),
+}
+
+impl Closest {
+    pub(super) fn guess<K: Kind>(corners: &[Point; 4]) -> Self {
+        let features = K::FEATURES;
+        if let Some(inner) = features.inner {
+            let parameters = from_plane(corners, inner, corners[0]);
+            if is_inside::<K>(parameters) {
+                return Self::Inner(inner, parameters);
+            }
+        }
+        let mut best = (dot(corners[0], corners[0]), Self::Corner(0));
+        for side in features.sides {
+            let [i, j] = side.corners;
+            let (x, e) = (corners[i], minus(corners[j], corners[i]));
+            let s = -dot(x, e) / dot(e, e);
+            let (at, closest) = if s >= 1.0 {
+                (corners[j], Self::Corner(j))
+            } else if s > 0.0 {
+                let point = towards(x, e, s);
+                (point, Self::Between([i, j], s))
+            } else {
+                (x, Self::Corner(i))
+            };
+            let squared = dot(at, at);
+            if squared < best.0 {
+                best = (squared, closest);
+            }
+        }
+        best.1
+    }
+
+    /// The same with better parameters, if F there is known to twice the precision: one step of iterative
+    /// refinement. The parameters of nearly parallel edges have lost digits, and the distance with them.
+    pub(super) fn refined<K: Kind>(self, corners: &[Point; 4], point: Point) -> Self {
+        let Self::Inner(inner, [u, v]) = self else {
+            return self;
+        };
+        let [along_u, along_v] = from_plane(corners, inner, point);
+        let parameters = [u + along_u, v + along_v];
+        if is_inside::<K>(parameters) {
+            Self::Inner(inner, parameters)
+        } else {
+            self
+        }
+    }
+
+    /// F there.
+    pub(super) fn point(self, corners: &[Point; 4]) -> Point {
+        match self {
+            Self::Corner(i) => corners[i],
+            Self::Between([i, j], s) => {
+                let e = minus(corners[j], corners[i]);
+                towards(corners[i], e, s)
+            }
+            Self::Inner([i, j], [u, v]) => {
+                let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
+                towards(towards(corners[0], a, u), b, v)
+            }
+        }
+    }
+}
+
+/// The steps along two sides from F at a place of a plane to the point that is closest to the origin,
+/// as fractions of the sides; NaN for parallel sides.
+fn from_plane(corners: &[Point; 4], [i, j]: [usize; 2], place: Point) -> [f64; 2] {
+    let (a, b) = (minus(corners[i], corners[0]), minus(corners[j], corners[0]));
+    let (aa, ab, bb) = (dot(a, a), dot(a, b), dot(b, b));
+    let (pa, pb) = (dot(place, a), dot(place, b));
+    let determinant = aa * bb - ab * ab;
+    let scale = if determinant > 0.0 {
+        1.0 / determinant
+    } else {
+        f64::NAN
+    };
+    [(ab * pb - bb * pa) * scale, (ab * pa - aa * pb) * scale]
+}
+
+/// True for parameters of inner points of the domain.
+fn is_inside<K: Kind>([u, v]: [f64; 2]) -> bool {
+    u > 0.0
+        && v > 0.0
+        && if K::FEATURES.are_of_triangle() {
+            u + v < 1.0
+        } else {
+            u < 1.0 && v < 1.0
+        }
+}

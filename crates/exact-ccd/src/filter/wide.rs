@@ -1,0 +1,250 @@
+//! Integers of fixed width: exact arithmetic without allocation.
+
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
+
+use super::double_double::DoubleDouble;
+use super::number::Number;
+
+/// An integer of N words, the least significant first, in two's complement.
+///
+/// All operations are modulo 2⁶⁴ᴺ. A result whose magnitude is less than half of that is exact, whatever
+/// the intermediate results: users derive bounds of their results only.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Wide<const N: usize>([u64; N]);
+
+/// The number of leading bits from which an approximation is made.
+const LEADING: u32 = 126;
+
+impl<const N: usize> Wide<N> {
+    pub(super) const ZERO: Self = Self([0; N]);
+
+    pub(super) fn is_zero(&self) -> bool {
+        *self == Self::ZERO
+    }
+
+    fn is_negative(&self) -> bool {
+        self.0[N - 1] >> 63 != 0
+    }
+
+    /// The sign.
+    pub(super) fn sign(&self) -> Ordering {
+        if self.is_negative() {
+            Ordering::Less
+        } else if self.is_zero() {
+            Ordering::Equal
+        } else {
+            Ordering::Greater
+        }
+    }
+
+    pub(super) fn magnitude(self) -> Self {
+        if self.is_negative() { -self } else { self }
+    }
+
+    /// The number of bits of the magnitude.
+    pub(super) fn bit_len(self) -> u32 {
+        let words = self.magnitude().0;
+        let used = words.iter().rposition(|&word| word != 0);
+        used.map_or(0, |last| 64 * (last as u32 + 1) - words[last].leading_zeros())
+    }
+
+    /// The quotient by 2ᵏ, rounded down, for k < 64 N.
+    fn shifted_right(self, k: u32) -> Self {
+        let (words, bits) = ((k / 64) as usize, k % 64);
+        let fill = if self.is_negative() { u64::MAX } else { 0 };
+        let word = |i: usize| self.0.get(i).copied().unwrap_or(fill);
+        Self(core::array::from_fn(|i| {
+            let (low, high) = (word(i + words), word(i + words + 1));
+            ((u128::from(high) << 64 | u128::from(low)) >> bits) as u64
+        }))
+    }
+
+    /// The integer, if 64 bits hold it.
+    #[inline]
+    fn short(&self) -> Option<i64> {
+        let [first, rest @ ..] = &self.0[..] else {
+            return None;
+        };
+        let first = *first as i64;
+        let fill = if first < 0 { u64::MAX } else { 0 };
+        rest.iter().all(|&word| word == fill).then_some(first)
+    }
+
+    /// An approximation whose relative error is less than 2⁻¹⁰⁴: the leading bits are cut off after
+    /// [`LEADING`], and of these the part that is below the unit in the last place of an f64, at most 2⁷³,
+    /// is rounded to one.
+    pub(super) fn approximate(self) -> DoubleDouble {
+        let shift = self.bit_len().saturating_sub(LEADING);
+        let words = self.shifted_right(shift).0;
+        let leading = (u128::from(words[1]) << 64 | u128::from(words[0])) as i128;
+        let high = leading as f64;
+        let low = (leading - high as i128) as f64;
+        let scale = f64::from_bits(u64::from(1023 + shift) << 52);
+        DoubleDouble::sum(high * scale, low * scale)
+    }
+
+    #[cfg(test)]
+    pub(super) fn words(self) -> [u64; N] {
+        self.0
+    }
+}
+
+impl<const N: usize> From<i128> for Wide<N> {
+    #[inline]
+    fn from(value: i128) -> Self {
+        let fill = if value < 0 { u64::MAX } else { 0 };
+        Self(core::array::from_fn(|i| match i {
+            0 => value as u64,
+            1 => (value >> 64) as u64,
+            _ => fill,
+        }))
+    }
+}
+
+impl<const N: usize> Add for Wide<N> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        let mut carry = false;
+        Self(core::array::from_fn(|i| {
+            let (sum, first) = self.0[i].overflowing_add(other.0[i]);
+            let (sum, second) = sum.overflowing_add(carry.into());
+            carry = first | second;
+            sum
+        }))
+    }
+}
+
+impl<const N: usize> Neg for Wide<N> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        Self::ZERO - self
+    }
+}
+
+impl<const N: usize> Sub for Wide<N> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        let mut borrow = false;
+        Self(core::array::from_fn(|i| {
+            let (difference, first) = self.0[i].overflowing_sub(other.0[i]);
+            let (difference, second) = difference.overflowing_sub(borrow.into());
+            borrow = first | second;
+            difference
+        }))
+    }
+}
+
+impl<const N: usize> Mul for Wide<N> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, other: Self) -> Self {
+        if let (Some(a), Some(b)) = (self.short(), other.short()) {
+            return Self::from(i128::from(a) * i128::from(b));
+        }
+        let mut product = [0; N];
+        for i in 0..N {
+            let mut carry = 0;
+            for j in 0..N - i {
+                let term = u128::from(self.0[i]) * u128::from(other.0[j]);
+                let sum = term + u128::from(product[i + j]) + u128::from(carry);
+                product[i + j] = sum as u64;
+                carry = (sum >> 64) as u64;
+            }
+        }
+        Self(product)
+    }
+}
+
+/// The coordinates are integers below 2¹²⁶.
+impl<const N: usize> Number for Wide<N> {
+    type Real = f64;
+
+    #[inline]
+    fn difference(a: f64, b: f64) -> Self {
+        Self::from(a as i128 - b as i128)
+    }
+
+    fn value(self) -> f64 {
+        self.approximate().value()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use alloc::vec;
+    use alloc::vec::Vec;
+    use core::cmp::Ordering;
+
+    use dashu_int::IBig;
+
+    use super::{DoubleDouble, Wide};
+
+    fn big<const N: usize>(wide: Wide<N>) -> IBig {
+        let words = wide.magnitude().words().into_iter().rev();
+        let magnitude = words.fold(IBig::ZERO, |sum, word| (sum << 64) + IBig::from(word));
+        if wide.sign().is_lt() {
+            -magnitude
+        } else {
+            magnitude
+        }
+    }
+
+    /// Integers of all lengths and both signs, with runs of zeros and ones.
+    fn integers() -> Vec<i128> {
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        let mut all = vec![0, 1, -1];
+        for length in 1..=120 {
+            bits = bits.wrapping_mul(0xd134_2543_de82_ef95).wrapping_add(1);
+            let noise = (i128::from(bits) * i128::from(bits >> 5)) & ((1 << length) - 1);
+            let power = 1_i128 << length;
+            all.extend([noise, -noise, power, -power, power - 1, 1 - power]);
+        }
+        all
+    }
+
+    #[test]
+    fn arithmetic_is_that_of_integers() {
+        let all = integers();
+        for &a in &all {
+            for &b in all.iter().step_by(7) {
+                let [x, y] = [a, b].map(Wide::<4>::from);
+                let [i, j] = [a, b].map(IBig::from);
+                assert_eq!(big(x + y), &i + &j, "{a} {b}");
+                assert_eq!(big(x - y), &i - &j, "{a} {b}");
+                assert_eq!(big(x * y), &i * &j, "{a} {b}");
+                let [x, y] = [a, b].map(Wide::<6>::from);
+                assert_eq!(big(x * y * x), &i * &j * &i, "{a} {b}");
+                assert_eq!((x * y).sign(), (&i * &j).cmp(&IBig::ZERO), "{a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn approximations_are_as_accurate_as_stated() {
+        let all = integers();
+        for (&a, &b) in all.iter().zip(all.iter().rev()) {
+            let product = Wide::<4>::from(a) * Wide::from(b);
+            let DoubleDouble { high, low } = product.approximate();
+            let exact = IBig::from(a) * IBig::from(b);
+            let to_big = |x: f64| {
+                let ([integer], unit) = crate::exact::to_integers([x * 1024.0]);
+                integer << (unit.unwrap_or_default() + 200) as usize
+            };
+            let error = to_big(high) + to_big(low) - (exact.clone() << 210);
+            let bound = exact.clone() << 106;
+            let size = |x: &IBig| if x.cmp(&IBig::ZERO).is_lt() { -x } else { x.clone() };
+            assert!(size(&error) <= size(&bound), "{a} {b}");
+            assert_eq!(high.partial_cmp(&0.0), Some(product.sign()), "{a} {b}");
+            assert_eq!(product.sign(), exact.cmp(&IBig::ZERO));
+            assert_ne!(product.sign() == Ordering::Equal, product.bit_len() > 0);
+        }
+    }
+}

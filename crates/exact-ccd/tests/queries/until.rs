@@ -1,0 +1,143 @@
+//! Primitives that first touch after the last time that counts do not collide.
+
+use std::cell::RefCell;
+
+use exact_ccd::batch::{self, Trajectories};
+use exact_ccd::{ContactTime, Intervals, Kind, Options, Point, Query, Separation, exact};
+use proptest::prelude::*;
+
+use crate::each_kind::for_each_kind;
+use crate::families::{Rule, cases, extreme, ordinary, rule};
+use crate::kinds::{points_of, query};
+use crate::primitives::Points;
+use crate::runner::for_all;
+
+/// Last times: both ends of the step, beyond them, and the least number above 0.
+const ENDS: [f64; 12] = [
+    f64::NAN,
+    f64::NEG_INFINITY,
+    -1.0,
+    -f64::from_bits(1),
+    -0.0,
+    0.0,
+    f64::from_bits(1),
+    0.5,
+    1.0f64.next_down(),
+    1.0,
+    2.0,
+    f64::INFINITY,
+];
+
+/// The numbers around a time.
+fn around(time: ContactTime) -> [f64; 4] {
+    let (lower, upper) = (time.lower(), time.upper());
+    [lower.next_down(), lower, upper, upper.next_up()]
+}
+
+/// All answers until a time are those of the whole step, or none, by the filters and in integers.
+fn counts_until<K: Kind>(query: &Query<K>, d: Separation, whole: &Intervals, until: f64) {
+    let first = whole.first_time();
+    // False for NaN.
+    let counts = first.is_some_and(|first| first.upper() <= until);
+    assert_eq!(
+        first.is_some_and(|first| first.is_at_most(until)),
+        counts,
+        "{first:?}, {until:e}"
+    );
+    let options = Options::within(d).until(until);
+    let context = || format!("until {until:e}, {d:?}: {query:?}");
+    let first = first.filter(|_| counts);
+    let intervals = if counts {
+        whole.clone()
+    } else {
+        Intervals::default()
+    };
+
+    let collision = query.collision(options);
+    assert_eq!(
+        collision.map(|collision| collision.time()),
+        first,
+        "{}",
+        context()
+    );
+    assert_eq!(query.decide(options).0.is_some(), counts, "{}", context());
+    let decisions = [query.collides(options), exact::collides(query, options)];
+    assert_eq!(decisions, [counts; 2], "{}", context());
+    let times = [
+        query.time_of_impact(options),
+        exact::time_of_impact(query, options),
+    ];
+    assert_eq!(times, [first.map(ContactTime::lower); 2], "{}", context());
+    assert_eq!(query.intervals(options), intervals, "{}", context());
+    assert_eq!(exact::intervals(query, options), intervals, "{}", context());
+    let impacts = [query.impact(options), exact::impact(query, options)];
+    let times = impacts.map(|impact| impact.map(|impact| impact.time));
+    assert_eq!(times, [first; 2], "{}", context());
+}
+
+fn single<K: Kind>(count: u32, points: impl Strategy<Value = Points>, rule: impl Strategy<Value = Rule>) {
+    for_all(cases(count), (points, rule), |(points, rule)| {
+        let query = query::<K>(&points);
+        let d = rule.separation::<K>(&points);
+        let whole = query.intervals(d);
+        let times = whole.iter().flat_map(|interval| [interval.start, interval.end]);
+        for until in ENDS.into_iter().chain(times.flat_map(around)) {
+            counts_until(&query, d, &whole, until);
+        }
+    });
+}
+
+fn single_queries<K: Kind>() {
+    let contact = || Just(Rule::Fixed(0.0));
+    single::<K>(2_000, ordinary(), contact());
+    single::<K>(200, extreme(), contact());
+    single::<K>(2_000, ordinary(), rule());
+    single::<K>(200, extreme(), rule());
+}
+
+fn batches<K: Kind>() {
+    let queries = RefCell::new(Vec::new());
+    for_all(cases(2_000), ordinary(), |points| {
+        queries.borrow_mut().push(points.map(points_of::<K>));
+    });
+    let queries: Vec<[K::Points; 2]> = queries.into_inner();
+    let at = |time: usize| -> Vec<Point> {
+        let now = queries.iter().flat_map(|ends| ends[time].as_ref());
+        now.copied().collect()
+    };
+    let trajectories = Trajectories::new(&at(0), &at(1)).unwrap();
+    let vertices = crate::batch::vertices::<K>(queries.len());
+    for d in [0.0, 0.25, 1.0].map(|d| Separation::new(d).unwrap()) {
+        let first = |&[start, end]: &[K::Points; 2]| {
+            let query = Query::<K>::new(start, end).unwrap();
+            query.collision(d).map(|collision| collision.time())
+        };
+        let firsts: Vec<(usize, ContactTime)> = (0..)
+            .zip(queries.iter().map(first))
+            .filter_map(|(index, first)| Some((index, first?)))
+            .collect();
+        let some = firsts.iter().step_by(firsts.len().div_ceil(16));
+        for until in ENDS.into_iter().chain(some.flat_map(|(_, first)| around(*first))) {
+            let in_time = firsts.iter().filter(|(_, first)| first.is_at_most(until));
+            let expected: Vec<_> = in_time.copied().collect();
+            let options = Options::within(d).until(until);
+            let mut found = Vec::new();
+            trajectories
+                .collisions::<K>(&vertices, options, |index, collision| {
+                    found.push((index, collision.time()));
+                })
+                .unwrap();
+            assert!(found == expected, "vertices until {until:e} within {d:?}");
+            let mut found = Vec::new();
+            batch::Queries::<K>::new(&queries)
+                .collisions(options, |index, collision| found.push((index, collision.time())))
+                .unwrap();
+            assert!(found == expected, "points until {until:e} within {d:?}");
+        }
+    }
+}
+
+for_each_kind! {
+    of_single_queries => single_queries;
+    of_batches => batches;
+}

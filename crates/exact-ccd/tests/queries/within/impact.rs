@@ -1,0 +1,54 @@
+//! The closest points at the first time, compared with their definition.
+
+use exact_ccd::{EdgeEdge, VertexFace};
+use proptest::prelude::*;
+
+use crate::families::{cases, rule};
+use crate::generators::{degenerate, fractions, small_integers};
+use crate::kinds::query;
+use crate::primitives::{Primitives, at, combine, dot};
+use crate::runner::for_all;
+
+fn connects_the_closest_points<K: Primitives>() {
+    let points = prop_oneof![
+        small_integers(2),
+        small_integers(8),
+        degenerate(small_integers(2)),
+        fractions()
+    ];
+    for_all(cases(4_000), (points, rule()), |(points, rule)| {
+        let d = rule.separation::<K>(&points);
+        let query = query::<K>(&points);
+        let Some(impact) = query.impact(d).filter(|_| !d.is_zero()) else {
+            return;
+        };
+        let [u, v] = impact.parameters;
+        assert!(u >= 0.0 && v >= 0.0, "{impact:?}");
+        // The parameters are within 2⁻³², hence the difference of the points within a few times
+        // that of their size.
+        let x = combine(K::weights(u, v), at(&points, impact.time.lower()));
+        let distance = query.distance_at(impact.time.lower()).unwrap().lower;
+        let length = dot(x, x).sqrt();
+        assert!(
+            (length - distance).abs() < 1e-7,
+            "{length}, {distance}: {impact:?}, {query:?}"
+        );
+        match impact.normal {
+            Some(normal) => {
+                assert!((dot(normal, normal) - 1.0).abs() < 1e-12, "{impact:?}");
+                assert!((dot(normal, x) - length).abs() < 1e-7, "{impact:?}, {query:?}");
+            }
+            None => assert!(distance == 0.0, "{impact:?}, {query:?}"),
+        }
+    });
+}
+
+#[test]
+fn connects_the_closest_points_of_a_vertex_and_a_face() {
+    connects_the_closest_points::<VertexFace>();
+}
+
+#[test]
+fn connects_the_closest_points_of_edges() {
+    connects_the_closest_points::<EdgeEdge>();
+}
