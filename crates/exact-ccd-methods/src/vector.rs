@@ -21,8 +21,25 @@ pub(crate) fn dot<N: Clone + Add<Output = N> + Mul<Output = N>>(a: &Vector<N>, b
     x + y + z
 }
 
+/// The two products whose difference is the component of a × b along an axis.
+#[inline]
+pub(crate) fn products<N: Clone + Mul<Output = N>>(axis: usize, a: &Vector<N>, b: &Vector<N>) -> [N; 2] {
+    let [j, k] = [[1, 2], [2, 0], [0, 1]][axis];
+    [a[j].clone() * b[k].clone(), a[k].clone() * b[j].clone()]
+}
+
+/// The component of a × b along an axis.
+#[inline]
+pub(crate) fn turn<N: Clone + Sub<Output = N> + Mul<Output = N>>(
+    axis: usize,
+    a: &Vector<N>,
+    b: &Vector<N>,
+) -> N {
+    let [forth, back] = products(axis, a, b);
+    forth - back
+}
+
 #[inline]
 pub(crate) fn cross<N: Clone + Sub<Output = N> + Mul<Output = N>>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
-    [(1, 2), (2, 0), (0, 1)]
-        .map(|(j, k): (usize, usize)| a[j].clone() * b[k].clone() - a[k].clone() * b[j].clone())
+    [0, 1, 2].map(|axis| turn(axis, a, b))
 }

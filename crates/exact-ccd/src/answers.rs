@@ -38,13 +38,13 @@ impl<K: Kind> Query<K> {
     /// The largest f64 not above the first time at which the primitives touch, if they do.
     #[must_use]
     pub fn time_of_impact(&self, options: impl Into<Options>) -> Option<f64> {
-        K::time_of_impact(self, options.into())
+        self.collision(options).map(|collision| collision.time_of_impact())
     }
 
     /// The first time at which the primitives touch, if they do, with the closest points then.
     #[must_use]
     pub fn impact(&self, options: impl Into<Options>) -> Option<Impact> {
-        K::impact(self, options.into())
+        self.collision(options).map(|collision| collision.impact())
     }
 
     /// All times of the step at which the primitives touch; none if the first is after the last time that
@@ -73,7 +73,7 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
         }
     } else {
         // A part of the step, or none of it: NaN.
-        decide(query, options).0.is_some()
+        K::decide(query, *options).0.is_some()
     }
 }
 
@@ -90,18 +90,8 @@ pub(crate) fn decide<'a, K: Kind>(
     }
 }
 
-pub(crate) fn time_of_impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<f64> {
-    let collision = decide(query, options).0?;
-    Some(collision.determine_time().lower())
-}
-
-pub(crate) fn impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<Impact> {
-    let collision = decide(query, options).0?;
-    Some(collision.determine_impact())
-}
-
 /// The decision of the filters, which need the default environment.
-#[inline]
+#[inline(always)]
 fn filtered<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
     if environment::is_default() {
         filter::decide(query, options)

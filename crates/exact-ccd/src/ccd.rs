@@ -84,7 +84,7 @@ pub trait Ccd: Decide<VertexFace> + Decide<EdgeEdge> {
 }
 
 /// The guarantees of a method's answers, for any finite input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Guarantees {
     /// False negatives are possible: a query that collides may be decided to be free.
     pub false_negatives: bool,
@@ -95,7 +95,7 @@ pub struct Guarantees {
 }
 
 /// The meaning of a method's times of impact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TimeGuarantee {
     /// The method has no times of impact: it returns 0 for each contact.
     Absent,
@@ -108,7 +108,7 @@ pub enum TimeGuarantee {
 }
 
 /// The exact method: the answers of [`Query`].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Exact;
 
 impl<K: Kind> Decide<K> for Exact {

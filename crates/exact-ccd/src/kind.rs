@@ -6,6 +6,7 @@
 //! is a query of two edges, of which one or both have length zero: a point is repeated.
 
 use core::fmt::Debug;
+use core::ops::Deref;
 
 use crate::answers;
 use crate::batch::Batch;
@@ -95,6 +96,10 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
+    /// x₀ … x₃ at both ends of the step: the points themselves if they are four.
+    #[doc(hidden)]
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]>;
+
     // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
@@ -104,15 +109,11 @@ pub trait Kind: Tables + Copy {
     #[doc(hidden)]
     fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage);
     #[doc(hidden)]
-    fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64>;
-    #[doc(hidden)]
-    fn impact(query: &Query<Self>, options: Options) -> Option<Impact>;
-    #[doc(hidden)]
     fn time(collision: &Collision<'_, Self>) -> ContactTime;
     #[doc(hidden)]
     fn intervals(collision: &Collision<'_, Self>) -> Intervals;
     #[doc(hidden)]
-    fn first_impact(collision: &Collision<'_, Self>) -> Impact;
+    fn impact(collision: &Collision<'_, Self>) -> Impact;
     #[doc(hidden)]
     fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
 }
@@ -136,16 +137,6 @@ macro_rules! algorithms {
         }
 
         #[inline(never)]
-        fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64> {
-            answers::time_of_impact(query, &options)
-        }
-
-        #[inline(never)]
-        fn impact(query: &Query<Self>, options: Options) -> Option<Impact> {
-            answers::impact(query, &options)
-        }
-
-        #[inline(never)]
         fn time(collision: &Collision<'_, Self>) -> ContactTime {
             collision.determine_time()
         }
@@ -156,7 +147,7 @@ macro_rules! algorithms {
         }
 
         #[inline(never)]
-        fn first_impact(collision: &Collision<'_, Self>) -> Impact {
+        fn impact(collision: &Collision<'_, Self>) -> Impact {
             collision.determine_impact()
         }
 
@@ -168,25 +159,49 @@ macro_rules! algorithms {
 }
 
 /// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct VertexFace;
 
 /// Marks a query of an edge a₀ a₁ = x₀ x₁ against an edge b₀ b₁ = x₂ x₃.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct EdgeEdge;
 
 /// Marks a query of a vertex p against an edge a b, as points p, a, b: x₀ = x₁ = p, x₂ = a, x₃ = b.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct VertexEdge;
 
 /// Marks a query of a vertex p against a vertex q, as points p, q: x₀ = x₁ = p, x₂ = x₃ = q.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct VertexVertex;
+
+/// Four points of a query that has fewer: some occur twice.
+struct Repeated([[Point; 4]; 2]);
+
+impl Repeated {
+    #[inline(always)]
+    fn of<K: Kind>(points: &[K::Points; 2]) -> Self {
+        Self(points.map(|points| K::LAYOUT.map(|i| points.as_ref()[i])))
+    }
+}
+
+impl Deref for Repeated {
+    type Target = [[Point; 4]; 2];
+
+    #[inline(always)]
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
 
 impl Kind for VertexFace {
     type Points = [Point; 4];
     type Vertices = [u32; 4];
     const FIRST: usize = 1;
+
+    #[inline(always)]
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+        points
+    }
 
     algorithms!();
 }
@@ -196,6 +211,11 @@ impl Kind for EdgeEdge {
     type Vertices = [u32; 4];
     const FIRST: usize = 2;
 
+    #[inline(always)]
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+        points
+    }
+
     algorithms!();
 }
 
@@ -204,6 +224,11 @@ impl Kind for VertexEdge {
     type Vertices = [u32; 3];
     const FIRST: usize = 1;
 
+    #[inline(always)]
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+        Repeated::of::<Self>(points)
+    }
+
     algorithms!();
 }
 
@@ -211,6 +236,11 @@ impl Kind for VertexVertex {
     type Points = [Point; 2];
     type Vertices = [u32; 2];
     const FIRST: usize = 1;
+
+    #[inline(always)]
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+        Repeated::of::<Self>(points)
+    }
 
     algorithms!();
 }

@@ -1,6 +1,6 @@
 //! Interval bisection in time and in the parameters of the primitives.
 
-use exact_ccd::{Ccd, Decide, Guarantees, Point, Query, TimeGuarantee};
+use exact_ccd::{Decide, Point, Query};
 
 use super::bisection::Bisection;
 use super::cell::Cell;
@@ -74,19 +74,5 @@ impl<K: Gap> Decide<K> for IntervalRootFinder {
             K::meets_domain(cell) && (0..3).all(|axis| K::gap(coordinates.at(axis, t), u, v).contains_zero())
         };
         search.earliest(may_contain_root, |_| true)
-    }
-}
-
-impl Ccd for IntervalRootFinder {
-    fn name(&self) -> &'static str {
-        "IRF"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: false,
-            false_positives: true,
-            time: TimeGuarantee::Conservative,
-        }
     }
 }

@@ -14,6 +14,7 @@ use super::floats::Floats;
 use super::image::Domain;
 use super::rational::rational;
 use super::ray::parity;
+use crate::vector::minus;
 
 /// The shift of all points along each axis that makes their differences exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -110,9 +111,7 @@ impl Displacement {
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Self {
-        let pair =
-            |corner: usize, axis: usize| Domain::of::<K>().pair(query, corner).map(|point| point[axis]);
-        Self([0, 1, 2].map(|axis: usize| displacement((0..8).map(|corner| pair(corner, axis)))))
+        Self::of_pairs(&Domain::of::<K>().pairs(query))
     }
 
     /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
@@ -149,7 +148,7 @@ impl Displacement {
         let shift = |&point: &Point| {
             let shifted = self.apply(point);
             let overflows = |axis: &Axis| !shifted[axis.index()].is_finite();
-            match Axis::ALL.into_iter().find(overflows) {
+            match Axis::ALL.iter().copied().find(overflows) {
                 None => Ok(shifted),
                 Some(axis) => Err(RoundingError::OutOfRange { axis }),
             }
@@ -169,7 +168,7 @@ impl Displacement {
 ///
 /// The only constructors are a shift ([`Rounded::shift`]) and a check ([`Rounded::check`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rounded<K> {
+pub struct Rounded<K: Kind> {
     query: Query<K>,
     corners: [Point; 8],
 }
@@ -223,7 +222,7 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     pub fn check(query: Query<K>) -> Result<Self, RoundingError> {
         for (time, points) in query.points().iter().enumerate() {
             for (i, j) in Domain::of::<K>().corners {
-                for axis in Axis::ALL {
+                for &axis in Axis::ALL {
                     let [a, b] = [points[i], points[j]].map(|point| point[axis.index()]);
                     let (difference, error) = exact_sum(a, -b);
                     if !(difference.is_finite() && error == 0.0) {
@@ -239,11 +238,7 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     /// A query whose corner differences are exact.
     #[inline]
     fn of(query: Query<K>) -> Self {
-        let mut corners = [[0.0; 3]; 8];
-        for (index, corner) in corners.iter_mut().enumerate() {
-            let [x, y] = Domain::of::<K>().pair(&query, index);
-            *corner = [x[0] - y[0], x[1] - y[1], x[2] - y[2]];
-        }
+        let corners = Domain::of::<K>().pairs(&query).map(|[a, b]| minus(&a, &b));
         Self { query, corners }
     }
 
@@ -260,33 +255,25 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
         if !environment::is_default() {
             return rational(&self.query);
         }
-        if excludes_origin(corners) {
-            return Parity::Even;
-        }
         if !Expansion::can_hold(corners) {
             return rational(&self.query);
         }
+        if are_beyond_diagonal(corners) {
+            return Parity::Even;
+        }
         let pairs = corners.map(|corner| [corner, [0.0; 3]]);
-        parity(Domain::of::<K>(), &pairs, Floats::new)
+        parity(Domain::of::<K>(), &pairs, |ray| Floats::new(corners, ray))
     }
 }
 
-/// True if all points are strictly on one side of a plane x = 0, y = 0, z = 0, x = ±y, y = ±z or z = ±x.
-/// Comparisons are exact.
+/// True if all points are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Comparisons are exact.
 #[inline]
-fn excludes_origin(points: &[Point; 8]) -> bool {
-    let is_one_sided = |axis: usize| {
-        let signs = points.iter().fold([true; 2], |[a, b], point| {
-            [a & (point[axis] > 0.0), b & (point[axis] < 0.0)]
-        });
-        signs != [false; 2]
-    };
-    let is_one_sided_diagonally = |[i, j]: [usize; 2]| {
+fn are_beyond_diagonal(points: &[Point; 8]) -> bool {
+    [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
         let sides = points.iter().fold([true; 4], |[a, b, c, d], point| {
             let (x, y) = (point[i], point[j]);
             [a & (x > y), b & (x < y), c & (x > -y), d & (x < -y)]
         });
         sides != [false; 4]
-    };
-    (0..3).any(is_one_sided) || [[0, 1], [1, 2], [2, 0]].into_iter().any(is_one_sided_diagonally)
+    })
 }

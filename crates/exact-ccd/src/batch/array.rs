@@ -39,7 +39,7 @@ pub struct NonFiniteQuery {
 /// assert_eq!(times, [(1, 0.5)]);
 /// # Ok::<(), batch::NonFiniteQuery>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Queries<'a, K: Kind> {
     points: &'a [[K::Points; 2]],
     instructions: Instructions,

@@ -9,7 +9,7 @@ use crate::kind::{Kind, Side};
 use crate::point::Point;
 
 /// The primitives at an instant of contact.
-struct Contact<'a, K> {
+struct Meeting<'a, K> {
     motion: &'a Motion<K>,
     instant: Narrowing,
 }
@@ -22,15 +22,15 @@ impl<K: Kind> Motion<K> {
         // all of their signs.
         let instant = Narrowing::new(instant);
         instant.narrow_to(80);
-        let contact = Contact {
+        let meeting = Meeting {
             motion: self,
             instant,
         };
-        let crossing = !self.is_always_coplanar() && self.facing(&contact.instant).is_some();
-        let is_met = |side: &&Side| !crossing && self.lies_on(side, &contact.instant);
+        let crossing = !self.is_always_coplanar() && self.facing(&meeting.instant).is_some();
+        let is_met = |side: &&Side| !crossing && self.lies_on(side, &meeting.instant);
         let (parameters, normal) = match K::SIDES.iter().find(is_met) {
-            None => (contact.parameters_in_plane(), contact.normal_of_plane()),
-            Some(side) => contact.vertex_on_edge(side),
+            None => (meeting.parameters_in_plane(), meeting.normal_of_plane()),
+            Some(side) => meeting.vertex_on_edge(side),
         };
         Impact {
             time,
@@ -40,7 +40,7 @@ impl<K: Kind> Motion<K> {
     }
 }
 
-impl<K: Kind> Contact<'_, K> {
+impl<K: Kind> Meeting<'_, K> {
     /// (u, v) as ratios of the sides' areas to the normal, which does not vanish.
     fn parameters_in_plane(&self) -> [f64; 2] {
         let Some((axis, facing)) = self.motion.facing(&self.instant) else {

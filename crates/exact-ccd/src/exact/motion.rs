@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 
 use super::instant::Instant;
 use super::narrowing::Narrowing;
-use super::points::Points;
+use super::points::MovingPoints;
 use super::polynomial::{Polynomial, Vector, cross, cross_component, dot};
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
@@ -15,7 +15,7 @@ use crate::query::Query;
 /// The points of a query, and the normal of their plane when they are coplanar.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion<K> {
-    pub(super) points: Points,
+    pub(super) points: MovingPoints,
     /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
     pub(super) volume: Polynomial,
     /// e₁ × e₂.
@@ -25,7 +25,7 @@ pub(crate) struct Motion<K> {
 
 impl<K: Kind> Motion<K> {
     pub(crate) fn new(query: &Query<K>) -> Self {
-        let points = Points::new(query);
+        let points = MovingPoints::new(query);
         let [w, e1, e2] = K::SPAN.map(|difference| points.difference(difference));
         let normal = cross(&e1, &e2);
         Self {

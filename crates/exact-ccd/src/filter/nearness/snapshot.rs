@@ -42,7 +42,7 @@ impl<T: Precision> Moving<T> {
     pub(super) fn new<K: Kind>(query: &Query<K>, scaled: &Scaled) -> Self {
         let factor = scaled.factor;
         let points = query
-            .points()
+            .four()
             .map(|now| now.map(|point| point.map(|x| x * factor)));
         let both = K::CORNERS.map(|difference| subtract::<T>(&points, difference));
         Self {
