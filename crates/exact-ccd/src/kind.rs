@@ -107,7 +107,7 @@ pub trait Kind: Tables + Copy {
     #[doc(hidden)]
     fn collides(query: &Query<Self>, options: Options) -> bool;
     #[doc(hidden)]
-    fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage);
+    fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage>;
     #[doc(hidden)]
     fn time(collision: &Collision<'_, Self>) -> ContactTime;
     #[doc(hidden)]
@@ -132,7 +132,7 @@ macro_rules! algorithms {
         }
 
         #[inline(never)]
-        fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage) {
+        fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage> {
             answers::decide(query, &options)
         }
 

@@ -5,8 +5,8 @@
 use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::predicates::EdgeFace;
 use exact_ccd::{
-    Axis, Ccd, Collision, ContactTime, EdgeEdge, Exact, Guarantees, Impact, Interval, Intervals, NonFinite, Options,
-    Point, Query, Stage, Thickness, TimeGuarantee, VertexFace,
+    Axis, Ccd, Collision, ContactTime, EdgeEdge, Exact, Guarantees, Impact, Interval, Intervals, NonFinite,
+    Options, Point, Query, Stage, Thickness, TimeGuarantee, VertexFace,
 };
 
 const _: () = {

@@ -30,12 +30,8 @@ impl RootParity {
 
 impl<K: Kind<Points = [Point; 4]>> Decide<K> for RootParity {
     fn collides(&self, query: &Query<K>) -> bool {
-        let [start, end] = query
-            .points()
-            .map(|points| points.map(|point| self.displacement.apply(point)));
-        let Ok(query) = Query::<K>::new(start, end) else {
-            return true;
-        };
-        Rounded::shift(&query).map_or(true, |rounded| rounded.parity().is_collision())
+        let shifted = self.displacement.shift(query);
+        let rounded = shifted.and_then(|query| Rounded::shift(&query));
+        rounded.map_or(true, |rounded| rounded.parity().is_collision())
     }
 }

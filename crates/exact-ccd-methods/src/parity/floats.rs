@@ -18,8 +18,12 @@ impl Floats {
     /// The image of corners, with a ray.
     #[inline]
     pub(super) fn new(corners: &[Point; 8], ray: Point) -> Self {
-        let [a, b, c, d, e, f, g, h] = *corners;
-        Self([a, b, c, d, e, f, g, h, ray].map(|vector| vector.map(Approximate::from)))
+        // A loop: closures of long arrays are not inlined.
+        let mut vectors = [ray.map(Approximate::from); 9];
+        for (vector, corner) in vectors.iter_mut().zip(corners) {
+            *vector = corner.map(Approximate::from);
+        }
+        Self(vectors)
     }
 
     /// The sign by Shewchuk's adaptive predicates (Adaptive precision floating-point arithmetic and fast
@@ -48,7 +52,7 @@ impl Floats {
 }
 
 impl Image for Floats {
-    #[inline]
+    #[inline(always)]
     fn sign(&self, predicate: Predicate) -> Ordering {
         let sign = if let Predicate::Turn(axis, [a, b]) = predicate {
             // Rounding is monotone: if the rounded products differ, so do the exact ones, in the same sense.

@@ -60,10 +60,13 @@ impl Domain {
     /// The points of which F at the corners are differences.
     #[inline]
     pub(super) fn pairs<K: Kind<Points = [Point; 4]>>(&self, query: &Query<K>) -> [[Point; 2]; 8] {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner: usize| {
-            let (points, (i, j)) = (&query.points()[corner / 4], self.corners[corner % 4]);
-            [points[i], points[j]]
-        })
+        let mut pairs = [[[0.0; 3]; 2]; 8];
+        for (pairs, points) in pairs.as_chunks_mut::<4>().0.iter_mut().zip(query.points()) {
+            for (pair, (i, j)) in pairs.iter_mut().zip(self.corners) {
+                *pair = [points[i], points[j]];
+            }
+        }
+        pairs
     }
 }
 
@@ -131,7 +134,7 @@ impl Predicate {
         self.value(vectors).cmp(&IBig::ZERO)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(super) fn value<N: Signed>(self, vectors: &[Vector<N>]) -> N {
         let volume = |a: usize, b: usize, c: usize| dot(&vectors[a], &cross(&vectors[b], &vectors[c]));
         match self {

@@ -204,7 +204,11 @@ mod tests {
     fn rejected<K: Kind<Points = [Point; 4]>>(corners: &[Point; 8]) -> usize {
         let pairs = corners.map(|corner| [corner, [0.0; 3]]);
         let signs = Signs::new(&pairs);
-        let parity = |k| by_ray(k, Domain::of::<K>(), &pairs, &signs, &|ray| Floats::new(corners, ray));
+        let parity = |k| {
+            by_ray(k, Domain::of::<K>(), &pairs, &signs, &|ray| {
+                Floats::new(corners, ray)
+            })
+        };
         (0..=MOST_REJECTED).take_while(|&k| parity(k).is_none()).count()
     }
 

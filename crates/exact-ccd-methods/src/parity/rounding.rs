@@ -127,6 +127,20 @@ impl Displacement {
         [0, 1, 2].map(|axis: usize| point[axis] + self.0[axis])
     }
 
+    /// The shifted and rounded query.
+    #[inline]
+    pub(super) fn shift<K: Kind<Points = [Point; 4]>>(
+        self,
+        query: &Query<K>,
+    ) -> Result<Query<K>, RoundingError> {
+        if self == Self::default() {
+            return Ok(*query);
+        }
+        let [start, end] = query.points().map(|points| points.map(|point| self.apply(point)));
+        let out_of_range = |NonFinite { axis, .. }| RoundingError::OutOfRange { axis };
+        Query::new(start, end).map_err(out_of_range)
+    }
+
     /// The shifted and rounded points.
     ///
     /// The displacement of the box around all frames of a simulation serves every one of them:
@@ -207,11 +221,7 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     #[inline]
     pub fn shift(query: &Query<K>) -> Result<Self, RoundingError> {
         let displacement = Displacement::of_query(query);
-        let [start, end] = query
-            .points()
-            .map(|points| points.map(|point| displacement.apply(point)));
-        let out_of_range = |NonFinite { axis, .. }| RoundingError::OutOfRange { axis };
-        Ok(Self::of(Query::new(start, end).map_err(out_of_range)?))
+        Ok(Self::of(displacement.shift(query)?))
     }
 
     /// The query without a shift, if all corner differences are exact: as in a scene that was
@@ -238,7 +248,10 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     /// A query whose corner differences are exact.
     #[inline]
     fn of(query: Query<K>) -> Self {
-        let corners = Domain::of::<K>().pairs(&query).map(|[a, b]| minus(&a, &b));
+        let mut corners = [[0.0; 3]; 8];
+        for (corner, [a, b]) in corners.iter_mut().zip(&Domain::of::<K>().pairs(&query)) {
+            *corner = minus(a, b);
+        }
         Self { query, corners }
     }
 
@@ -261,7 +274,10 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
         if are_beyond_diagonal(corners) {
             return Parity::Even;
         }
-        let pairs = corners.map(|corner| [corner, [0.0; 3]]);
+        let mut pairs = [[[0.0; 3]; 2]; 8];
+        for ([corner, _], exact) in pairs.iter_mut().zip(corners) {
+            *corner = *exact;
+        }
         parity(Domain::of::<K>(), &pairs, |ray| Floats::new(corners, ray))
     }
 }

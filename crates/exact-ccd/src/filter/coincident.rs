@@ -48,7 +48,11 @@ impl Coincidence {
     pub(super) fn intervals(self) -> Option<Intervals> {
         let (start, end) = (self.first?, self.last?);
         let is_moment = start == end;
-        Some(Intervals::from_iter([Interval { start, end, is_moment }]))
+        Some(Intervals::from_iter([Interval {
+            start,
+            end,
+            is_moment,
+        }]))
     }
 }
 

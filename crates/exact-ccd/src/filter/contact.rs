@@ -45,7 +45,10 @@ pub(crate) struct AtRoot {
 impl AtRoot {
     /// The root of the earliest contact and those after it, if it is certain.
     fn from_first(&self) -> Option<(&Root, &[Root])> {
-        self.roots.get(self.touching..).filter(|_| self.is_first)?.split_first()
+        self.roots
+            .get(self.touching..)
+            .filter(|_| self.is_first)?
+            .split_first()
     }
 }
 
@@ -90,7 +93,8 @@ impl Contact {
         let by_roundoff = match self {
             Self::AtRoot(at_root) => match at_root.from_first() {
                 Some((root, _)) => {
-                    let rounded = fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root));
+                    let rounded =
+                        fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root));
                     return rounded.or_else(|| fixed_width::round(query, root));
                 }
                 None => None,

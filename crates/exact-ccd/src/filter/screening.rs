@@ -38,14 +38,20 @@ pub(crate) enum Proved {
 /// Decides whether primitives touch, as far as the filters can.
 #[inline(always)]
 pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
-    let hull = Hull::new::<K>(&query.four());
-    if options.separation.is_zero() {
-        return match screen(query, &hull, Touching) {
-            Ok(Some(cubic)) => decide_near_plane(query, &cubic),
-            Ok(None) => Decision::Unknown,
-            Err(stage) => Decision::Free(stage),
-        };
+    if !options.separation.is_zero() {
+        return decide_within(query, options);
     }
+    match screen(query, &Hull::new::<K>(&query.four()), Touching) {
+        Ok(Some(cubic)) => decide_near_plane(query, &cubic),
+        Ok(None) => Decision::Unknown,
+        Err(stage) => Decision::Free(stage),
+    }
+}
+
+/// The same for a separation above 0; apart, so that contact stays fast.
+#[inline(never)]
+fn decide_within<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
+    let hull = Hull::new::<K>(&query.four());
     match screen(query, &hull, Within(options.separation.get())) {
         Ok(_) => nearness::decide(query, &hull, options),
         Err(stage) => Decision::Free(stage),
