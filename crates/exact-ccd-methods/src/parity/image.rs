@@ -136,14 +136,23 @@ impl Predicate {
 
     #[inline(always)]
     pub(super) fn value<N: Signed>(self, vectors: &[Vector<N>]) -> N {
-        let volume = |a: usize, b: usize, c: usize| dot(&vectors[a], &cross(&vectors[b], &vectors[c]));
         match self {
-            Self::Volume([a, b, c]) => volume(a, b, c),
+            Self::Volume(corners) => volume(vectors, corners),
             Self::Turn(axis, [a, b]) => turn(axis, &vectors[a], &vectors[b]),
             Self::Dot([a, b]) => dot(&vectors[a], &vectors[b]),
-            Self::Phi([a, b, c, d]) => volume(b, c, d) * volume(a, b, d) - volume(a, c, d) * volume(a, b, c),
+            Self::Phi([a, b, c, d]) => {
+                let [v0, v1, v2, v3] =
+                    [[b, c, d], [a, c, d], [a, b, d], [a, b, c]].map(|corners| volume(vectors, corners));
+                v0 * v2 - v1 * v3
+            }
         }
     }
+}
+
+/// a · (b × c).
+#[inline(always)]
+fn volume<N: Signed>(vectors: &[Vector<N>], [a, b, c]: [usize; 3]) -> N {
+    dot(&vectors[a], &cross(&vectors[b], &vectors[c]))
 }
 
 /// An image of the domain, with a ray.

@@ -60,12 +60,12 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by
 /// enough for each.
-#[inline]
-fn displacement(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
-    if pairs.clone().fold(true, |all, [a, b]| all & is_near(a, b)) {
+#[inline(always)]
+fn displacement(pairs: &[[f64; 2]]) -> f64 {
+    if pairs.iter().fold(true, |all, &[a, b]| all & is_near(a, b)) {
         return 0.0;
     }
-    let ordered = pairs.map(|[a, b]| if a < b { (a, b) } else { (b, a) });
+    let ordered = pairs.iter().map(|&[a, b]| if a < b { (a, b) } else { (b, a) });
     let greater = |a: f64, b: f64| if b > a { b } else { a };
     // Rounding is monotone: the largest shift rounded up is the largest one rounded to nearest or,
     // if that is too small for one of the pairs that attain it, the next f64.
@@ -94,11 +94,9 @@ fn largest_shift(ordered: impl Iterator<Item = (f64, f64)>) -> f64 {
 impl Displacement {
     /// For pairs of finite points whose differences are to be exact.
     #[must_use]
-    #[inline]
     pub fn of_pairs(pairs: &[[Point; 2]]) -> Self {
-        Self(
-            [0, 1, 2].map(|axis: usize| displacement(pairs.iter().map(|pair| pair.map(|point| point[axis])))),
-        )
+        let along = |axis: usize| pairs.iter().map(move |pair| pair.map(|point| point[axis]));
+        Self([0, 1, 2].map(|axis| displacement(&along(axis).collect::<Vec<_>>())))
     }
 
     /// For all pairs of points in the box between two finite corners, as that of a whole simulation.
@@ -111,7 +109,14 @@ impl Displacement {
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Self {
-        Self::of_pairs(&Domain::of::<K>().pairs(query))
+        let mut axes = [[[0.0; 2]; 8]; 3];
+        for (corner, [a, b]) in Domain::of::<K>().pairs(query).iter().enumerate() {
+            for (axis, pairs) in axes.iter_mut().enumerate() {
+                pairs[corner] = [a[axis], b[axis]];
+            }
+        }
+        let [x, y, z] = &axes;
+        Self([displacement(x), displacement(y), displacement(z)])
     }
 
     /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
