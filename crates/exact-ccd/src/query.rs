@@ -33,29 +33,20 @@ pub struct NonFinite {
 }
 
 impl NonFinite {
-    /// Checks points that do not move: their time is 0.
-    pub(crate) fn check(points: &[Point]) -> Result<(), Self> {
-        Self::check_at(0, points)
-    }
-
-    /// Checks points at t = 0 and at t = 1.
-    #[cold]
-    pub(crate) fn check_moving([start, end]: [&[Point]; 2]) -> Result<(), Self> {
-        Self::check_at(0, start)?;
-        Self::check_at(1, end)
-    }
-
-    fn check_at(time: usize, points: &[Point]) -> Result<(), Self> {
-        for (point, coordinates) in points.iter().enumerate() {
-            for &axis in Axis::ALL {
-                let value = coordinates[axis.index()];
-                if !value.is_finite() {
-                    return Err(Self {
-                        time,
-                        point,
-                        axis,
-                        value,
-                    });
+    /// Checks points at t = 0 and, if they move, at t = 1.
+    pub(crate) fn check(ends: &[&[Point]]) -> Result<(), Self> {
+        for (time, points) in ends.iter().enumerate() {
+            for (point, coordinates) in points.iter().enumerate() {
+                for &axis in Axis::ALL {
+                    let value = coordinates[axis.index()];
+                    if !value.is_finite() {
+                        return Err(Self {
+                            time,
+                            point,
+                            axis,
+                            value,
+                        });
+                    }
                 }
             }
         }
@@ -78,7 +69,7 @@ impl<K: Kind> Query<K> {
             coordinates.iter().fold(true, |all, x| all & x.is_finite())
         };
         if !(are_finite(&t0) & are_finite(&t1)) {
-            NonFinite::check_moving([t0.as_ref(), t1.as_ref()])?;
+            NonFinite::check(&[t0.as_ref(), t1.as_ref()])?;
         }
         Ok(Self::from_finite([t0, t1]))
     }

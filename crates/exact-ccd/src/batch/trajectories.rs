@@ -176,7 +176,7 @@ fn check<K: Kind>(queries: &[K::Vertices], vertex_count: usize) -> Result<(), Ve
 /// The error that names the first coordinate of a vertex that is not finite.
 #[cold]
 fn first_error(vertex: usize, ends: &[Point; 2]) -> Result<(), TrajectoriesError> {
-    NonFinite::check(ends).map_err(
+    NonFinite::check(&[ends]).map_err(
         |NonFinite {
              point, axis, value, ..
          }| TrajectoriesError::NonFinite {

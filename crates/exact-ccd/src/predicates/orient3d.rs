@@ -32,7 +32,7 @@ use crate::query::NonFinite;
 /// # Errors
 /// [`NonFinite`] names the first coordinate that is infinite or not a number.
 pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
-    NonFinite::check(&points)?;
+    NonFinite::check(&[&points])?;
     Ok(sign_of_volume(&points).reverse())
 }
 
