@@ -6,6 +6,7 @@ use super::bisection::Bisection;
 use super::cell::Cell;
 use super::gap::{Coordinates, Gap};
 use crate::interval::Interval;
+use crate::vector::{dot, minus};
 
 /// IRF, the multivariate interval root finder: bisects (t, u, v) depth-first, and keeps the boxes
 /// over which F, in interval arithmetic, contains zero, until they are small.
@@ -41,8 +42,8 @@ impl Default for IntervalRootFinder {
 
 /// The distance between two points; infinite where it, or its square, overflows.
 pub(super) fn distance(a: Point, b: Point) -> f64 {
-    let [x, y, z] = [0, 1, 2].map(|axis| b[axis] - a[axis]);
-    (x * x + y * y + z * z).sqrt()
+    let displacement = minus(&b, &a);
+    dot(&displacement, &displacement).sqrt()
 }
 
 /// The largest displacement of a point.

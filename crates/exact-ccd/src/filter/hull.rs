@@ -33,9 +33,12 @@ impl<T: Lanes> Hull<T> {
         }
         let (mut low, mut high) = (corners.map(|row| row[0]), corners.map(|row| row[0]));
         for axis in 0..3 {
-            for &x in &corners[axis][1..] {
-                low[axis] = x.min(low[axis]);
-                high[axis] = x.max(high[axis]);
+            for (i, &x) in corners[axis].iter().enumerate().skip(1) {
+                // The others are repeated.
+                if i % 4 < K::FEATURES.vertices.len() {
+                    low[axis] = x.min(low[axis]);
+                    high[axis] = x.max(high[axis]);
+                }
             }
         }
         Self { corners, low, high }
