@@ -12,7 +12,8 @@ pub trait PageKind: Kind {
     const NAME: &'static str;
     /// The indices of both primitives among the four points of a page.
     const PRIMITIVES: [&'static [u32]; 2];
-    /// The index of each of these four points in [`Query::points`]: a vertex in place of an edge occurs twice.
+    /// The index of each of these four points in [`Query::points`]: a vertex in place of an edge occurs
+    /// twice.
     const POINTS: [usize; 4] = [0, 1, 2, 3];
 }
 

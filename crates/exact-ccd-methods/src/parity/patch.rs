@@ -59,8 +59,8 @@ pub(super) fn stand_in(
 
 /// True if a patch contains the origin, which is in one plane with its corners.
 ///
-/// If one of the two triangles on either side of a diagonal contains it, then it is not on the diagonal. So it
-/// is on a side of the patch, or the sides wind around it an odd number of times, and the patch fills them.
+/// If just one of the two triangles beside a diagonal contains it, then it is not on the diagonal. So it is
+/// on a side of the patch, or the sides wind around it an odd number of times, and the patch fills them.
 /// Otherwise, it can be on the patch only if it is in the hull of the corners: in one of four triangles.
 fn flat_patch_contains_origin(
     image: &impl Image,

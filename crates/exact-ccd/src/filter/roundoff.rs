@@ -1,7 +1,7 @@
 //! The constants of the error bounds.
 //!
-//! `docs/filters.md` has the model that all bounds follow: roundings, overflow, underflow and NaN. u = 2⁻⁵³ is
-//! the unit roundoff, and n the largest number of roundings between the input and a result.
+//! `docs/filters.md` has the model that all bounds follow: roundings, overflow, underflow and NaN. u = 2⁻⁵³
+//! is the unit roundoff, and n the largest number of roundings between the input and a result.
 
 use core::cmp::Ordering;
 
