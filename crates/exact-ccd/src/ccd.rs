@@ -29,13 +29,10 @@ pub trait Decide<K: Kind>: Send + Sync {
         queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.check::<K>(queries)?;
-        for (index, &vertices) in queries.iter().enumerate() {
-            let query = trajectories.query::<K>(vertices);
-            if query.is_some_and(|query| self.collides(&query)) {
-                sink(index);
-            }
-        }
+        let queries = trajectories.queries(queries)?.enumerate();
+        queries
+            .filter(|(_, query)| self.collides(query))
+            .for_each(|(index, _)| sink(index));
         Ok(())
     }
 
@@ -50,10 +47,8 @@ pub trait Decide<K: Kind>: Send + Sync {
         queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.check::<K>(queries)?;
-        for (index, &vertices) in queries.iter().enumerate() {
-            let query = trajectories.query::<K>(vertices);
-            if let Some(time) = query.and_then(|query| self.time_of_impact(&query)) {
+        for (index, query) in trajectories.queries(queries)?.enumerate() {
+            if let Some(time) = self.time_of_impact(&query) {
                 sink(index, time);
             }
         }
