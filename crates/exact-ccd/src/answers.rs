@@ -87,7 +87,11 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
 
 #[inline(always)]
 pub(crate) fn decide<'a, K: Kind>(query: &'a Query<K>, options: &Options) -> Result<Collision<'a, K>, Stage> {
-    let collision = Collision::from_decision(query, options.separation, filtered(query, options))?;
+    let collision = match filtered(query, options) {
+        // Most queries, without a call.
+        Decision::Free(stage) => return Err(stage),
+        decision => Collision::from_decision(query, options.separation, decision)?,
+    };
     if options.until >= 1.0 {
         return Ok(collision);
     }
