@@ -17,7 +17,7 @@ use crate::each_kind::for_each_kind;
 use crate::families::{cases, ordinary};
 use crate::generators::mixed;
 use crate::kinds::{points_of, query};
-use crate::primitives::{Points, Primitives};
+use crate::primitives::Primitives;
 use crate::runner::for_all;
 
 /// Enough for queries of all families, and for several chunks of a batch.
