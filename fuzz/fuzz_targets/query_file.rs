@@ -81,8 +81,6 @@ fn rows<K: QueryKind>(sample: &Sample<K>) -> String {
         });
         fields.join(",") + &truth + "\n"
     };
-    let at = |points: &[[f64; 3]; 4]| -> String {
-        K::POINTS.iter().map(|&(_, place)| row(points[place])).collect()
-    };
-    sample.query.points().each_ref().map(at).concat()
+    let points = sample.query.points().iter().flat_map(AsRef::as_ref);
+    points.copied().map(row).collect()
 }

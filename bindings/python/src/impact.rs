@@ -12,24 +12,27 @@ pub(crate) fn columns<K: ArrayKind>(query: &Query<K>, impact: &Impact) -> [f64; 
     let time = impact.time.lower();
     let [u, v] = impact.parameters;
     let [nx, ny, nz] = impact.normal.unwrap_or([f64::NAN; 3]);
-    let [start, end] = query.points();
-    let [a, b, c, d] = [0, 1, 2, 3].map(|i| sum([(1.0 - time, start[i]), (time, end[i])]));
-    let (first, second) = if K::IS_FACE {
-        (a, sum([(1.0 - u - v, b), (u, c), (v, d)]))
+    let mut now = query.points()[0];
+    for (now, &end) in now.as_mut().iter_mut().zip(query.points()[1].as_ref()) {
+        *now = sum(&[*now, end], &[1.0 - time, time]);
+    }
+    let (first, second) = now.as_ref().split_at(K::FIRST);
+    let [px, py, pz] = sum(first, &[1.0 - u, u]);
+    let [qx, qy, qz] = if K::IS_FACE {
+        sum(second, &[1.0 - u - v, u, v])
     } else {
-        (sum([(1.0 - u, a), (u, b)]), sum([(1.0 - v, c), (v, d)]))
+        sum(second, &[1.0 - v, v])
     };
-    let ([px, py, pz], [qx, qy, qz]) = (first, second);
     [time, u, v, nx, ny, nz, px, py, pz, qx, qy, qz]
 }
 
 /// The sum of points with weights that add up to 1: between the points, though rounding may lead beyond them,
-/// and beyond the largest f64.
-fn sum<const N: usize>(points: [(f64, Point); N]) -> Point {
+/// and beyond the largest f64. So a single point is the sum, whatever its weight.
+fn sum(points: &[Point], weights: &[f64]) -> Point {
     [0, 1, 2].map(|axis| {
-        let values = points.map(|(_, point)| point[axis]);
-        let sum: f64 = points.iter().map(|(weight, point)| weight * point[axis]).sum();
-        sum.max(values.into_iter().fold(f64::INFINITY, f64::min))
-            .min(values.into_iter().fold(f64::NEG_INFINITY, f64::max))
+        let values = points.iter().map(|point| point[axis]);
+        let sum: f64 = values.clone().zip(weights).map(|(x, weight)| weight * x).sum();
+        sum.max(values.clone().fold(f64::INFINITY, f64::min))
+            .min(values.fold(f64::NEG_INFINITY, f64::max))
     })
 }

@@ -19,7 +19,6 @@ use exact_ccd::batch::Trajectories;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
 use exact_ccd_data::{DataError, DataFolder, DataKind};
 use exact_ccd_mesh::{Bvh, Candidates, Motion, Step};
-use exact_ccd_methods::parity::Rounded;
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 7;
@@ -66,8 +65,6 @@ struct Batch<'a> {
     batch_means: Vec<f64>,
     /// The mean as a batch, with the count and all contact times of the colliding candidates.
     batch_times_means: Vec<f64>,
-    /// The same for the parity of the rounded query.
-    parity_means: Vec<f64>,
     survey: Survey,
 }
 
@@ -87,8 +84,6 @@ struct Colliding {
     /// The same without those of the exact path.
     times_filtered: Vec<f64>,
     impacts: Vec<f64>,
-    /// The parity of the rounded query.
-    parity: Vec<f64>,
     /// The exact path on some of them.
     exact: Vec<f64>,
 }
@@ -97,7 +92,6 @@ struct Colliding {
 #[derive(Clone, Copy)]
 struct Functions {
     count_collisions: fn(&Step<'_>, &[[u32; 2]]) -> usize,
-    count_by_parity: fn(&Step<'_>, &[[u32; 2]]) -> usize,
     count_batch: fn(&Trajectories, &[[u32; 4]]) -> usize,
     count_times_of_batch: fn(&Trajectories, &[[u32; 4]]) -> usize,
     survey: fn(&Step<'_>, &[[u32; 2]]) -> Survey,
@@ -116,7 +110,6 @@ impl<'a> Batch<'a> {
     fn new<K: DataKind>(scene: &str, step: Step<'a>, pairs: &[[u32; 2]]) -> Self {
         let functions = Functions {
             count_collisions: count_collisions::<K>,
-            count_by_parity: count_by_parity::<K>,
             count_batch: count_batch::<K>,
             count_times_of_batch: count_times_of_batch::<K>,
             survey: survey::<K>,
@@ -132,7 +125,6 @@ impl<'a> Batch<'a> {
             means: Vec::new(),
             batch_means: Vec::new(),
             batch_times_means: Vec::new(),
-            parity_means: Vec::new(),
             survey: (functions.survey)(&step, pairs),
         }
     }
@@ -140,7 +132,6 @@ impl<'a> Batch<'a> {
     fn time_all(&mut self) {
         let Functions {
             count_collisions,
-            count_by_parity,
             count_batch,
             count_times_of_batch,
             ..
@@ -162,8 +153,6 @@ impl<'a> Batch<'a> {
             .push(mean(&|| count_batch(trajectories, black_box(vertices))));
         self.batch_times_means
             .push(mean(&|| count_times_of_batch(trajectories, black_box(vertices))));
-        self.parity_means
-            .push(mean(&|| count_by_parity(step, black_box(pairs))));
     }
 }
 
@@ -192,16 +181,6 @@ fn count_collisions<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
         .count()
 }
 
-fn count_by_parity<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> usize {
-    let collides = |pair: &&[u32; 2]| parity_collides(&K::query(step, **pair));
-    pairs.iter().filter(collides).count()
-}
-
-/// As the paper decides: the query is rounded, and then its parity is counted.
-fn parity_collides<K: DataKind>(query: &Query<K>) -> bool {
-    Rounded::shift(query).is_ok_and(|rounded| rounded.parity().is_collision())
-}
-
 fn survey<K: DataKind>(step: &Step<'_>, pairs: &[[u32; 2]]) -> Survey {
     let mut survey = Survey::default();
     for &pair in pairs {
@@ -223,7 +202,6 @@ impl Colliding {
             self.times_filtered.push(times);
         }
         self.impacts.push(nanoseconds(|| query.impact(CONTACT)));
-        self.parity.push(nanoseconds(|| parity_collides(query)));
         if self.exact.len() < AUDITED {
             self.exact.push(nanoseconds(|| exact::intervals(query, CONTACT)));
         }
@@ -240,39 +218,41 @@ fn nanoseconds<T>(task: impl Fn() -> T) -> f64 {
 }
 
 fn print_candidates(batches: &[Batch<'_>]) {
-    println!("All candidates in order, mean ns: does it collide, and by the parity of the rounded query?\n");
-    println!("| scene and kind | candidates | batch | batch with count and times | one by one | parity |");
-    println!("|---|---:|---:|---:|---:|---:|");
+    println!("All candidates in order, mean ns of the decision.\n");
+    println!("| scene and kind | candidates | batch | batch with count and times | one by one |");
+    println!("|---|---:|---:|---:|---:|");
     for batch in batches {
         println!(
-            "| {} | {} | {:.1} | {:.1} | {:.0} | {:.0} |",
+            "| {} | {} | {:.1} | {:.1} | {:.0} |",
             batch.name,
             batch.pairs.len(),
             quantile(&batch.batch_means, 0.5),
             quantile(&batch.batch_times_means, 0.5),
-            quantile(&batch.means, 0.5),
-            quantile(&batch.parity_means, 0.5)
+            quantile(&batch.means, 0.5)
         );
     }
 }
 
 fn print_stages(batches: &[Batch<'_>]) {
+    // Those of a distance settle no query of contact.
+    let of_contact = |stage: &&Stage| !matches!(stage, Stage::Start | Stage::Advancement | Stage::Crossing);
+    let stages: Vec<Stage> = Stage::ALL.iter().filter(of_contact).copied().collect();
     println!(
         "\nSettled at each stage, in %; the last column is the exact path's share of those past the box.\n"
     );
     println!(
         "| scene and kind | {} | exact past box |",
-        Stage::ALL
+        stages
             .iter()
-            .map(|stage| format!("{stage:?}"))
+            .map(Stage::to_string)
             .collect::<Vec<_>>()
             .join(" | ")
     );
-    println!("|---|{}---:|", "---:|".repeat(Stage::ALL.len()));
+    println!("|---|{}---:|", "---:|".repeat(stages.len()));
     for Batch { name, survey, .. } in batches {
         let count = |stage: Stage| survey.settled[stage as usize] as f64;
         let all: f64 = Stage::ALL.iter().map(|&stage| count(stage)).sum();
-        let shares = Stage::ALL
+        let shares = stages
             .iter()
             .map(|&stage| format!("{:.3}", 100.0 * count(stage) / all))
             .collect::<Vec<_>>()
@@ -286,19 +266,18 @@ fn print_colliding(batches: &[Batch<'_>]) {
     println!("\nColliding queries, one by one, in ns: count and all contact times, then the impact.\n");
     println!(
         "| scene and kind | colliding | mean | median | worst | exact | mean without | worst without | \
-         impact mean | parity mean | exact path median |"
+         impact mean | exact path median |"
     );
-    println!("|---|{}", "---:|".repeat(10));
+    println!("|---|{}", "---:|".repeat(9));
     for Batch { name, survey, .. } in batches {
         let Colliding {
             times,
             times_filtered,
             impacts,
-            parity,
             exact,
         } = &survey.colliding;
         println!(
-            "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} | {:.0} |",
+            "| {name} | {} | {:.0} | {:.0} | {:.0} | {} | {:.0} | {:.0} | {:.0} | {:.0} |",
             times.len(),
             mean(times),
             quantile(times, 0.5),
@@ -307,7 +286,6 @@ fn print_colliding(batches: &[Batch<'_>]) {
             mean(times_filtered),
             quantile(times_filtered, 1.0),
             mean(impacts),
-            mean(parity),
             quantile(exact, 0.5),
         );
     }

@@ -3,7 +3,9 @@
 //!
 //! `cargo bench -p exact-ccd-bench --bench worst_cases [-- QUERIES]`, on one thread; 100 queries of
 //! each family if no number is given. The queries are generated with fixed seeds. The time of a query
-//! is the least of five attempts.
+//! is the least of five attempts. A row is over all families of a kind: those of the exact path alone for
+//! contact, and within the distance that the primitives have at t = 0, 1/2 or 1; and, with the filters,
+//! those of points that coincide.
 
 #![expect(clippy::print_stdout, reason = "this is its output")]
 
@@ -15,108 +17,110 @@ mod families;
 use std::hint::black_box;
 use std::time::Instant;
 
-use exact_ccd::{CONTACT, EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
+use exact_ccd::{EdgeEdge, Kind, Query, Separation, VertexEdge, VertexFace, VertexVertex, exact};
 
-use families::{Family, Points, Primitives, Random, families};
+use families::{Family, Points, Random, families};
 
 const ATTEMPTS: usize = 5;
 
+/// The answers that are timed.
+const ANSWERS: [&str; 4] = ["collides", "time_of_impact", "intervals", "impact"];
+
 fn main() {
-    let count = std::env::args()
-        .skip(1)
-        .find_map(|argument| argument.parse().ok())
-        .unwrap_or(100);
-    println!("The exact path alone, mean and worst ms of the queries of a family.\n");
-    print_head(["`collides`", "`intervals`", "`impact`"]);
-    print_contact::<VertexFace>("vf", count);
-    print_contact::<EdgeEdge>("ee", count);
-
-    println!("\nThe same within the distance that the primitives have at t = 0, 1/2 or 1.\n");
-    print_head(["`collides`", "`time_of_impact`", "`intervals`", "`impact`"]);
-    print_within::<VertexFace>("vf", &families::<VertexFace>(), count, |now| now);
-    print_within::<EdgeEdge>("ee", &families::<EdgeEdge>(), count, |now| now);
-    print_within::<VertexEdge>("ve", &families::<EdgeEdge>(), count, |[p, _, a, b]| [p, a, b]);
-    print_within::<VertexVertex>("vv", &families::<EdgeEdge>(), count, |[p, _, q, _]| [p, q]);
-
-    println!("\nPoints that coincide, with the filters, mean and worst ms.\n");
-    print_head(["`collides`", "`intervals`", "`impact`"]);
-    print_coincident::<VertexFace>("vf", count);
-    print_coincident::<EdgeEdge>("ee", count);
+    let argument = |argument: String| argument.parse().ok();
+    let count = std::env::args().skip(1).find_map(argument).unwrap_or(100);
+    println!("Mean and worst ms, and the costliest family.\n");
+    println!(
+        "| query | {} mean | worst | family |",
+        ANSWERS.join(" mean | worst | ")
+    );
+    println!("|---|{}---|", "---:|".repeat(2 * ANSWERS.len()));
+    let (of_vf, of_ee) = (&families::<VertexFace>(), &families::<EdgeEdge>());
+    Rows::<VertexFace>::of(of_vf, count, |now| now).print("vf, contact", contact, exactly);
+    Rows::<EdgeEdge>::of(of_ee, count, |now| now).print("ee, contact", contact, exactly);
+    Rows::<VertexFace>::of(of_vf, count, |now| now).print("vf, distance", distance, exactly);
+    Rows::<EdgeEdge>::of(of_ee, count, |now| now).print("ee, distance", distance, exactly);
+    Rows::<VertexEdge>::of(of_ee, count, |[p, _, a, b]| [p, a, b]).print("ve, distance", distance, exactly);
+    Rows::<VertexVertex>::of(of_ee, count, |[p, _, q, _]| [p, q]).print("vv, distance", distance, exactly);
+    let equal = &coincident::FAMILIES;
+    Rows::<VertexFace>::of(equal, count, |now| now).print("vf, equal points", contact, with_filters);
+    Rows::<EdgeEdge>::of(equal, count, |now| now).print("ee, equal points", contact, with_filters);
 }
 
-/// The queries of a family; a coordinate may be out of range.
-fn queries<K: Kind>(
-    family: Family,
-    count: usize,
-    points: fn(<VertexFace as Kind>::Points) -> K::Points,
-) -> impl Iterator<Item = Query<K>> {
-    let mut random = Random(1);
-    let generated = (0..count).map(move |_| -> Points { family(&mut random) });
-    generated.filter_map(move |[start, end]| Query::new(points(start), points(end)).ok())
+/// The queries of some families, each with the index of its family.
+struct Rows<'a, K: Kind> {
+    families: &'a [(&'static str, Family)],
+    queries: Vec<(usize, Query<K>)>,
 }
 
-fn print_contact<K: Primitives>(kind: &str, count: usize) {
-    for (name, family) in families::<K>() {
-        let times = queries::<K>(family, count, |now| now).map(|query| {
-            [
-                milliseconds(|| exact::collides(&query, CONTACT)),
-                milliseconds(|| exact::intervals(&query, CONTACT)),
-                milliseconds(|| exact::impact(&query, CONTACT)),
-            ]
+impl<'a, K: Kind> Rows<'a, K> {
+    /// Queries of each family; a coordinate may be out of range.
+    fn of(
+        families: &'a [(&'static str, Family)],
+        count: usize,
+        points: fn(<VertexFace as Kind>::Points) -> K::Points,
+    ) -> Self {
+        let queries = families.iter().enumerate().flat_map(|(index, (_, family))| {
+            let mut random = Random(1);
+            let generated = (0..count).map(move |_| -> Points { family(&mut random) });
+            let query = move |[start, end]: Points| Query::new(points(start), points(end)).ok();
+            generated.filter_map(query).map(move |query| (index, query))
         });
-        print_row(kind, name, times);
+        let queries = queries.collect();
+        Self { families, queries }
+    }
+
+    fn print(
+        &self,
+        name: &str,
+        separation: fn(usize, &Query<K>) -> Separation,
+        times_of: fn(&Query<K>, Separation) -> [f64; ANSWERS.len()],
+    ) {
+        let queries = self.queries.iter().enumerate();
+        let times =
+            queries.map(|(index, (family, query))| (*family, times_of(query, separation(index, query))));
+        let times: Vec<_> = times.collect();
+        let cells = (0..ANSWERS.len()).map(|answer| {
+            let of_answer = || times.iter().map(|(_, times)| times[answer]);
+            let mean = of_answer().sum::<f64>() / times.len() as f64;
+            format!("{mean:.3} | {:.3}", of_answer().fold(0.0, f64::max))
+        });
+        let cells = cells.collect::<Vec<_>>().join(" | ");
+        let total = |times: &[f64]| times.iter().sum::<f64>();
+        let worst = times
+            .iter()
+            .max_by(|(_, a), (_, b)| total(a).total_cmp(&total(b)));
+        let family = worst.map_or("", |(family, _)| self.families[*family].0);
+        println!("| {name} | {cells} | {family} |");
     }
 }
 
-fn print_within<K: Kind>(
-    kind: &str,
-    families: &[(&str, Family)],
-    count: usize,
-    points: fn(<VertexFace as Kind>::Points) -> K::Points,
-) {
-    for &(name, family) in families {
-        let queries = queries::<K>(family, count, points).enumerate();
-        let times = queries.map(|(index, query)| {
-            let at = query.distance_at([0.0, 0.5, 1.0][index % 3]);
-            let d = at.expect("it is a time of the step").lower;
-            let d = Separation::new(d).expect("a lower bound of a distance is finite");
-            [
-                milliseconds(|| exact::collides(&query, d)),
-                milliseconds(|| exact::time_of_impact(&query, d)),
-                milliseconds(|| exact::intervals(&query, d)),
-                milliseconds(|| exact::impact(&query, d)),
-            ]
-        });
-        print_row(kind, name, times);
-    }
+fn contact<K: Kind>(_: usize, _: &Query<K>) -> Separation {
+    Separation::ZERO
 }
 
-fn print_coincident<K: Primitives>(kind: &str, count: usize) {
-    for (name, family) in coincident::FAMILIES {
-        let times = queries::<K>(family, count, |now| now).map(|query| {
-            [
-                milliseconds(|| query.collides(CONTACT)),
-                milliseconds(|| query.intervals(CONTACT)),
-                milliseconds(|| query.impact(CONTACT)),
-            ]
-        });
-        print_row(kind, name, times);
-    }
+fn distance<K: Kind>(index: usize, query: &Query<K>) -> Separation {
+    let at = query.distance_at([0.0, 0.5, 1.0][index % 3]);
+    let d = at.expect("it is a time of the step").lower;
+    Separation::new(d).expect("a lower bound of a distance is finite")
 }
 
-fn print_head<const N: usize>(functions: [&str; N]) {
-    println!("| family | {} mean | worst |", functions.join(" mean | worst | "));
-    println!("|---|{}", "---:|".repeat(2 * N));
+fn exactly<K: Kind>(query: &Query<K>, d: Separation) -> [f64; ANSWERS.len()] {
+    [
+        milliseconds(|| exact::collides(query, d)),
+        milliseconds(|| exact::time_of_impact(query, d)),
+        milliseconds(|| exact::intervals(query, d)),
+        milliseconds(|| exact::impact(query, d)),
+    ]
 }
 
-fn print_row<const N: usize>(kind: &str, name: &str, times: impl Iterator<Item = [f64; N]>) {
-    let times: Vec<_> = times.collect();
-    let cells = (0..N).map(|function| {
-        let of_function = || times.iter().map(|times| times[function]);
-        let mean = of_function().sum::<f64>() / times.len() as f64;
-        format!("{mean:.4} | {:.4}", of_function().fold(0.0, f64::max))
-    });
-    println!("| {kind}: {name} | {} |", cells.collect::<Vec<_>>().join(" | "));
+fn with_filters<K: Kind>(query: &Query<K>, d: Separation) -> [f64; ANSWERS.len()] {
+    [
+        milliseconds(|| query.collides(d)),
+        milliseconds(|| query.time_of_impact(d)),
+        milliseconds(|| query.intervals(d)),
+        milliseconds(|| query.impact(d)),
+    ]
 }
 
 fn milliseconds<T>(task: impl Fn() -> T) -> f64 {

@@ -4,7 +4,7 @@ use exact_ccd::{CONTACT, Kind, Query};
 
 /// A query and its ground truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Subject<K> {
+pub struct Subject<K: Kind> {
     /// The query.
     pub query: Query<K>,
     /// True if its primitives touch.
@@ -36,7 +36,7 @@ impl<K: Kind> Subject<K> {
 /// that rare contacts are timed as well as frequent ones. Means weight each class by its share of
 /// the data set.
 #[derive(Clone, Debug)]
-pub struct Subjects<K> {
+pub struct Subjects<K: Kind> {
     free: Reservoir<Subject<K>>,
     colliding: Reservoir<Subject<K>>,
     random: fastrand::Rng,
@@ -70,7 +70,7 @@ impl<T> Reservoir<T> {
     }
 }
 
-impl<K: Copy> Subjects<K> {
+impl<K: Kind> Subjects<K> {
     /// Keeps up to `most` queries that collide and as many that do not.
     #[must_use]
     pub fn new(most: usize) -> Self {

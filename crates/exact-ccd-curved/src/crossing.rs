@@ -2,7 +2,7 @@
 
 use exact_ccd::{CONTACT, Query, Separation, VertexEdge};
 
-use crate::kind::{CurvedKind, points};
+use crate::kind::CurvedKind;
 use crate::straight::Straight;
 
 /// Returns true if the curved primitives are certainly in contact at some time between the start and
@@ -25,11 +25,10 @@ pub(crate) fn is_certain<K: CurvedKind>(straight: &Straight<K>) -> bool {
     let Ok(margin) = Separation::new(straight.deviation) else {
         return false;
     };
-    let four = straight.query.points();
-    let [start, end] = four.map(|four| points::<K>(|point| four[point]));
+    let [start, end] = *straight.query.points();
     let is_apart_at = |now| Query::<K>::new(now, now).is_ok_and(|query| !query.collides(margin));
     let is_apart_on = |side: &[usize; 3]| {
-        let [start, end] = four.map(|four| side.map(|point| four[point]));
+        let [start, end] = [start, end].map(|points| side.map(|point| points.as_ref()[point]));
         Query::<VertexEdge>::new(start, end).is_ok_and(|query| !query.collides(margin))
     };
     is_apart_at(start)

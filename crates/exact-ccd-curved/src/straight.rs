@@ -16,7 +16,7 @@ use crate::trajectory::{Chord, Trajectory};
 /// - F on the curves differs from F on the chords by at most Δ, at each (t, u, v).
 /// - The distance of the curved primitives differs from that on the chords by at most Δ, at each time.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Straight<K> {
+pub(crate) struct Straight<K: CurvedKind> {
     pub(crate) query: Query<K>,
     /// Δ; infinite if nothing is known.
     pub(crate) deviation: f64,

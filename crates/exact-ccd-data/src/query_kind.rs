@@ -6,39 +6,33 @@ use exact_ccd::{EdgeEdge, Kind, NonFinite, Point, Query, VertexEdge, VertexFace,
 pub trait QueryKind: Kind + Send + Sync {
     /// The short name of the kind.
     const SHORT: &'static str;
-    /// The points of a query in the order of the files: the name of each, and its place in
-    /// [`Query::points`].
-    const POINTS: &'static [(&'static str, usize)];
+    /// The names of the points of a query, in the order of [`Query::points`].
+    const POINTS: &'static [&'static str];
 }
 
 impl QueryKind for VertexFace {
     const SHORT: &'static str = "vf";
-    const POINTS: &'static [(&'static str, usize)] = &[("p", 0), ("v1", 1), ("v2", 2), ("v3", 3)];
+    const POINTS: &'static [&'static str] = &["p", "v1", "v2", "v3"];
 }
 
 impl QueryKind for EdgeEdge {
     const SHORT: &'static str = "ee";
-    const POINTS: &'static [(&'static str, usize)] = &[("a0", 0), ("a1", 1), ("b0", 2), ("b1", 3)];
+    const POINTS: &'static [&'static str] = &["a0", "a1", "b0", "b1"];
 }
 
 impl QueryKind for VertexEdge {
     const SHORT: &'static str = "ve";
-    const POINTS: &'static [(&'static str, usize)] = &[("p", 0), ("a", 2), ("b", 3)];
+    const POINTS: &'static [&'static str] = &["p", "a", "b"];
 }
 
 impl QueryKind for VertexVertex {
     const SHORT: &'static str = "vv";
-    const POINTS: &'static [(&'static str, usize)] = &[("p", 0), ("q", 2)];
+    const POINTS: &'static [&'static str] = &["p", "q"];
 }
 
 /// The points of a query in the order of the files: all at t = 0, then all at t = 1.
 pub(crate) fn points<K: QueryKind>(query: &Query<K>) -> impl Iterator<Item = Point> {
-    let at = |time: usize| {
-        K::POINTS
-            .iter()
-            .map(move |&(_, place)| query.points()[time][place])
-    };
-    at(0).chain(at(1))
+    query.points().iter().flat_map(AsRef::as_ref).copied()
 }
 
 /// The query of these points, in the order of [`points`].

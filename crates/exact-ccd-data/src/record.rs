@@ -6,7 +6,7 @@ use exact_ccd::{ContactTime, Kind, Query, Separation};
 
 /// A query from a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample<K> {
+pub struct Sample<K: Kind> {
     /// The query.
     pub query: Query<K>,
     /// The ground truth, if the file has it: true if the primitives collide.
@@ -17,7 +17,7 @@ pub struct Sample<K> {
 ///
 /// Query files hold a part of it, Parquet files all of it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Record<K> {
+pub struct Record<K: Kind> {
     /// The query and its ground truth.
     pub sample: Sample<K>,
     /// The number of contact times, −1 for infinitely many.
@@ -50,7 +50,7 @@ impl<K: Kind> Record<K> {
     }
 }
 
-impl<K> From<Sample<K>> for Record<K> {
+impl<K: Kind> From<Sample<K>> for Record<K> {
     fn from(sample: Sample<K>) -> Self {
         Self {
             sample,

@@ -30,7 +30,7 @@ pub(crate) struct RowReader<R> {
     rounding: Rounding,
     seventh: Seventh,
     /// The points of a query, as [`QueryKind`](crate::QueryKind) names them.
-    points: &'static [(&'static str, usize)],
+    points: &'static [&'static str],
     /// The number of fields in the first row.
     fields: Option<usize>,
 }
@@ -45,7 +45,7 @@ pub(crate) struct Row {
 }
 
 impl<R: Read> RowReader<R> {
-    pub(crate) fn new(lines: Lines<R>, rounding: Rounding, points: &'static [(&'static str, usize)]) -> Self {
+    pub(crate) fn new(lines: Lines<R>, rounding: Rounding, points: &'static [&'static str]) -> Self {
         Self {
             lines,
             rounding,
@@ -105,7 +105,7 @@ impl<R: Read> RowReader<R> {
             };
             *coordinate = parsed.map_err(|source| Problem::Coordinate {
                 axis: ['x', 'y', 'z'][axis],
-                point: self.points[index % self.points.len()].0,
+                point: self.points[index % self.points.len()],
                 time: index / self.points.len(),
                 source,
             })?;

@@ -1,6 +1,6 @@
-//! All methods, and the method of a name.
+//! All methods, their names and guarantees, and the method of a name.
 
-use exact_ccd::{Ccd, Exact};
+use exact_ccd::{Ccd, Exact, Guarantees, TimeGuarantee};
 
 use crate::parity::RootParity;
 use crate::{
@@ -8,23 +8,44 @@ use crate::{
     MinimumSeparationRootFinder, RationalRootParity, TightCcd, TightInclusion, UnivariateIntervalRootFinder,
 };
 
-/// All methods with their default parameters: the exact one, root parity, and then the others in
-/// the order of the paper's table 1.
-#[must_use]
-pub fn all() -> Vec<Box<dyn Ccd>> {
-    vec![
-        Box::new(Exact),
-        Box::new(RootParity::default()),
-        Box::new(IntervalRootFinder::default()),
-        Box::new(UnivariateIntervalRootFinder::default()),
-        Box::new(FloatingPointRootFinder::default()),
-        Box::new(TightCcd),
-        Box::new(BrochuRootParity::default()),
-        Box::new(RationalRootParity),
-        Box::new(BernsteinSignClassification::default()),
-        Box::new(MinimumSeparationRootFinder::default()),
-        Box::new(TightInclusion::default()),
-    ]
+/// A row for each method: its name, whether false negatives and false positives are possible, and the
+/// meaning of its times.
+macro_rules! methods {
+    ($($method:ty: $name:literal, $false_negatives:literal, $false_positives:literal, $time:ident;)*) => {
+        $(impl Ccd for $method {
+            fn name(&self) -> &'static str {
+                $name
+            }
+
+            fn guarantees(&self) -> Guarantees {
+                Guarantees {
+                    false_negatives: $false_negatives,
+                    false_positives: $false_positives,
+                    time: TimeGuarantee::$time,
+                }
+            }
+        })*
+
+        /// All methods with their default parameters: the exact one, root parity, and then the others in
+        /// the order of the paper's table 1.
+        #[must_use]
+        pub fn all() -> Vec<Box<dyn Ccd>> {
+            vec![Box::new(Exact), $(Box::<$method>::default()),*]
+        }
+    };
+}
+
+methods! {
+    RootParity: "parity", true, true, Absent;
+    IntervalRootFinder: "IRF", false, true, Conservative;
+    UnivariateIntervalRootFinder: "UIRF", false, true, Conservative;
+    FloatingPointRootFinder: "FPRF", true, true, Approximate;
+    TightCcd: "TCCD", false, true, Absent;
+    BrochuRootParity: "RP", true, true, Absent;
+    RationalRootParity: "RRP", true, false, Absent;
+    BernsteinSignClassification: "BSC", true, true, Absent;
+    MinimumSeparationRootFinder: "MSRF", true, true, Approximate;
+    TightInclusion: "TI", false, true, Conservative;
 }
 
 /// The names of [all methods](all), in the same order.

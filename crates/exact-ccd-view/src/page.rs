@@ -115,7 +115,7 @@ impl Page {
     /// Primitives at most `separation` apart count as touching.
     #[must_use]
     pub fn of_query<K: PageKind>(title: impl Into<String>, query: &Query<K>, separation: Separation) -> Self {
-        let positions = query.points();
+        let positions = &query::points_of(query);
         let bounds = positions.as_flattened().iter().copied().collect();
         let mut page = Self::new(title, query::mesh_of::<K>(), &bounds);
         for (label, positions) in ["t = 0", "t = 1"].into_iter().zip(positions) {

@@ -10,8 +10,11 @@ use crate::contact::Primitive;
 pub trait PageKind: Kind {
     /// The name of the kind on the page.
     const NAME: &'static str;
-    /// The indices of both primitives among the four points of [`Query::points`].
+    /// The indices of both primitives among the four points of a page.
     const PRIMITIVES: [&'static [u32]; 2];
+    /// The index of each of these four points in [`Query::points`]: a vertex in place of an edge occurs
+    /// twice.
+    const POINTS: [usize; 4] = [0, 1, 2, 3];
 }
 
 impl PageKind for VertexFace {
@@ -24,16 +27,16 @@ impl PageKind for EdgeEdge {
     const PRIMITIVES: [&'static [u32]; 2] = [&[0, 1], &[2, 3]];
 }
 
-// The vertices of these two kinds occur twice among the points.
-
 impl PageKind for VertexEdge {
     const NAME: &'static str = "vertex-edge";
     const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[2, 3]];
+    const POINTS: [usize; 4] = [0, 0, 1, 2];
 }
 
 impl PageKind for VertexVertex {
     const NAME: &'static str = "vertex-vertex";
     const PRIMITIVES: [&'static [u32]; 2] = [&[0], &[2]];
+    const POINTS: [usize; 4] = [0, 0, 1, 1];
 }
 
 /// The mesh of a query: its face and its edges, over its four points.
@@ -46,6 +49,11 @@ pub(crate) fn mesh_of<K: PageKind>() -> TriangleMesh {
         .filter_map(|&primitive| primitive.try_into().ok())
         .collect();
     TriangleMesh::with_edges(4, faces.collect(), &edges).unwrap_or_default()
+}
+
+/// The four points of a query at both ends of the step.
+pub(crate) fn points_of<K: PageKind>(query: &Query<K>) -> [[Point; 4]; 2] {
+    query.points().map(|points| K::POINTS.map(|i| points.as_ref()[i]))
 }
 
 pub(crate) fn primitives_of<K: PageKind>() -> [Primitive; 2] {
@@ -79,7 +87,7 @@ impl ShownQuery {
         };
         Self {
             kind: K::NAME,
-            points: *query.points(),
+            points: points_of(query),
             primitives: primitives_of::<K>(),
             stage: stage_of(query, separation),
             separation: separation.get(),

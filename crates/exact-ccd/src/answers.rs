@@ -25,26 +25,33 @@ impl<K: Kind> Query<K> {
     #[must_use]
     #[inline]
     pub fn collision(&self, options: impl Into<Options>) -> Option<Collision<'_, K>> {
-        self.decide(options).0
+        K::decide(self, options.into()).ok()
     }
 
     /// [`collision`](Self::collision), and the stage that decided.
     #[must_use]
     #[inline]
     pub fn decide(&self, options: impl Into<Options>) -> (Option<Collision<'_, K>>, Stage) {
-        K::decide(self, options.into())
+        match K::decide(self, options.into()) {
+            Ok(collision) => {
+                let stage = collision.stage();
+                (Some(collision), stage)
+            }
+            Err(stage) => (None, stage),
+        }
     }
 
     /// The largest f64 not above the first time at which the primitives touch, if they do.
     #[must_use]
     pub fn time_of_impact(&self, options: impl Into<Options>) -> Option<f64> {
-        K::time_of_impact(self, options.into())
+        self.collision(options)
+            .map(|collision| collision.time_of_impact())
     }
 
     /// The first time at which the primitives touch, if they do, with the closest points then.
     #[must_use]
     pub fn impact(&self, options: impl Into<Options>) -> Option<Impact> {
-        K::impact(self, options.into())
+        self.collision(options).map(|collision| collision.impact())
     }
 
     /// All times of the step at which the primitives touch; none if the first is after the last time that
@@ -64,6 +71,7 @@ impl<K: Kind> Query<K> {
     }
 }
 
+#[inline(always)]
 pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
     if options.until >= 1.0 {
         match filtered(query, options) {
@@ -73,35 +81,26 @@ pub(crate) fn collides<K: Kind>(query: &Query<K>, options: &Options) -> bool {
         }
     } else {
         // A part of the step, or none of it: NaN.
-        decide(query, options).0.is_some()
+        K::decide(query, *options).is_ok()
     }
 }
 
-pub(crate) fn decide<'a, K: Kind>(
-    query: &'a Query<K>,
-    options: &Options,
-) -> (Option<Collision<'a, K>>, Stage) {
-    match Collision::from_decision(query, options.separation, filtered(query, options)) {
-        Ok(collision) => {
-            let stage = collision.stage();
-            (collision.until(options.until), stage)
-        }
-        Err(stage) => (None, stage),
+#[inline(always)]
+pub(crate) fn decide<'a, K: Kind>(query: &'a Query<K>, options: &Options) -> Result<Collision<'a, K>, Stage> {
+    let collision = match filtered(query, options) {
+        // Most queries, without a call.
+        Decision::Free(stage) => return Err(stage),
+        decision => Collision::from_decision(query, options.separation, decision)?,
+    };
+    if options.until >= 1.0 {
+        return Ok(collision);
     }
-}
-
-pub(crate) fn time_of_impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<f64> {
-    let collision = decide(query, options).0?;
-    Some(collision.determine_time().lower())
-}
-
-pub(crate) fn impact<K: Kind>(query: &Query<K>, options: &Options) -> Option<Impact> {
-    let collision = decide(query, options).0?;
-    Some(collision.determine_impact())
+    let stage = collision.stage();
+    collision.until(options.until).ok_or(stage)
 }
 
 /// The decision of the filters, which need the default environment.
-#[inline]
+#[inline(always)]
 fn filtered<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
     if environment::is_default() {
         filter::decide(query, options)

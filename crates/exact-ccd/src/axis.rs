@@ -13,7 +13,7 @@ pub enum Axis {
 
 impl Axis {
     /// All axes, in the order of the coordinates.
-    pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+    pub const ALL: &'static [Self] = &[Self::X, Self::Y, Self::Z];
 
     /// The index of the coordinate along this axis: 0, 1 or 2.
     #[must_use]

@@ -29,13 +29,10 @@ pub trait Decide<K: Kind>: Send + Sync {
         queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.check::<K>(queries)?;
-        for (index, &vertices) in queries.iter().enumerate() {
-            let query = trajectories.query::<K>(vertices);
-            if query.is_some_and(|query| self.collides(&query)) {
-                sink(index);
-            }
-        }
+        let queries = trajectories.queries(queries)?.enumerate();
+        queries
+            .filter(|(_, query)| self.collides(query))
+            .for_each(|(index, _)| sink(index));
         Ok(())
     }
 
@@ -50,10 +47,8 @@ pub trait Decide<K: Kind>: Send + Sync {
         queries: &[K::Vertices],
         sink: &mut dyn FnMut(usize, f64),
     ) -> Result<(), VertexOutOfRange> {
-        trajectories.check::<K>(queries)?;
-        for (index, &vertices) in queries.iter().enumerate() {
-            let query = trajectories.query::<K>(vertices);
-            if let Some(time) = query.and_then(|query| self.time_of_impact(&query)) {
+        for (index, query) in trajectories.queries(queries)?.enumerate() {
+            if let Some(time) = self.time_of_impact(&query) {
                 sink(index, time);
             }
         }
@@ -84,7 +79,7 @@ pub trait Ccd: Decide<VertexFace> + Decide<EdgeEdge> {
 }
 
 /// The guarantees of a method's answers, for any finite input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Guarantees {
     /// False negatives are possible: a query that collides may be decided to be free.
     pub false_negatives: bool,
@@ -95,7 +90,7 @@ pub struct Guarantees {
 }
 
 /// The meaning of a method's times of impact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum TimeGuarantee {
     /// The method has no times of impact: it returns 0 for each contact.
     Absent,
@@ -108,7 +103,7 @@ pub enum TimeGuarantee {
 }
 
 /// The exact method: the answers of [`Query`].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Exact;
 
 impl<K: Kind> Decide<K> for Exact {

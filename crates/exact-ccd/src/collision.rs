@@ -32,7 +32,7 @@ use crate::time::ContactTime;
 /// # Ok::<(), exact_ccd::NonFinite>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Collision<'a, K> {
+pub struct Collision<'a, K: Kind> {
     query: &'a Query<K>,
     separation: Separation,
     proof: Proof<K>,
@@ -151,7 +151,7 @@ impl<'a, K: Kind> Collision<'a, K> {
     /// The first time at which the primitives touch, with the closest points then.
     #[must_use]
     pub fn impact(&self) -> Impact {
-        K::first_impact(self)
+        K::impact(self)
     }
 
     pub(crate) fn determine_impact(&self) -> Impact {

@@ -1,5 +1,7 @@
 //! Distances: the threshold of a query, and bounds of the distance at one time.
 
+use core::fmt;
+
 use crate::non_negative::NonNegative;
 
 /// A distance d: two primitives touch if they are at most d apart. It is a finite f64, at least 0, in the
@@ -63,6 +65,19 @@ impl Separation {
         let carry = u64::from(sum > 2 << DIGITS);
         let bits = ((exponent(large) - 1 + carry) << DIGITS) + sum.div_ceil(1 + carry);
         Self(NonNegative::new(f64::from_bits(bits)).expect("the sum is at most the largest f64"))
+    }
+}
+
+impl fmt::Display for Separation {
+    /// Writes the number.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.get().fmt(f)
+    }
+}
+
+impl From<Separation> for f64 {
+    fn from(separation: Separation) -> Self {
+        separation.get()
     }
 }
 

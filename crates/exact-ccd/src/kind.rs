@@ -6,6 +6,7 @@
 //! is a query of two edges, of which one or both have length zero: a point is repeated.
 
 use core::fmt::Debug;
+use core::ops::Deref;
 
 use crate::answers;
 use crate::batch::Batch;
@@ -61,24 +62,33 @@ impl Features {
 
 /// The tables of the kinds. The module is private, which seals [`Kind`].
 pub(crate) mod tables {
-    use super::{Difference, Features, Side};
+    use super::{Difference, Features, Side, side};
 
-    /// The tables of a kind of query.
+    /// The tables of a kind of query. By default, those of two edges.
+    ///
+    /// The segments cross if the ends of each lie on different sides of the line of the other: with n =
+    /// e₁ × e₂, a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four
+    /// sides are u ≥ 0, u ≤ 1, v ≥ 0 and v ≤ 1.
     #[expect(unnameable_types, reason = "seals the public trait `Kind`")]
     pub trait Tables {
         /// F at the corners of the domain of (u, v). A face has only three; the last one is repeated.
-        const CORNERS: [Difference; 4];
+        const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
         /// w, e₁, e₂, where w leads from the second primitive to the first. The primitives are
         /// coplanar when w · (e₁ × e₂) = 0, and e₁ × e₂ is the normal of their plane.
-        const SPAN: [Difference; 3];
+        const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
         /// If the normal of the common plane does not vanish, the primitives meet there if and only
         /// if every vertex lies on the stated side of its line or on the line itself.
-        const SIDES: &'static [Side];
+        const SIDES: &'static [Side] = &[
+            side(0, [2, 3], [0, 1], true, [[0.0, 0.0], [0.0, 1.0]]),
+            side(1, [2, 3], [2, 3], false, [[1.0, 0.0], [1.0, 1.0]]),
+            side(2, [0, 1], [0, 2], false, [[0.0, 0.0], [1.0, 0.0]]),
+            side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
+        ];
         /// The sides whose (x − q) × (y − q) are u and v times the normal, or that times −1 if not
         /// `along`.
-        const PARAMETERS: [usize; 2];
+        const PARAMETERS: [usize; 2] = [0, 2];
         /// For each of x₀ … x₃, its index among the points of the query.
-        const LAYOUT: [usize; 4];
+        const LAYOUT: [usize; 4] = [0, 1, 2, 3];
         /// The pairs of features among whose distances the least is that of the primitives.
         const FEATURES: Features;
     }
@@ -95,6 +105,10 @@ pub trait Kind: Tables + Copy {
     /// The number of points of the first primitive, which come first.
     const FIRST: usize;
 
+    /// x₀ … x₃ at both ends of the step: the points themselves if they are four.
+    #[doc(hidden)]
+    fn four(points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]>;
+
     // The algorithms are functions of each kind, not generic ones: this crate contains their code, and the
     // crates that call them do not compile it again.
     #[doc(hidden)]
@@ -102,118 +116,107 @@ pub trait Kind: Tables + Copy {
     #[doc(hidden)]
     fn collides(query: &Query<Self>, options: Options) -> bool;
     #[doc(hidden)]
-    fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage);
-    #[doc(hidden)]
-    fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64>;
-    #[doc(hidden)]
-    fn impact(query: &Query<Self>, options: Options) -> Option<Impact>;
+    fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage>;
     #[doc(hidden)]
     fn time(collision: &Collision<'_, Self>) -> ContactTime;
     #[doc(hidden)]
     fn intervals(collision: &Collision<'_, Self>) -> Intervals;
     #[doc(hidden)]
-    fn first_impact(collision: &Collision<'_, Self>) -> Impact;
+    fn impact(collision: &Collision<'_, Self>) -> Impact;
     #[doc(hidden)]
     fn distance(collision: &Collision<'_, Self>) -> DistanceBounds;
 }
 
-/// The algorithms of a kind.
-macro_rules! algorithms {
-    () => {
-        #[inline(never)]
-        fn run(batch: Batch<'_, Self>) {
-            batch.run();
-        }
+/// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct VertexFace;
 
-        #[inline(never)]
-        fn collides(query: &Query<Self>, options: Options) -> bool {
-            answers::collides(query, &options)
-        }
+/// Marks a query of an edge a₀ a₁ = x₀ x₁ against an edge b₀ b₁ = x₂ x₃.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct EdgeEdge;
 
-        #[inline(never)]
-        fn decide(query: &Query<Self>, options: Options) -> (Option<Collision<'_, Self>>, Stage) {
-            answers::decide(query, &options)
-        }
+/// Marks a query of a vertex p against an edge a b, as points p, a, b: x₀ = x₁ = p, x₂ = a, x₃ = b.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct VertexEdge;
 
-        #[inline(never)]
-        fn time_of_impact(query: &Query<Self>, options: Options) -> Option<f64> {
-            answers::time_of_impact(query, &options)
-        }
+/// Marks a query of a vertex p against a vertex q, as points p, q: x₀ = x₁ = p, x₂ = x₃ = q.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct VertexVertex;
 
-        #[inline(never)]
-        fn impact(query: &Query<Self>, options: Options) -> Option<Impact> {
-            answers::impact(query, &options)
-        }
+/// Four points of a query that has fewer: some occur twice.
+struct Repeated([[Point; 4]; 2]);
 
-        #[inline(never)]
-        fn time(collision: &Collision<'_, Self>) -> ContactTime {
-            collision.determine_time()
-        }
+impl Repeated {
+    #[inline(always)]
+    fn of<K: Kind>(points: &[K::Points; 2]) -> Self {
+        Self(points.map(|points| K::LAYOUT.map(|i| points.as_ref()[i])))
+    }
+}
 
-        #[inline(never)]
-        fn intervals(collision: &Collision<'_, Self>) -> Intervals {
-            collision.determine_intervals()
-        }
+impl Deref for Repeated {
+    type Target = [[Point; 4]; 2];
 
-        #[inline(never)]
-        fn first_impact(collision: &Collision<'_, Self>) -> Impact {
-            collision.determine_impact()
-        }
+    #[inline(always)]
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
 
-        #[inline(never)]
-        fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
-            collision.determine_distance()
+/// A kind with numbers of points, of a query and of its first primitive, and x₀ … x₃ among them.
+macro_rules! kind {
+    ($kind:ident, $count:literal, $first:literal, |$points:ident| $four:expr) => {
+        impl Kind for $kind {
+            type Points = [Point; $count];
+            type Vertices = [u32; $count];
+            const FIRST: usize = $first;
+
+            #[inline(always)]
+            fn four($points: &[Self::Points; 2]) -> impl Deref<Target = [[Point; 4]; 2]> {
+                $four
+            }
+
+            #[inline(never)]
+            fn run(batch: Batch<'_, Self>) {
+                batch.run();
+            }
+
+            #[inline(never)]
+            fn collides(query: &Query<Self>, options: Options) -> bool {
+                answers::collides(query, &options)
+            }
+
+            #[inline(never)]
+            fn decide(query: &Query<Self>, options: Options) -> Result<Collision<'_, Self>, Stage> {
+                answers::decide(query, &options)
+            }
+
+            #[inline(never)]
+            fn time(collision: &Collision<'_, Self>) -> ContactTime {
+                collision.determine_time()
+            }
+
+            #[inline(never)]
+            fn intervals(collision: &Collision<'_, Self>) -> Intervals {
+                collision.determine_intervals()
+            }
+
+            #[inline(never)]
+            fn impact(collision: &Collision<'_, Self>) -> Impact {
+                collision.determine_impact()
+            }
+
+            #[inline(never)]
+            fn distance(collision: &Collision<'_, Self>) -> DistanceBounds {
+                collision.determine_distance()
+            }
         }
     };
 }
 
-/// Marks a query of a vertex p = x₀ against a face with corners v₁, v₂, v₃ = x₁, x₂, x₃.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VertexFace;
-
-/// Marks a query of an edge a₀ a₁ = x₀ x₁ against an edge b₀ b₁ = x₂ x₃.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EdgeEdge;
-
-/// Marks a query of a vertex p against an edge a b, as points p, a, b: x₀ = x₁ = p, x₂ = a, x₃ = b.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VertexEdge;
-
-/// Marks a query of a vertex p against a vertex q, as points p, q: x₀ = x₁ = p, x₂ = x₃ = q.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VertexVertex;
-
-impl Kind for VertexFace {
-    type Points = [Point; 4];
-    type Vertices = [u32; 4];
-    const FIRST: usize = 1;
-
-    algorithms!();
-}
-
-impl Kind for EdgeEdge {
-    type Points = [Point; 4];
-    type Vertices = [u32; 4];
-    const FIRST: usize = 2;
-
-    algorithms!();
-}
-
-impl Kind for VertexEdge {
-    type Points = [Point; 3];
-    type Vertices = [u32; 3];
-    const FIRST: usize = 1;
-
-    algorithms!();
-}
-
-impl Kind for VertexVertex {
-    type Points = [Point; 2];
-    type Vertices = [u32; 2];
-    const FIRST: usize = 1;
-
-    algorithms!();
-}
+kind!(VertexFace, 4, 1, |points| points);
+kind!(EdgeEdge, 4, 2, |points| points);
+kind!(VertexEdge, 3, 1, |points| Repeated::of::<Self>(points));
+kind!(VertexVertex, 2, 1, |points| Repeated::of::<Self>(points));
 
 const fn side(
     vertex: usize,
@@ -242,7 +245,6 @@ impl Tables for VertexFace {
         side(0, [3, 1], [2, 0], true, [[0.0, 1.0], [0.0, 0.0]]),
     ];
     const PARAMETERS: [usize; 2] = [2, 0];
-    const LAYOUT: [usize; 4] = [0, 1, 2, 3];
     const FEATURES: Features = Features {
         vertices: &[((0, 1), [0.0, 0.0]), ((0, 2), [1.0, 0.0]), ((0, 3), [0.0, 1.0])],
         sides: Self::SIDES,
@@ -250,20 +252,7 @@ impl Tables for VertexFace {
     };
 }
 
-/// The segments cross if the ends of each lie on different sides of the line of the other: with n =
-/// e₁ × e₂, a₀ + u e₁ = b₀ + v e₂ gives u n = (b₀ − a₀) × e₂ and v n = (b₀ − a₀) × e₁, and the four
-/// sides are u ≥ 0, u ≤ 1, v ≥ 0 and v ≤ 1.
 impl Tables for EdgeEdge {
-    const CORNERS: [Difference; 4] = [(0, 2), (0, 3), (1, 2), (1, 3)];
-    const SPAN: [Difference; 3] = [(0, 2), (1, 0), (3, 2)];
-    const SIDES: &'static [Side] = &[
-        side(0, [2, 3], [0, 1], true, [[0.0, 0.0], [0.0, 1.0]]),
-        side(1, [2, 3], [2, 3], false, [[1.0, 0.0], [1.0, 1.0]]),
-        side(2, [0, 1], [0, 2], false, [[0.0, 0.0], [1.0, 0.0]]),
-        side(3, [0, 1], [1, 3], true, [[0.0, 1.0], [1.0, 1.0]]),
-    ];
-    const PARAMETERS: [usize; 2] = [0, 2];
-    const LAYOUT: [usize; 4] = [0, 1, 2, 3];
     const FEATURES: Features = Features {
         vertices: &[
             ((0, 2), [0.0, 0.0]),
@@ -278,10 +267,6 @@ impl Tables for EdgeEdge {
 
 /// Two edges, of which the first has length zero.
 impl Tables for VertexEdge {
-    const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
-    const SPAN: [Difference; 3] = EdgeEdge::SPAN;
-    const SIDES: &'static [Side] = EdgeEdge::SIDES;
-    const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;
     const LAYOUT: [usize; 4] = [0, 0, 1, 2];
     const FEATURES: Features = Features {
         vertices: &[((0, 2), [0.0, 0.0]), ((0, 3), [0.0, 1.0])],
@@ -292,10 +277,6 @@ impl Tables for VertexEdge {
 
 /// Two edges of length zero.
 impl Tables for VertexVertex {
-    const CORNERS: [Difference; 4] = EdgeEdge::CORNERS;
-    const SPAN: [Difference; 3] = EdgeEdge::SPAN;
-    const SIDES: &'static [Side] = EdgeEdge::SIDES;
-    const PARAMETERS: [usize; 2] = EdgeEdge::PARAMETERS;
     const LAYOUT: [usize; 4] = [0, 0, 1, 1];
     const FEATURES: Features = Features {
         vertices: &[((0, 2), [0.0, 0.0])],

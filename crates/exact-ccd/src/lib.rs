@@ -102,19 +102,3 @@ pub use query::{NonFinite, Query};
 pub use stage::Stage;
 pub use thickness::{InvalidThickness, Separations, Thickness};
 pub use time::ContactTime;
-
-/// All public types can be sent to and shared with other threads.
-const _: () = {
-    const fn assert_send_and_sync<T: Send + Sync>() {}
-    assert_send_and_sync::<(Query<VertexFace>, Query<EdgeEdge>, NonFinite, Axis, Stage)>();
-    assert_send_and_sync::<(Collision<'_, VertexFace>, Collision<'_, EdgeEdge>)>();
-    assert_send_and_sync::<(ContactTime, Interval, Intervals, Impact, Options, Thickness)>();
-    assert_send_and_sync::<(Exact, Guarantees, TimeGuarantee, &dyn Ccd)>();
-    assert_send_and_sync::<(batch::Trajectories, batch::Instructions)>();
-    assert_send_and_sync::<(
-        batch::TrajectoriesError,
-        batch::VertexOutOfRange,
-        batch::NonFiniteQuery,
-    )>();
-    assert_send_and_sync::<predicates::EdgeFace>();
-};

@@ -56,8 +56,8 @@ impl<D: Default> Default for Options<D> {
     }
 }
 
-impl From<Separation> for Options {
-    fn from(separation: Separation) -> Self {
+impl<D> From<D> for Options<D> {
+    fn from(separation: D) -> Self {
         Self::within(separation)
     }
 }
@@ -70,16 +70,7 @@ impl From<Separation> for Options<Separations<'_>> {
 
 impl From<Options> for Options<Separations<'_>> {
     fn from(Options { separation, until }: Options) -> Self {
-        Self {
-            separation: separation.into(),
-            until,
-        }
-    }
-}
-
-impl<'a> From<Separations<'a>> for Options<Separations<'a>> {
-    fn from(separations: Separations<'a>) -> Self {
-        Self::within(separations)
+        Self::within(separation.into()).until(until)
     }
 }
 

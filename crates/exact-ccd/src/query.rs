@@ -1,7 +1,7 @@
 //! Queries: four points at the two ends of a time step.
 
 use core::fmt;
-use core::marker::PhantomData;
+use core::ops::Deref;
 
 use crate::axis::Axis;
 use crate::kind::Kind;
@@ -10,14 +10,12 @@ use crate::point::Point;
 /// Two primitives of a moving mesh over one time step; see [`VertexFace`](crate::VertexFace) and
 /// [`EdgeEdge`](crate::EdgeEdge).
 ///
-/// Each of the four points moves in a straight line, at constant speed, from its position at t = 0
-/// to its position at t = 1. Any finite coordinates are allowed: the answers are exact for faces
+/// Each of its points, two, three or four, moves in a straight line, at constant speed, from its position
+/// at t = 0 to its position at t = 1. Any finite coordinates are allowed: the answers are exact for faces
 /// without area, edges without length, coincident points and subnormal numbers too.
 #[derive(Clone, Copy, PartialEq)]
-pub struct Query<K> {
-    /// The four points at t = 0 and at t = 1.
-    points: [[Point; 4]; 2],
-    kind: PhantomData<K>,
+pub struct Query<K: Kind> {
+    points: [K::Points; 2],
 }
 
 /// A coordinate is infinite or not a number.
@@ -35,29 +33,20 @@ pub struct NonFinite {
 }
 
 impl NonFinite {
-    /// Checks points that do not move: their time is 0.
-    pub(crate) fn check(points: &[Point]) -> Result<(), Self> {
-        Self::check_at(0, points)
-    }
-
-    /// Checks points at t = 0 and at t = 1.
-    #[cold]
-    pub(crate) fn check_moving([start, end]: [&[Point]; 2]) -> Result<(), Self> {
-        Self::check_at(0, start)?;
-        Self::check_at(1, end)
-    }
-
-    fn check_at(time: usize, points: &[Point]) -> Result<(), Self> {
-        for (point, coordinates) in points.iter().enumerate() {
-            for axis in Axis::ALL {
-                let value = coordinates[axis.index()];
-                if !value.is_finite() {
-                    return Err(Self {
-                        time,
-                        point,
-                        axis,
-                        value,
-                    });
+    /// Checks points at t = 0 and, if they move, at t = 1.
+    pub(crate) fn check(ends: &[&[Point]]) -> Result<(), Self> {
+        for (time, points) in ends.iter().enumerate() {
+            for (point, coordinates) in points.iter().enumerate() {
+                for &axis in Axis::ALL {
+                    let value = coordinates[axis.index()];
+                    if !value.is_finite() {
+                        return Err(Self {
+                            time,
+                            point,
+                            axis,
+                            value,
+                        });
+                    }
                 }
             }
         }
@@ -74,44 +63,34 @@ impl<K: Kind> Query<K> {
     /// [`NonFinite`] names the first coordinate that is infinite or not a number.
     #[inline]
     pub fn new(t0: K::Points, t1: K::Points) -> Result<Self, NonFinite> {
-        let (t0, t1) = (t0.as_ref(), t1.as_ref());
-        let four = |points: &[Point]| K::LAYOUT.map(|i| points[i]);
-        Self::checked([four(t0), four(t1)]).map_err(|error| NonFinite {
-            point: K::LAYOUT[error.point],
-            ..error
-        })
-    }
-
-    /// The query of the four points x₀ … x₃, in the order of the tables of the kind.
-    #[inline]
-    pub(crate) fn checked(points: [[Point; 4]; 2]) -> Result<Self, NonFinite> {
         // Without a branch for each coordinate, which would cost more than most queries.
-        let finite = points
-            .as_flattened()
-            .as_flattened()
-            .iter()
-            .fold(true, |all, x| all & x.is_finite());
-        if !finite {
-            let [start, end] = &points;
-            NonFinite::check_moving([start, end])?;
+        let are_finite = |points: &K::Points| {
+            let coordinates = points.as_ref().as_flattened();
+            coordinates.iter().fold(true, |all, x| all & x.is_finite())
+        };
+        if !(are_finite(&t0) & are_finite(&t1)) {
+            NonFinite::check(&[t0.as_ref(), t1.as_ref()])?;
         }
-        Ok(Self::from_finite(points))
+        Ok(Self::from_finite([t0, t1]))
     }
 
     /// The query of finite points.
     #[inline]
-    pub(crate) fn from_finite(points: [[Point; 4]; 2]) -> Self {
-        Self {
-            points,
-            kind: PhantomData,
-        }
+    pub(crate) fn from_finite(points: [K::Points; 2]) -> Self {
+        Self { points }
     }
 
-    /// The four points at t = 0 and at t = 1. A vertex in place of an edge occurs twice.
+    /// The points at t = 0 and at t = 1.
     #[must_use]
     #[inline]
-    pub fn points(&self) -> &[[Point; 4]; 2] {
+    pub fn points(&self) -> &[K::Points; 2] {
         &self.points
+    }
+
+    /// x₀ … x₃ at t = 0 and at t = 1.
+    #[inline(always)]
+    pub(crate) fn four(&self) -> impl Deref<Target = [[Point; 4]; 2]> {
+        K::four(&self.points)
     }
 }
 
@@ -127,7 +106,7 @@ impl<K: Kind<Points = [Point; 4]>> Query<K> {
     }
 }
 
-impl<K> fmt::Debug for Query<K> {
+impl<K: Kind> fmt::Debug for Query<K> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Query")
             .field("t0", &self.points[0])

@@ -1,5 +1,7 @@
 //! The stages of a decision.
 
+use core::fmt;
+
 /// The stage at which a query was settled, from the cheapest to the costliest.
 ///
 /// The first four are the same for contact and for a separation above 0, d: contact is d = 0.
@@ -58,4 +60,11 @@ impl Stage {
         Self::Crossing,
         Self::Exact,
     ];
+}
+
+impl fmt::Display for Stage {
+    /// Writes the name, as in `BoundingBox`.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(self, f)
+    }
 }

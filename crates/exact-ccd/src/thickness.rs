@@ -15,7 +15,7 @@ use crate::distance::{InvalidSeparation, Separation};
 /// assert_eq!(separations.between(&[0], &[1, 2]).get(), 2.5);
 /// # Ok::<(), exact_ccd::InvalidThickness>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Thickness(Vec<Separation>);
 
 /// A thickness is negative, not a number, or so large that a sum of two may not be finite.
@@ -69,7 +69,7 @@ impl Thickness {
 }
 
 /// The separation of each pair of primitives of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Separations<'a> {
     /// One for all pairs.
     Uniform(Separation),

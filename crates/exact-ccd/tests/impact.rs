@@ -73,7 +73,7 @@ type Weights = fn([f64; 2]) -> [f64; 4];
 const VERTEX_FACE: Weights = |[u, v]| [1.0, u + v - 1.0, -u, -v];
 const EDGE_EDGE: Weights = |[u, v]| [1.0 - u, u, v - 1.0, -v];
 
-fn check<K: Kind>(query: &Query<K>, weights: Weights) -> Result<(), TestCaseError> {
+fn check<K: Kind<Points = [Point; 4]>>(query: &Query<K>, weights: Weights) -> Result<(), TestCaseError> {
     let (impact, reference) = (query.impact(CONTACT), exact::impact(query, CONTACT));
     let first = query.intervals(CONTACT).first_time();
     prop_assert_eq!(impact.map(|impact| impact.time), first);

@@ -1,8 +1,28 @@
-//! Points of other libraries yield the same queries.
+//! Points of other libraries yield the same queries, and all public types can be sent to other threads.
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use exact_ccd::{EdgeEdge, Point, Query};
+use exact_ccd::batch::{self, Trajectories};
+use exact_ccd::predicates::EdgeFace;
+use exact_ccd::{
+    Axis, Ccd, Collision, ContactTime, EdgeEdge, Exact, Guarantees, Impact, Interval, Intervals, NonFinite,
+    Options, Point, Query, Stage, Thickness, TimeGuarantee, VertexFace,
+};
+
+const _: () = {
+    const fn assert_send_and_sync<T: Send + Sync>() {}
+    assert_send_and_sync::<(Query<VertexFace>, Query<EdgeEdge>, NonFinite, Axis, Stage)>();
+    assert_send_and_sync::<(Collision<'_, VertexFace>, Collision<'_, EdgeEdge>)>();
+    assert_send_and_sync::<(ContactTime, Interval, Intervals, Impact, Options, Thickness)>();
+    assert_send_and_sync::<(Exact, Guarantees, TimeGuarantee, &dyn Ccd)>();
+    assert_send_and_sync::<(Trajectories, batch::Instructions)>();
+    assert_send_and_sync::<(
+        batch::TrajectoriesError,
+        batch::VertexOutOfRange,
+        batch::NonFiniteQuery,
+    )>();
+    assert_send_and_sync::<EdgeFace>();
+};
 
 const START: [Point; 4] = [
     [0.0, 0.0, 1.0],

@@ -56,7 +56,9 @@ pub(crate) fn records<K: QueryKind + 'static>(
     })
 }
 
-fn failing<K: 'static>(records: impl Iterator<Item = Result<Record<K>, DataError>> + 'static) -> Records<K> {
+fn failing<K: QueryKind + 'static>(
+    records: impl Iterator<Item = Result<Record<K>, DataError>> + 'static,
+) -> Records<K> {
     Box::new(records.map(|record| record.map_err(Failure::from)))
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use exact_ccd::{Query, Separation};
+use exact_ccd::{Kind, Query, Separation};
 use exact_ccd_view::{Page, PageKind};
 
 use crate::failure::Failure;
@@ -19,13 +19,13 @@ pub(crate) struct QueryView {
 }
 
 /// The query of a page, chosen as the queries come, if there is to be a page.
-pub(crate) struct ChosenQuery<K> {
+pub(crate) struct ChosenQuery<K: Kind> {
     file: Option<PathBuf>,
     number: Option<usize>,
     chosen: Option<Chosen<K>>,
 }
 
-struct Chosen<K> {
+struct Chosen<K: Kind> {
     title: String,
     query: Query<K>,
     collides: bool,
@@ -33,7 +33,7 @@ struct Chosen<K> {
 
 impl QueryView {
     /// The choice, before the first query.
-    pub(crate) fn choice<K>(&self) -> ChosenQuery<K> {
+    pub(crate) fn choice<K: Kind>(&self) -> ChosenQuery<K> {
         ChosenQuery {
             file: self.view.clone(),
             number: self.view_query,

@@ -7,8 +7,8 @@ use crate::folder::Folder;
 
 /// The rows of a query whose coordinates are all multiples of 1/8. Each row ends with this text.
 pub(crate) fn rows<K: Kind>(query: &Query<K>, ending: &str) -> String {
-    let points = query.points().as_flattened();
-    points.iter().map(|point| row(point) + ending + "\n").collect()
+    let points = query.points().iter().flat_map(AsRef::as_ref);
+    points.map(|point| row(point) + ending + "\n").collect()
 }
 
 fn row(point: &Point) -> String {

@@ -10,7 +10,8 @@ use crate::reports::row_of;
 /// Rows of one field for each coordinate.
 fn fields<K: Kind>(query: &Query<K>, number: impl Fn(f64) -> String) -> String {
     let row = |[x, y, z]: [f64; 3]| [x, y, z].map(&number).join(",") + "\n";
-    query.points().as_flattened().iter().copied().map(row).collect()
+    let points = query.points().iter().flat_map(AsRef::as_ref);
+    points.copied().map(row).collect()
 }
 
 #[test]

@@ -25,7 +25,7 @@ const BATCH: usize = 1024;
 /// The columns are those of [`ColumnWriter`](crate::ColumnWriter), found by name, in any order.
 /// Other software may have written them. Further columns are skipped. Columns are plain or
 /// compressed with gzip or snappy.
-pub struct ColumnReader<K> {
+pub struct ColumnReader<K: QueryKind> {
     path: PathBuf,
     file: Arc<GuardedFile>,
     metadata: ParquetMetaData,

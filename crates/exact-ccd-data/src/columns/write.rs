@@ -29,7 +29,7 @@ const GROUP: usize = 1 << 16;
 ///   the pair, `id_a` and `id_b`.
 ///
 /// Every f64 keeps its bits.
-pub struct ColumnWriter<K, W: Write + Send> {
+pub struct ColumnWriter<K: QueryKind, W: Write + Send> {
     file: SerializedFileWriter<W>,
     group: Vec<Record<K>>,
 }

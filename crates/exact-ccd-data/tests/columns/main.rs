@@ -60,10 +60,8 @@ fn bits<K: QueryKind>(record: &Record<K>) -> impl PartialEq + std::fmt::Debug + 
         scene,
         ids,
     } = record.clone();
-    let points = sample
-        .query
-        .points()
-        .map(|points| points.map(|point| point.map(f64::to_bits)));
+    let points = sample.query.points().iter().flat_map(AsRef::as_ref);
+    let points: Vec<_> = points.map(|point| point.map(f64::to_bits)).collect();
     (points, sample.truth, count, toi.map(f64::to_bits), scene, ids)
 }
 

@@ -3,7 +3,7 @@
 use exact_ccd::{Collision, ContactTime, Kind, Options, Separation};
 
 /// A pair of primitives that come within their minimum distance.
-pub(crate) struct Approach<'a, K> {
+pub(crate) struct Approach<'a, K: Kind> {
     /// The collision within the distance for pairs that start beyond it.
     collision: Collision<'a, K>,
     /// The inner distance, if there is one.

@@ -17,7 +17,7 @@ pub(super) struct Configuration {
 }
 
 /// The configuration of a kind of query.
-pub(super) trait Configured: Kind {
+pub(super) trait Configured: Kind<Points = [Point; 4]> {
     /// The points of the query that are a, b, c and d.
     const POINTS: [usize; 4];
     /// The pairs x, y of [`Configuration::sides`].

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering::{Equal, Greater, Less};
 
-use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
+use exact_ccd::{Decide, Query};
 
 use super::configuration::{Configuration, Configured, Polynomials};
 use super::curve::{Curve, Roots};
@@ -41,7 +41,7 @@ use crate::interval::Interval;
 ///   So are some primitives that are coplanar at t = 0.
 /// - The bound of the culling stage is absolute: the rounding errors of the cubic exceed it from
 ///   lengths of about 10 on, so that false negatives are possible there.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BernsteinSignClassification {
     /// A query is free of contact if all four coefficients of the cubic, in floating-point
     /// arithmetic, lie on one side of zero by more than this, in cubes of the units of the input.
@@ -93,20 +93,6 @@ impl<K: Configured> Decide<K> for BernsteinSignClassification {
         decide(&Polynomials::<Interval>::from_coordinates(&configuration))
             .or_else(|| decide(&exactly()))
             .unwrap_or(true)
-    }
-}
-
-impl Ccd for BernsteinSignClassification {
-    fn name(&self) -> &'static str {
-        "BSC"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: true,
-            false_positives: true,
-            time: TimeGuarantee::Absent,
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering::Equal;
 
-use exact_ccd::{Ccd, Decide, Guarantees, Query, TimeGuarantee};
+use exact_ccd::{Decide, Query};
 
 use super::bounded::Bounded;
 use super::configuration::{Configuration, Configured, Polynomials};
@@ -42,7 +42,7 @@ use super::number::signs;
 /// According to comments in the authors' program, it has false negatives. Their two known causes are
 /// removed here: a cubic that is zero at t = 0 up to its error bound, and values of differences that
 /// are compared with zero and not with their bounds.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TightCcd;
 
 /// True if there may be contact. Always `Some`, since [`Bounded`] leaves no sign open.
@@ -78,19 +78,5 @@ fn decide(configuration: &Configuration) -> Option<bool> {
 impl<K: Configured> Decide<K> for TightCcd {
     fn collides(&self, query: &Query<K>) -> bool {
         decide(&Configuration::new(query)).unwrap_or(true)
-    }
-}
-
-impl Ccd for TightCcd {
-    fn name(&self) -> &'static str {
-        "TCCD"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: false,
-            false_positives: true,
-            time: TimeGuarantee::Absent,
-        }
     }
 }

@@ -1,11 +1,12 @@
 //! Interval bisection in time and in the parameters of the primitives.
 
-use exact_ccd::{Ccd, Decide, Guarantees, Point, Query, TimeGuarantee};
+use exact_ccd::{Decide, Point, Query};
 
 use super::bisection::Bisection;
 use super::cell::Cell;
 use super::gap::{Coordinates, Gap};
 use crate::interval::Interval;
+use crate::vector::{dot, minus};
 
 /// IRF, the multivariate interval root finder: bisects (t, u, v) depth-first, and keeps the boxes
 /// over which F, in interval arithmetic, contains zero, until they are small.
@@ -41,8 +42,8 @@ impl Default for IntervalRootFinder {
 
 /// The distance between two points; infinite where it, or its square, overflows.
 pub(super) fn distance(a: Point, b: Point) -> f64 {
-    let [x, y, z] = [0, 1, 2].map(|axis| b[axis] - a[axis]);
-    (x * x + y * y + z * z).sqrt()
+    let displacement = minus(&b, &a);
+    dot(&displacement, &displacement).sqrt()
 }
 
 /// The largest displacement of a point.
@@ -74,19 +75,5 @@ impl<K: Gap> Decide<K> for IntervalRootFinder {
             K::meets_domain(cell) && (0..3).all(|axis| K::gap(coordinates.at(axis, t), u, v).contains_zero())
         };
         search.earliest(may_contain_root, |_| true)
-    }
-}
-
-impl Ccd for IntervalRootFinder {
-    fn name(&self) -> &'static str {
-        "IRF"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: false,
-            false_positives: true,
-            time: TimeGuarantee::Conservative,
-        }
     }
 }

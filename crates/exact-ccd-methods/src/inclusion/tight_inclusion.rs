@@ -2,7 +2,7 @@
 
 use std::mem;
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Point, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{Decide, EdgeEdge, Point, Query, VertexFace};
 
 use super::cell::Cell;
 use super::gap::{Coordinates, Gap};
@@ -258,19 +258,5 @@ impl<K: Filtered> Decide<K> for TightInclusion {
 
     fn time_of_impact(&self, query: &Query<K>) -> Option<f64> {
         Search::new(self, query).earliest::<K>()
-    }
-}
-
-impl Ccd for TightInclusion {
-    fn name(&self) -> &'static str {
-        "TI"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: false,
-            false_positives: true,
-            time: TimeGuarantee::Conservative,
-        }
     }
 }

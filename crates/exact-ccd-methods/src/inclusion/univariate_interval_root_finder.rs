@@ -1,6 +1,6 @@
 //! Interval bisection in time.
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Kind, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{Decide, EdgeEdge, Kind, Point, Query, VertexFace};
 
 use super::bisection::Bisection;
 use super::cell::Cell;
@@ -52,7 +52,7 @@ struct Barycentric {
 }
 
 /// The barycentric coordinates that decide a kind of query.
-trait Decided: Kind {
+trait Decided: Kind<Points = [Point; 4]> {
     const BARYCENTRIC: Barycentric;
 }
 
@@ -122,19 +122,5 @@ impl<K: Decided> Decide<K> for UnivariateIntervalRootFinder {
             |cell: &Cell<1>| K::BARYCENTRIC.may_be_coplanar(&coordinates, cell.interval(0)),
             |cell: &Cell<1>| K::BARYCENTRIC.may_meet(&coordinates, cell.interval(0)),
         )
-    }
-}
-
-impl Ccd for UnivariateIntervalRootFinder {
-    fn name(&self) -> &'static str {
-        "UIRF"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: false,
-            false_positives: true,
-            time: TimeGuarantee::Conservative,
-        }
     }
 }

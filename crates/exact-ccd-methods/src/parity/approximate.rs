@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::ops::{Add, Mul, Sub};
 
-use super::number::Number;
+use super::number::Signed;
 
 /// A polynomial in f64 numbers, computed in f64, and the sum of the magnitudes of its terms.
 ///
@@ -14,9 +14,9 @@ use super::number::Number;
 ///
 /// Nothing overflows or underflows in range (`Expansion::can_hold`). Only the normal of a
 /// plane has smaller components, and three products with such a component underflow by 2⁻¹⁰⁷⁵ each.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(super) struct Approximate {
-    value: f64,
+    pub(super) value: f64,
     magnitude: f64,
 }
 
@@ -30,7 +30,7 @@ impl From<f64> for Approximate {
     }
 }
 
-impl Number for Approximate {
+impl Signed for Approximate {
     #[inline]
     fn certain_sign(&self) -> Option<Ordering> {
         // 16 u of the magnitude, and more than the underflow.

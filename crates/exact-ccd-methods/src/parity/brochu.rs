@@ -2,14 +2,14 @@
 
 use std::iter::successors;
 
-use exact_ccd::{Ccd, Decide, Guarantees, Kind, Point, Query, TimeGuarantee};
+use exact_ccd::{Decide, Kind, Point, Query};
 
 use super::image::{Domain, Image, Predicate, RAY, with_ray};
 use super::intervals::Intervals;
-use super::number::Vector;
 use super::ray::{along_ray, cast};
 use super::{Parity, culling};
 use crate::interval::Interval;
+use crate::vector::Vector;
 
 /// Root parity as it was first published: a ray from the origin, and signs in intervals first, then
 /// in expansions.
@@ -119,19 +119,5 @@ impl<K: Kind<Points = [Point; 4]>> Decide<K> for BrochuRootParity {
             cast(&image, faces, along_ray, |_| false, |_| true).map(Parity::is_collision)
         });
         collides.unwrap_or(true)
-    }
-}
-
-impl Ccd for BrochuRootParity {
-    fn name(&self) -> &'static str {
-        "RP"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: true,
-            false_positives: true,
-            time: TimeGuarantee::Absent,
-        }
     }
 }

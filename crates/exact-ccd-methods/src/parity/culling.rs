@@ -4,8 +4,9 @@ use std::cmp::Ordering;
 
 use exact_ccd::Point;
 
-use super::number::{Number, Vector, dot};
+use super::number::Signed;
 use crate::interval::Interval;
+use crate::vector::{Vector, cross, dot, minus};
 
 /// The normals that are tried for any query: the axes, their pairs, and all three, as in El Topo.
 const NORMALS: [Point; 7] = [
@@ -34,14 +35,8 @@ pub(super) fn separates(corners: &[Vector<Interval>; 8], faces: &[[usize; 4]]) -
 
 /// The unit normal of a triangle; `None` if it is not finite or zero in floating-point arithmetic.
 fn normal([a, b, c]: [Point; 3]) -> Option<Point> {
-    let subtract = |a: Point, b: Point| [0, 1, 2].map(|axis: usize| a[axis] - b[axis]);
-    let (e, f) = (subtract(b, a), subtract(c, a));
-    let normal = [
-        e[1] * f[2] - e[2] * f[1],
-        e[2] * f[0] - e[0] * f[2],
-        e[0] * f[1] - e[1] * f[0],
-    ];
-    let length = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let normal = cross(&minus(&b, &a), &minus(&c, &a));
+    let length = dot(&normal, &normal).sqrt();
     (length > 0.0 && length.is_finite()).then(|| normal.map(|x| x / length))
 }
 

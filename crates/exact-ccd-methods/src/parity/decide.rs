@@ -1,6 +1,6 @@
 //! Root parity as a method of continuous collision detection.
 
-use exact_ccd::{Ccd, Decide, Guarantees, Kind, Point, Query, TimeGuarantee};
+use exact_ccd::{Decide, Kind, Point, Query};
 
 use super::{Displacement, Rounded};
 
@@ -14,7 +14,7 @@ use super::{Displacement, Rounded};
 /// An even number of contacts is not distinguished from none. The answer is right for the rounded query:
 /// the query itself may be in contact where the rounded one is not, and vice versa. A query that is too
 /// large to be rounded counts as a collision.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RootParity {
     displacement: Displacement,
 }
@@ -30,26 +30,8 @@ impl RootParity {
 
 impl<K: Kind<Points = [Point; 4]>> Decide<K> for RootParity {
     fn collides(&self, query: &Query<K>) -> bool {
-        let [start, end] = query
-            .points()
-            .map(|points| points.map(|point| self.displacement.apply(point)));
-        let Ok(query) = Query::<K>::new(start, end) else {
-            return true;
-        };
-        Rounded::shift(&query).map_or(true, |rounded| rounded.parity().is_collision())
-    }
-}
-
-impl Ccd for RootParity {
-    fn name(&self) -> &'static str {
-        "parity"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: true,
-            false_positives: true,
-            time: TimeGuarantee::Absent,
-        }
+        let shifted = self.displacement.shift(query);
+        let rounded = shifted.and_then(|query| Rounded::shift(&query));
+        rounded.map_or(true, |rounded| rounded.parity().is_collision())
     }
 }

@@ -7,7 +7,7 @@ use geometry_predicates::predicates::{fast_expansion_sum_zeroelim, scale_expansi
 
 use exact_ccd::Point;
 
-use super::number::Number;
+use super::number::Signed;
 
 /// The sum of numbers of increasing magnitude that have no bits in common: exact, as long as
 /// nothing overflows or underflows.
@@ -48,7 +48,7 @@ impl From<f64> for Expansion {
     }
 }
 
-impl Number for Expansion {
+impl Signed for Expansion {
     fn certain_sign(&self) -> Option<Ordering> {
         self.0.last()?.partial_cmp(&0.0)
     }

@@ -6,58 +6,67 @@ use exact_ccd::Point;
 use geometry_predicates::{orient2d, orient3d};
 
 use super::approximate::Approximate;
-use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
-use super::number::Number;
+use super::image::{Image, Predicate, Vectors, integers};
+use super::number::Signed;
+use crate::vector::products;
 
 /// An image whose vectors are exactly f64, in the range (`Expansion::can_hold`) of the
 /// predicates.
-pub(super) struct Floats {
-    differences: Differences,
-    vectors: Vectors<Approximate>,
-}
+pub(super) struct Floats(Vectors<Approximate>);
 
 impl Floats {
-    /// The image of differences that are exact.
+    /// The image of corners, with a ray.
     #[inline]
-    pub(super) fn new(differences: &Differences) -> Self {
-        Self {
-            differences: *differences,
-            vectors: vectors(differences),
+    pub(super) fn new(corners: &[Point; 8], ray: Point) -> Self {
+        // A loop: closures of long arrays are not inlined.
+        let mut vectors = [ray.map(Approximate::from); 9];
+        for (vector, corner) in vectors.iter_mut().zip(corners) {
+            *vector = corner.map(Approximate::from);
         }
-    }
-
-    fn vector(&self, index: usize) -> Point {
-        let [minuend, subtrahend] = self.differences[index];
-        [0, 1, 2].map(|axis: usize| minuend[axis] - subtrahend[axis])
+        Self(vectors)
     }
 
     /// The sign by Shewchuk's adaptive predicates (Adaptive precision floating-point arithmetic and fast
     /// robust geometric predicates, 1997), which are exact in the range, or in integers.
     #[cold]
     fn sign_near_zero(&self, predicate: Predicate) -> Ordering {
-        if predicate.vanishes(&self.differences) {
+        if predicate.vanishes(&self.0) {
             return Ordering::Equal;
         }
+        let vector = |index: usize| self.0[index].map(|x| x.value);
+        let exactly = |index: usize| [vector(index), [0.0; 3]];
         let determinant = match predicate {
-            Predicate::Volume(corners) => {
-                let [a, b, c] = corners.map(|corner| self.vector(corner));
-                orient3d(a, b, c, [0.0; 3])
-            }
+            Predicate::Volume([a, b, c]) => orient3d(vector(a), vector(b), vector(c), [0.0; 3]),
             Predicate::Turn(axis, ends) => {
                 let along = |point: Point| [point[(axis + 1) % 3], point[(axis + 2) % 3]];
-                let [a, b] = ends.map(|end| along(self.vector(end)));
+                let [a, b] = ends.map(|end| along(vector(end)));
                 orient2d(a, b, [0.0; 2])
             }
-            Predicate::Dot(_) | Predicate::Phi(_) => return integers(&self.differences).sign(predicate),
+            Predicate::Dot(ends) => return Predicate::Dot([0, 1]).sign(&integers(&ends.map(exactly))),
+            Predicate::Phi(patch) => {
+                return Predicate::Phi([0, 1, 2, 3]).sign(&integers(&patch.map(exactly)));
+            }
         };
         determinant.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
     }
 }
 
 impl Image for Floats {
-    #[inline]
+    #[inline(always)]
     fn sign(&self, predicate: Predicate) -> Ordering {
-        let sign = predicate.value(&self.vectors).certain_sign();
+        let sign = if let Predicate::Turn(axis, [a, b]) = predicate {
+            // Rounding is monotone: if the rounded products differ, so do the exact ones, in the same sense.
+            let [forth, back] = products(axis, &self.0[a], &self.0[b]).map(|product| product.value);
+            if forth > back {
+                Some(Ordering::Greater)
+            } else if forth < back {
+                Some(Ordering::Less)
+            } else {
+                (forth == 0.0).then_some(Ordering::Equal)
+            }
+        } else {
+            predicate.value(&self.0).certain_sign()
+        };
         sign.unwrap_or_else(|| self.sign_near_zero(predicate))
     }
 }
@@ -142,7 +151,9 @@ mod tests {
             for (difference, corner) in differences.iter_mut().zip(corners) {
                 difference[0] = corner;
             }
-            let (floats, intervals) = (Floats::new(&differences), Intervals::new(&differences));
+            let mut points = [[0.0; 3]; 8];
+            points[..4].copy_from_slice(&corners);
+            let (floats, intervals) = (Floats::new(&points, [0.0; 3]), Intervals::new(&differences));
             let integers = integers(&differences);
             let turn = |axis: usize| Predicate::Turn(axis, [0, 1]);
             let predicates = [

@@ -4,10 +4,10 @@ use std::cmp::Ordering;
 
 use dashu_int::IBig;
 
-use super::number::{Vector, dot, turn};
+use crate::vector::{Vector, dot, turn};
 
 /// The coefficients of a quadratic, from the constant one.
-type Quadratic = [IBig; 3];
+type Coefficients = [IBig; 3];
 
 /// A line from s = 0 to s = 1: its constant and its linear part.
 type Line = [Vector<IBig>; 2];
@@ -44,7 +44,7 @@ fn product(
     multiply: impl Fn(&Vector<IBig>, &Vector<IBig>) -> IBig,
     [p0, p1]: &Line,
     [q0, q1]: &Line,
-) -> Quadratic {
+) -> Coefficients {
     [
         multiply(p0, q0),
         multiply(p0, q1) + multiply(p1, q0),
@@ -57,13 +57,13 @@ fn sign(number: &IBig) -> Ordering {
 }
 
 /// b² − 4ac.
-fn discriminant([c, b, a]: &Quadratic) -> IBig {
+fn discriminant([c, b, a]: &Coefficients) -> IBig {
     b * b - IBig::from(4) * a * c
 }
 
 /// True if a quadratic is zero or less somewhere in [0, 1]: at an end, or at a minimum in between,
 /// which there is if it falls at the start and rises at the end.
-fn falls_to_zero(quadratic: &Quadratic) -> bool {
+fn falls_to_zero(quadratic: &Coefficients) -> bool {
     let [c, b, a] = quadratic;
     let has_minimum = sign(b).is_lt() && sign(&(b + a + a)).is_gt();
     sign(c).is_le() || sign(&(c + b + a)).is_le() || (has_minimum && sign(&discriminant(quadratic)).is_ge())
@@ -78,7 +78,7 @@ struct Root {
 }
 
 /// The real roots of a quadratic that is not zero everywhere.
-fn roots(quadratic: &Quadratic) -> Vec<Root> {
+fn roots(quadratic: &Coefficients) -> Vec<Root> {
     let [c, b, a] = quadratic;
     let radicand = discriminant(quadratic);
     let root = |x: &IBig, y: i8, w: IBig| Root {
@@ -100,7 +100,7 @@ fn roots(quadratic: &Quadratic) -> Vec<Root> {
 
 impl Root {
     /// The sign of a quadratic at the root: that of its value times w², which is X + Y √Δ.
-    fn sign(&self, [c, b, a]: &Quadratic) -> Ordering {
+    fn sign(&self, [c, b, a]: &Coefficients) -> Ordering {
         let Self { x, y, w, radicand } = self;
         let integer = c * w * w + b * w * x + a * (x * x + y * y * radicand);
         let factor = b * w * y + (a + a) * x * y;

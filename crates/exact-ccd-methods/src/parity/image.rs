@@ -5,8 +5,9 @@ use std::cmp::Ordering;
 use dashu_int::IBig;
 use exact_ccd::{Kind, Point, Query};
 
-use super::number::{Number, Vector, dot, turn, volume};
+use super::number::Signed;
 use crate::integers::to_integers;
+use crate::vector::{Vector, cross, dot, turn};
 
 /// The domain of (t, u, v): its corners, and the faces as cycles of four of them.
 pub(super) struct Domain {
@@ -56,22 +57,16 @@ impl Domain {
             .map(|&[a, b, c, _]| [a, b, c])
     }
 
-    /// The points of which F at a corner is the difference.
-    #[inline]
-    pub(super) fn pair<'q, K>(&self, query: &'q Query<K>, corner: usize) -> [&'q Point; 2]
-    where
-        K: Kind<Points = [Point; 4]>,
-    {
-        let (points, (i, j)) = (&query.points()[corner / 4], self.corners[corner % 4]);
-        [&points[i], &points[j]]
-    }
-
     /// The points of which F at the corners are differences.
-    pub(super) fn pairs<K>(&self, query: &Query<K>) -> [[Point; 2]; 8]
-    where
-        K: Kind<Points = [Point; 4]>,
-    {
-        [0, 1, 2, 3, 4, 5, 6, 7].map(|corner| self.pair(query, corner).map(|&point| point))
+    #[inline]
+    pub(super) fn pairs<K: Kind<Points = [Point; 4]>>(&self, query: &Query<K>) -> [[Point; 2]; 8] {
+        let mut pairs = [[[0.0; 3]; 2]; 8];
+        for (pairs, points) in pairs.as_chunks_mut::<4>().0.iter_mut().zip(query.points()) {
+            for (pair, (i, j)) in pairs.iter_mut().zip(self.corners) {
+                *pair = [points[i], points[j]];
+            }
+        }
+        pairs
     }
 }
 
@@ -93,7 +88,7 @@ pub(super) fn with_ray(pairs: &[[Point; 2]; 8], ray: Point) -> Differences {
 }
 
 #[inline]
-pub(super) fn vectors<N: Number + From<f64>>(differences: &Differences) -> Vectors<N> {
+pub(super) fn vectors<N: Signed + From<f64>>(differences: &Differences) -> Vectors<N> {
     differences.map(|[minuend, subtrahend]| {
         [0, 1, 2].map(|axis: usize| N::from(minuend[axis]) - N::from(subtrahend[axis]))
     })
@@ -125,8 +120,8 @@ pub(super) enum Predicate {
 impl Predicate {
     /// True if this is a determinant of vectors of which two are the same, as for a triangle that
     /// has a corner twice, and for a point at rest. It is zero then, but no rounded arithmetic proves it.
-    pub(super) fn vanishes(self, differences: &Differences) -> bool {
-        let same = |i: usize, j: usize| differences[i] == differences[j];
+    pub(super) fn vanishes<V: PartialEq>(self, vectors: &[V; 9]) -> bool {
+        let same = |i: usize, j: usize| vectors[i] == vectors[j];
         match self {
             Self::Volume([a, b, c]) => same(a, b) || same(b, c) || same(c, a),
             Self::Turn(_, [a, b]) => same(a, b),
@@ -134,16 +129,30 @@ impl Predicate {
         }
     }
 
-    #[inline]
-    pub(super) fn value<N: Number>(self, vectors: &[Vector<N>]) -> N {
-        let volume = |a: usize, b: usize, c: usize| volume(&vectors[a], &vectors[b], &vectors[c]);
+    /// The sign of integers.
+    pub(super) fn sign(self, vectors: &[Vector<IBig>]) -> Ordering {
+        self.value(vectors).cmp(&IBig::ZERO)
+    }
+
+    #[inline(always)]
+    pub(super) fn value<N: Signed>(self, vectors: &[Vector<N>]) -> N {
         match self {
-            Self::Volume([a, b, c]) => volume(a, b, c),
+            Self::Volume(corners) => volume(vectors, corners),
             Self::Turn(axis, [a, b]) => turn(axis, &vectors[a], &vectors[b]),
             Self::Dot([a, b]) => dot(&vectors[a], &vectors[b]),
-            Self::Phi([a, b, c, d]) => volume(b, c, d) * volume(a, b, d) - volume(a, c, d) * volume(a, b, c),
+            Self::Phi([a, b, c, d]) => {
+                let [v0, v1, v2, v3] =
+                    [[b, c, d], [a, c, d], [a, b, d], [a, b, c]].map(|corners| volume(vectors, corners));
+                v0 * v2 - v1 * v3
+            }
         }
     }
+}
+
+/// a · (b × c).
+#[inline(always)]
+fn volume<N: Signed>(vectors: &[Vector<N>], [a, b, c]: [usize; 3]) -> N {
+    dot(&vectors[a], &cross(&vectors[b], &vectors[c]))
 }
 
 /// An image of the domain, with a ray.
@@ -154,6 +163,6 @@ pub(super) trait Image {
 
 impl Image for Vectors<IBig> {
     fn sign(&self, predicate: Predicate) -> Ordering {
-        predicate.value(self).cmp(&IBig::ZERO)
+        predicate.sign(self)
     }
 }

@@ -7,7 +7,7 @@ use dashu_int::IBig;
 
 use super::expansion::Expansion;
 use super::image::{Differences, Image, Predicate, Vectors, integers, vectors};
-use super::number::Number;
+use super::number::Signed;
 use crate::interval::Interval;
 
 /// An image in intervals, and exactly where these leave a sign open.

@@ -48,8 +48,7 @@ pub(super) fn stand_in(
         weights = weights.then(weight);
     }
     if weights.is_eq() {
-        let is_on_patch = hull_contains_origin(image, patch) && covers(patch);
-        return (!is_on_patch).then_some(AROUND_02);
+        return (!flat_patch_contains_origin(image, patch, covers)).then_some(AROUND_02);
     }
     match image.sign(Predicate::Phi(patch)) {
         Ordering::Equal => None,
@@ -58,12 +57,25 @@ pub(super) fn stand_in(
     }
 }
 
-/// True if the hull of four corners contains the origin, which is in one plane with them: if one of
-/// the triangles of three corners does.
-fn hull_contains_origin(image: &impl Image, [a, b, c, d]: [usize; 4]) -> bool {
-    [[a, b, c], [a, b, d], [a, c, d], [b, c, d]]
-        .into_iter()
-        .any(|triangle| triangle_contains_origin(image, triangle))
+/// True if a patch contains the origin, which is in one plane with its corners.
+///
+/// If just one of the two triangles beside a diagonal contains it, then it is not on the diagonal. So it is
+/// on a side of the patch, or the sides wind around it an odd number of times, and the patch fills them.
+/// Otherwise, it can be on the patch only if it is in the hull of the corners: in one of four triangles.
+fn flat_patch_contains_origin(
+    image: &impl Image,
+    patch: [usize; 4],
+    covers: &impl Fn([usize; 4]) -> bool,
+) -> bool {
+    let contains = |triangle: [usize; 3]| {
+        let corners = triangle.map(|corner| patch[corner]);
+        triangle_contains_origin(image, corners)
+    };
+    match AROUND_02.map(contains) {
+        [true, false] | [false, true] => true,
+        [true, true] => covers(patch),
+        [false, false] => AROUND_13.into_iter().any(contains) && covers(patch),
+    }
 }
 
 /// True if a triangle contains the origin, which is in its plane.

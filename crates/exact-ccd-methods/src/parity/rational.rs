@@ -1,9 +1,9 @@
 //! Root parity of the query as it is, in integers.
 
-use exact_ccd::{Ccd, Decide, Guarantees, Kind, Point, Query, TimeGuarantee};
+use exact_ccd::{Decide, Kind, Point, Query};
 
 use super::Parity;
-use super::image::{Domain, integers};
+use super::image::{Domain, integers, with_ray};
 use super::ray::parity;
 
 /// The parity of the number of contacts of a query as it is, in integers: slow, without filter and
@@ -11,7 +11,8 @@ use super::ray::parity;
 #[must_use]
 pub fn rational<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Parity {
     let domain = Domain::of::<K>();
-    parity(domain, &domain.pairs(query), integers)
+    let pairs = domain.pairs(query);
+    parity(domain, &pairs, |ray| integers(&with_ray(&pairs, ray)))
 }
 
 /// Root parity in rational arithmetic: the method of [`BrochuRootParity`](super::BrochuRootParity),
@@ -29,25 +30,11 @@ pub fn rational<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Parity {
 /// negative: 2797 of the 4179 colliding pairs of edges in the scene rod-twist. A contact on the
 /// boundary, at t = 0 or t = 1, with an edge of the face or an end of an edge, is always reported.
 /// There are no false positives.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RationalRootParity;
 
 impl<K: Kind<Points = [Point; 4]>> Decide<K> for RationalRootParity {
     fn collides(&self, query: &Query<K>) -> bool {
         rational(query).is_collision()
-    }
-}
-
-impl Ccd for RationalRootParity {
-    fn name(&self) -> &'static str {
-        "RRP"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: true,
-            false_positives: false,
-            time: TimeGuarantee::Absent,
-        }
     }
 }

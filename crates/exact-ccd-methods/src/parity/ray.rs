@@ -12,7 +12,7 @@ use std::cmp::Ordering::{self, Equal, Greater, Less};
 
 use exact_ccd::Point;
 
-use super::image::{Differences, Domain, Image, Predicate, RAY, integers, with_ray};
+use super::image::{Domain, Image, Predicate, RAY, integers};
 use super::patch::{AROUND_02, stand_in};
 use super::signs::Signs;
 use super::{Parity, fold};
@@ -20,18 +20,19 @@ use super::{Parity, fold};
 /// The largest number of rays that a query rejects.
 const MOST_REJECTED: u32 = 2 * 24;
 
-/// The parity by the first valid ray, of the solid whose corners are these differences.
+/// The parity by the first valid ray, of the solid whose corners are these differences, given its image
+/// with a ray.
 #[inline]
 pub(super) fn parity<I: Image>(
     domain: &Domain,
     pairs: &[[Point; 2]; 8],
-    image_of: impl Fn(&Differences) -> I,
+    with_ray: impl Fn(Point) -> I,
 ) -> Parity {
     let signs = Signs::new(pairs);
     if signs.exclude_origin(&[0, 1, 2, 3, 4, 5, 6, 7]) {
         return Parity::Even;
     }
-    let parity = (0..=MOST_REJECTED).find_map(|k| by_ray(k, domain, pairs, &signs, &image_of));
+    let parity = (0..=MOST_REJECTED).find_map(|k| by_ray(k, domain, pairs, &signs, &with_ray));
     debug_assert!(parity.is_some(), "no ray is valid");
     // The conservative answer, for a case that cannot occur.
     parity.unwrap_or(Parity::Boundary)
@@ -44,17 +45,16 @@ fn by_ray<I: Image>(
     domain: &Domain,
     pairs: &[[Point; 2]; 8],
     signs: &Signs,
-    image_of: &impl Fn(&Differences) -> I,
+    with_ray: &impl Fn(Point) -> I,
 ) -> Option<Parity> {
-    let differences = with_ray(pairs, [1, k, k * k].map(f64::from));
     let faces = domain.faces.iter().copied();
     let faces = faces.filter(|face| !signs.exclude_ray(k == 0, face));
     let is_far = |patch: [usize; 4]| signs.exclude_origin(&patch);
     let covers = |patch: [usize; 4]| {
-        let corners = integers(&patch.map(|corner| differences[corner]));
+        let corners = integers(&patch.map(|corner| pairs[corner]));
         fold::contains_origin(corners.each_ref())
     };
-    let image = image_of(&differences);
+    let image = with_ray([1, k, k * k].map(f64::from));
     if k == 0 {
         // The ray is the x axis.
         cast(&image, faces, |edge| Predicate::Turn(0, edge), is_far, covers)
@@ -106,8 +106,9 @@ pub(super) fn cast(
 /// The line of a ray, and a patch.
 struct Passage {
     patch: [usize; 4],
-    /// For two corners of the patch, the side of the ray's line on which the line through them passes.
-    sides: [[Ordering; 4]; 4],
+    /// For each corner, the corners to its left and to its right, as seen along the line, as sets of bits.
+    left: [u8; 4],
+    right: [u8; 4],
 }
 
 impl Passage {
@@ -115,19 +116,25 @@ impl Passage {
     /// on one side of the line through one of them.
     #[inline]
     fn of(image: &impl Image, patch: [usize; 4], side: &impl Fn([usize; 2]) -> Predicate) -> Option<Self> {
-        let mut sides = [[Equal; 4]; 4];
+        let (mut left, mut right) = ([0; 4], [0; 4]);
         for i in 0..3 {
             for j in i + 1..4 {
-                sides[i][j] = image.sign(side([patch[i], patch[j]]));
-                sides[j][i] = sides[i][j].reverse();
+                let side = image.sign(side([patch[i], patch[j]]));
+                let (is_left, is_right) = (u8::from(side.is_gt()), u8::from(side.is_lt()));
+                left[i] |= is_left << j;
+                right[i] |= is_right << j;
+                left[j] |= is_right << i;
+                right[j] |= is_left << i;
             }
         }
-        let is_outermost = |i: usize| {
-            [Less, Greater]
-                .into_iter()
-                .any(|side| (0..4).all(|j| i == j || sides[i][j] == side))
-        };
-        (!(0..4).any(is_outermost)).then_some(Self { patch, sides })
+        let is_outermost = |i: usize| left[i].max(right[i]) == 0b1111 ^ 1 << i;
+        (!(0..4).any(is_outermost)).then_some(Self { patch, left, right })
+    }
+
+    /// The side of the ray's line on which the line from one corner to another passes.
+    fn side(&self, from: usize, to: usize) -> Ordering {
+        let is_in = |set: u8| set >> to & 1;
+        is_in(self.left[from]).cmp(&is_in(self.right[from]))
     }
 
     /// True if the ray crosses a triangle of corners of the patch that does not contain the origin;
@@ -138,7 +145,7 @@ impl Passage {
     #[inline]
     fn crosses(&self, image: &impl Image, triangle: [usize; 3]) -> Option<bool> {
         let [i, j, k] = triangle;
-        let sides = [self.sides[i][j], self.sides[j][k], self.sides[k][i]];
+        let sides = [self.side(i, j), self.side(j, k), self.side(k, i)];
         if sides.contains(&Less) && sides.contains(&Greater) {
             return Some(false);
         }
@@ -197,7 +204,11 @@ mod tests {
     fn rejected<K: Kind<Points = [Point; 4]>>(corners: &[Point; 8]) -> usize {
         let pairs = corners.map(|corner| [corner, [0.0; 3]]);
         let signs = Signs::new(&pairs);
-        let parity = |k| by_ray(k, Domain::of::<K>(), &pairs, &signs, &Floats::new);
+        let parity = |k| {
+            by_ray(k, Domain::of::<K>(), &pairs, &signs, &|ray| {
+                Floats::new(corners, ray)
+            })
+        };
         (0..=MOST_REJECTED).take_while(|&k| parity(k).is_none()).count()
     }
 

@@ -14,6 +14,7 @@ use super::floats::Floats;
 use super::image::Domain;
 use super::rational::rational;
 use super::ray::parity;
+use crate::vector::minus;
 
 /// The shift of all points along each axis that makes their differences exact.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -59,12 +60,12 @@ fn exact_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// The displacement of pairs of coordinates. If one of them needs a shift, all are shifted, and by
 /// enough for each.
-#[inline]
-fn displacement(pairs: impl Iterator<Item = [f64; 2]> + Clone) -> f64 {
-    if pairs.clone().fold(true, |all, [a, b]| all & is_near(a, b)) {
+#[inline(always)]
+fn displacement(pairs: &[[f64; 2]]) -> f64 {
+    if pairs.iter().fold(true, |all, &[a, b]| all & is_near(a, b)) {
         return 0.0;
     }
-    let ordered = pairs.map(|[a, b]| if a < b { (a, b) } else { (b, a) });
+    let ordered = pairs.iter().map(|&[a, b]| if a < b { (a, b) } else { (b, a) });
     let greater = |a: f64, b: f64| if b > a { b } else { a };
     // Rounding is monotone: the largest shift rounded up is the largest one rounded to nearest or,
     // if that is too small for one of the pairs that attain it, the next f64.
@@ -93,11 +94,9 @@ fn largest_shift(ordered: impl Iterator<Item = (f64, f64)>) -> f64 {
 impl Displacement {
     /// For pairs of finite points whose differences are to be exact.
     #[must_use]
-    #[inline]
     pub fn of_pairs(pairs: &[[Point; 2]]) -> Self {
-        Self(
-            [0, 1, 2].map(|axis: usize| displacement(pairs.iter().map(|pair| pair.map(|point| point[axis])))),
-        )
+        let along = |axis: usize| pairs.iter().map(move |pair| pair.map(|point| point[axis]));
+        Self([0, 1, 2].map(|axis| displacement(&along(axis).collect::<Vec<_>>())))
     }
 
     /// For all pairs of points in the box between two finite corners, as that of a whole simulation.
@@ -110,9 +109,14 @@ impl Displacement {
     #[must_use]
     #[inline]
     pub fn of_query<K: Kind<Points = [Point; 4]>>(query: &Query<K>) -> Self {
-        let pair =
-            |corner: usize, axis: usize| Domain::of::<K>().pair(query, corner).map(|point| point[axis]);
-        Self([0, 1, 2].map(|axis: usize| displacement((0..8).map(|corner| pair(corner, axis)))))
+        let mut axes = [[[0.0; 2]; 8]; 3];
+        for (corner, [a, b]) in Domain::of::<K>().pairs(query).iter().enumerate() {
+            for (axis, pairs) in axes.iter_mut().enumerate() {
+                pairs[corner] = [a[axis], b[axis]];
+            }
+        }
+        let [x, y, z] = &axes;
+        Self([displacement(x), displacement(y), displacement(z)])
     }
 
     /// Along x, y and z. Infinite where the coordinates are too far apart to be shifted.
@@ -126,6 +130,20 @@ impl Displacement {
     #[inline]
     pub fn apply(self, point: Point) -> Point {
         [0, 1, 2].map(|axis: usize| point[axis] + self.0[axis])
+    }
+
+    /// The shifted and rounded query.
+    #[inline]
+    pub(super) fn shift<K: Kind<Points = [Point; 4]>>(
+        self,
+        query: &Query<K>,
+    ) -> Result<Query<K>, RoundingError> {
+        if self == Self::default() {
+            return Ok(*query);
+        }
+        let [start, end] = query.points().map(|points| points.map(|point| self.apply(point)));
+        let out_of_range = |NonFinite { axis, .. }| RoundingError::OutOfRange { axis };
+        Query::new(start, end).map_err(out_of_range)
     }
 
     /// The shifted and rounded points.
@@ -149,7 +167,7 @@ impl Displacement {
         let shift = |&point: &Point| {
             let shifted = self.apply(point);
             let overflows = |axis: &Axis| !shifted[axis.index()].is_finite();
-            match Axis::ALL.into_iter().find(overflows) {
+            match Axis::ALL.iter().copied().find(overflows) {
                 None => Ok(shifted),
                 Some(axis) => Err(RoundingError::OutOfRange { axis }),
             }
@@ -169,7 +187,7 @@ impl Displacement {
 ///
 /// The only constructors are a shift ([`Rounded::shift`]) and a check ([`Rounded::check`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rounded<K> {
+pub struct Rounded<K: Kind> {
     query: Query<K>,
     corners: [Point; 8],
 }
@@ -208,11 +226,7 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     #[inline]
     pub fn shift(query: &Query<K>) -> Result<Self, RoundingError> {
         let displacement = Displacement::of_query(query);
-        let [start, end] = query
-            .points()
-            .map(|points| points.map(|point| displacement.apply(point)));
-        let out_of_range = |NonFinite { axis, .. }| RoundingError::OutOfRange { axis };
-        Ok(Self::of(Query::new(start, end).map_err(out_of_range)?))
+        Ok(Self::of(displacement.shift(query)?))
     }
 
     /// The query without a shift, if all corner differences are exact: as in a scene that was
@@ -223,7 +237,7 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     pub fn check(query: Query<K>) -> Result<Self, RoundingError> {
         for (time, points) in query.points().iter().enumerate() {
             for (i, j) in Domain::of::<K>().corners {
-                for axis in Axis::ALL {
+                for &axis in Axis::ALL {
                     let [a, b] = [points[i], points[j]].map(|point| point[axis.index()]);
                     let (difference, error) = exact_sum(a, -b);
                     if !(difference.is_finite() && error == 0.0) {
@@ -240,9 +254,8 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
     #[inline]
     fn of(query: Query<K>) -> Self {
         let mut corners = [[0.0; 3]; 8];
-        for (index, corner) in corners.iter_mut().enumerate() {
-            let [x, y] = Domain::of::<K>().pair(&query, index);
-            *corner = [x[0] - y[0], x[1] - y[1], x[2] - y[2]];
+        for (corner, [a, b]) in corners.iter_mut().zip(&Domain::of::<K>().pairs(&query)) {
+            *corner = minus(a, b);
         }
         Self { query, corners }
     }
@@ -260,33 +273,28 @@ impl<K: Kind<Points = [Point; 4]>> Rounded<K> {
         if !environment::is_default() {
             return rational(&self.query);
         }
-        if excludes_origin(corners) {
-            return Parity::Even;
-        }
         if !Expansion::can_hold(corners) {
             return rational(&self.query);
         }
-        let pairs = corners.map(|corner| [corner, [0.0; 3]]);
-        parity(Domain::of::<K>(), &pairs, Floats::new)
+        if are_beyond_diagonal(corners) {
+            return Parity::Even;
+        }
+        let mut pairs = [[[0.0; 3]; 2]; 8];
+        for ([corner, _], exact) in pairs.iter_mut().zip(corners) {
+            *corner = *exact;
+        }
+        parity(Domain::of::<K>(), &pairs, |ray| Floats::new(corners, ray))
     }
 }
 
-/// True if all points are strictly on one side of a plane x = 0, y = 0, z = 0, x = ±y, y = ±z or z = ±x.
-/// Comparisons are exact.
+/// True if all points are strictly on one side of a plane x = ±y, y = ±z or z = ±x. Comparisons are exact.
 #[inline]
-fn excludes_origin(points: &[Point; 8]) -> bool {
-    let is_one_sided = |axis: usize| {
-        let signs = points.iter().fold([true; 2], |[a, b], point| {
-            [a & (point[axis] > 0.0), b & (point[axis] < 0.0)]
-        });
-        signs != [false; 2]
-    };
-    let is_one_sided_diagonally = |[i, j]: [usize; 2]| {
+fn are_beyond_diagonal(points: &[Point; 8]) -> bool {
+    [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
         let sides = points.iter().fold([true; 4], |[a, b, c, d], point| {
             let (x, y) = (point[i], point[j]);
             [a & (x > y), b & (x < y), c & (x > -y), d & (x < -y)]
         });
         sides != [false; 4]
-    };
-    (0..3).any(is_one_sided) || [[0, 1], [1, 2], [2, 0]].into_iter().any(is_one_sided_diagonally)
+    })
 }

@@ -3,7 +3,7 @@
 use std::iter;
 
 use arrayvec::ArrayVec;
-use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{Decide, EdgeEdge, Query, VertexFace};
 
 use super::jenkins_traub;
 use super::polynomial::{MAX_DEGREE, Polynomial};
@@ -43,7 +43,7 @@ use crate::vector::{cross, dot};
 ///   rates of the edges: the term linear in t is missing, as in the authors' code. A face that
 ///   turns far during the step is tested in the wrong place.
 /// - Coefficients that overflow (coordinates from about 1e50 on) or underflow (below 1e-54) mean nothing.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FloatingPointRootFinder {
     /// The distance that counts as contact, in the units of the input.
     pub distance: f64,
@@ -55,12 +55,12 @@ const PARALLEL: f64 = 1e-8;
 
 /// A closed interval of time.
 #[derive(Clone, Copy)]
-struct Interval {
+struct Span {
     start: f64,
     end: f64,
 }
 
-impl Interval {
+impl Span {
     const STEP: Self = Self { start: 0.0, end: 1.0 };
 
     fn middle(self) -> f64 {
@@ -74,7 +74,7 @@ impl Interval {
 }
 
 /// The intervals between roots, within the step, in whose middle the polynomial is not negative.
-fn nonnegative(polynomial: &Polynomial) -> Vec<Interval> {
+fn nonnegative(polynomial: &Polynomial) -> Vec<Span> {
     let polynomial = polynomial.trimmed();
     let degree = polynomial.degree();
     if degree > 2 && upper_bound(&polynomial) < 0.0 {
@@ -92,7 +92,7 @@ fn nonnegative(polynomial: &Polynomial) -> Vec<Interval> {
     ends.sort_unstable_by(f64::total_cmp);
     ends.windows(2)
         .filter(|ends| ends[1] >= 0.0 && ends[0] <= 1.0)
-        .map(|ends| Interval {
+        .map(|ends| Span {
             start: ends[0].max(0.0),
             end: ends[1].min(1.0),
         })
@@ -109,7 +109,7 @@ fn upper_bound(polynomial: &Polynomial) -> f64 {
 }
 
 /// The earliest of the given times at which no polynomial is negative.
-fn earliest(times: Vec<Interval>, conditions: impl IntoIterator<Item = Polynomial>) -> Option<f64> {
+fn earliest(times: Vec<Span>, conditions: impl IntoIterator<Item = Polynomial>) -> Option<f64> {
     let mut times = times;
     for condition in conditions {
         if times.is_empty() {
@@ -154,20 +154,6 @@ fn are_parallel(query: &Query<EdgeEdge>, t: f64) -> bool {
     dot(&normal, &normal).at(t).sqrt() < PARALLEL
 }
 
-impl Ccd for FloatingPointRootFinder {
-    fn name(&self) -> &'static str {
-        "FPRF"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: true,
-            false_positives: true,
-            time: TimeGuarantee::Approximate,
-        }
-    }
-}
-
 impl Decide<VertexFace> for FloatingPointRootFinder {
     fn collides(&self, query: &Query<VertexFace>) -> bool {
         self.time_of_impact(query).is_some()
@@ -179,7 +165,7 @@ impl Decide<VertexFace> for FloatingPointRootFinder {
             .into_iter()
             .map(|corners| side(query, corners));
         let near = iter::once_with(|| -slab(&x(0, 1), [&x(2, 1), &x(3, 1)], self.distance));
-        earliest(vec![Interval::STEP], sides.chain(near))
+        earliest(vec![Span::STEP], sides.chain(near))
     }
 }
 

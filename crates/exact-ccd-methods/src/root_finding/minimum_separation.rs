@@ -1,6 +1,6 @@
 //! The root finder of Harmon and others.
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Guarantees, Kind, Point, Query, TimeGuarantee, VertexFace};
+use exact_ccd::{Decide, EdgeEdge, Kind, Point, Query, VertexFace};
 
 use super::closest::{point_triangle, segment_segment};
 use super::jenkins_traub;
@@ -35,7 +35,7 @@ use crate::vector::{cross, dot};
 ///   parallel, and those closer than the separation throughout.
 /// - An edge shorter than 1e-4 in the units of the input counts as its first end alone.
 /// - Coefficients that overflow (coordinates from about 1e50 on) or underflow (below 1e-54) mean nothing.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MinimumSeparationRootFinder {
     /// The distance that counts as contact, in the units of the input.
     pub separation: f64,
@@ -49,7 +49,7 @@ impl Default for MinimumSeparationRootFinder {
 
 impl MinimumSeparationRootFinder {
     /// The first root at which the primitives are as close as that.
-    fn earliest<K: Kind>(
+    fn earliest<K: Kind<Points = [Point; 4]>>(
         &self,
         query: &Query<K>,
         events: impl Iterator<Item = Polynomial>,
@@ -63,20 +63,6 @@ impl MinimumSeparationRootFinder {
             .filter(|t| (0.0..=1.0).contains(t))
             .filter(|&t| squared_distance(points_at(query, t)) <= limit)
             .reduce(f64::min)
-    }
-}
-
-impl Ccd for MinimumSeparationRootFinder {
-    fn name(&self) -> &'static str {
-        "MSRF"
-    }
-
-    fn guarantees(&self) -> Guarantees {
-        Guarantees {
-            false_negatives: true,
-            false_positives: true,
-            time: TimeGuarantee::Approximate,
-        }
     }
 }
 

@@ -43,6 +43,11 @@ impl Polynomial {
         &self.coefficients[..=self.degree]
     }
 
+    /// cᵢ, which is 0 beyond the degree, for i up to [`MAX_DEGREE`].
+    pub(super) fn coefficient(&self, i: usize) -> f64 {
+        self.coefficients[i]
+    }
+
     /// The same polynomial without leading coefficients that are zero.
     pub(super) fn trimmed(self) -> Self {
         let degree = (0..=self.degree).rfind(|&i| self.coefficients[i] != 0.0);

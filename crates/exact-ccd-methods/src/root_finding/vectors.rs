@@ -10,7 +10,7 @@ pub(super) type Vector = crate::vector::Vector<Polynomial>;
 
 /// xᵢ − xⱼ, linear in time.
 #[inline(always)]
-pub(super) fn difference<K: Kind>(query: &Query<K>, i: usize, j: usize) -> Vector {
+pub(super) fn difference<K: Kind<Points = [Point; 4]>>(query: &Query<K>, i: usize, j: usize) -> Vector {
     let [start, end] = query.points();
     std::array::from_fn(|axis| {
         let [x, y] = [i, j].map(|point| (start[point][axis], end[point][axis] - start[point][axis]));
@@ -28,7 +28,7 @@ pub(super) fn slab(w: &Vector, [e1, e2]: [&Vector; 2], distance: f64) -> Polynom
 }
 
 /// The four points at t.
-pub(super) fn points_at<K: Kind>(query: &Query<K>, t: f64) -> [Point; 4] {
+pub(super) fn points_at<K: Kind<Points = [Point; 4]>>(query: &Query<K>, t: f64) -> [Point; 4] {
     let [start, end] = query.points();
     std::array::from_fn(|i| std::array::from_fn(|axis| start[i][axis] + t * (end[i][axis] - start[i][axis])))
 }

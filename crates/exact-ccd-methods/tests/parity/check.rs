@@ -25,7 +25,8 @@ fn expected_error<K: Corners>(points: &Points) -> Option<RoundingError> {
         for &points in K::DIFFERENCES {
             let [x, y] = points.map(|i| now[i]);
             if let Some(axis) = Axis::ALL
-                .into_iter()
+                .iter()
+                .copied()
                 .find(|axis| !is_exact(x[axis.index()], y[axis.index()]))
             {
                 return Some(RoundingError::Inexact { time, points, axis });

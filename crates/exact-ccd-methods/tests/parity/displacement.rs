@@ -85,7 +85,7 @@ fn brings_points_near<K: Corners>() {
                     |axis: &Axis| moved.as_flattened().iter().any(|x| !x[axis.index()].is_finite());
                 let named = |axis: Axis| error == RoundingError::OutOfRange { axis };
                 assert!(
-                    Axis::ALL.into_iter().filter(overflows).any(named),
+                    Axis::ALL.iter().copied().filter(overflows).any(named),
                     "{error}: {points:?}"
                 );
             }

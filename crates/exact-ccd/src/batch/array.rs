@@ -39,7 +39,7 @@ pub struct NonFiniteQuery {
 /// assert_eq!(times, [(1, 0.5)]);
 /// # Ok::<(), batch::NonFiniteQuery>(())
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Queries<'a, K: Kind> {
     points: &'a [[K::Points; 2]],
     instructions: Instructions,
@@ -124,7 +124,7 @@ fn consecutive<K: Kind>() -> [K::Vertices; CHUNK] {
 #[cold]
 fn first_error<K: Kind>(first: usize, points: &[[K::Points; 2]]) -> Option<NonFiniteQuery> {
     points.iter().enumerate().find_map(|(index, [start, end])| {
-        let source = NonFinite::check_moving([start.as_ref(), end.as_ref()]).err()?;
+        let source = NonFinite::check(&[start.as_ref(), end.as_ref()]).err()?;
         Some(NonFiniteQuery {
             query: first + index,
             source,

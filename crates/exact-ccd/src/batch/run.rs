@@ -63,10 +63,12 @@ pub(super) fn rows_of<'a, K: Kind>(rows: &'a [Row], vertices: &K::Vertices) -> [
 
 /// The query of vertices whose rows exist, with finite coordinates.
 pub(super) fn query_of<K: Kind>(rows: &[Row], vertices: &K::Vertices) -> Query<K> {
-    query(rows_of::<K>(rows, vertices))
-}
-
-pub(super) fn query<K: Kind>(rows: [&Row; 4]) -> Query<K> {
-    let [[a0, a1], [b0, b1], [c0, c1], [d0, d1]] = rows.map(Row::points);
-    Query::from_finite([[a0, b0, c0, d0], [a1, b1, c1, d1]])
+    let mut points = [K::Points::default(); 2];
+    for (i, &vertex) in vertices.as_ref().iter().enumerate() {
+        let ends = rows[vertex as usize].points();
+        for (points, end) in points.iter_mut().zip(ends) {
+            points.as_mut()[i] = end;
+        }
+    }
+    Query::from_finite(points)
 }

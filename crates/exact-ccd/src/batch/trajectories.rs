@@ -129,7 +129,7 @@ impl Trajectories {
         mut found: impl FnMut(usize, Collision<'_, K>),
     ) -> Result<(), VertexOutOfRange> {
         let Options { separation, until } = options.into();
-        self.check::<K>(queries)?;
+        check::<K>(queries, self.vertex_count())?;
         if let Separations::Thickness(thickness) = separation {
             check::<K>(queries, thickness.vertex_count())?;
         }
@@ -144,8 +144,13 @@ impl Trajectories {
         Ok(())
     }
 
-    pub(crate) fn check<K: Kind>(&self, queries: &[K::Vertices]) -> Result<(), VertexOutOfRange> {
-        check::<K>(queries, self.vertex_count())
+    /// The queries of vertices, if all of these exist.
+    pub(crate) fn queries<K: Kind>(
+        &self,
+        queries: &[K::Vertices],
+    ) -> Result<impl Iterator<Item = Query<K>>, VertexOutOfRange> {
+        check::<K>(queries, self.vertex_count())?;
+        Ok(queries.iter().map(|vertices| query_of(&self.rows, vertices)))
     }
 }
 
@@ -176,7 +181,7 @@ fn check<K: Kind>(queries: &[K::Vertices], vertex_count: usize) -> Result<(), Ve
 /// The error that names the first coordinate of a vertex that is not finite.
 #[cold]
 fn first_error(vertex: usize, ends: &[Point; 2]) -> Result<(), TrajectoriesError> {
-    NonFinite::check(ends).map_err(
+    NonFinite::check(&[ends]).map_err(
         |NonFinite {
              point, axis, value, ..
          }| TrajectoriesError::NonFinite {

@@ -5,11 +5,11 @@ use super::motion::Motion;
 use super::narrowing::Narrowing;
 use super::polynomial::{Vector, cross};
 use crate::impact::Impact;
-use crate::kind::{Kind, Side};
+use crate::kind::{Difference, Kind, Side};
 use crate::point::Point;
 
 /// The primitives at an instant of contact.
-struct Contact<'a, K> {
+struct Meeting<'a, K> {
     motion: &'a Motion<K>,
     instant: Narrowing,
 }
@@ -22,15 +22,15 @@ impl<K: Kind> Motion<K> {
         // all of their signs.
         let instant = Narrowing::new(instant);
         instant.narrow_to(80);
-        let contact = Contact {
+        let meeting = Meeting {
             motion: self,
             instant,
         };
-        let crossing = !self.is_always_coplanar() && self.facing(&contact.instant).is_some();
-        let is_met = |side: &&Side| !crossing && self.lies_on(side, &contact.instant);
+        let crossing = !self.is_always_coplanar() && self.facing(&meeting.instant).is_some();
+        let is_met = |side: &&Side| !crossing && self.lies_on(side, &meeting.instant);
         let (parameters, normal) = match K::SIDES.iter().find(is_met) {
-            None => (contact.parameters_in_plane(), contact.normal_of_plane()),
-            Some(side) => contact.vertex_on_edge(side),
+            None => (meeting.parameters_in_plane(), meeting.normal_of_plane()),
+            Some(side) => meeting.vertex_on_edge(side),
         };
         Impact {
             time,
@@ -40,7 +40,13 @@ impl<K: Kind> Motion<K> {
     }
 }
 
-impl<K: Kind> Contact<'_, K> {
+impl<K: Kind> Meeting<'_, K> {
+    /// The difference of two points, with one unit for all axes.
+    fn vector(&self, difference: Difference) -> Vector {
+        let points = &self.motion.points;
+        points.to_scale(points.difference(difference))
+    }
+
     /// (u, v) as ratios of the sides' areas to the normal, which does not vanish.
     fn parameters_in_plane(&self) -> [f64; 2] {
         let Some((axis, facing)) = self.motion.facing(&self.instant) else {
@@ -65,7 +71,7 @@ impl<K: Kind> Contact<'_, K> {
     /// The normal of the common plane, on the side on which the first primitive is just before the
     /// contact. The first derivative of c that does not vanish determines the sign of c there.
     fn normal_of_plane(&self) -> Option<Point> {
-        let [e1, e2] = [1, 2].map(|i| self.motion.points.to_scale(self.motion.difference(K::SPAN[i])));
+        let [_, e1, e2] = K::SPAN.map(|difference| self.vector(difference));
         let normal = self.instant.direction(cross(&e1, &e2))?;
         let mut derivative = self.motion.volume.clone();
         let mut is_above = true;
@@ -85,11 +91,7 @@ impl<K: Kind> Contact<'_, K> {
     /// first primitive relative to the second, across the line of the edge.
     fn vertex_on_edge(&self, side: &Side) -> ([f64; 2], Option<Point>) {
         let [x, y] = side.edge;
-        let offset = self
-            .motion
-            .points
-            .to_scale(self.motion.difference((side.vertex, x)));
-        let edge = self.motion.points.to_scale(self.motion.difference((y, x)));
+        let (offset, edge) = (self.vector((side.vertex, x)), self.vector((y, x)));
         let velocity = |vector: &Vector| [0, 1, 2].map(|axis: usize| vector[axis].velocity());
         let mut relative = velocity(&offset);
         let mut along = 0.0;
@@ -119,9 +121,9 @@ impl<K: Kind> Contact<'_, K> {
     /// The part of a vector that is orthogonal to the line that holds both primitives, if they have
     /// one, up to a positive factor.
     fn across_line(&self, edge: Vector, vector: Vector) -> Vector {
-        let spans = [1, 2].map(|i| self.motion.points.to_scale(self.motion.difference(K::SPAN[i])));
+        let [_, e1, e2] = K::SPAN.map(|difference| self.vector(difference));
         let is_point = |line: &Vector| line.iter().all(|component| self.instant.sign(component).is_eq());
-        match [edge].into_iter().chain(spans).find(|line| !is_point(line)) {
+        match [edge, e1, e2].into_iter().find(|line| !is_point(line)) {
             Some(line) => cross(&line, &cross(&vector, &line)),
             None => vector,
         }

@@ -7,15 +7,15 @@ use core::marker::PhantomData;
 
 use super::instant::Instant;
 use super::narrowing::Narrowing;
-use super::points::Points;
+use super::points::MovingPoints;
 use super::polynomial::{Polynomial, Vector, cross, cross_component, dot};
-use crate::kind::{Difference, Kind, Side};
+use crate::kind::{Kind, Side};
 use crate::query::Query;
 
 /// The points of a query, and the normal of their plane when they are coplanar.
 #[derive(Clone, Debug)]
 pub(crate) struct Motion<K> {
-    pub(super) points: Points,
+    pub(super) points: MovingPoints,
     /// w · (e₁ × e₂), which vanishes when the four points are coplanar.
     pub(super) volume: Polynomial,
     /// e₁ × e₂.
@@ -25,7 +25,7 @@ pub(crate) struct Motion<K> {
 
 impl<K: Kind> Motion<K> {
     pub(crate) fn new(query: &Query<K>) -> Self {
-        let points = Points::new(query);
+        let points = MovingPoints::new(query);
         let [w, e1, e2] = K::SPAN.map(|difference| points.difference(difference));
         let normal = cross(&e1, &e2);
         Self {
@@ -34,11 +34,6 @@ impl<K: Kind> Motion<K> {
             normal,
             kind: PhantomData,
         }
-    }
-
-    /// The difference of two points.
-    pub(super) fn difference(&self, difference: Difference) -> Vector {
-        self.points.difference(difference)
     }
 
     /// Returns true if the primitives touch at an instant at which the four points are coplanar.
@@ -78,8 +73,8 @@ impl<K: Kind> Motion<K> {
         for side in K::SIDES {
             let on_line = common([0, 1, 2].map(|axis| self.side(side, axis)));
             if on_line.is_zero() {
-                let at_end = |end: usize| common(self.difference((end, side.vertex)));
-                events.extend(side.edge.map(at_end).into_iter().filter(|p| !p.is_zero()));
+                let at_ends = self.seen_from_vertex(side).map(common);
+                events.extend(at_ends.into_iter().filter(|p| !p.is_zero()));
             } else {
                 events.push(on_line);
             }
@@ -92,15 +87,20 @@ impl<K: Kind> Motion<K> {
         self.volume.is_zero()
     }
 
+    /// x − q and y − q for a vertex q and an edge from x to y.
+    fn seen_from_vertex(&self, side: &Side) -> [Vector; 2] {
+        side.edge.map(|end| self.points.difference((end, side.vertex)))
+    }
+
     /// One component of (x − q) × (y − q) for a vertex q and an edge from x to y.
     pub(super) fn side(&self, side: &Side, axis: usize) -> Polynomial {
-        let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
+        let [x, y] = self.seen_from_vertex(side);
         cross_component(&x, &y, axis)
     }
 
     /// Returns true if a vertex lies on an edge: on its line and between its ends.
     pub(super) fn lies_on(&self, side: &Side, instant: &Narrowing) -> bool {
-        let [x, y] = side.edge.map(|end| self.difference((end, side.vertex)));
+        let [x, y] = self.seen_from_vertex(side);
         cross(&x, &y)
             .iter()
             .all(|component| instant.sign(component).is_eq())

@@ -8,17 +8,18 @@ use crate::query::Query;
 /// The points of a query as polynomials in t. The coordinates on an axis are integers of a unit of its own,
 /// a power of two: contact is invariant under scalings of an axis.
 #[derive(Clone, Debug)]
-pub(crate) struct Points {
+pub(crate) struct MovingPoints {
     points: [Vector; 4],
     /// The exponent of the unit of each axis; none if all coordinates are 0.
     units: [Option<i32>; 3],
 }
 
-impl Points {
+impl MovingPoints {
     pub(crate) fn new<K: Kind>(query: &Query<K>) -> Self {
+        let four = query.four();
         let mut units = [None; 3];
         let axes = [0, 1, 2].map(|axis: usize| {
-            let at = |i: usize| query.points()[i / 4][i % 4][axis];
+            let at = |i: usize| four[i / 4][i % 4][axis];
             let (integers, unit) = to_integers([0, 1, 2, 3, 4, 5, 6, 7].map(at));
             units[axis] = unit;
             [0, 1, 2, 3].map(|point| Polynomial::between(&integers[point], &integers[point + 4]))

@@ -13,7 +13,7 @@ use crate::query::Query;
 
 /// Returns true if the plane of an edge of the span and of the velocity separates.
 pub(super) fn separates<K: Kind>(query: &Query<K>, hull: &Hull<f64>) -> bool {
-    let [w, e1, e2] = K::SPAN.map(|difference| subtract::<f64>(query.points(), difference));
+    let [w, e1, e2] = K::SPAN.map(|difference| subtract::<f64>(&query.four(), difference));
     let velocity = minus(w[1], w[0]);
     [e1[0], e2[0]]
         .into_iter()

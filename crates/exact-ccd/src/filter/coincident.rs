@@ -13,42 +13,46 @@ use crate::kind::{Difference, Kind};
 use crate::query::Query;
 use crate::time::ContactTime;
 
-/// Contact that is certain because coordinates are equal.
+/// Contact that is certain because coordinates are equal: the first and the last time of an interval of
+/// contact, or of the only moment, as far as they are certain. It is the only one if both are.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Coincidence {
-    /// There is contact at all times.
-    Always,
-    /// An interval of contact begins at t = 0.
-    FromStart,
-    /// This is the only contact time.
-    Only(ContactTime),
-    /// There is contact at t = 0, and perhaps later.
-    AtStart,
-    /// There is contact at t = 1, or at some time.
-    SomeTime,
+pub(crate) struct Coincidence {
+    pub(super) first: Option<ContactTime>,
+    last: Option<ContactTime>,
 }
 
 impl Coincidence {
-    /// The earliest contact time, if it is certain.
-    pub(super) fn first(self) -> Option<ContactTime> {
-        match self {
-            Self::Always | Self::FromStart | Self::AtStart => Some(ContactTime::exactly(0.0)),
-            Self::Only(time) => Some(time),
-            Self::SomeTime => None,
+    /// There is contact at some time.
+    const SOME_TIME: Self = Self {
+        first: None,
+        last: None,
+    };
+
+    /// There is contact at t = 0, and perhaps later.
+    fn at_start() -> Self {
+        Self {
+            first: Some(ContactTime::exactly(0.0)),
+            last: None,
+        }
+    }
+
+    /// Contact lasts from one time to another, and there is no other one.
+    fn lasting([first, last]: [f64; 2]) -> Self {
+        Self {
+            first: Some(ContactTime::exactly(first)),
+            last: Some(ContactTime::exactly(last)),
         }
     }
 
     /// All intervals of contact, if they are certain.
     pub(super) fn intervals(self) -> Option<Intervals> {
-        match self {
-            Self::Always => Some(Intervals::from_iter([Interval {
-                start: ContactTime::exactly(0.0),
-                end: ContactTime::exactly(1.0),
-                is_moment: false,
-            }])),
-            Self::Only(time) => Some(Intervals::from_iter([Interval::moment(time)])),
-            Self::FromStart | Self::AtStart | Self::SomeTime => None,
-        }
+        let (start, end) = (self.first?, self.last?);
+        let is_moment = start == end;
+        Some(Intervals::from_iter([Interval {
+            start,
+            end,
+            is_moment,
+        }]))
     }
 }
 
@@ -64,33 +68,34 @@ impl Coincidence {
 ///   some point of each is strictly before some point of the other, that remains true for a while,
 ///   during which the segments overlap.
 pub(super) fn coincidence<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -> Option<Coincidence> {
-    let meets = |time: usize, &(i, j): &Difference| query.points()[time][i] == query.points()[time][j];
+    let four = query.four();
+    let meets = |time: usize, &(i, j): &Difference| four[time][i] == four[time][j];
     let all_meet = |time| K::CORNERS.iter().all(|corner| meets(time, corner));
     if K::CORNERS
         .iter()
         .any(|corner| meets(0, corner) && meets(1, corner))
     {
-        return Some(Coincidence::Always);
+        return Some(Coincidence::lasting([0.0, 1.0]));
     }
-    let ends = [(0.0, Coincidence::AtStart), (1.0, Coincidence::SomeTime)];
+    let ends = [(0.0, Coincidence::at_start()), (1.0, Coincidence::SOME_TIME)];
     for (end, (time, coincidence)) in ends.into_iter().enumerate() {
         if all_meet(end) && cubic.is_certain_at(1 - end) {
-            return Some(Coincidence::Only(ContactTime::exactly(time)));
+            return Some(Coincidence::lasting([time; 2]));
         }
         if K::CORNERS.iter().any(|corner| meets(end, corner)) {
             return Some(coincidence);
         }
     }
     let axis = line(query)?;
-    let [start, _] = query.points();
+    let [start, _] = &*four;
     let [is_before, is_behind] = [
         K::CORNERS.iter().any(|&(i, j)| start[i][axis] < start[j][axis]),
         K::CORNERS.iter().any(|&(i, j)| start[i][axis] > start[j][axis]),
     ];
     Some(if is_before && is_behind {
-        Coincidence::FromStart
+        Coincidence::at_start()
     } else {
-        Coincidence::SomeTime
+        Coincidence::SOME_TIME
     })
 }
 
@@ -103,7 +108,7 @@ fn line<K: Kind>(query: &Query<K>) -> Option<usize> {
 /// first vertex lies on the first edge, which has length zero, and they do not move relative to each
 /// other.
 pub(super) fn impact<K: Kind>(query: &Query<K>) -> Option<Impact> {
-    let is_point = |[a, rest @ ..]: &[_; 4]| rest.iter().all(|b| a == b);
+    let is_point = |points: &K::Points| points.as_ref().iter().all(|point| *point == points.as_ref()[0]);
     query.points().iter().all(is_point).then(|| Impact {
         time: ContactTime::exactly(0.0),
         parameters: K::SIDES[0].domain[0],

@@ -21,14 +21,7 @@ use crate::time::ContactTime;
 #[derive(Clone, Debug)]
 pub(crate) enum Contact {
     /// The primitives are coplanar exactly at some roots, and touch at one of them.
-    AtRoot {
-        /// All roots of the coplanarity cubic in the step, in increasing order.
-        roots: ArrayVec<Root, 3>,
-        /// The index of the first root at which the primitives certainly touch.
-        touching: usize,
-        /// True if they certainly do not touch at any root before that one.
-        is_first: bool,
-    },
+    AtRoot(AtRoot),
     /// The primitives are coplanar at all times, and in contact for an interval that begins like
     /// this.
     Sliding(Event),
@@ -36,6 +29,27 @@ pub(crate) enum Contact {
     Coincident(Coincidence),
     /// The primitives first touch at this moment.
     AtMoment(Moment),
+}
+
+/// Contact at one of some roots.
+#[derive(Clone, Debug)]
+pub(crate) struct AtRoot {
+    /// All roots of the coplanarity cubic in the step, in increasing order.
+    roots: ArrayVec<Root, 3>,
+    /// The index of the first root at which the primitives certainly touch.
+    touching: usize,
+    /// True if they certainly do not touch at any root before that one.
+    is_first: bool,
+}
+
+impl AtRoot {
+    /// The root of the earliest contact and those after it, if it is certain.
+    fn from_first(&self) -> Option<(&Root, &[Root])> {
+        self.roots
+            .get(self.touching..)
+            .filter(|_| self.is_first)?
+            .split_first()
+    }
 }
 
 impl Contact {
@@ -50,11 +64,11 @@ impl Contact {
         for (index, root) in roots.iter().enumerate() {
             match position::at(query, root) {
                 Some(Position::Inside) => {
-                    return Ok(Some(Self::AtRoot {
+                    return Ok(Some(Self::AtRoot(AtRoot {
                         touching: index,
                         is_first,
                         roots,
-                    }));
+                    })));
                 }
                 Some(Position::Outside) => {}
                 None => is_first = false,
@@ -67,7 +81,7 @@ impl Contact {
     #[inline]
     pub(crate) fn stage(&self) -> Stage {
         match self {
-            Self::AtRoot { .. } => Stage::Roots,
+            Self::AtRoot(_) => Stage::Roots,
             Self::Sliding(_) => Stage::Planar,
             Self::Coincident(_) => Stage::Coincident,
             Self::AtMoment(_) => Stage::FixedWidth,
@@ -76,100 +90,66 @@ impl Contact {
 
     /// The earliest contact time, if the filters determine it.
     pub(crate) fn first<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
-        if let Self::AtMoment(moment) = self {
-            return fixed_width::time(query, moment);
-        }
-        self.first_by_roundoff(query).or_else(|| match self {
-            Self::AtRoot {
-                roots,
-                touching,
-                is_first: true,
-            } => fixed_width::round(query, &roots[*touching]),
-            _ => fixed_width::first(query),
-        })
-    }
-
-    /// The same without integers of fixed width.
-    fn first_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<ContactTime> {
-        match self {
-            Self::AtRoot {
-                roots,
-                touching,
-                is_first: true,
-            } => {
-                let root = &roots[*touching];
-                fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root))
-            }
-            Self::AtRoot { is_first: false, .. } => None,
-            Self::Sliding(beginning) => Planar::new(query)?.round(beginning),
-            Self::Coincident(coincidence) => coincidence.first(),
-            Self::AtMoment(_) => None,
-        }
+        let by_roundoff = match self {
+            Self::AtRoot(at_root) => match at_root.from_first() {
+                Some((root, _)) => {
+                    let rounded =
+                        fixed_width::dyadic(query, root).or_else(|| coplanarity::precise(query).round(root));
+                    return rounded.or_else(|| fixed_width::round(query, root));
+                }
+                None => None,
+            },
+            Self::Sliding(beginning) => Planar::new(query).and_then(|planar| planar.round(beginning)),
+            Self::Coincident(coincidence) => coincidence.first,
+            Self::AtMoment(moment) => return fixed_width::time(query, moment),
+        };
+        by_roundoff.or_else(|| fixed_width::first(query))
     }
 
     /// All intervals of contact, if the filters determine them.
     pub(crate) fn intervals<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
-        self.intervals_by_roundoff(query)
-            .or_else(|| fixed_width::moments(query))
-    }
-
-    /// The same without integers of fixed width.
-    fn intervals_by_roundoff<K: Kind>(&self, query: &Query<K>) -> Option<Intervals> {
-        match self {
-            Self::AtRoot {
-                roots,
-                touching,
-                is_first: true,
-            } => {
-                let (first, later) = roots.get(*touching..)?.split_first()?;
-                let precise = coplanarity::precise(query);
-                let moment = |root: &Root| {
-                    let dyadic = fixed_width::dyadic(query, root);
-                    dyadic.or_else(|| precise.round(root)).map(Interval::moment)
-                };
-                let of_later = later.iter().filter_map(|root| match position::at(query, root) {
-                    Some(Position::Inside) => Some(moment(root)),
-                    Some(Position::Outside) => None,
-                    None => Some(None),
-                });
-                [moment(first)].into_iter().chain(of_later).collect()
-            }
-            Self::AtRoot { is_first: false, .. } => None,
-            Self::Sliding(_) => {
-                let planar = Planar::new(query)?;
-                let interval = |[beginning, end]: &[Event; 2]| {
-                    Some(Interval {
-                        start: planar.round(beginning)?,
-                        end: planar.round(end)?,
-                        is_moment: false,
-                    })
-                };
-                planar.stretches()?.iter().map(interval).collect()
-            }
+        let by_roundoff = match self {
+            Self::AtRoot(at_root) => at_root.from_first().and_then(|roots| moments(query, roots)),
+            Self::Sliding(_) => Planar::new(query).and_then(|planar| planar.intervals()),
             Self::Coincident(coincidence) => coincidence.intervals(),
             Self::AtMoment(_) => None,
-        }
+        };
+        by_roundoff.or_else(|| fixed_width::moments(query))
     }
 
     /// The earliest contact, if the filters determine it.
     pub(crate) fn impact<K: Kind>(&self, query: &Query<K>) -> Option<Impact> {
-        let (roots, touching) = match self {
-            Self::AtRoot {
-                roots,
-                touching,
-                is_first: true,
-            } => (roots, touching),
-            Self::AtRoot { is_first: false, .. } | Self::Sliding(_) | Self::AtMoment(_) => return None,
-            Self::Coincident(_) => return coincident::impact(query),
-        };
-        let time = self.first(query)?;
-        let (parameters, normal) = parameters_and_normal(query, &roots[*touching].at(time))?;
-        Some(Impact {
-            time,
-            parameters,
-            normal: Some(normal),
-        })
+        match self {
+            Self::AtRoot(at_root) => {
+                let (root, _) = at_root.from_first()?;
+                let time = self.first(query)?;
+                let (parameters, normal) = parameters_and_normal(query, &root.at(time))?;
+                let normal = Some(normal);
+                Some(Impact {
+                    time,
+                    parameters,
+                    normal,
+                })
+            }
+            Self::Coincident(_) => coincident::impact(query),
+            Self::Sliding(_) | Self::AtMoment(_) => None,
+        }
     }
+}
+
+/// The moments of contact at a root, and at those after it at which the primitives touch.
+fn moments<K: Kind>(query: &Query<K>, (first, later): (&Root, &[Root])) -> Option<Intervals> {
+    let precise = coplanarity::precise(query);
+    let moment = |root: &Root| {
+        let dyadic = fixed_width::dyadic(query, root);
+        dyadic.or_else(|| precise.round(root)).map(Interval::moment)
+    };
+    let of_later = later.iter().filter_map(|root| match position::at(query, root) {
+        Some(Position::Inside) => Some(moment(root)),
+        Some(Position::Outside) => None,
+        None => Some(None),
+    });
+    [moment(first)].into_iter().chain(of_later).collect()
 }
 
 /// The filters do not determine the answer.

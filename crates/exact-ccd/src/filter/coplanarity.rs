@@ -83,7 +83,7 @@ pub(super) fn length_bound<T: Lanes>(vector: [T; 3]) -> T {
 
 /// c in twice the precision.
 pub(super) fn precise<K: Kind>(query: &Query<K>) -> PreciseCubic {
-    let expansion = Expansion::<DoubleDouble>::new::<K>(query.points());
+    let expansion = Expansion::<DoubleDouble>::new::<K>(&query.four());
     PreciseCubic::new(expansion.coefficients, expansion.magnitude)
 }
 

@@ -33,9 +33,12 @@ impl<T: Lanes> Hull<T> {
         }
         let (mut low, mut high) = (corners.map(|row| row[0]), corners.map(|row| row[0]));
         for axis in 0..3 {
-            for &x in &corners[axis][1..] {
-                low[axis] = x.min(low[axis]);
-                high[axis] = x.max(high[axis]);
+            for (i, &x) in corners[axis].iter().enumerate().skip(1) {
+                // The others are repeated.
+                if i % 4 < K::FEATURES.vertices.len() {
+                    low[axis] = x.min(low[axis]);
+                    high[axis] = x.max(high[axis]);
+                }
             }
         }
         Self { corners, low, high }
@@ -135,7 +138,7 @@ impl Hull<f64> {
         [[0, 1], [1, 2], [2, 0]].into_iter().any(|[i, j]| {
             let points = self.corners[i].into_iter().zip(self.corners[j]);
             if !G::IS_POSITIVE {
-                return diagonal_separates(points);
+                return on_one_side(points, |x, y| [x > y, x < y, x > -y, x < -y]);
             }
             let slack = 8.0 * UNIT * (self.reach(i) + self.reach(j));
             // Infinite if a component is, so that a sum that is not a number proves nothing.
@@ -187,11 +190,4 @@ fn on_one_side(points: impl Iterator<Item = (f64, f64)>, sides_of: impl Fn(f64, 
         }
     }
     sides != [false; 4]
-}
-
-/// Returns true if all points (x, y) are strictly on one side of one of the diagonals x = y and x =
-/// −y.
-#[inline]
-fn diagonal_separates(points: impl Iterator<Item = (f64, f64)>) -> bool {
-    on_one_side(points, |x, y| [x > y, x < y, x > -y, x < -y])
 }

@@ -1,7 +1,7 @@
 //! Parameters and normal of a contact at a root of the coplanarity cubic.
 
 use super::cubic::Root;
-use super::position::{Bracket, longest};
+use super::position::{NearRoot, longest};
 use crate::impact::unit;
 use crate::kind::Kind;
 use crate::point::Point;
@@ -13,7 +13,7 @@ const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
 
 /// (u, v) and the normal at a root at which the primitives touch, if they are accurate enough.
 pub(super) fn parameters_and_normal<K: Kind>(query: &Query<K>, root: &Root) -> Option<([f64; 2], Point)> {
-    let bracket = Bracket::new(query, root);
+    let bracket = NearRoot::new(query, root);
     let [_, e1, e2] = K::SPAN.map(|difference| bracket.vector(difference));
     let normal = bracket.cross(&e1, &e2);
     let magnitude = |axis: usize| normal[axis].value.abs();

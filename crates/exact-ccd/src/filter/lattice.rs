@@ -35,11 +35,11 @@ impl<K: Kind, const N: usize> Lattice<K, N> {
     /// The query in the largest units that make all coordinates integers; `None` if these are too long, or
     /// the units are near the ends of the range of f64.
     pub(super) fn new(query: &Query<K>) -> Option<Self> {
-        let mut points = *query.points();
+        let mut points = *query.four();
         let mut bits = 0;
         for axis in 0..3 {
             let (mut low, mut high) = (i32::MAX, i32::MIN);
-            for point in query.points().as_flattened() {
+            for point in points.as_flattened() {
                 let (mantissa, exponent) = decompose(point[axis]);
                 if mantissa != 0 {
                     low = low.min(exponent);

@@ -10,6 +10,7 @@ use super::cubic::{Cubic, Root};
 use super::double_double::DoubleDouble;
 use super::number::{Number, reach, subtract};
 use super::precise_cubic::PreciseCubic;
+use crate::interval::{Interval, Intervals};
 use crate::kind::{Difference, Kind, Side};
 use crate::query::Query;
 use crate::time::ContactTime;
@@ -19,7 +20,7 @@ use crate::time::ContactTime;
 const MAX_CROSSINGS: usize = 12;
 
 /// A query in a plane.
-pub(super) struct Planar<'a, K> {
+pub(super) struct Planar<'a, K: Kind> {
     query: &'a Query<K>,
     /// The axes along the plane.
     axes: [usize; 2],
@@ -44,8 +45,11 @@ struct Crossing {
 
 /// Returns true if all points are in one plane across an axis, at t = 0 and at t = 1.
 pub(super) fn is_across<K: Kind>(query: &Query<K>, axis: usize) -> bool {
-    let mut ends = query.points().iter();
-    ends.all(|[a, rest @ ..]| rest.iter().all(|b| a[axis] == b[axis]))
+    let is_flat = |points: &K::Points| {
+        let points = points.as_ref();
+        points.iter().all(|point| point[axis] == points[0][axis])
+    };
+    query.points().iter().all(is_flat)
 }
 
 impl<'a, K: Kind> Planar<'a, K> {
@@ -100,6 +104,18 @@ impl<'a, K: Kind> Planar<'a, K> {
         Some(stretches)
     }
 
+    /// The intervals of contact, if they are known.
+    pub(super) fn intervals(&self) -> Option<Intervals> {
+        let interval = |[beginning, end]: &[Event; 2]| {
+            Some(Interval {
+                start: self.round(beginning)?,
+                end: self.round(end)?,
+                is_moment: false,
+            })
+        };
+        self.stretches()?.iter().map(interval).collect()
+    }
+
     /// The cross product of two differences in the plane.
     fn area(&self, x: Difference, y: Difference) -> Cubic<f64> {
         let (coefficients, magnitude) = self.expand::<f64>(x, y);
@@ -124,7 +140,7 @@ impl<'a, K: Kind> Planar<'a, K> {
     /// `mixed` and one more; and the other difference in each term.
     fn expand<T: Number<Real = f64>>(&self, x: Difference, y: Difference) -> ([T; 4], f64) {
         let along = |difference| {
-            subtract(self.query.points(), difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]))
+            subtract(&self.query.four(), difference).map(|d: [T; 3]| self.axes.map(|axis| d[axis]))
         };
         let (x, y) = (along(x), along(y));
         let cross = |a: [T; 2], b: [T; 2]| a[0] * b[1] - a[1] * b[0];

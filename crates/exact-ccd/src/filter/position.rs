@@ -41,7 +41,7 @@ impl Estimate {
 /// The position of the primitives at a root, if it is certain, by the same tests as in the exact
 /// path.
 pub(super) fn at<K: Kind>(query: &Query<K>, root: &Root) -> Option<Position> {
-    let bracket = Bracket::new(query, root);
+    let bracket = NearRoot::new(query, root);
     let [_, e1, e2] = K::SPAN.map(|difference| bracket.vector(difference));
     let normal = bracket.cross(&e1, &e2);
     let corners = K::CORNERS.map(|difference| bracket.vector(difference));
@@ -79,7 +79,7 @@ pub(super) fn longest(vector: &[Estimate; 3]) -> usize {
 }
 
 /// A query in a bracket of time around a root.
-pub(super) struct Bracket<'a, K> {
+pub(super) struct NearRoot<'a, K: Kind> {
     query: &'a Query<K>,
     near: f64,
     /// A bound of the error of a difference, relative to its magnitude: two ends rounded once, (1 −
@@ -88,7 +88,7 @@ pub(super) struct Bracket<'a, K> {
     slack: f64,
 }
 
-impl<'a, K: Kind> Bracket<'a, K> {
+impl<'a, K: Kind> NearRoot<'a, K> {
     pub(super) fn new(query: &'a Query<K>, root: &Root) -> Self {
         let radius = (root.high - root.near).max(root.near - root.low);
         Self {
@@ -99,7 +99,8 @@ impl<'a, K: Kind> Bracket<'a, K> {
     }
 
     pub(super) fn vector(&self, (i, j): Difference) -> VectorEstimate {
-        let [start, end] = self.query.points();
+        let four = self.query.four();
+        let [start, end] = &*four;
         let mut vector = VectorEstimate {
             value: [0.0; 3],
             magnitude: [0.0; 3],

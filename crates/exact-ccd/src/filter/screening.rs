@@ -36,35 +36,37 @@ pub(crate) enum Proved {
 }
 
 /// Decides whether primitives touch, as far as the filters can.
-#[inline]
+#[inline(always)]
 pub(crate) fn decide<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
-    if options.separation.is_zero() {
-        return match screen(query, Touching) {
-            Ok(Near {
-                cubic: Some(cubic), ..
-            }) => decide_near_plane(query, &cubic),
-            Ok(Near { cubic: None, .. }) => Decision::Unknown,
-            Err(stage) => Decision::Free(stage),
-        };
+    if !options.separation.is_zero() {
+        return decide_within(query, options);
     }
-    match screen(query, Within(options.separation.get())) {
-        Ok(Near { hull, .. }) => nearness::decide(query, &hull, options),
+    match screen(query, &Hull::new::<K>(&query.four()), Touching) {
+        Ok(Some(cubic)) => decide_near_plane(query, &cubic),
+        Ok(None) => Decision::Unknown,
         Err(stage) => Decision::Free(stage),
     }
 }
 
-/// A query that the common stages do not settle.
-struct Near {
-    hull: Hull<f64>,
-    /// The coplanarity cubic; none if coordinates are out of the range of the filters.
-    cubic: Option<Cubic<f64>>,
+/// The same for a separation above 0; apart, so that contact stays fast.
+#[inline(never)]
+fn decide_within<K: Kind>(query: &Query<K>, options: &Options) -> Decision {
+    let hull = Hull::new::<K>(&query.four());
+    match screen(query, &hull, Within(options.separation.get())) {
+        Ok(_) => nearness::decide(query, &hull, options),
+        Err(stage) => Decision::Free(stage),
+    }
 }
 
-/// Passes a query through the stages that contact and a separation above 0 have in common; the stage that
-/// proves that the primitives do not touch.
-#[inline]
-fn screen<K: Kind>(query: &Query<K>, gap: impl Gap<f64>) -> Result<Near, Stage> {
-    let hull = Hull::new::<K>(query.points());
+/// Passes a query through the stages that contact and a separation above 0 have in common: the stage that
+/// proves that the primitives do not touch, otherwise the coplanarity cubic, or none if coordinates are out
+/// of the range of the filters.
+#[inline(always)]
+fn screen<K: Kind>(
+    query: &Query<K>,
+    hull: &Hull<f64>,
+    gap: impl Gap<f64>,
+) -> Result<Option<Cubic<f64>>, Stage> {
     if hull.is_beyond_axis(gap) {
         return Err(Stage::BoundingBox);
     }
@@ -72,9 +74,9 @@ fn screen<K: Kind>(query: &Query<K>, gap: impl Gap<f64>) -> Result<Near, Stage> 
         return Err(Stage::Diagonals);
     }
     if hull.is_out_of_range(gap) {
-        return Ok(Near { hull, cubic: None });
+        return Ok(None);
     }
-    let coplanarity = Coplanarity::new::<K>(query.points());
+    let coplanarity = Coplanarity::new::<K>(&query.four());
     let [start, end] = coplanarity.normals;
     if hull.is_beyond(start, gap) || hull.is_beyond(end, gap) {
         return Err(Stage::Normals);
@@ -82,8 +84,7 @@ fn screen<K: Kind>(query: &Query<K>, gap: impl Gap<f64>) -> Result<Near, Stage> 
     if coplanarity.are_planes_beyond(gap) {
         return Err(Stage::Coplanarity);
     }
-    let cubic = Some(coplanarity.cubic);
-    Ok(Near { hull, cubic })
+    Ok(Some(coplanarity.cubic))
 }
 
 /// Queries side by side after the stages `Normals` and `Coplanarity`.
@@ -126,7 +127,7 @@ pub(crate) fn decide_near_plane<K: Kind>(query: &Query<K>, cubic: &Cubic<f64>) -
     if let Some(coincidence) = coincidence(query, cubic) {
         return Decision::Collision(Proved::Contact(Contact::Coincident(coincidence)));
     }
-    let hull = Hull::new::<K>(query.points());
+    let hull = Hull::new::<K>(&query.four());
     if alongside::separates(query, &hull) || hull.some_direction_separates() {
         return Decision::Free(Stage::Direction);
     }

@@ -26,7 +26,7 @@ impl EdgeFace {
     /// the face are points 2 to 4.
     pub fn new(edge: [Point; 2], face: [Point; 3]) -> Result<Self, NonFinite> {
         let ([a, b], [v1, v2, v3]) = (edge, face);
-        NonFinite::check(&[a, b, v1, v2, v3])?;
+        NonFinite::check(&[&[a, b, v1, v2, v3]])?;
         Ok(Self { edge, face })
     }
 
@@ -69,18 +69,15 @@ impl EdgeFace {
     /// Returns true if a point lies in the face.
     fn contains(&self, point: Point) -> bool {
         let [v1, v2, v3] = self.face;
-        let points = [point, v1, v2, v3];
-        // All coordinates are finite.
-        Query::<VertexFace>::new(points, points).is_ok_and(|query| query.collides(CONTACT))
+        Query::<VertexFace>::from_finite([[point, v1, v2, v3]; 2]).collides(CONTACT)
     }
 
     /// Returns true if a side of the face touches the edge.
     fn touches_a_side(&self) -> bool {
         let ([a, b], [v1, v2, v3]) = (self.edge, self.face);
-        [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(|[x, y]| {
-            let points = [a, b, x, y];
-            Query::<EdgeEdge>::new(points, points).is_ok_and(|query| query.collides(CONTACT))
-        })
+        let touches =
+            |[x, y]: [Point; 2]| Query::<EdgeEdge>::from_finite([[a, b, x, y]; 2]).collides(CONTACT);
+        [[v1, v2], [v2, v3], [v3, v1]].into_iter().any(touches)
     }
 }
 

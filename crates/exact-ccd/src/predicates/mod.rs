@@ -1,6 +1,5 @@
 //! Exact predicates of points at rest: orientation and intersection.
 
-mod determinant;
 mod edge_face;
 mod orient3d;
 

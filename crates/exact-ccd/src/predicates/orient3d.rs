@@ -2,8 +2,10 @@
 
 use core::cmp::Ordering;
 
-use super::determinant::{determinant, permanent, sign_in_integers, sign_of_determinant};
+use dashu_int::IBig;
+
 use crate::environment;
+use crate::exact::to_integers;
 use crate::filter::{UNIT, certain_sign};
 use crate::point::Point;
 use crate::query::NonFinite;
@@ -30,7 +32,7 @@ use crate::query::NonFinite;
 /// # Errors
 /// [`NonFinite`] names the first coordinate that is infinite or not a number.
 pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
-    NonFinite::check(&points)?;
+    NonFinite::check(&[&points])?;
     Ok(sign_of_volume(&points).reverse())
 }
 
@@ -41,19 +43,20 @@ pub fn orient3d(points: [Point; 4]) -> Result<Ordering, NonFinite> {
 /// enlarge; differences do not underflow. An overflow makes the bound infinite, and no sign
 /// certain.
 pub(crate) fn sign_of_volume(points: &[Point; 4]) -> Ordering {
-    const UNDERFLOW: f64 = f64::from_bits((1023 - 1000) << 52);
-    let [a, b, c, d] = points;
+    const TINY: f64 = f64::from_bits((1023 - 1000) << 52);
     if !environment::is_default() {
-        return sign_in_integers([b, c, d, a]);
+        return sign_in_integers(points);
     }
+    let [a, b, c, d] = points;
     let from_a = |p: &Point| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
     let (u, v, w) = (from_a(b), from_a(c), from_a(d));
     let enlarged = 1.0 + u[0].abs() + u[1].abs() + u[2].abs();
-    let error = 16.0 * UNIT * permanent(&u, &v, &w) + UNDERFLOW * enlarged;
-    certain_sign(determinant(u, v, w), error).unwrap_or_else(|| sign_near_zero(points))
+    let error = 16.0 * UNIT * permanent(&u, &v, &w) + TINY * enlarged;
+    certain_sign(determinant(&u, &v, &w), error).unwrap_or_else(|| sign_near_zero(points))
 }
 
-/// Comparisons, then the adaptive determinant.
+/// Comparisons, then Shewchuk's adaptive predicate (Adaptive precision floating-point arithmetic and fast
+/// robust geometric predicates, 1997) where all coordinates are [safe](is_safe), otherwise integers.
 #[cold]
 fn sign_near_zero(points: &[Point; 4]) -> Ordering {
     let is_flat = |axis: usize| points.iter().all(|p| p[axis] == points[0][axis]);
@@ -61,6 +64,104 @@ fn sign_near_zero(points: &[Point; 4]) -> Ordering {
     if (0..3).any(is_flat) || (1..4).any(|i| (0..i).any(|j| coincide(i, j))) {
         return Ordering::Equal;
     }
-    let [a, b, c, d] = points.each_ref();
-    sign_of_determinant([b, c, d, a])
+    if !points.as_flattened().iter().all(|&x| is_safe(x)) {
+        return sign_in_integers(points);
+    }
+    let [a, b, c, d] = points.map(|[x, y, z]| robust::Coord3D { x, y, z });
+    let determinant = robust::orient3d(b, c, d, a);
+    determinant.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+}
+
+/// The sign in integers, in any floating-point environment: rows and columns of the determinant change
+/// places.
+fn sign_in_integers(points: &[Point; 4]) -> Ordering {
+    let [x, y, z] = [0, 1, 2].map(|axis: usize| {
+        let ([a, b, c, d], _) = to_integers(points.map(|point| point[axis]));
+        [b - &a, c - &a, d - &a]
+    });
+    let minor = |i: usize, j: usize| &y[i] * &z[j] - &y[j] * &z[i];
+    let determinant = &x[0] * minor(1, 2) + &x[1] * minor(2, 0) + &x[2] * minor(0, 1);
+    determinant.cmp(&IBig::ZERO)
+}
+
+/// a · (b × c), in five operations.
+#[inline(always)]
+fn determinant(a: &Point, b: &Point, c: &Point) -> f64 {
+    a[0] * (b[1] * c[2] - b[2] * c[1])
+        + a[1] * (b[2] * c[0] - b[0] * c[2])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
+}
+
+/// The determinant of magnitudes, with sums in place of differences.
+#[inline(always)]
+fn permanent(a: &Point, b: &Point, c: &Point) -> f64 {
+    let [a, b, c] = [a, b, c].map(|v| v.map(f64::abs));
+    a[0] * (b[1] * c[2] + b[2] * c[1])
+        + a[1] * (b[2] * c[0] + b[0] * c[2])
+        + a[2] * (b[0] * c[1] + b[1] * c[0])
+}
+
+/// Returns true if Shewchuk's predicate neither underflows nor overflows on four points of such
+/// coordinates.
+///
+/// Coordinates are multiples of 2⁻²⁵⁰⁻⁵² = 2⁻³⁰², and so are their differences, rounded or not, and
+/// the parts into which these are split. Products of two and three of them are multiples of 2⁻⁶⁰⁴
+/// and 2⁻⁹⁰⁶ > 2⁻¹⁰⁷⁴, and none underflows. The permanent, unless it is zero, is at least 2⁻⁹⁰⁶.
+/// The smallest error bound, 26 u² times the permanent with u = 2⁻⁵³, is at least 2⁻¹⁰⁰⁸ > 2⁻¹⁰²²:
+/// it is a normal number, whose rounding is relative, as the bound assumes. In the other direction,
+/// products of three differences, of which one is split by a factor of 2²⁷ + 1, add up to less than
+/// 2⁹⁴⁰.
+fn is_safe(x: f64) -> bool {
+    const SMALLEST: f64 = f64::from_bits((1023 - 250) << 52);
+    const LARGEST: f64 = f64::from_bits((1023 + 300) << 52);
+    (x == 0.0) | ((x.abs() >= SMALLEST) & (x.abs() <= LARGEST))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A generator of pseudo-random bits (SplitMix64).
+    struct Bits(u64);
+
+    impl Bits {
+        fn next(&mut self) -> u64 {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let mut z = self.0;
+            z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            z ^ (z >> 31)
+        }
+
+        /// A number of all 53 bits with a magnitude in [1, 2).
+        fn fraction(&mut self) -> f64 {
+            let sign = if self.next() & 1 == 0 { 1.0 } else { -1.0 };
+            sign * f64::from_bits(1023 << 52 | self.next() >> 12)
+        }
+    }
+
+    /// Points in one plane up to rounding, in units around the limits of the safe range: the error
+    /// bounds of all stages of the predicate matter, and the differences are much smaller than the
+    /// coordinates.
+    #[test]
+    fn signs_are_exact_at_the_limits_of_the_safe_range() {
+        let mut bits = Bits(0);
+        let mut counts = [0; 3];
+        for exponent in (-360..=-230).chain(290..=310) {
+            let unit = libm::ldexp(1.0, exponent);
+            for _ in 0..100 {
+                let d: Point = [0; 3].map(|_| bits.fraction());
+                let spread = libm::ldexp(1.0, -((bits.next() % 50) as i32));
+                let [u, v] = [0; 2].map(|_| [0; 3].map(|_| spread * bits.fraction()));
+                let (r, s) = (bits.fraction(), bits.fraction());
+                let plus = |w: [f64; 3]| [0, 1, 2].map(|axis: usize| d[axis] + w[axis]);
+                let w = [0, 1, 2].map(|axis: usize| r * u[axis] + s * v[axis]);
+                let points = [d, plus(u), plus(v), plus(w)].map(|point| point.map(|x| x * unit));
+                let sign = sign_near_zero(&points);
+                assert_eq!(sign, sign_in_integers(&points), "{points:?}");
+                counts[(sign as i8 + 1) as usize] += 1;
+            }
+        }
+        assert!(counts.iter().all(|&count| count > 0), "{counts:?}");
+    }
 }

@@ -11,34 +11,26 @@ use crate::definition::{self, Moment, Primitives};
 /// A kind of query that the definition knows.
 pub(crate) trait Defined: Kind {
     const PRIMITIVES: Primitives;
-    /// The points of the primitives among the four of a query.
-    const POINTS: &'static [usize];
 }
 
 impl Defined for VertexFace {
     const PRIMITIVES: Primitives = Primitives::VertexFace;
-    const POINTS: &'static [usize] = &[0, 1, 2, 3];
 }
 
 impl Defined for EdgeEdge {
     const PRIMITIVES: Primitives = Primitives::EdgeEdge;
-    const POINTS: &'static [usize] = &[0, 1, 2, 3];
 }
 
 impl Defined for VertexEdge {
     const PRIMITIVES: Primitives = Primitives::VertexEdge;
-    const POINTS: &'static [usize] = &[0, 2, 3];
 }
 
 impl Defined for VertexVertex {
     const PRIMITIVES: Primitives = Primitives::VertexVertex;
-    const POINTS: &'static [usize] = &[0, 2];
 }
 
 fn points<K: Defined>(query: &Query<K>) -> [Vec<Point>; 2] {
-    query
-        .points()
-        .map(|now| K::POINTS.iter().map(|&i| now[i]).collect())
+    query.points().map(|now| now.as_ref().to_vec())
 }
 
 fn moment(time: ContactTime) -> Moment {

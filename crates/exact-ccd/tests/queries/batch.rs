@@ -17,7 +17,7 @@ use crate::each_kind::for_each_kind;
 use crate::families::{cases, ordinary};
 use crate::generators::mixed;
 use crate::kinds::{points_of, query};
-use crate::primitives::{Points, Primitives};
+use crate::primitives::Primitives;
 use crate::runner::for_all;
 
 /// Enough for queries of all families, and for several chunks of a batch.
@@ -56,17 +56,22 @@ fn trajectories<P: AsRef<[Point]>>(queries: &[[P; 2]]) -> Trajectories {
 #[derive(Debug, PartialEq)]
 struct Answers {
     index: usize,
-    points: Points,
+    points: Vec<Point>,
     intervals: Intervals,
     time_of_impact: u64,
     impact: Impact,
+}
+
+fn all_points<K: Kind>(query: &Query<K>) -> Vec<Point> {
+    let points = query.points().iter().flat_map(AsRef::as_ref);
+    points.copied().collect()
 }
 
 impl Answers {
     fn of_query<K: Kind>(index: usize, query: &Query<K>, d: Separation) -> Option<Self> {
         query.collides(d).then(|| Self {
             index,
-            points: *query.points(),
+            points: all_points(query),
             intervals: query.intervals(d),
             time_of_impact: query.time_of_impact(d).unwrap().to_bits(),
             impact: query.impact(d).unwrap(),
@@ -76,7 +81,7 @@ impl Answers {
     fn of_collision<K: Kind>(index: usize, collision: &Collision<'_, K>) -> Self {
         Self {
             index,
-            points: *collision.query().points(),
+            points: all_points(collision.query()),
             intervals: collision.intervals(),
             time_of_impact: collision.time_of_impact().to_bits(),
             impact: collision.impact(),

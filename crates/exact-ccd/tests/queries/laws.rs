@@ -4,8 +4,6 @@ use std::cmp::Ordering;
 
 use exact_ccd::{Collision, ContactTime, Interval, Intervals, Kind, Query, Separation, exact};
 
-use crate::kinds::query;
-
 /// All times at which the primitives touch. They are checked to be ordered intervals of the step, the same
 /// as those of the exact path bit for bit, and consistent with the other answers, which are computed apart
 /// from them, and with the primitives at single times.
@@ -100,10 +98,15 @@ fn between(low: f64, high: f64) -> Option<f64> {
 fn at_rest<K: Kind>(moving: &Query<K>, t: f64) -> Option<Query<K>> {
     let [start, end] = moving.points();
     let mut now = *start;
-    for (a, b) in now.as_flattened_mut().iter_mut().zip(end.as_flattened()) {
+    for (a, b) in now
+        .as_mut()
+        .as_flattened_mut()
+        .iter_mut()
+        .zip(end.as_ref().as_flattened())
+    {
         *a = sum(*a, product(t, sum(*b, -*a)?)?)?;
     }
-    Some(query(&[now; 2]))
+    Query::new(now, now).ok()
 }
 
 /// a + b, if it is an f64: the rounding error by Knuth's algorithm is 0, not NaN after overflow.
@@ -139,7 +142,7 @@ pub(crate) fn assert_same_times<K: Kind, L: Kind>(
 /// Checks that the times from s to t are those from 1 − t to 1 − s when time runs backwards.
 pub(crate) fn assert_reversible<K: Kind>(forth: &Query<K>, d: Separation) {
     let [start, end] = *forth.points();
-    let back = query::<K>(&[end, start]);
+    let back = Query::<K>::new(end, start).unwrap();
     let (times, reversed) = (forth.intervals(d), back.intervals(d));
     assert_eq!(times.len(), reversed.len(), "{d:?}: {forth:?}");
     for (there, mirrored) in times.iter().zip(reversed.iter().rev()) {

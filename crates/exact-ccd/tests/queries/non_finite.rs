@@ -15,7 +15,7 @@ fn errors(points: [[Point; 4]; 2]) -> [NonFinite; 2] {
 fn every_coordinate_is_checked() {
     for time in 0..2 {
         for point in 0..4 {
-            for axis in Axis::ALL {
+            for &axis in Axis::ALL {
                 for value in BAD {
                     let mut points = [[[1.0; 3]; 4]; 2];
                     points[time][point][axis.index()] = value;

@@ -158,12 +158,13 @@ fn linear_iteration(p: &Polynomial, mut k: Polynomial, mut s: f64) -> Option<Fac
         last_residual = residual;
         let (of_k, value_of_k) = divide_by_linear(&k, s);
         let scale = negligible(k.coefficients()[0]);
-        let at = |polynomial: &Polynomial, i: usize| polynomial.coefficients().get(i).copied().unwrap_or(0.0);
         k = if value_of_k.abs() <= scale {
-            Polynomial::from_fn(p.degree() - 1, |i| at(&of_k, i))
+            Polynomial::from_fn(p.degree() - 1, |i| of_k.coefficient(i))
         } else {
             let ratio = -value / value_of_k;
-            Polynomial::from_fn(p.degree() - 1, |i| ratio * at(&of_k, i) + at(&quotient, i))
+            Polynomial::from_fn(p.degree() - 1, |i| {
+                ratio * of_k.coefficient(i) + quotient.coefficient(i)
+            })
         };
         let value_of_k = k.at(s);
         change = if value_of_k.abs() > negligible(k.coefficients()[0]) {

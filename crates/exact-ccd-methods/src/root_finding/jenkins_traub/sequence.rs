@@ -5,13 +5,13 @@ use super::division::{Quadratic, Remainder, divide, negligible};
 
 /// The first stage: (K − (K(0) / P(0)) P) / z, with the leading coefficient of P unless K(0) is zero.
 pub(super) fn step_without_shift(p: &Polynomial, k: &Polynomial) -> Polynomial {
-    let (p, k) = (p.coefficients(), k.coefficients());
-    let after = |i: usize| k.get(i + 1).copied().unwrap_or(0.0);
-    if k[0].abs() <= negligible(p[1]) {
-        Polynomial::from_fn(p.len() - 2, after)
+    let ([p0, p1], k0) = ([p.coefficient(0), p.coefficient(1)], k.coefficient(0));
+    let after = |i: usize| k.coefficient(i + 1);
+    if k0.abs() <= negligible(p1) {
+        Polynomial::from_fn(p.degree() - 1, after)
     } else {
-        let ratio = -p[0] / k[0];
-        Polynomial::from_fn(p.len() - 2, |i| p[i + 1] + ratio * after(i))
+        let ratio = -p0 / k0;
+        Polynomial::from_fn(p.degree() - 1, |i| p.coefficient(i + 1) + ratio * after(i))
     }
 }
 
@@ -28,15 +28,14 @@ pub(super) fn step(p: &Polynomial, k: &Polynomial, sigma: Quadratic) -> Polynomi
     let of_r = a * a + u * a * b + v * b * b;
     let of_q = a * c + u * a * d + v * b * d;
     let n = p.degree();
-    let at = |polynomial: &Polynomial, i: usize| polynomial.coefficients().get(i).copied().unwrap_or(0.0);
     if determinant.abs() <= negligible((b * c).abs() + (a * d).abs()) {
         // K contains σ, or is a multiple of P on its zeros.
-        return Polynomial::from_fn(n - 1, |i| of_r * at(&r, i) - of_q * at(&q, i));
+        return Polynomial::from_fn(n - 1, |i| of_r * r.coefficient(i) - of_q * q.coefficient(i));
     }
     let (of_r, of_q) = (of_r / determinant, of_q / determinant);
     Polynomial::from_fn(n - 1, |i| {
-        let leading = if i == 0 { b } else { at(&q, i - 1) };
-        of_r * at(&r, i) - of_q * at(&q, i) + leading
+        let leading = if i == 0 { b } else { q.coefficient(i - 1) };
+        of_r * r.coefficient(i) - of_q * q.coefficient(i) + leading
     })
 }
 

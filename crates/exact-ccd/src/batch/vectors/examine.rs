@@ -7,7 +7,7 @@ use super::chunks::{Unsettled, for_each_chunk};
 use super::gaps::Gaps;
 use super::planes::{LANES, screen, transposed};
 use super::rows;
-use crate::batch::run::{Batch, query, rows_of};
+use crate::batch::run::{Batch, query_of, rows_of};
 use crate::collision::Collision;
 use crate::distance::Separation;
 use crate::filter::{Decision, Gap, Hull, LEAST_UNTIL, decide_between, decide_near_plane, free_until};
@@ -51,7 +51,7 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                         if <G::One as Gap<f64>>::IS_POSITIVE {
                             approaching.push_unless(is_settled, index);
                         } else if !is_settled {
-                            let query = query(eight[lane]);
+                            let query = query_of(rows, &queries[index]);
                             let decision = match rest.cubic(lane) {
                                 Some(cubic) => decide_near_plane(&query, &cubic),
                                 None => Decision::Unknown,
@@ -75,7 +75,7 @@ pub(super) fn examine<S: Simd, K: Kind, G: Gaps>(simd: S, batch: Batch<'_, K>, g
                     let free: [f64; LANES] = free_until::<K, _>(&hull, d, until).into();
                     for (lane, &index) in indices.iter().enumerate() {
                         if free[lane] < until {
-                            let (query, d) = (query(eight[lane]), gaps.separation(index));
+                            let (query, d) = (query_of(rows, &queries[index]), gaps.separation(index));
                             let decision = decide_between(&query, d, [free[lane], until]);
                             report(index, &query, d, decision);
                         }

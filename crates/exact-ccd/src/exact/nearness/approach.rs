@@ -8,7 +8,7 @@ use super::feature::{Feature, Pair};
 use crate::distance::Separation;
 use crate::exact::dyadic::decompose;
 use crate::exact::motion::common;
-use crate::exact::points::Points;
+use crate::exact::points::MovingPoints;
 use crate::exact::polynomial::{Polynomial, Vector, cross, dot};
 use crate::kind::{Difference, Kind};
 use crate::query::Query;
@@ -16,7 +16,7 @@ use crate::query::Query;
 /// The points of a query as polynomials in t, and d², with one unit for all axes and d: unlike
 /// contact, distance is not invariant under a scaling of one axis.
 pub(super) struct Approach {
-    points: Points,
+    points: MovingPoints,
     squared_separation: Polynomial,
     /// The coordinates are integers times two to this power.
     pub(super) unit: i32,
@@ -24,7 +24,7 @@ pub(super) struct Approach {
 
 impl Approach {
     pub(super) fn new<K: Kind>(query: &Query<K>, d: Separation) -> Self {
-        let points = Points::new(query);
+        let points = MovingPoints::new(query);
         let (mantissa, exponent) = decompose(d.get());
         let of_separation = (mantissa != 0).then_some(exponent);
         let unit = points.least_unit().into_iter().chain(of_separation).min();

@@ -13,7 +13,7 @@ use crate::point::Point;
 
 /// The parameters of two points, and the direction from that on the second primitive to that on the
 /// first.
-type Closest = ([f64; 2], Option<Point>);
+type PointPair = ([f64; 2], Option<Point>);
 
 /// The closest points at the first instant within d.
 pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: &Instant) -> Option<Impact> {
@@ -40,7 +40,7 @@ pub(super) fn impact<K: Kind>(approach: &Approach, features: &[Feature], first: 
 
 /// With x from the edge's start to the vertex: the closest point is at s = (e · x) / (e · e), the
 /// direction from it to the vertex that of (e · e) x − (e · x) e.
-fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> Closest {
+fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> PointPair {
     let [a, b] = side.edge;
     let (x, e) = (approach.difference((side.vertex, a)), approach.difference((b, a)));
     let (along, squared_length) = (dot(&e, &x), dot(&e, &e));
@@ -62,7 +62,7 @@ fn vertex_edge(approach: &Approach, side: &Side, instant: &Narrowing) -> Closest
 
 /// The parameters are guards of the feature over n · n; the direction is that of ±n, on the side of
 /// w.
-fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> Closest {
+fn inner<K: Kind>(approach: &Approach, feature: &Feature, instant: &Narrowing) -> PointPair {
     let [w, e1, e2] = K::SPAN.map(|difference| approach.difference(difference));
     let n = cross(&e1, &e2);
     let squared_length = dot(&n, &n);

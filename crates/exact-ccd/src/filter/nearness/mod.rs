@@ -54,7 +54,7 @@ pub(crate) fn decide_between<K: Kind>(query: &Query<K>, d: Separation, times: [f
     if d.is_zero() {
         return screening::decide(query, &CONTACT);
     }
-    decide_by_hull(query, &Hull::new::<K>(query.points()), d, times)
+    decide_by_hull(query, &Hull::new::<K>(&query.four()), d, times)
 }
 
 /// Few candidates get here; apart, so that the stages above stay small.

@@ -6,6 +6,10 @@ use crate::kind::Kind;
 
 /// A vector across the features of the closest points at one time: [`Closest`](super::closest::Closest)
 /// for queries side by side.
+///
+/// The two are not one function. That one returns the features, by which a first time is refined in other
+/// precisions: it is done where the inner points are closest, and the branches that choose among features
+/// depend on the query. Here all features are examined in each lane, and only a direction remains.
 #[inline(always)]
 pub(super) fn nearest<K: Kind, T: Lanes>(corners: &[[T; 3]; 4]) -> [T; 3] {
     let features = K::FEATURES;

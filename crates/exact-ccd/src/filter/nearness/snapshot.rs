@@ -41,9 +41,7 @@ pub(super) struct Moving<T> {
 impl<T: Precision> Moving<T> {
     pub(super) fn new<K: Kind>(query: &Query<K>, scaled: &Scaled) -> Self {
         let factor = scaled.factor;
-        let points = query
-            .points()
-            .map(|now| now.map(|point| point.map(|x| x * factor)));
+        let points = query.four().map(|now| now.map(|point| point.map(|x| x * factor)));
         let both = K::CORNERS.map(|difference| subtract::<T>(&points, difference));
         Self {
             start: both.map(|[start, _]| start),
