@@ -176,7 +176,7 @@ impl Cubic<f64> {
     /// The points that cut [0, 1] into pieces on which c is monotone, and so are its Bernstein
     /// coefficients: approximate zeros of c′; if it has none, that of c″, on either side of which
     /// the coefficients of c′ have one sign.
-    fn cuts(&self) -> ArrayVec<f64, 2> {
+    pub(super) fn cuts(&self) -> ArrayVec<f64, 2> {
         let [b0, b1, b2, b3] = self.bernstein;
         // c′ / 3 = d₀ (1−t)² + 2 d₁ (1−t) t + d₂ t² = a t² + 2 h t + d₀.
         let [d0, d1, d2] = [b1 - b0, b2 - b1, b3 - b2];

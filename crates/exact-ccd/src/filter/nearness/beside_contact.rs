@@ -7,10 +7,10 @@
 
 use super::advance::Advancement;
 use super::scaled::Scaled;
+use crate::filter::Within;
 use crate::filter::coplanarity::{self, Coplanarity};
 use crate::filter::hull::Hull;
 use crate::filter::screening::{Decision, Proved, decide_near_plane};
-use crate::filter::Within;
 use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
@@ -44,7 +44,8 @@ pub(super) fn first_after<K: Kind>(
     } else {
         free.min(floor)
     };
-    are_planes_beyond(query, &planes, d, [start, floor, contact.upper()]).then(|| ContactTime::just_above(floor))
+    are_planes_beyond(query, &planes, d, [start, floor, contact.upper()])
+        .then(|| ContactTime::just_above(floor))
 }
 
 /// True if the planes certainly are farther than d apart from one time to a second one, given a third one

@@ -19,8 +19,7 @@ impl Crossings {
         let mut intervals = arrayvec::ArrayVec::<Interval, MOST>::new();
         let mut next = Some(first);
         while let Some(start) = next {
-            let enters =
-                || Some(!start.is_exact() && self.approach::<K>(start)?.sense()? == Ordering::Less);
+            let enters = || Some(!start.is_exact() && self.approach::<K>(start)?.sense()? == Ordering::Less);
             if !start.is_start() && !enters()? {
                 return None;
             }
@@ -46,15 +45,20 @@ impl Crossings {
     ///
     /// D is so near to d there that the first stretch needs twice the precision.
     fn first_after<K: Kind>(&self, from: f64) -> Option<Option<ContactTime>> {
-        const HALVINGS: usize = 16;
+        const ATTEMPTS: usize = 12;
         let now = self.precise.at::<K>(from);
         let mut length = 1.0 - from;
-        for _ in 0..HALVINGS {
+        for _ in 0..ATTEMPTS {
             let free = from + length;
             if now.is_beyond_until(&self.precise.at::<K>(free)) {
-                return if free == 1.0 { Some(None) } else { self.first_between::<K>([free, 1.0]) };
+                let free = self.advancement.free_until::<K>(free, 1.0, length, 0.25 * length);
+                return if free == 1.0 {
+                    Some(None)
+                } else {
+                    self.first_between::<K>([free, 1.0])
+                };
             }
-            length *= 0.25;
+            length *= 0.125;
         }
         None
     }

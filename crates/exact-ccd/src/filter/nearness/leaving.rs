@@ -21,7 +21,7 @@ impl Crossings {
     ///
     /// Two proofs make it certain: D < d until t, and D grows from there to the next f64, where it is above d.
     pub(super) fn last_after<K: Kind>(&self, from: f64) -> Option<ContactTime> {
-        let within = self.within_until::<K>(from)?;
+        let within = self.within_until::<K>(from);
         if within == 1.0 {
             return Some(ContactTime::exactly(1.0));
         }
@@ -37,7 +37,7 @@ impl Crossings {
     }
 
     /// A time until which D certainly is below d, near the last one, given an earlier one at which it is.
-    fn within_until<K: Kind>(&self, from: f64) -> Option<f64> {
+    fn within_until<K: Kind>(&self, from: f64) -> f64 {
         const STEPS: usize = 16;
         /// Newton's method continues from such a distance of the last time.
         const SETTLED: f64 = 1.0 / 4096.0;
@@ -60,12 +60,12 @@ impl Crossings {
             if !(next > within && begins && is_below(next)) {
                 break;
             }
-            let is_settled = next - within < SETTLED;
+            let is_settled = b > 0.0 && next - within < SETTLED;
             within = next;
             if within == 1.0 || is_settled {
                 break;
             }
         }
-        Some(within)
+        within
     }
 }

@@ -95,7 +95,15 @@ fn decide_by_hull<K: Kind>(
     } else {
         (Advancement::of(&scaled).free_after::<K>(free, until) == until).then_some(None)
     };
-    match first.or_else(|| Some(Some(beside_contact::first_after(query, hull, &scaled, d.get(), free)?))) {
+    match first.or_else(|| {
+        Some(Some(beside_contact::first_after(
+            query,
+            hull,
+            &scaled,
+            d.get(),
+            free,
+        )?))
+    }) {
         Some(Some(first)) if first.is_start() => Decision::Collision(Proved::Within(first, Stage::Start)),
         Some(Some(first)) => Decision::Collision(Proved::Within(first, Stage::Crossing)),
         Some(None) => Decision::Free(Stage::Crossing),
@@ -114,7 +122,9 @@ pub(crate) fn intervals<K: Kind>(query: &Query<K>, d: Separation, first: Contact
 #[inline(never)]
 pub(crate) fn impact<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Impact> {
     let scaled = Scaled::new(&Hull::new::<K>(query.points()), d.get())?;
-    Crossings::new(query, &scaled).approach::<K>(first)?.impact::<K>(first)
+    Crossings::new(query, &scaled)
+        .approach::<K>(first)?
+        .impact::<K>(first)
 }
 
 /// True if |x| < d for x = F(0, u, v) at a guess of the closest points.

@@ -67,7 +67,8 @@ impl<T: Precision> Moving<T> {
     }
 
     fn corners(&self, t: f64) -> [Vector<T>; 4] {
-        [0, 1, 2, 3].map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t))
+        [0, 1, 2, 3]
+            .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t))
     }
 
     /// F at one time, at the closest points of another one.
@@ -181,10 +182,7 @@ type Headed<'a> = (&'a Snapshot<DoubleDouble>, Vector<DoubleDouble>);
 /// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
 /// times itself, the right side by 12 ε times itself.
 fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
-    let extent = of_a
-        .iter()
-        .chain(&of_b)
-        .fold(0.0, |sum, x| sum + x.value().abs());
+    let extent = of_a.iter().chain(&of_b).fold(0.0, |sum, x| sum + x.value().abs());
     let slack = DoubleDouble::difference(32.0 * ROUNDOFF * extent + UNDERFLOW, 0.0);
     let d = DoubleDouble::difference(a.d, 0.0);
     let lengths = dot(of_a, of_a) + dot(of_b, of_b);
