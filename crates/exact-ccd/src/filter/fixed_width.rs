@@ -114,11 +114,11 @@ fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     Some(moments)
 }
 
-/// The roots of a cubic, if they are certain, in the windows around the points that cut it into monotone pieces,
-/// and between them: there it may have almost double or triple roots.
+/// The roots of a cubic, if they are certain, in the windows around the points that cut it into monotone
+/// pieces, and between them: there it may have almost double or triple roots.
 ///
-/// The signs of the coefficients in a window are exact: without two opposite ones, there is no root. Otherwise
-/// the bounds of [`Cubic::new`] hold as in [`flat_moments`], with one more rounding.
+/// The signs of the coefficients in a window are exact: without two opposite ones, there is no root.
+/// Otherwise the bounds of [`Cubic::new`] hold as in [`flat_moments`], with one more rounding.
 fn roots_in_windows(inner: &[Integer; 4], cubic: &Cubic<f64>) -> Option<ArrayVec<Moment, 3>> {
     let mut moments = ArrayVec::new();
     let mut low = 0.0;

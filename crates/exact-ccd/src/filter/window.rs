@@ -1,7 +1,7 @@
 //! A part of the step, and the coefficients of polynomials there from their exact ones.
 //!
-//! Near a root that is almost a double or a triple one, a polynomial is far smaller than its coefficients, and
-//! than their rounding errors. In a narrow window around it, the coefficients are as small as the
+//! Near a root that is almost a double or a triple one, a polynomial is far smaller than its coefficients,
+//! and than their rounding errors. In a narrow window around it, the coefficients are as small as the
 //! polynomial. They are computed exactly, by blossoms, and rounded only then.
 
 use core::cmp::Ordering;
@@ -36,8 +36,8 @@ impl Window {
         is_valid.then_some(Self { low, high })
     }
 
-    /// Three times the Bernstein coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this window, in
-    /// some unit.
+    /// Three times the Bernstein coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this
+    /// window, in some unit.
     pub(super) fn cubic<const N: usize>(&self, cubic: &[Wide<N>; 4]) -> Option<[Integer; 4]> {
         let (low, high) = (parts(self.low)?, parts(self.high)?);
         let value = |times| blossom(of_cubic(cubic), times);
@@ -60,8 +60,8 @@ impl Window {
         Some([start, middle + middle, end].map(|q: Integer| q.approximate().high))
     }
 
-    /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes, or
-    /// between two adjacent ones.
+    /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes,
+    /// or between two adjacent ones.
     ///
     /// The bracket has no other root, and the cubic opposite signs at its ends. If the width of the window is
     /// 2⁻ᵏ and an f64 near the root is a multiple of 2⁻⁶², then its place in the window is exact.

@@ -101,7 +101,7 @@ impl Approach {
         })
     }
 
-    /// Whether D grows in the whole bracket, `Greater`, or falls.
+    /// `Greater` if D grows in the whole bracket, `Less` if it falls.
     pub(super) fn sense(&self) -> Option<Ordering> {
         certain_sign(self.rate[0], self.rate[1])
     }
@@ -217,8 +217,8 @@ impl Step {
 
 /// −(e · x) / (e · e), if e certainly is not zero.
 ///
-/// For q = r / s, the exact (r + ρ) / (s + σ) is off by (ρ − q σ) / (s + σ). The factor of 2 covers the roundings
-/// of the error, and 4 u that of q.
+/// For q = r / s, the exact (r + ρ) / (s + σ) is off by (ρ − q σ) / (s + σ). The factor of 2 covers the
+/// roundings of the error, and 4 u that of q.
 fn along(e: &Near, x: &Near) -> Option<Step> {
     let [square, of_square] = product(e, e);
     let [residual, of_residual] = product(e, x);
@@ -231,8 +231,8 @@ fn along(e: &Near, x: &Near) -> Option<Step> {
 /// The steps along a and b to the foot of the perpendicular, if these certainly are not parallel.
 ///
 /// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from three more roundings
-/// of terms of at most aa bb, as ab² ≤ aa bb, and so do the numerators, of their terms. The error of a quotient is
-/// that of [`along`]; the factors of 2 cover its roundings.
+/// of terms of at most aa bb, as ab² ≤ aa bb, and so do the numerators, of their terms. The error of a
+/// quotient is that of [`along`]; the factors of 2 cover its roundings.
 fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
     let [aa, of_aa] = product(a, a);
     let [bb, of_bb] = product(b, b);

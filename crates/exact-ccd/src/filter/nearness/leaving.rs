@@ -12,14 +12,15 @@ use crate::filter::vector::dot;
 use crate::kind::Kind;
 use crate::time::ContactTime;
 
-/// What the steps fall short of d by, 2⁻⁴⁴: enough for the roundings.
+/// The difference of d and the distance to which steps lead, 2⁻⁴⁴: enough for the roundings.
 const MARGIN: f64 = f64::from_bits((1023 - 44) << 52);
 
 impl Crossings {
     /// The first time after which the primitives are farther than d apart, if they are within d at an earlier
     /// one and until the end of the step otherwise; `None` if it is not certain.
     ///
-    /// Two proofs make it certain: D < d until t, and D grows from there to the next f64, where it is above d.
+    /// Two proofs make it certain: D < d until t, and D grows from there to the next f64, where it is above
+    /// d.
     pub(super) fn last_after<K: Kind>(&self, from: f64) -> Option<ContactTime> {
         let within = self.within_until::<K>(from);
         if within == 1.0 {

@@ -139,8 +139,8 @@ fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
 /// At t = 0, x is a combination of corners below 1, each rounded once, with at most three products and sums:
 /// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them). Later, a
 /// corner is a sum of its start, off by u, and t times a velocity of at most 2, off by 4 u, with two more
-/// roundings: it is off by 9 u, a combination of them with factors that add up to at most 3 by 27 u, and
-/// its own operations add 16 u.
+/// roundings: it is off by 9 u, a combination of them with factors that add up to at most 3 by 27 u, and its
+/// own operations add 16 u.
 fn is_certainly_within(x: Point, d: f64) -> bool {
     const ERROR: f64 = 64.0 * UNIT;
     let reach = x.map(|component| component.abs() + ERROR);

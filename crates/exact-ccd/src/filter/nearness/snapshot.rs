@@ -126,8 +126,9 @@ impl Moving<DoubleDouble> {
 
 /// True if |x| is certainly less than d, for x = F at some parameters.
 ///
-/// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners with factors of at
-/// most 1, and by 17 ε for the operations on them: 57 ε. With the sum m of the magnitudes of its components,
+/// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners with factors of
+/// at most 1, and by 17 ε for the operations on them: 57 ε. With the sum m of the magnitudes of its
+/// components,
 /// |F|² is off by 114 ε m + 3 (57 ε)² and by 12 ε m² more; d² by ε d², the difference by ε (m² + d²).
 fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
     let m = x.iter().fold(0.0, |sum, component| sum + component.value().abs());
