@@ -5,7 +5,7 @@ use alloc::boxed::Box;
 use crate::distance::{DistanceBounds, Separation};
 use crate::environment;
 use crate::exact::{self, FirstContact};
-use crate::filter::{Contact, Decision, Proved};
+use crate::filter::{self, Contact, Decision, Proved};
 use crate::impact::Impact;
 use crate::interval::Intervals;
 use crate::kind::Kind;
@@ -144,7 +144,11 @@ impl<'a, K: Kind> Collision<'a, K> {
         self.answer(
             |contact| contact.intervals(self.query),
             FirstContact::intervals,
-            |_| exact::intervals_within(self.query, self.separation),
+            |first| {
+                let filtered = || filter::intervals_within(self.query, self.separation, first);
+                let filtered = environment::is_default().then(filtered).flatten();
+                filtered.unwrap_or_else(|| exact::intervals_within(self.query, self.separation))
+            },
         )
     }
 
@@ -162,10 +166,14 @@ impl<'a, K: Kind> Collision<'a, K> {
                 contact.impact(self.query).or_else(|| starts().then(exactly))
             },
             FirstContact::impact,
-            // Cannot panic: the filters prove what the exact path defines.
             |first| {
-                exact::impact_at(self.query, self.separation, first)
-                    .expect("the primitives touch at the first time")
+                let filtered = || filter::impact_within(self.query, self.separation, first);
+                let filtered = environment::is_default().then(filtered).flatten();
+                // Cannot panic: the filters prove what the exact path defines.
+                filtered.unwrap_or_else(|| {
+                    exact::impact_at(self.query, self.separation, first)
+                        .expect("the primitives touch at the first time")
+                })
             },
         )
     }

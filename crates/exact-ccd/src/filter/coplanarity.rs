@@ -45,6 +45,11 @@ impl<T: Lanes> Coplanarity<T> {
         }
     }
 
+    /// A bound of |e₁ × e₂| at all times, up to a few roundings.
+    pub(super) fn extent(&self) -> T {
+        self.extent
+    }
+
     /// True where the planes of the primitives are certainly farther than the gap d apart at all times: |c|
     /// > d |n| for n = e₁ × e₂. For contact, c has no root.
     ///

@@ -12,6 +12,7 @@ use super::lattice::{Lattice, without_ends};
 use super::moment::Moment;
 use super::precise_cubic::PreciseCubic;
 use super::wide::Wide;
+use super::window::Window;
 use crate::interval::{Interval, Intervals};
 use crate::kind::Kind;
 use crate::query::Query;
@@ -66,7 +67,7 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
         .filter_map(|moment| match integers.touches(&moment) {
             Some(false) => None,
             Some(true) => Some(match &moment {
-                Moment::Root(root) => rounded(&integers, &cubic, root),
+                Moment::Root(window, root) => rounded(&integers, &cubic, window, root),
                 moment => time(query, moment),
             }),
             None => Some(None),
@@ -76,15 +77,15 @@ pub(super) fn moments<K: Kind>(query: &Query<K>) -> Option<Intervals> {
 
 /// The time of a root of the coplanarity cubic in a bracket.
 pub(super) fn round<K: Kind>(query: &Query<K>, root: &Root) -> Option<ContactTime> {
-    time(query, &Moment::Root(*root))
+    time(query, &Moment::Root(Window::STEP, *root))
 }
 
 /// The time of a moment of contact.
 pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<ContactTime> {
     match moment {
-        Moment::Root(root) => {
+        Moment::Root(window, root) => {
             let integers = Integers::new(query)?;
-            rounded(&integers, &integers.cubic(), root)
+            rounded(&integers, &integers.cubic(), window, root)
         }
         Moment::End => Some(ContactTime::exactly(1.0)),
         Moment::Start => Some(ContactTime::exactly(0.0)),
@@ -102,12 +103,59 @@ pub(super) fn time<K: Kind>(query: &Query<K>, moment: &Moment) -> Option<Contact
 fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     let (inner, [at_start, at_end]) = without_ends(*cubic);
     let values = inner.map(|c| c.approximate().high);
-    let roots = Cubic::new(values, largest(values)).roots()?;
+    let cubic = Cubic::new(values, largest(values));
     let mut moments = ArrayVec::new();
     moments.extend(at_start.then_some(Moment::Start));
-    moments.extend(roots.into_iter().map(Moment::Root));
+    match cubic.roots() {
+        Some(roots) => moments.extend(roots.into_iter().map(|root| Moment::Root(Window::STEP, root))),
+        None => moments.extend(roots_in_windows(&inner, &cubic)?),
+    }
     moments.extend(at_end.then_some(Moment::End));
     Some(moments)
+}
+
+/// The roots of a cubic, if they are certain, in the windows around the points that cut it into monotone
+/// pieces, and between them: there it may have almost double or triple roots.
+///
+/// The signs of the coefficients in a window are exact: without two opposite ones, there is no root.
+/// Otherwise the bounds of [`Cubic::new`] hold as in [`flat_moments`], with one more rounding.
+fn roots_in_windows(inner: &[Integer; 4], cubic: &Cubic<f64>) -> Option<ArrayVec<Moment, 3>> {
+    let mut moments = ArrayVec::new();
+    let mut low = 0.0;
+    for high in around(&cubic.cuts()).into_iter().chain([1.0]) {
+        let window = Window::new(low, high)?;
+        let coefficients = window.cubic(inner)?;
+        let signs = coefficients.map(|c| c.sign());
+        if signs[0].is_eq() || signs[3].is_eq() {
+            return None;
+        }
+        if signs != [signs[0]; 4] {
+            let [b0, b1, b2, b3] = coefficients.map(|c| c.approximate().high);
+            let magnitude = largest([b0, b1, b2, b3]);
+            let roots = Cubic::new([b0, 3.0 * b1, 3.0 * b2, b3], magnitude).roots()?;
+            for root in roots {
+                moments.try_push(Moment::Root(window, root)).ok()?;
+            }
+        }
+        low = high;
+    }
+    Some(moments)
+}
+
+/// The ends of the windows around some times, 2⁻⁴³ wide, in increasing order; one window for two near times.
+fn around(times: &[f64]) -> ArrayVec<f64, 4> {
+    const HALF: f64 = 1.0 / (1_u64 << 44) as f64;
+    const UNITS: f64 = (1_u64 << 52) as f64;
+    let mut ends = ArrayVec::new();
+    for &time in times {
+        let middle = libm::round(time * UNITS) / UNITS;
+        let [low, high] = [middle - HALF, middle + HALF];
+        let is_apart = ends.last().is_none_or(|&last| low > last);
+        if is_apart && low > 0.0 && high < 1.0 {
+            ends.extend([low, high]);
+        }
+    }
+    ends
 }
 
 fn largest(values: [f64; 4]) -> f64 {
@@ -115,7 +163,15 @@ fn largest(values: [f64; 4]) -> f64 {
 }
 
 /// The time of the only root of a cubic in a bracket.
-fn rounded<K: Kind>(integers: &Integers<K>, cubic: &[Integer; 4], root: &Root) -> Option<ContactTime> {
+fn rounded<K: Kind>(
+    integers: &Integers<K>,
+    cubic: &[Integer; 4],
+    window: &Window,
+    root: &Root,
+) -> Option<ContactTime> {
+    if *window != Window::STEP {
+        return window.time(cubic, root);
+    }
     let dyadic = fraction(root).and_then(|fraction| at_fraction(integers, fraction));
     dyadic.or_else(|| between_adjacent(cubic, root))
 }

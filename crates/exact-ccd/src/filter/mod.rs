@@ -25,13 +25,16 @@ mod roundoff;
 mod screening;
 mod vector;
 mod wide;
+mod window;
 
 pub(crate) use contact::Contact;
 pub(crate) use cubic::Cubic;
 
 pub(crate) use gap::{Gap, Touching, Within};
 pub(crate) use hull::Hull;
-pub(crate) use nearness::{LEAST_UNTIL, decide_between, free_until};
+pub(crate) use nearness::{
+    LEAST_UNTIL, decide_between, free_until, impact as impact_within, intervals as intervals_within,
+};
 pub(crate) use number::{Lanes, Points};
 pub(crate) use roundoff::{UNIT, certain_sign};
 pub(crate) use screening::{Decision, Proved, Screened, decide, decide_near_plane, screen_planes};

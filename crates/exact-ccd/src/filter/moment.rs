@@ -6,6 +6,7 @@ use core::cmp::Ordering;
 use super::cubic::Root;
 use super::roundoff::{UNIT, certain_sign};
 use super::wide::Wide;
+use super::window::Window;
 
 /// A time or an interval of times.
 #[derive(Clone, Debug)]
@@ -14,8 +15,8 @@ pub(crate) enum Moment {
     Start,
     /// All times after 0.
     Later,
-    /// The root in a bracket.
-    Root(Root),
+    /// The root in a bracket of a window.
+    Root(Window, Root),
     /// t = 1.
     End,
 }
@@ -30,7 +31,7 @@ impl Moment {
         match self {
             Self::Start => Some(coefficient(0).sign()),
             Self::End => Some(coefficient(2).sign()),
-            Self::Root(root) => near(&[0, 1, 2].map(coefficient), root),
+            Self::Root(window, root) => near([0, 1, 2].map(coefficient), window, root),
             Self::Later => {
                 let last = coefficient(2).sign();
                 let are_certain = (0..2).all(|i| {
@@ -45,14 +46,15 @@ impl Moment {
 
 /// The sign of a quadratic in a bracket, if it is certain.
 ///
-/// M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its slope. The value at `near` results from
-/// at most 10 roundings: that of the coefficient, 1 − t twice, two products twice, two sums; n = 10. The
-/// integers are at least 1, so that what underflows is far below the bound.
-fn near<const N: usize>(quadratic: &[Wide<N>; 3], root: &Root) -> Option<Ordering> {
+/// With its coefficients in the window, M = |q₀| + |q₁| + |q₂| bounds its values in [0, 1], and 4 M its
+/// slope. The value at `near` results from at most 10 roundings: that of the coefficient, 1 − t twice, two
+/// products twice, two sums; n = 10. The integers are at least 1, so that what underflows is far below the
+/// bound.
+fn near<const N: usize>(quadratic: [Wide<N>; 3], window: &Window, root: &Root) -> Option<Ordering> {
     if quadratic.iter().all(Wide::is_zero) {
         return Some(Ordering::Equal);
     }
-    let [q0, q1, q2] = quadratic.map(|q| q.approximate().high);
+    let [q0, q1, q2] = window.quadratic(quadratic)?;
     let (t, s) = (root.near, 1.0 - root.near);
     let value = (q0 * s + q1 * t) * s + q2 * t * t;
     let radius = (root.high - root.near).max(root.near - root.low);

@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 
 use super::cubic::Root;
 use super::double_double::{DoubleDouble, ROUNDOFF};
-use super::roundoff::{UNDERFLOW, certain_sign};
+use super::roundoff::{UNDERFLOW, UNIT, certain_sign};
 use crate::time::ContactTime;
 
 /// c(t) = a₀ + a₁ t + a₂ t² + a₃ t³.
@@ -35,6 +35,11 @@ impl PreciseCubic {
     fn value(&self, t: f64) -> DoubleDouble {
         let [a0, a1, a2, a3] = self.powers;
         ((a3 * t + a2) * t + a1) * t + a0
+    }
+
+    /// Returns true if |c(t)| certainly is above a bound.
+    pub(super) fn exceeds(&self, t: f64, bound: f64) -> bool {
+        self.value(t).high.abs() * (1.0 - UNIT) > self.error + bound * (1.0 + 4.0 * UNIT)
     }
 
     /// The sign of a value, if it is certainly not zero.

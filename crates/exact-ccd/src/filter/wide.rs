@@ -42,6 +42,12 @@ impl<const N: usize> Wide<N> {
         if self.is_negative() { -self } else { self }
     }
 
+    /// The same integer in at least as many words.
+    pub(super) fn widened<const M: usize>(self) -> Wide<M> {
+        let fill = if self.is_negative() { u64::MAX } else { 0 };
+        Wide(core::array::from_fn(|i| self.0.get(i).copied().unwrap_or(fill)))
+    }
+
     /// The number of bits of the magnitude.
     pub(super) fn bit_len(self) -> u32 {
         let words = self.magnitude().0;

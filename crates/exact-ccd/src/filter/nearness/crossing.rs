@@ -1,6 +1,7 @@
-//! The first time within d between two adjacent f64, where D decreases through d.
+//! The times at which D passes through d, each between two adjacent f64.
 
 use super::advance::Advancement;
+use super::approach::Approach;
 use super::scaled::Scaled;
 use super::snapshot::{Moving, Precision};
 use crate::filter::double_double::DoubleDouble;
@@ -10,44 +11,72 @@ use crate::kind::Kind;
 use crate::query::Query;
 use crate::time::ContactTime;
 
-/// The first time within d, or none until the time `until`, when D > d is known before the time `free`;
-/// `None` if that is not certain.
-///
-/// Newton's method guesses an f64 t. Two proofs make it certain: the distance is above d from
-/// `free` to t, and below d at the next f64.
-pub(super) fn first_between<K: Kind>(
-    query: &Query<K>,
-    scaled: &Scaled,
-    [free, until]: [f64; 2],
-) -> Option<Option<ContactTime>> {
-    let advancement = Advancement::of(scaled);
-    let never = || (advancement.free_after::<K>(free, until) == until).then_some(None);
-    if !scaled.d_is_exact {
-        return never();
-    }
-    let rough = Moving::<f64>::new(query, scaled);
-    let precise = Moving::<DoubleDouble>::new(query, scaled);
-    let near = newton::<K, _>(&rough, [free, until], free)
-        .and_then(|near| newton::<K, _>(&precise, [free, until], near));
-    let Some(end) = near else {
-        return never();
-    };
-    // The last stretch ends next to the distance d and needs twice the precision.
-    let last = precise.at::<K>(end);
-    let is_beyond = |start: f64| precise.at::<K>(start).is_beyond_until(&last);
-    if !is_beyond(free) && !is_beyond(advancement.free_after::<K>(free, end)) {
-        return None;
-    }
-    if end == until {
-        return Some(None);
-    }
-    let next = precise.at::<K>(end.next_up());
-    next.is_within().then(|| Some(ContactTime::just_above(end)))
+/// A query for which d is neither tiny nor out of range, in f64 and in twice the precision.
+pub(super) struct Crossings {
+    pub(super) advancement: Advancement<f64>,
+    pub(super) rough: Moving<f64>,
+    pub(super) precise: Moving<DoubleDouble>,
 }
 
-/// A guess of the largest f64 between two times before D first reaches d, from another guess on;
-/// `None` if D does not seem to decrease to d.
-fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, until]: [f64; 2], guess: f64) -> Option<f64> {
+impl Crossings {
+    pub(super) fn new<K: Kind>(query: &Query<K>, scaled: &Scaled) -> Self {
+        Self {
+            advancement: Advancement::of(scaled),
+            rough: Moving::new(query, scaled),
+            precise: Moving::new(query, scaled),
+        }
+    }
+
+    /// The first time within d, or none until the time `until`, when D > d is known before the time `free`;
+    /// `None` if that is not certain.
+    ///
+    /// Newton's method guesses an f64 t. Two proofs make it certain: the distance is above d from
+    /// `free` to t, and below d at the next f64.
+    pub(super) fn first_between<K: Kind>(&self, [free, until]: [f64; 2]) -> Option<Option<ContactTime>> {
+        let Some(end) = self.guess::<K>([free, until], free, Sense::Falling) else {
+            return (self.advancement.free_after::<K>(free, until) == until).then_some(None);
+        };
+        // The last stretch ends next to the distance d and needs twice the precision.
+        let last = self.precise.at::<K>(end);
+        let is_beyond = |start: f64| self.precise.at::<K>(start).is_beyond_until(&last);
+        if !is_beyond(free) && !is_beyond(self.advancement.free_after::<K>(free, end)) {
+            return None;
+        }
+        if end == until {
+            return Some(None);
+        }
+        let next = self.precise.at::<K>(end.next_up());
+        next.is_within().then(|| Some(ContactTime::just_above(end)))
+    }
+
+    /// A guess of the largest f64 between two times before D passes through d, from another guess on.
+    pub(super) fn guess<K: Kind>(&self, range: [f64; 2], from: f64, sense: Sense) -> Option<f64> {
+        let near = newton::<K, _>(&self.rough, range, from, sense)?;
+        newton::<K, _>(&self.precise, range, near, sense)
+    }
+
+    /// The closest points in the bracket of a time, if they are certain.
+    pub(super) fn approach<K: Kind>(&self, time: ContactTime) -> Option<Approach> {
+        let now = self.precise.at::<K>(time.lower());
+        Approach::new::<K>(&now, &self.precise, time.upper() - time.lower())
+    }
+}
+
+/// The way in which D passes through d.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Sense {
+    Falling,
+    Rising,
+}
+
+/// A guess of the largest f64 between two times before D passes through d, from another guess on;
+/// `None` if it does not seem to.
+fn newton<K: Kind, T: Precision>(
+    moving: &Moving<T>,
+    [free, until]: [f64; 2],
+    guess: f64,
+    sense: Sense,
+) -> Option<f64> {
     const STEPS: usize = 24;
     let (mut floor, mut approaching) = (guess, None);
     for _ in 0..STEPS {
@@ -57,12 +86,16 @@ fn newton<K: Kind, T: Precision>(moving: &Moving<T>, [free, until]: [f64; 2], gu
         // F′).
         let distance = libm::sqrt(dot(point, point));
         let slope = dot(point, moving.velocity(now.closest));
-        let next = if slope < 0.0 {
+        let is_approaching = match sense {
+            Sense::Falling => slope < 0.0,
+            Sense::Rising => slope > 0.0,
+        };
+        let next = if is_approaching {
             approaching = Some(floor);
             let step = -now.excess().value() * distance / ((distance + moving.separation()) * slope);
             down(floor, step).clamp(free, until)
         } else {
-            // D no longer decreases here: the time of d is earlier.
+            // D no longer falls, or does not rise yet: the time of d is on the other side.
             0.5 * (floor + approaching?)
         };
         if (next - floor).abs() <= T::SETTLED {

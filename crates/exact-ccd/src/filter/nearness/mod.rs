@@ -9,8 +9,12 @@
 //! written so that a NaN proves nothing.
 
 mod advance;
+mod approach;
+mod beside_contact;
 mod closest;
 mod crossing;
+mod intervals;
+mod leaving;
 mod nearest;
 mod scaled;
 mod snapshot;
@@ -23,17 +27,26 @@ use super::roundoff::UNIT;
 use super::screening::{self, Decision, Proved};
 use super::vector::dot;
 use crate::distance::Separation;
+use crate::impact::Impact;
+use crate::interval::Intervals;
 use crate::kind::Kind;
 use crate::options::{CONTACT, Options};
+use crate::point::Point;
 use crate::query::Query;
 use crate::stage::Stage;
 use crate::time::ContactTime;
+use advance::Advancement;
 use closest::Closest;
+use crossing::Crossings;
 use scaled::Scaled;
 
 /// The least time until which a step is examined, 2⁻⁶⁰. It is above 0, so that a proof that begins at t = 0
 /// ends later; what is found after the time in question does not count.
 pub(crate) const LEAST_UNTIL: f64 = f64::from_bits((1023 - 60) << 52);
+
+/// 2⁻⁶⁰: the least scaled distance of which the crossings are tried. Primitives pass through a smaller one
+/// within one f64.
+const LEAST_CROSSED: f64 = f64::from_bits((1023 - 60) << 52);
 
 /// Decides whether primitives come within a separation above 0, as far as the filters can.
 #[inline]
@@ -77,21 +90,59 @@ fn decide_by_hull<K: Kind>(
         let start = ContactTime::exactly(0.0);
         return Decision::Collision(Proved::Within(start, Stage::Start));
     }
-    match crossing::first_between(query, &scaled, [free, until]) {
+    let first = if scaled.d > LEAST_CROSSED {
+        Crossings::new(query, &scaled).first_between::<K>([free, until])
+    } else {
+        (Advancement::of(&scaled).free_after::<K>(free, until) == until).then_some(None)
+    };
+    match first.or_else(|| {
+        Some(Some(beside_contact::first_after(
+            query,
+            hull,
+            &scaled,
+            d.get(),
+            free,
+        )?))
+    }) {
+        Some(Some(first)) if first.is_start() => Decision::Collision(Proved::Within(first, Stage::Start)),
         Some(Some(first)) => Decision::Collision(Proved::Within(first, Stage::Crossing)),
         Some(None) => Decision::Free(Stage::Crossing),
         None => Decision::Unknown,
     }
 }
 
+/// All times within a separation above 0, given the first one, if they are certain.
+#[inline(never)]
+pub(crate) fn intervals<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Intervals> {
+    let scaled = Scaled::new(&Hull::new::<K>(query.points()), d.get())?;
+    (scaled.d > LEAST_CROSSED).then(|| Crossings::new(query, &scaled).intervals::<K>(first))?
+}
+
+/// The closest points at the first time within a separation above 0, if they are certain.
+#[inline(never)]
+pub(crate) fn impact<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Impact> {
+    let scaled = Scaled::new(&Hull::new::<K>(query.points()), d.get())?;
+    Crossings::new(query, &scaled)
+        .approach::<K>(first)?
+        .impact::<K>(first)
+}
+
 /// True if |x| < d for x = F(0, u, v) at a guess of the closest points.
-///
-/// x is a combination of corners below 1, each rounded once, with at most three products and sums:
-/// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them).
 fn starts_within<K: Kind>(scaled: &Scaled) -> bool {
-    const ERROR: f64 = 64.0 * UNIT;
     let [corners, _] = &scaled.at;
     let x = Closest::guess::<K>(corners).point(corners);
+    is_certainly_within(x, scaled.d) && scaled.d_is_exact
+}
+
+/// True if |x| < d for x = F(t, u, v).
+///
+/// At t = 0, x is a combination of corners below 1, each rounded once, with at most three products and sums:
+/// n = 8 on each axis, on terms that add up to at most 5 (corners, and differences of two of them). Later, a
+/// corner is a sum of its start, off by u, and t times a velocity of at most 2, off by 4 u, with two more
+/// roundings: it is off by 9 u, a combination of them with factors that add up to at most 3 by 27 u, and its
+/// own operations add 16 u.
+fn is_certainly_within(x: Point, d: f64) -> bool {
+    const ERROR: f64 = 64.0 * UNIT;
     let reach = x.map(|component| component.abs() + ERROR);
-    dot(reach, reach) * (1.0 + 8.0 * UNIT) < scaled.d * scaled.d && scaled.d_is_exact
+    dot(reach, reach) * (1.0 + 8.0 * UNIT) < d * d
 }

@@ -52,19 +52,26 @@ impl<T: Precision> Moving<T> {
     }
 
     pub(super) fn at<K: Kind>(&self, t: f64) -> Snapshot<T> {
-        let corners = [0, 1, 2, 3]
-            .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t));
+        let corners = self.corners(t);
         let rounded = corners.map(|corner| corner.map(Number::value));
         let closest = Closest::guess::<K>(&rounded);
         let closest = closest.refined::<K>(&rounded, point(&corners, closest).map(Number::value));
-        let direction = direction(&corners, closest);
         Snapshot {
             corners,
             closest,
-            direction,
             count: self.count,
             d: self.d,
         }
+    }
+
+    fn corners(&self, t: f64) -> [Vector<T>; 4] {
+        [0, 1, 2, 3]
+            .map(|i: usize| [0, 1, 2].map(|axis: usize| self.start[i][axis] + self.velocity[i][axis] * t))
+    }
+
+    /// F at one time, at the closest points of another one.
+    pub(super) fn place(&self, t: f64, closest: Closest) -> Vector<T> {
+        point(&self.corners(t), closest)
     }
 
     pub(super) fn separation(&self) -> f64 {
@@ -77,8 +84,7 @@ impl<T: Precision> Moving<T> {
     }
 }
 
-/// The corners of F at one time, with a guess of the closest points and the direction from one to
-/// the other.
+/// The corners of F at one time, with a guess of the closest points.
 ///
 /// Let ε be [`ROUNDOFF`], the largest error of one operation in twice the precision, relative to its
 /// operands. A component of a corner, of magnitude at most 1, results from four operations on terms of at
@@ -86,8 +92,6 @@ impl<T: Precision> Moving<T> {
 pub(super) struct Snapshot<T> {
     corners: [Vector<T>; 4],
     pub(super) closest: Closest,
-    /// The bounds hold for any vector. They are sharpest for this one, whose length is about 1.
-    direction: Vector<T>,
     count: usize,
     d: f64,
 }
@@ -101,21 +105,54 @@ impl<T: Precision> Snapshot<T> {
 
     /// |F|² − d² at the guess.
     pub(super) fn excess(&self) -> T {
-        let x = point(&self.corners, self.closest);
-        let d = T::difference(self.d, 0.0);
-        dot(x, x) - d * d
+        excess(point(&self.corners, self.closest), self.d)
     }
+}
+
+/// |x|² − d².
+fn excess<T: Precision>(x: Vector<T>, d: f64) -> T {
+    let d = T::difference(d, 0.0);
+    dot(x, x) - d * d
+}
+
+impl Moving<DoubleDouble> {
+    /// True if |F| is certainly less than d at one time, at the closest points of another one.
+    pub(super) fn is_within(&self, t: f64, closest: Closest) -> bool {
+        is_below(self.place(t, closest), self.d)
+    }
+}
+
+/// True if |x| is certainly less than d, for x = F at some parameters.
+///
+/// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners with factors of
+/// at most 1, and by 17 ε for the operations on them: 57 ε. With the sum m of the magnitudes of its
+/// components,
+/// |F|² is off by 114 ε m + 3 (57 ε)² and by 12 ε m² more; d² by ε d², the difference by ε (m² + d²).
+fn is_below(x: Vector<DoubleDouble>, d: f64) -> bool {
+    let m = x.iter().fold(0.0, |sum, component| sum + component.value().abs());
+    let error = ROUNDOFF * (128.0 * m + 32.0 * m * m + 4.0 * d * d) + 65536.0 * ROUNDOFF * ROUNDOFF;
+    excess(x, d).value() < -error
 }
 
 impl Snapshot<DoubleDouble> {
     /// True if the distance is certainly less than d, as |F| is at the guess.
-    ///
-    /// A component of F, of magnitude at most 1, is off by 8 ε for each of at most five corners
-    /// with factors of at most 1, and by 17 ε for the operations on them; |F|² by twice that for
-    /// each axis and by 12 ε more; d² by ε d², the difference by ε (3 + d²).
     pub(super) fn is_within(&self) -> bool {
-        let error = 512.0 * ROUNDOFF * (1.0 + self.d * self.d);
-        self.excess().value() < -error
+        is_below(point(&self.corners, self.closest), self.d)
+    }
+
+    /// The number of different corners.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// A corner, each component off by 8 ε and one rounding.
+    pub(super) fn corner(&self, i: usize) -> [f64; 3] {
+        self.corners[i].map(Number::value)
+    }
+
+    /// F at the guess, each component off by 57 ε, as in [`Moving::is_within`], and one rounding.
+    pub(super) fn precise_point(&self) -> [f64; 3] {
+        point(&self.corners, self.closest).map(Number::value)
     }
 
     /// True if the distance is certainly above d at this time, at another one, and at all times
@@ -123,9 +160,19 @@ impl Snapshot<DoubleDouble> {
     ///
     /// The proof is that of [`Heading::are_beyond_until`](super::turning::Heading::are_beyond_until).
     pub(super) fn is_beyond_until(&self, later: &Self) -> bool {
-        are_beyond(self, self) && are_beyond(self, later) && are_beyond(later, later)
+        let [now, then] = [self, later].map(|at| (at, direction(&at.corners, at.closest)));
+        are_beyond(now, now) && are_beyond(now, then) && are_beyond(then, then)
+    }
+
+    /// True if the distance is certainly above d at this time.
+    pub(super) fn is_beyond(&self) -> bool {
+        let now = (self, direction(&self.corners, self.closest));
+        are_beyond(now, now)
     }
 }
+
+/// The corners at one time, and a direction: any vector of a length of about 1.
+type Headed<'a> = (&'a Snapshot<DoubleDouble>, Vector<DoubleDouble>);
 
 /// True if gₐ · x_b + g_b · xₐ is certainly above d (|gₐ| + |g_b|) for all corners.
 ///
@@ -133,23 +180,19 @@ impl Snapshot<DoubleDouble> {
 /// (p² + q²). With e the sum of the magnitudes of the components of both directions, s is at most e
 /// and off by (8 + 6) ε e; taken less 32 ε e it is below the exact one. Its square is off by 4 ε
 /// times itself, the right side by 12 ε times itself.
-fn are_beyond(a: &Snapshot<DoubleDouble>, b: &Snapshot<DoubleDouble>) -> bool {
-    let extent = a
-        .direction
-        .iter()
-        .chain(&b.direction)
-        .fold(0.0, |sum, x| sum + x.value().abs());
+fn are_beyond((a, of_a): Headed<'_>, (b, of_b): Headed<'_>) -> bool {
+    let extent = of_a.iter().chain(&of_b).fold(0.0, |sum, x| sum + x.value().abs());
     let slack = DoubleDouble::difference(32.0 * ROUNDOFF * extent + UNDERFLOW, 0.0);
     let d = DoubleDouble::difference(a.d, 0.0);
-    let lengths = dot(a.direction, a.direction) + dot(b.direction, b.direction);
+    let lengths = dot(of_a, of_a) + dot(of_b, of_b);
     let threshold = d * d * lengths * 2.0;
     let limit = 32.0 * ROUNDOFF * threshold.value() + UNDERFLOW;
     a.corners
         .iter()
         .zip(&b.corners)
         .take(a.count)
-        .all(|(&of_a, &of_b)| {
-            let least = dot(a.direction, of_b) + dot(b.direction, of_a) - slack;
+        .all(|(&at_a, &at_b)| {
+            let least = dot(of_a, at_b) + dot(of_b, at_a) - slack;
             let square = least * least;
             least.value() > 0.0 && (square - threshold).value() > limit + 16.0 * ROUNDOFF * square.value()
         })

@@ -1,0 +1,270 @@
+//! The only pair of closest points in a bracket of time: its parameters, its direction, and whether the
+//! distance grows.
+
+use core::cmp::Ordering;
+
+use super::closest::Closest;
+use super::snapshot::{Moving, Snapshot};
+use crate::filter::double_double::{DoubleDouble, ROUNDOFF};
+use crate::filter::roundoff::{UNDERFLOW, UNIT, certain_sign};
+use crate::filter::vector::{cross, dot, minus, towards};
+use crate::impact::{Impact, unit};
+use crate::kind::Kind;
+use crate::point::Point;
+use crate::time::ContactTime;
+
+/// 2⁻³³: the largest error of the parameters and the direction, half of the documented one.
+const TOLERANCE: f64 = f64::from_bits((1023 - 33) << 52);
+
+/// The closest points at all times of a bracket.
+///
+/// Let x be F at the parameters of a guess, at some time of the bracket, and x* the point of F then that is
+/// closest to the origin. F is affine in its parameters, and its values are the hull of its corners.
+///
+/// - *Inner points*, with the sides a and b from a corner: the foot of the perpendicular on the plane is x +
+///   δᵤ a + δᵥ b, where δ solves the normal equations for a · x and b · x. It is x* if its parameters are
+///   inner ones, and has the direction of a × b or of −a × b.
+/// - *Between two corners*, with e from one to the other: the foot on the line is x + δ e for δ = −(e · x) /
+///   (e · e). It is x* if it is between the corners and x* · (c − x*) > 0 for all other corners c.
+/// - *A corner*: it is x* if x* · (c − x*) > 0 for all others.
+///
+/// There are no other closest points then. So D is differentiable, and D D′ = x* · v* with the velocity v* of
+/// F at these parameters (Danskin, The theory of max-min, 1966).
+pub(super) struct Approach {
+    closest: Closest,
+    /// The largest error of the guessed parameters.
+    of_parameters: f64,
+    /// A positive multiple of x*.
+    direction: Near,
+    /// Its scalar product with v*, and the error.
+    rate: [f64; 2],
+}
+
+impl Approach {
+    /// The closest points from the time of a snapshot on, for a time of this width; `None` if they are not
+    /// certain.
+    ///
+    /// A component of a corner moves by at most 2 w in a width w, and that of F at fixed parameters too.
+    /// Parameters that are off by δ change a component of the velocity, each of which is at most 2, by at
+    /// most 4 δ; it results from five velocities, each rounded, and four operations, on terms of at most 10.
+    pub(super) fn new<K: Kind>(
+        now: &Snapshot<DoubleDouble>,
+        moving: &Moving<DoubleDouble>,
+        width: f64,
+    ) -> Option<Self> {
+        let corner = |i: usize| Near {
+            value: now.corner(i),
+            error: 2.0 * width + 2.0 * UNIT,
+        };
+        let x = now.precise_point();
+        let x = Near {
+            value: x,
+            error: 2.0 * width + 2.0 * UNIT * extent(x) + 64.0 * ROUNDOFF,
+        };
+        let (of_parameters, direction) = match now.closest {
+            Closest::Corner(own) => {
+                let all_behind = (0..now.count()).all(|i| i == own || is_behind(&corner(i), &x));
+                (0.0, all_behind.then_some(x)?)
+            }
+            Closest::Between(ends @ [i, j], s) => {
+                let e = corner(j).minus(&corner(i));
+                let step = along(&e, &x)?;
+                is_inside([s, 1.0 - s], step.most())?;
+                let foot = x.plus(&e, step);
+                let all_behind = (0..now.count()).all(|i| ends.contains(&i) || is_behind(&corner(i), &foot));
+                (step.most(), all_behind.then_some(foot)?)
+            }
+            Closest::Inner([i, j], [u, v]) => {
+                let [a, b] = [i, j].map(|i| corner(i).minus(&corner(0)));
+                let [of_u, of_v] = in_plane(&a, &b, &x)?.map(Step::most);
+                if K::FEATURES.are_of_triangle() {
+                    is_inside([u, v, 1.0 - u - v], of_u + of_v)?;
+                } else {
+                    is_inside([u, 1.0 - u], of_u)?;
+                    is_inside([v, 1.0 - v], of_v)?;
+                }
+                let normal = a.cross(&b);
+                let [value, error] = product(&normal, &x);
+                let is_along = certain_sign(value, error)?.is_gt();
+                (of_u.max(of_v), if is_along { normal } else { normal.reversed() })
+            }
+        };
+        let velocity = Near {
+            value: moving.velocity(now.closest),
+            error: 8.0 * of_parameters + 64.0 * UNIT,
+        };
+        Some(Self {
+            closest: now.closest,
+            rate: product(&direction, &velocity),
+            direction,
+            of_parameters,
+        })
+    }
+
+    /// `Greater` if D grows in the whole bracket, `Less` if it falls.
+    pub(super) fn sense(&self) -> Option<Ordering> {
+        certain_sign(self.rate[0], self.rate[1])
+    }
+
+    /// The closest points as the impact at a time of the bracket, if they are accurate enough.
+    ///
+    /// For vectors x and x + d, the unit vectors differ by at most 2 |d| / |x|, and |d| is at most √3 times
+    /// the error of a component.
+    pub(super) fn impact<K: Kind>(&self, time: ContactTime) -> Option<Impact> {
+        let Near { value, error } = self.direction;
+        let largest = value.into_iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let is_accurate = 4.0 * error <= TOLERANCE * largest && self.of_parameters <= TOLERANCE;
+        let of_corner = |i: usize| K::FEATURES.vertices[i].1;
+        let parameters = match self.closest {
+            Closest::Corner(i) => of_corner(i),
+            Closest::Between([i, j], s) => {
+                let [start, end] = [of_corner(i), of_corner(j)];
+                [0, 1].map(|k: usize| start[k] + s * (end[k] - start[k]))
+            }
+            Closest::Inner(_, parameters) => parameters,
+        };
+        is_accurate.then(|| Impact {
+            time,
+            parameters,
+            normal: Some(unit(value.map(|x| x / largest))),
+        })
+    }
+}
+
+/// True if a corner certainly is behind the closest point: x* · (c − x*) > 0.
+fn is_behind(corner: &Near, closest: &Near) -> bool {
+    let [value, error] = product(closest, &corner.minus(closest));
+    value > error
+}
+
+/// A vector, each component of which is within an error.
+#[derive(Clone, Copy)]
+struct Near {
+    value: Point,
+    error: f64,
+}
+
+impl Near {
+    /// The difference: one more rounding.
+    fn minus(&self, other: &Self) -> Self {
+        let value = minus(self.value, other.value);
+        Self {
+            value,
+            error: self.error + other.error + UNIT * extent(value),
+        }
+    }
+
+    /// The sum of this one and of a side times a step; three roundings of terms of at most the sum.
+    fn plus(&self, side: &Self, step: Step) -> Self {
+        let [value, error] = [step.value, step.error];
+        let moved = towards(self.value, side.value, value);
+        let length = value.abs() * side.extent();
+        Self {
+            value: moved,
+            error: self.error
+                + error * side.extent()
+                + value.abs() * side.error
+                + 4.0 * UNIT * (extent(self.value) + length),
+        }
+    }
+
+    /// The cross product; the error of a component is at most that of a scalar product.
+    fn cross(&self, other: &Self) -> Self {
+        Self {
+            value: cross(self.value, other.value),
+            error: product(self, other)[1],
+        }
+    }
+
+    fn reversed(&self) -> Self {
+        Self {
+            value: self.value.map(|x| -x),
+            error: self.error,
+        }
+    }
+
+    /// A bound of the length.
+    fn extent(&self) -> f64 {
+        extent(self.value) + 3.0 * self.error
+    }
+}
+
+/// The sum of the magnitudes of the components, a bound of the length.
+fn extent(vector: Point) -> f64 {
+    vector.into_iter().fold(0.0, |sum, x| sum + x.abs())
+}
+
+/// A scalar product and its error: that of each factor times the magnitude of the other, and four roundings.
+/// The bound takes the errors into the magnitudes, and is doubled for its own roundings.
+fn product(a: &Near, b: &Near) -> [f64; 2] {
+    let (of_a, of_b) = (a.extent(), b.extent());
+    let error = a.error * of_b + b.error * of_a + 4.0 * UNIT * of_a * of_b;
+    [dot(a.value, b.value), 2.0 * error + UNDERFLOW]
+}
+
+/// The change of a parameter from x to the foot of the perpendicular, and its error.
+#[derive(Clone, Copy)]
+struct Step {
+    value: f64,
+    error: f64,
+}
+
+impl Step {
+    fn most(self) -> f64 {
+        self.value.abs() + self.error
+    }
+}
+
+/// −(e · x) / (e · e), if e certainly is not zero.
+///
+/// For q = r / s, the exact (r + ρ) / (s + σ) is off by (ρ − q σ) / (s + σ). The factor of 2 covers the
+/// roundings of the error, and 4 u that of q.
+fn along(e: &Near, x: &Near) -> Option<Step> {
+    let [square, of_square] = product(e, e);
+    let [residual, of_residual] = product(e, x);
+    let least = square - of_square;
+    let value = -residual / square;
+    let error = 2.0 * (of_residual + value.abs() * of_square) / least + 4.0 * UNIT * value.abs();
+    (least > 0.0).then_some(Step { value, error })
+}
+
+/// The steps along a and b to the foot of the perpendicular, if these certainly are not parallel.
+///
+/// By Cramer's rule, for [aa, ab; ab, bb] δ = −[ax, bx]. The determinant results from three more roundings
+/// of terms of at most aa bb, as ab² ≤ aa bb, and so do the numerators, of their terms. The error of a
+/// quotient is that of [`along`]; the factors of 2 cover its roundings.
+fn in_plane(a: &Near, b: &Near, x: &Near) -> Option<[Step; 2]> {
+    let [aa, of_aa] = product(a, a);
+    let [bb, of_bb] = product(b, b);
+    let [ab, of_ab] = product(a, b);
+    let [ax, of_ax] = product(a, x);
+    let [bx, of_bx] = product(b, x);
+    let [most_aa, most_bb, most_ab] = [aa + of_aa, bb + of_bb, ab.abs() + of_ab];
+    let of_determinant =
+        of_aa * most_bb + of_bb * most_aa + 2.0 * of_ab * most_ab + 4.0 * UNIT * most_aa * most_bb;
+    let determinant = aa * bb - ab * ab;
+    let least = determinant - 2.0 * of_determinant;
+    let step = |numerator: f64, error: f64| {
+        let value = numerator / determinant;
+        let error = 2.0 * (error + value.abs() * of_determinant) / least + 4.0 * UNIT * value.abs();
+        Step { value, error }
+    };
+    let [size_of_ax, size_of_bx] = [ax.abs(), bx.abs()];
+    let of_u = most_ab * of_bx
+        + of_ab * size_of_bx
+        + most_bb * of_ax
+        + of_bb * size_of_ax
+        + 4.0 * UNIT * (most_ab * size_of_bx + most_bb * size_of_ax);
+    let of_v = most_ab * of_ax
+        + of_ab * size_of_ax
+        + most_aa * of_bx
+        + of_aa * size_of_bx
+        + 4.0 * UNIT * (most_ab * size_of_ax + most_aa * size_of_bx);
+    (least > 0.0).then(|| [step(ab * bx - bb * ax, of_u), step(ab * ax - aa * bx, of_v)])
+}
+
+/// `Some` if all distances of the parameters from the ends of their range certainly are positive.
+fn is_inside<const N: usize>(distances: [f64; N], error: f64) -> Option<()> {
+    let least = 2.0 * error + 8.0 * UNIT;
+    distances.iter().all(|&distance| distance > least).then_some(())
+}

@@ -1,0 +1,64 @@
+//! Small distances: the first time within d is next to that of contact.
+//!
+//! Contact implies a distance of at most d. Let f be the largest f64 before the first contact. If D > d until
+//! f, then the first time within d is between f and the next f64, because D is continuous and d > 0.
+//! Directions prove most of it, and the planes the rest: with c = w · n and n = e₁ × e₂, D is at least |c| /
+//! |n|.
+
+use super::advance::Advancement;
+use super::scaled::Scaled;
+use crate::filter::Within;
+use crate::filter::coplanarity::{self, Coplanarity};
+use crate::filter::hull::Hull;
+use crate::filter::screening::{Decision, Proved, decide_near_plane};
+use crate::kind::Kind;
+use crate::query::Query;
+use crate::time::ContactTime;
+
+/// The first time within d, if the first contact determines it, when D > d is known before the time `free`.
+pub(super) fn first_after<K: Kind>(
+    query: &Query<K>,
+    hull: &Hull<f64>,
+    scaled: &Scaled,
+    d: f64,
+    free: f64,
+) -> Option<ContactTime> {
+    if hull.is_out_of_range(Within(d)) {
+        return None;
+    }
+    let planes = Coplanarity::new::<K>(query.points());
+    let Decision::Collision(Proved::Contact(contact)) = decide_near_plane(query, &planes.cubic) else {
+        return None;
+    };
+    let contact = contact.first(query)?;
+    if contact.is_start() {
+        return Some(contact);
+    }
+    let floor = if contact.is_exact() {
+        contact.lower().next_down()
+    } else {
+        contact.lower()
+    };
+    let start = if free < floor {
+        Advancement::of(scaled).free_after::<K>(free, floor)
+    } else {
+        free.min(floor)
+    };
+    are_planes_beyond(query, &planes, d, [start, floor, contact.upper()])
+        .then(|| ContactTime::just_above(floor))
+}
+
+/// True if the planes certainly are farther than d apart from one time to a second one, given a third one
+/// until which c vanishes.
+///
+/// If c is monotone until then, its magnitude is least at the second time. A component of |n| is at most that
+/// of the sums of magnitudes whose sum is the extent, so that |n| is, up to a few roundings.
+fn are_planes_beyond<K: Kind>(
+    query: &Query<K>,
+    planes: &Coplanarity<f64>,
+    d: f64,
+    [from, to, contact]: [f64; 3],
+) -> bool {
+    let least = (d * planes.extent() * (1.0 + 1e-9)).next_up();
+    planes.cubic.is_monotone(from, contact) && coplanarity::precise(query).exceeds(to, least)
+}

@@ -1,0 +1,65 @@
+//! All times within d.
+
+use core::cmp::Ordering;
+
+use super::crossing::Crossings;
+use crate::interval::{Interval, Intervals};
+use crate::kind::Kind;
+use crate::time::ContactTime;
+
+/// The largest number of intervals that are followed.
+const MOST: usize = 8;
+
+impl Crossings {
+    /// The intervals of times within d, given the first one; `None` if they are not certain.
+    ///
+    /// If that is not t = 0, it is the first time of a bracket. D falls there to its end, so that the times
+    /// within d in the bracket are one interval, and D is below d at its end.
+    pub(super) fn intervals<K: Kind>(&self, first: ContactTime) -> Option<Intervals> {
+        let mut intervals = arrayvec::ArrayVec::<Interval, MOST>::new();
+        let mut next = Some(first);
+        while let Some(start) = next {
+            let enters = || Some(!start.is_exact() && self.approach::<K>(start)?.sense()? == Ordering::Less);
+            if !start.is_start() && !enters()? {
+                return None;
+            }
+            let end = self.last_after::<K>(start.upper())?;
+            let is_moment = false;
+            intervals
+                .try_push(Interval {
+                    start,
+                    end,
+                    is_moment,
+                })
+                .ok()?;
+            next = if end.upper() < 1.0 {
+                self.first_after::<K>(end.upper())?
+            } else {
+                None
+            };
+        }
+        Some(intervals.into_iter().collect())
+    }
+
+    /// The next first time within d after one at which D is above d.
+    ///
+    /// D is so near to d there that the first stretch needs twice the precision.
+    fn first_after<K: Kind>(&self, from: f64) -> Option<Option<ContactTime>> {
+        const ATTEMPTS: usize = 12;
+        let now = self.precise.at::<K>(from);
+        let mut length = 1.0 - from;
+        for _ in 0..ATTEMPTS {
+            let free = from + length;
+            if now.is_beyond_until(&self.precise.at::<K>(free)) {
+                let free = self.advancement.free_until::<K>(free, 1.0, length, 0.25 * length);
+                return if free == 1.0 {
+                    Some(None)
+                } else {
+                    self.first_between::<K>([free, 1.0])
+                };
+            }
+            length *= 0.125;
+        }
+        None
+    }
+}

@@ -1,0 +1,126 @@
+//! A part of the step, and the coefficients of polynomials there from their exact ones.
+//!
+//! Near a root that is almost a double or a triple one, a polynomial is far smaller than its coefficients,
+//! and than their rounding errors. In a narrow window around it, the coefficients are as small as the
+//! polynomial. They are computed exactly, by blossoms, and rounded only then.
+
+use core::cmp::Ordering;
+
+use super::cubic::Root;
+use super::wide::Wide;
+use crate::time::ContactTime;
+
+/// An integer of 512 bits.
+///
+/// Coefficients of a cubic are below 2²⁵², 3 of them below 2²⁵⁴, and three weights of 2⁶² each make them 2¹⁸⁶
+/// times as large.
+type Integer = Wide<8>;
+
+/// The binary digits of a time.
+const DIGITS: u32 = 62;
+
+/// An interval of times.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Window {
+    low: f64,
+    high: f64,
+}
+
+impl Window {
+    /// All of the step.
+    pub(super) const STEP: Self = Self { low: 0.0, high: 1.0 };
+
+    /// A window between two times, if both are multiples of 2⁻⁶².
+    pub(super) fn new(low: f64, high: f64) -> Option<Self> {
+        let is_valid = low < high && parts(low).is_some() && parts(high).is_some();
+        is_valid.then_some(Self { low, high })
+    }
+
+    /// Three times the Bernstein coefficients of c₀ (1−t)³ + c₁ (1−t)² t + c₂ (1−t) t² + c₃ t³ in this
+    /// window, in some unit.
+    pub(super) fn cubic<const N: usize>(&self, cubic: &[Wide<N>; 4]) -> Option<[Integer; 4]> {
+        let (low, high) = (parts(self.low)?, parts(self.high)?);
+        let value = |times| blossom(of_cubic(cubic), times);
+        Some([
+            value([low, low, low]),
+            value([low, low, high]),
+            value([low, high, high]),
+            value([high, high, high]),
+        ])
+    }
+
+    /// The coefficients of q₀ (1−t)² + q₁ (1−t) t + q₂ t² in this window, in the same form and some unit.
+    pub(super) fn quadratic<const N: usize>(&self, [q0, q1, q2]: [Wide<N>; 3]) -> Option<[f64; 3]> {
+        if *self == Self::STEP {
+            return Some([q0, q1, q2].map(|q| q.approximate().high));
+        }
+        let (low, high) = (parts(self.low)?, parts(self.high)?);
+        let value = |times| blossom([q0 + q0, q1, q2 + q2].map(Wide::widened), times);
+        let [start, middle, end] = [[low, low], [low, high], [high, high]].map(value);
+        Some([start, middle + middle, end].map(|q: Integer| q.approximate().high))
+    }
+
+    /// The time of the root of a cubic in a bracket of this window: an f64 there at which the cubic vanishes,
+    /// or between two adjacent ones.
+    ///
+    /// The bracket has no other root, and the cubic opposite signs at its ends. If the width of the window is
+    /// 2⁻ᵏ and an f64 near the root is a multiple of 2⁻⁶², then its place in the window is exact.
+    pub(super) fn time<const N: usize>(&self, cubic: &[Wide<N>; 4], root: &Root) -> Option<ContactTime> {
+        const STEPS: usize = 8;
+        let width = self.high - self.low;
+        let is_exact = width.to_bits().trailing_zeros() >= 52;
+        let place = |t: f64| (is_exact && parts(t).is_some()).then(|| (t - self.low) / width);
+        let below = if root.rising {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        };
+        let (mut low, mut floor) = (root.low, self.low + root.low * width);
+        for _ in 0..STEPS {
+            let next = floor.next_up();
+            if place(floor)? > low {
+                floor = floor.next_down();
+            } else if place(next)? <= low {
+                floor = next;
+            } else if place(next)? >= root.high {
+                return Some(ContactTime::just_above(floor));
+            } else {
+                let sign = blossom(of_cubic(cubic), [parts(next)?; 3]).sign();
+                if sign.is_eq() {
+                    return Some(ContactTime::exactly(next));
+                }
+                if sign != below {
+                    return Some(ContactTime::just_above(floor));
+                }
+                (low, floor) = (place(next)?, next);
+            }
+        }
+        None
+    }
+}
+
+/// Three times its Bernstein coefficients.
+fn of_cubic<const N: usize>([c0, c1, c2, c3]: &[Wide<N>; 4]) -> [Integer; 4] {
+    let [c0, c1, c2, c3] = [c0, c1, c2, c3].map(|c| c.widened());
+    [c0 + c0 + c0, c1, c2, c3 + c3 + c3]
+}
+
+/// The parts into which a time splits the step, in units of 2⁻⁶², if they are integers.
+fn parts(t: f64) -> Option<[Integer; 2]> {
+    let whole = 1_i128 << DIGITS;
+    let elapsed = t * whole as f64;
+    let integer = elapsed as i128;
+    let is_exact = (0.0..=1.0).contains(&t) && integer as f64 == elapsed;
+    is_exact.then(|| [whole - integer, integer].map(Wide::from))
+}
+
+/// The blossom of the polynomial with these Bernstein coefficients, times 2⁶² for each argument: one
+/// interpolation after another.
+fn blossom<const N: usize, const D: usize>(mut b: [Integer; N], times: [[Integer; 2]; D]) -> Integer {
+    for (count, [left, elapsed]) in (1..N).rev().zip(times) {
+        for i in 0..count {
+            b[i] = b[i] * left + b[i + 1] * elapsed;
+        }
+    }
+    b[0]
+}
