@@ -7,7 +7,7 @@ use exact_ccd_check::polynomial::Polynomial;
 use exact_ccd_check::separation::dot;
 use exact_ccd_check::{Kind, Pair};
 
-use crate::factor::{derivative, gcd};
+use crate::factor::{coprime, derivative, gcd};
 
 /// A proof of contact after the first time and not after the second, if one is found.
 pub(crate) fn proof(motion: &Motion, kind: Kind, pair: &Pair, times: [f64; 2]) -> Option<Proof> {
@@ -33,7 +33,7 @@ fn points(motion: &Motion, kind: Kind, pair: &Pair, time: f64) -> Vec<Vec<IBig>>
         for &(place, weight) in weights {
             row[place] += weight;
         }
-        all.push(row);
+        all.push(coprime(row));
     };
     for i in 0..pair.first() {
         for j in pair.first()..points.len() {

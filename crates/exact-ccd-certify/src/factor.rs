@@ -38,17 +38,21 @@ fn remainder(mut a: Vec<IBig>, b: &[IBig]) -> Vec<IBig> {
     a
 }
 
-/// The coefficients without their common divisor, and without zeros at the end.
+/// The coefficients without zeros at the end, and without their common divisor.
 fn primitive(mut coefficients: Vec<IBig>) -> Vec<IBig> {
     while coefficients.last().is_some_and(IBig::is_zero) {
         coefficients.pop();
     }
-    let nonzero = coefficients.iter().filter(|c| !c.is_zero());
-    let divisor = nonzero.cloned().reduce(|a, b| IBig::from(a.gcd(b)));
-    if let Some(divisor) = divisor {
-        for c in &mut coefficients {
-            *c /= &divisor;
-        }
+    coprime(coefficients)
+}
+
+/// The integers without their common divisor.
+pub(crate) fn coprime(mut integers: Vec<IBig>) -> Vec<IBig> {
+    let nonzero = integers.iter().filter(|x| !x.is_zero());
+    if let Some(divisor) = nonzero.cloned().reduce(|a, b| IBig::from(a.gcd(b))) {
+        // The divisor of a single integer may be negative; signs must stay.
+        let divisor = if divisor < IBig::ZERO { -divisor } else { divisor };
+        integers.iter_mut().for_each(|x| *x /= &divisor);
     }
-    coefficients
+    integers
 }

@@ -40,7 +40,7 @@ pub(crate) fn directions(motion: &Motion, pair: &Pair, time: f64) -> Vec<Point> 
             push_both(&mut directions, cross(&minus(q, p), &unit));
         }
     }
-    directions.into_iter().filter_map(reduced).collect()
+    directions
 }
 
 fn push_both(directions: &mut Vec<Point>, normal: Point) {
@@ -48,10 +48,16 @@ fn push_both(directions: &mut Vec<Point>, normal: Point) {
     directions.push(normal);
 }
 
-/// The direction without common powers of two; `None` for 0.
-fn reduced(g: Point) -> Option<Point> {
-    let zeros = g.iter().filter_map(IBig::trailing_zeros).min()?;
-    Some(g.map(|component| component >> zeros))
+/// Directions without their common powers of two.
+pub(crate) fn reduced<const N: usize>(directions: [&Point; N]) -> [Point; N] {
+    let zeros = directions
+        .iter()
+        .copied()
+        .flatten()
+        .filter_map(IBig::trailing_zeros)
+        .min()
+        .unwrap_or(0);
+    directions.map(|direction| [0, 1, 2].map(|axis: usize| &direction[axis] >> zeros))
 }
 
 fn minus(a: &Point, b: &Point) -> Point {

@@ -2,7 +2,7 @@
 
 use exact_ccd::Point;
 use exact_ccd_check::grid::Grid;
-use exact_ccd_check::motion::Motion;
+use exact_ccd_check::motion::{Motion, Time};
 use exact_ccd_check::separation::Stretch;
 use exact_ccd_check::{Kind, Pair};
 
@@ -96,8 +96,8 @@ impl Step<'_> {
         }
 
         // Shorter stretches are easier, unless rounded directions fail at a single time.
-        for (time, guess) in [end, start].into_iter().zip([guesses[1], guesses[0]]) {
-            let suffices = guess.is_some_and(|g| {
+        let is_enough = |time: f64, guess: Option<Point>| {
+            guess.is_some_and(|g| {
                 let from = direction::rounded(g, BITS[3]).map(Into::into);
                 Stretch {
                     end: time,
@@ -105,16 +105,27 @@ impl Step<'_> {
                     to: None,
                 }
                 .holds(self.motion, kind, pair, time)
-            });
-            if !suffices {
-                let exact = feature::directions(self.motion, pair, time).into_iter();
-                let mut stretches = exact.map(|from| Stretch { end, from, to: None });
-                if let Some(stretch) = stretches.find(holds) {
-                    return Some(stretch);
-                }
-            }
+            })
+        };
+        if is_enough(start, guesses[0]) && is_enough(end, guesses[1]) {
+            return None;
         }
-        None
+        let power = times
+            .map(|time| Time::new(time).power)
+            .into_iter()
+            .max()
+            .unwrap_or(0);
+        let at = |time: f64| feature::directions(self.motion, pair, &Time::new(time).over(power));
+        let [from, to] = times.map(at);
+        let constant = to.iter().chain(&from).map(|g| (feature::reduced([g]), None));
+        let turning = from.iter().zip(&to).map(|(from, to)| {
+            let [from, to] = feature::reduced([from, to]);
+            ([from], Some(to))
+        });
+        let mut exact = constant
+            .chain(turning)
+            .map(|([from], to)| Stretch { end, from, to });
+        exact.find(holds)
     }
 
     /// The differences of the vertices of both primitives, rounded.

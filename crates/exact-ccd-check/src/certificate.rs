@@ -44,16 +44,8 @@ impl Head {
         if flags == 0 || flags > REST | FREE | CONTACT {
             return unreadable("a step has no statements, or other flags than 1, 2 and 4");
         }
-        let free = if flags & FREE == 0 {
-            None
-        } else {
-            Some(bytes.time()?)
-        };
-        let contact = if flags & CONTACT == 0 {
-            None
-        } else {
-            Some(bytes.time()?)
-        };
+        let free = if flags & FREE == 0 { None } else { Some(bytes.time()?) };
+        let contact = if flags & CONTACT == 0 { None } else { Some(bytes.time()?) };
         let are_adjacent = match (free, contact) {
             (_, None) => true,
             (None, Some(time)) => time == 0.0,
@@ -62,11 +54,7 @@ impl Head {
         if !are_adjacent {
             return unreadable("the times before and after a contact are not adjacent f64");
         }
-        Ok(Self {
-            rest: flags & REST != 0,
-            free,
-            contact,
-        })
+        Ok(Self { rest: flags & REST != 0, free, contact })
     }
 }
 
@@ -78,10 +66,7 @@ pub fn next_ids(bytes: &mut Bytes<'_>, last: Option<[u32; 2]>) -> Result<[u32; 2
     let (step, second) = (bytes.number()?, bytes.number()?);
     let [a, b] = last.unwrap_or_default();
     let ids = match (step, last) {
-        (0, Some(_)) => b
-            .checked_add(1)
-            .and_then(|next| next.checked_add(second))
-            .map(|second| [a, second]),
+        (0, Some(_)) => b.checked_add(1).and_then(|next| next.checked_add(second)).map(|second| [a, second]),
         _ => a.checked_add(step).map(|first| [first, second]),
     };
     ids.map_or_else(|| unreadable("an index exceeds 32 bits"), Ok)
@@ -101,11 +86,7 @@ pub fn stretches(bytes: &mut Bytes<'_>, until: f64) -> Result<Vec<Stretch>, Fail
         let (is_last, turns, size) = (tag & 1 == 0, tag & 2 != 0, 1 << (tag >> 2));
         let end = if is_last { until } else { bytes.time()? };
         let from = direction(bytes, size)?;
-        let to = if turns {
-            Some(direction(bytes, size)?)
-        } else {
-            None
-        };
+        let to = if turns { Some(direction(bytes, size)?) } else { None };
         stretches.push(Stretch { end, from, to });
         if is_last {
             return Ok(stretches);
@@ -127,12 +108,7 @@ pub fn single(bytes: &Bytes<'_>) -> Option<[i64; 3]> {
     let component = |axis: usize| {
         let bytes = rest.get(axis * size..(axis + 1) * size)?;
         let sign = if bytes[size - 1] < 128 { 0 } else { -1 };
-        Some(
-            bytes
-                .iter()
-                .rev()
-                .fold(sign, |value, &byte| value << 8 | i64::from(byte)),
-        )
+        Some(bytes.iter().rev().fold(sign, |value, &byte| value << 8 | i64::from(byte)))
     };
     Some([component(0)?, component(1)?, component(2)?])
 }
@@ -157,15 +133,9 @@ pub fn contact(bytes: &mut Bytes<'_>) -> Result<(Kind, [u32; 2], Proof), Failure
         1 => {
             let axis = usize::from(bytes.byte()?);
             let factor = Some(integers(bytes)?).filter(|factor| !factor.is_empty());
-            Proof::Coplanar {
-                axis,
-                factor: factor.map(Polynomial),
-            }
+            Proof::Coplanar { axis, factor: factor.map(Polynomial) }
         }
-        2 => Proof::OnEdge {
-            row: bytes.byte()?.into(),
-            factor: Polynomial(integers(bytes)?),
-        },
+        2 => Proof::OnEdge { row: bytes.byte()?.into(), factor: Polynomial(integers(bytes)?) },
         _ => return unreadable("the proof of a contact is none of 0 to 2"),
     };
     Ok((kind, ids, proof))

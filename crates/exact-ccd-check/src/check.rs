@@ -51,18 +51,12 @@ pub fn check(
     }
     let distance = f64::from_le_bytes(bytes.array()?);
     let mut frames = frames.into_iter();
-    let mut last = frames
-        .next()
-        .unwrap_or_else(|| unreadable("there are no frames"))?;
+    let mut last = frames.next().unwrap_or_else(|| unreadable("there are no frames"))?;
     let mut steps: Vec<Step> = Vec::new();
     for frame in frames {
         let next = frame?;
-        if last.mesh != next.mesh {
-            return unreadable(format!(
-                "frames {} and {} are not of one mesh",
-                steps.len(),
-                steps.len() + 1
-            ));
+        if last.mesh != next.mesh || next.mesh.vertex_count as usize != next.positions.len() {
+            return unreadable(format!("frames {} and {} are not of one mesh", steps.len(), steps.len() + 1));
         }
         let motion = Motion::new(&last.positions, &next.positions, distance)?;
         let step = check_step(&mut bytes, &last.mesh, &motion);
@@ -151,10 +145,7 @@ fn check_table(
         if !single.is_some_and(|g| grid.separates(&pair, g, ends))
             && !is_apart(motion, kind, &pair, 0.0, &stretches)
         {
-            return refused(format!(
-                "{} are not proved to be apart until t = {until:?}",
-                Named(kind, ids)
-            ));
+            return refused(format!("{} are not proved to be apart until t = {until:?}", Named(kind, ids)));
         }
     }
     match needed.next() {
@@ -176,17 +167,14 @@ impl fmt::Display for Named {
 /// One sentence for each statement, each on a line.
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let near = match self.distance {
-            0.0 => "in contact".to_owned(),
-            d => format!("within {d:?} of each other"),
+        let (near, first) = match self.distance {
+            0.0 => ("in contact".to_owned(), "The earliest contact is that of".to_owned()),
+            d => (format!("within {d:?} of each other"), format!("The first within {d:?} of each other are")),
         };
         for (number, step) in self.steps.iter().enumerate() {
             let Step { head, contact, pairs } = step;
             let next = number + 1;
-            writeln!(
-                f,
-                "step from frame {number} to frame {next}, {pairs} pairs next to each other:"
-            )?;
+            writeln!(f, "step from frame {number} to frame {next}, {pairs} pairs next to each other:")?;
             if head.rest {
                 writeln!(f, "  No edge pierces a face at t = 0.")?;
             }
@@ -197,11 +185,9 @@ impl fmt::Display for Proved {
                 let pair = Named(*kind, *ids);
                 match head.free {
                     None => writeln!(f, "  At t = 0, {pair} are {near}.")?,
-                    Some(until) => writeln!(
-                        f,
-                        "  {pair} are {near} at a time after {until:?} and not after {time:?}: no two primitives \
-                         are before."
-                    )?,
+                    Some(until) => {
+                        writeln!(f, "  {first} {pair}, at a time after {until:?} and not after {time:?}.")?
+                    }
                 }
             }
         }

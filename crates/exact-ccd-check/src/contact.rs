@@ -46,12 +46,12 @@ pub enum Proof {
 pub fn is_contact(motion: &Motion, kind: Kind, pair: &Pair, times: [f64; 2], proof: &Proof) -> bool {
     match proof {
         Proof::Point(weights) => is_near(motion, pair, &Time::new(times[1]), weights),
-        Proof::Coplanar { axis, factor } => Moving::new(motion, pair, times)
-            .is_inside(kind, *axis, factor.as_ref())
-            .unwrap_or(false),
-        Proof::OnEdge { row, factor } => Moving::new(motion, pair, times)
-            .is_on_edge(kind, *row, factor)
-            .unwrap_or(false),
+        Proof::Coplanar { axis, factor } => {
+            Moving::new(motion, pair, times).is_inside(kind, *axis, factor.as_ref()).unwrap_or(false)
+        }
+        Proof::OnEdge { row, factor } => {
+            Moving::new(motion, pair, times).is_on_edge(kind, *row, factor).unwrap_or(false)
+        }
     }
 }
 
@@ -65,18 +65,10 @@ fn is_near(motion: &Motion, pair: &Pair, time: &Time, weights: &[IBig]) -> bool 
     for (place, (&vertex, weight)) in pair.vertices().iter().zip(weights).enumerate() {
         let point = motion.at(vertex, time);
         for (sum, x) in difference.iter_mut().zip(point) {
-            *sum += if place < pair.first() {
-                weight * x
-            } else {
-                -(weight * x)
-            };
+            *sum += if place < pair.first() { weight * x } else { -(weight * x) };
         }
     }
-    let reach = if pair.has_distance {
-        (motion.distance() << time.power) * &sum
-    } else {
-        IBig::ZERO
-    };
+    let reach = if pair.has_distance { (motion.distance() << time.power) * &sum } else { IBig::ZERO };
     sum > IBig::ZERO && sum == other && crate::separation::dot(&difference, &difference) <= &reach * &reach
 }
 
@@ -122,10 +114,7 @@ impl Moving {
             Kind::VertexFace => {
                 let normal = cross(&self.between(2, 1)?, &self.between(3, 1)?);
                 let side = |[i, j]: [usize; 2]| Some(cross(&self.between(i, 0)?, &self.between(j, 0)?));
-                let sides = [[1, 2], [2, 3], [3, 1]]
-                    .into_iter()
-                    .map(side)
-                    .collect::<Option<Vec<_>>>()?;
+                let sides = [[1, 2], [2, 3], [3, 1]].into_iter().map(side).collect::<Option<Vec<_>>>()?;
                 let c = dot(&normal, &self.between(0, 1)?);
                 Some((normal, c, sides))
             }

@@ -28,12 +28,8 @@ impl Grid {
     pub fn new(motion: &Motion, until: &Time) -> Self {
         let times = [Time::new(0.0).over(until.power), until.clone()];
         let vertices = 0..motion.vertex_count() as u32;
-        let exact = times.map(|time| {
-            vertices
-                .clone()
-                .map(|vertex| motion.at(vertex, &time))
-                .collect::<Vec<_>>()
-        });
+        let exact =
+            times.map(|time| vertices.clone().map(|vertex| motion.at(vertex, &time)).collect::<Vec<_>>());
         let coordinates = || exact.iter().flatten().flatten();
         let most = coordinates().max().cloned().unwrap_or(IBig::ZERO);
         let least = coordinates().min().cloned().unwrap_or(IBig::ZERO);
@@ -43,20 +39,13 @@ impl Grid {
             bits += 1;
         }
         let rounded = |x: &IBig| {
-            if bits > BITS {
-                x >> (bits - BITS)
-            } else {
-                x << (BITS - bits)
-            }
+            if bits > BITS { x >> (bits - BITS) } else { x << (BITS - bits) }
         };
         let small = |x: &IBig| i64::try_from(rounded(x)).unwrap_or(i64::MAX);
         let distance = -rounded(&-(motion.distance() << until.power));
         Self {
             at: exact.map(|points| {
-                points
-                    .iter()
-                    .map(|point| [0, 1, 2].map(|axis: usize| small(&point[axis])))
-                    .collect()
+                points.iter().map(|point| [0, 1, 2].map(|axis: usize| small(&point[axis]))).collect()
             }),
             distance: i64::try_from(distance).unwrap_or(i64::MAX).min(1 << 62),
         }
@@ -87,12 +76,7 @@ impl Grid {
         let g = g.map(i128::from);
         let sum: i128 = g.iter().map(|component| component.abs()).sum();
         let needed = if pair.has_distance && self.distance > 0 {
-            let length = g
-                .iter()
-                .map(|component| component * component)
-                .sum::<i128>()
-                .isqrt()
-                + 1;
+            let length = g.iter().map(|component| component * component).sum::<i128>().isqrt() + 1;
             sum + i128::from(self.distance) * length
         } else {
             sum
@@ -105,9 +89,7 @@ impl Grid {
             };
             let least = first.iter().map(along).min();
             let most = second.iter().map(along).max();
-            least
-                .zip(most)
-                .is_some_and(|(least, most)| least - most >= needed)
+            least.zip(most).is_some_and(|(least, most)| least - most >= needed)
         })
     }
 }

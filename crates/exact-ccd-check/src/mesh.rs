@@ -39,13 +39,8 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order of their numbers in a certificate.
-    pub const ALL: [Self; 5] = [
-        Self::VertexFace,
-        Self::EdgeEdge,
-        Self::VertexEdge,
-        Self::VertexVertex,
-        Self::EdgeFace,
-    ];
+    pub const ALL: [Self; 5] =
+        [Self::VertexFace, Self::EdgeEdge, Self::VertexEdge, Self::VertexVertex, Self::EdgeFace];
 
     /// The names of the two primitives.
     #[must_use]
@@ -76,12 +71,7 @@ impl Pair {
         for (place, &vertex) in vertices.iter_mut().zip(first.iter().chain(second)) {
             *place = vertex;
         }
-        Self {
-            vertices,
-            first: first.len(),
-            count: first.len() + second.len(),
-            has_distance,
-        }
+        Self { vertices, first: first.len(), count: first.len() + second.len(), has_distance }
     }
 
     /// The vertices of the first primitive, then those of the second.
@@ -119,31 +109,20 @@ impl Mesh {
         for &vertex in all.as_flattened() {
             degrees[vertex as usize] += 1;
         }
-        Ok(Self {
-            vertex_count: count,
-            faces,
-            edges: all,
-            face_edges,
-            degrees,
-        })
+        Ok(Self { vertex_count: count, faces, edges: all, face_edges, degrees })
     }
 
     fn has_edge(&self, a: u32, b: u32) -> bool {
         let (of_faces, loose) = self.edges.split_at(self.face_edges);
         let key = order([a.min(b), a.max(b)]);
-        [of_faces, loose]
-            .iter()
-            .any(|edges| edges.binary_search_by_key(&key, |&e| order(e)).is_ok())
+        [of_faces, loose].iter().any(|edges| edges.binary_search_by_key(&key, |&e| order(e)).is_ok())
     }
 
     /// The pair of two primitives, if it exists and counts.
     #[must_use]
     pub fn pair(&self, kind: Kind, [a, b]: [u32; 2]) -> Option<Pair> {
         let degree = |vertex: u32| self.degrees.get(vertex as usize).copied();
-        let (edge, face) = (
-            |id: u32| self.edges.get(id as usize),
-            |id: u32| self.faces.get(id as usize),
-        );
+        let (edge, face) = (|id: u32| self.edges.get(id as usize), |id: u32| self.faces.get(id as usize));
         let (first, second): (&[u32], &[u32]) = match kind {
             Kind::VertexFace => (&[a], face(b)?),
             Kind::EdgeEdge => (edge(a)?, edge(b)?),
@@ -151,20 +130,14 @@ impl Mesh {
             Kind::VertexVertex => (&[a], &[b]),
             Kind::EdgeFace => (edge(a)?, face(b)?),
         };
-        let are_apart = first
-            .iter()
-            .all(|vertex| !second.contains(vertex) && *vertex < self.vertex_count);
+        let are_apart = first.iter().all(|vertex| !second.contains(vertex) && *vertex < self.vertex_count);
         let is_ordered = a < b || !matches!(kind, Kind::EdgeEdge | Kind::VertexVertex);
         let counts = are_apart
             && is_ordered
             && match *second {
                 [b] => degree(a) == Some(0) && degree(b) == Some(0),
                 [b, c] if kind == Kind::VertexEdge => {
-                    degree(a)?
-                        == [b, c]
-                            .into_iter()
-                            .map(|end| u32::from(self.has_edge(a, end)))
-                            .sum()
+                    degree(a)? == [b, c].into_iter().map(|end| u32::from(self.has_edge(a, end))).sum()
                 }
                 _ => true,
             };
@@ -182,17 +155,10 @@ impl Mesh {
     pub fn primitives(&self, kind: Kind, is_second: bool) -> Vec<(u32, [u32; 3])> {
         let vertices = |most: u32| {
             let all = (0..self.vertex_count).zip(&self.degrees);
-            all.filter(|(_, degree)| **degree <= most)
-                .map(|(vertex, _)| (vertex, [vertex; 3]))
-                .collect()
+            all.filter(|(_, degree)| **degree <= most).map(|(vertex, _)| (vertex, [vertex; 3])).collect()
         };
-        let edges = |from: usize| {
-            (0..)
-                .zip(&self.edges)
-                .skip(from)
-                .map(|(id, &[a, b])| (id, [a, b, b]))
-                .collect()
-        };
+        let edges =
+            |from: usize| (0..).zip(&self.edges).skip(from).map(|(id, &[a, b])| (id, [a, b, b])).collect();
         match (kind, is_second) {
             (Kind::VertexFace, false) => vertices(u32::MAX),
             (Kind::VertexFace | Kind::EdgeFace, true) => (0..).zip(self.faces.iter().copied()).collect(),

@@ -27,10 +27,7 @@ pub fn dyadic(x: f64) -> Option<(i64, i32)> {
     }
     let zeros = mantissa.trailing_zeros();
     let mantissa = mantissa >> zeros;
-    Some((
-        if bits >> 63 == 0 { mantissa } else { -mantissa },
-        exponent + zeros as i32,
-    ))
+    Some((if bits >> 63 == 0 { mantissa } else { -mantissa }, exponent + zeros as i32))
 }
 
 /// A mesh in motion from one frame to the next, and the distance that counts as contact.
@@ -109,14 +106,8 @@ impl Time {
     pub fn new(t: f64) -> Self {
         let (mantissa, exponent) = dyadic(t).unwrap_or_default();
         match usize::try_from(-exponent) {
-            Ok(power) => Self {
-                numerator: mantissa.into(),
-                power,
-            },
-            Err(_) => Self {
-                numerator: IBig::ZERO,
-                power: 0,
-            },
+            Ok(power) => Self { numerator: mantissa.into(), power },
+            Err(_) => Self { numerator: IBig::ZERO, power: 0 },
         }
     }
 
@@ -124,9 +115,6 @@ impl Time {
     #[must_use]
     pub fn over(&self, power: usize) -> Self {
         let numerator = self.numerator.clone() << power.saturating_sub(self.power);
-        Self {
-            numerator,
-            power: power.max(self.power),
-        }
+        Self { numerator, power: power.max(self.power) }
     }
 }

@@ -35,11 +35,7 @@ impl Polynomial {
     /// Returns true if all coefficients have this sign, which is 1 or −1, and none is 0.
     #[must_use]
     pub fn has_sign(&self, sign: i8) -> bool {
-        !self.0.is_empty()
-            && self
-                .0
-                .iter()
-                .all(|c| *c != IBig::ZERO && (*c < IBig::ZERO) == (sign < 0))
+        !self.0.is_empty() && self.0.iter().all(|c| *c != IBig::ZERO && (*c < IBig::ZERO) == (sign < 0))
     }
 
     /// Returns true if the signs at the ends of the interval are different, so that there is a root inside.
@@ -80,9 +76,7 @@ impl Polynomial {
 #[must_use]
 pub fn dot(a: &Vector, b: &Vector) -> Polynomial {
     let minus = |x: &Polynomial| Polynomial(x.0.iter().map(|c| -c).collect());
-    a[0].times(&b[0])
-        .minus(&minus(&a[1].times(&b[1])))
-        .minus(&minus(&a[2].times(&b[2])))
+    a[0].times(&b[0]).minus(&minus(&a[1].times(&b[1]))).minus(&minus(&a[2].times(&b[2])))
 }
 
 /// The vector product.

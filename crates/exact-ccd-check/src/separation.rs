@@ -54,12 +54,8 @@ impl Stretch {
         if longer == IBig::ZERO {
             return false;
         }
-        let points = [start, end].map(|time| {
-            pair.vertices()
-                .iter()
-                .map(|&vertex| motion.at(vertex, &time))
-                .collect::<Vec<_>>()
-        });
+        let points = [start, end]
+            .map(|time| pair.vertices().iter().map(|&vertex| motion.at(vertex, &time)).collect::<Vec<_>>());
         let [at_start, at_end] = &points;
         let gap = |along: &dyn Fn(usize) -> IBig| {
             let vertices = 0..pair.vertices().len();
@@ -68,11 +64,7 @@ impl Stretch {
             least - second.into_iter().map(along).max().unwrap_or(IBig::ZERO)
         };
         // d |g| ≥ 0 in the unit of the positions, squared.
-        let distance = if pair.has_distance {
-            motion.distance() << power
-        } else {
-            IBig::ZERO
-        };
+        let distance = if pair.has_distance { motion.distance() << power } else { IBig::ZERO };
         let bound = &distance * &distance * longer;
         let is_beyond = |gap: IBig, bound: &IBig| match kind {
             Kind::EdgeFace => gap >= IBig::ZERO,

@@ -16,12 +16,8 @@ impl Extent {
     fn of(grid: &Grid, vertices: [u32; 3], ends: [usize; 2]) -> Self {
         Self(ends.map(|end| {
             let [a, b, c] = vertices.map(|vertex| grid.point(end, vertex));
-            [0, 1, 2].map(|axis: usize| {
-                [
-                    a[axis].min(b[axis]).min(c[axis]),
-                    a[axis].max(b[axis]).max(c[axis]),
-                ]
-            })
+            [0, 1, 2]
+                .map(|axis: usize| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])])
         }))
     }
 
@@ -68,16 +64,8 @@ impl Node {
 
     fn children(&self) -> [Self; 2] {
         let middle = self.begin + self.count() / 2;
-        let first = Self {
-            place: self.place + 1,
-            begin: self.begin,
-            end: middle,
-        };
-        let second = Self {
-            place: self.place + 2 * first.count(),
-            begin: middle,
-            end: self.end,
-        };
+        let first = Self { place: self.place + 1, begin: self.begin, end: middle };
+        let second = Self { place: self.place + 2 * first.count(), begin: middle, end: self.end };
         [first, second]
     }
 }
@@ -86,19 +74,12 @@ impl Tree {
     fn new(mut leaves: Vec<(u32, Extent)>) -> Self {
         let mut nodes = Vec::with_capacity(2 * leaves.len());
         build(&mut leaves, &mut nodes);
-        Self {
-            nodes,
-            ids: leaves.into_iter().map(|(id, _)| id).collect(),
-        }
+        Self { nodes, ids: leaves.into_iter().map(|(id, _)| id).collect() }
     }
 
     fn root(&self) -> Option<Node> {
         let end = self.ids.len();
-        (end > 0).then_some(Node {
-            place: 0,
-            begin: 0,
-            end,
-        })
+        (end > 0).then_some(Node { place: 0, begin: 0, end })
     }
 }
 
@@ -158,18 +139,10 @@ impl Search<'_> {
 /// Passes each pair of a kind that counts and that the boxes do not separate to a function, until it returns false.
 pub fn pairs(mesh: &Mesh, grid: &Grid, kind: Kind, mut emit: impl FnMut([u32; 2]) -> bool) {
     // The statement about edges and faces is about contact at t = 0.
-    let (ends, distance) = if kind == Kind::EdgeFace {
-        ([0, 0], 0)
-    } else {
-        ([0, 1], grid.distance())
-    };
+    let (ends, distance) = if kind == Kind::EdgeFace { ([0, 0], 0) } else { ([0, 1], grid.distance()) };
     let tree = |is_second| {
         let primitives = mesh.primitives(kind, is_second).into_iter();
-        Tree::new(
-            primitives
-                .map(|(id, vertices)| (id, Extent::of(grid, vertices, ends)))
-                .collect(),
-        )
+        Tree::new(primitives.map(|(id, vertices)| (id, Extent::of(grid, vertices, ends))).collect())
     };
     let is_one_set = matches!(kind, Kind::EdgeEdge | Kind::VertexVertex);
     let emit: &mut dyn FnMut([u32; 2]) -> bool = &mut |[a, b]| {
@@ -178,19 +151,11 @@ pub fn pairs(mesh: &Mesh, grid: &Grid, kind: Kind, mut emit: impl FnMut([u32; 2]
     };
     let first = tree(false);
     if is_one_set {
-        let mut search = Search {
-            trees: [&first, &first],
-            distance,
-            emit,
-        };
+        let mut search = Search { trees: [&first, &first], distance, emit };
         first.root().map(|root| search.within(root));
     } else {
         let second = tree(true);
-        let mut search = Search {
-            trees: [&first, &second],
-            distance,
-            emit,
-        };
+        let mut search = Search { trees: [&first, &second], distance, emit };
         first.root().zip(second.root()).map(|(a, b)| search.between(a, b));
     }
 }

@@ -8,20 +8,20 @@ use exact_ccd_check::{Failure, Mesh, check};
 use exact_ccd_mesh::{Contact, Detector, MinDistance, TriangleMesh, crossings};
 
 /// A mesh in motion, for the maker and for the checker.
-pub struct Scene {
-    pub mesh: TriangleMesh,
-    pub frames: [Frame; 2],
+pub(crate) struct Scene {
+    pub(crate) mesh: TriangleMesh,
+    pub(crate) frames: [Frame; 2],
 }
 
 impl Scene {
-    pub fn of(frames: [Frame; 2]) -> Self {
+    pub(crate) fn of(frames: [Frame; 2]) -> Self {
         let Mesh { faces, edges, .. } = &frames[0].mesh;
         let mesh = TriangleMesh::with_edges(frames[0].positions.len(), faces.clone(), edges).unwrap();
         Self { mesh, frames }
     }
 
     #[allow(dead_code, reason = "not all tests generate meshes")]
-    pub fn new(faces: &[[u32; 3]], edges: &[[u32; 2]], x: [Vec<Point>; 2]) -> Self {
+    pub(crate) fn new(faces: &[[u32; 3]], edges: &[[u32; 2]], x: [Vec<Point>; 2]) -> Self {
         let mesh = Mesh::new(x[0].len(), faces.to_vec(), edges).unwrap();
         Self::of(x.map(|positions| Frame {
             mesh: mesh.clone(),
@@ -29,11 +29,11 @@ impl Scene {
         }))
     }
 
-    pub fn positions(&self) -> [&[Point]; 2] {
+    pub(crate) fn positions(&self) -> [&[Point]; 2] {
         [&self.frames[0].positions, &self.frames[1].positions]
     }
 
-    pub fn earliest(&self, d: f64) -> Option<Contact> {
+    pub(crate) fn earliest(&self, d: f64) -> Option<Contact> {
         let d = MinDistance::uniform(Separation::new(d).unwrap());
         let mut detector = Detector::new(self.mesh.clone()).with_min_distance(d).unwrap();
         let [x0, x1] = self.positions();
@@ -42,7 +42,7 @@ impl Scene {
 }
 
 /// The certificate of a step, with the statement about its start if nothing crosses there.
-pub fn certify(scene: &Scene, d: f64) -> Result<Vec<u8>, Uncertified> {
+pub(crate) fn certify(scene: &Scene, d: f64) -> Result<Vec<u8>, Uncertified> {
     let rest = crossings(&scene.mesh, scene.positions()[0], &Default::default())
         .unwrap()
         .is_empty();
@@ -53,6 +53,6 @@ pub fn certify(scene: &Scene, d: f64) -> Result<Vec<u8>, Uncertified> {
     maker.finish()
 }
 
-pub fn verify(scene: &Scene, certificate: &[u8]) -> Result<Proved, Failure> {
+pub(crate) fn verify(scene: &Scene, certificate: &[u8]) -> Result<Proved, Failure> {
     check(certificate, scene.frames.clone().map(Ok))
 }
