@@ -1,8 +1,8 @@
 //! Directions of closest features at one time, in integers.
 //!
-//! They are the directions of [`direction`](crate::direction), without rounding: where primitives almost touch, no
-//! rounded direction separates them. Directions orthogonal to an edge and an axis are for primitives that touch at
-//! rest.
+//! They are the directions of [`direction`](crate::direction), without rounding: where primitives
+//! almost touch, no rounded direction separates them. Directions orthogonal to an edge and an axis are
+//! for primitives that touch at rest.
 
 use dashu_int::IBig;
 use exact_ccd_check::Pair;

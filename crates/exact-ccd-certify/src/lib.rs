@@ -1,9 +1,9 @@
 //! Certificates about meshes in motion.
 //!
-//! `exact-ccd-check` proves them without trusting this crate: it finds all pairs of primitives itself and verifies a
-//! witness for each. This crate finds the witnesses. Directions that separate two primitives are guessed in floating
-//! point and rounded to small integers; the functions of the checker accept or refuse each. Nothing is written that
-//! the checker would refuse.
+//! `exact-ccd-check` proves them without trusting this crate: it finds all pairs of primitives itself
+//! and verifies a witness for each. This crate finds the witnesses. Directions that separate two
+//! primitives are guessed in floating point and rounded to small integers; the functions of the checker
+//! accept or refuse each. Nothing is written that the checker would refuse.
 //!
 //! - [`Maker`] adds the steps of a motion one after the other.
 //! - [`Uncertified`] counts the pairs for which no witness was found.

@@ -72,8 +72,9 @@ impl Maker {
         [self.uncertified.pairs, self.uncertified.missing]
     }
 
-    /// Adds the step of a mesh from the first positions to the second: that it is free until its earliest contact,
-    /// and has that contact; and, with `rest`, that no edge pierces a face at its start.
+    /// Adds the step of a mesh from the first positions to the second: that it is free until its
+    /// earliest contact, and has that contact; and, with `rest`, that no edge pierces a face at its
+    /// start.
     ///
     /// # Errors
     /// If there are too many or too few positions, or one is not finite.
@@ -171,8 +172,8 @@ impl Maker {
     }
 }
 
-/// The last f64 before the earliest contact, and the first that is not before it. Without a contact, the end of the
-/// step; if it is at t = 0, no f64 is before it.
+/// The last f64 before the earliest contact, and the first that is not before it. Without a contact,
+/// the end of the step; if it is at t = 0, no f64 is before it.
 fn times(earliest: Option<&Contact>) -> [Option<f64>; 2] {
     match earliest.map(|contact| contact.impact.time) {
         None => [Some(1.0), None],

@@ -1,7 +1,7 @@
 //! The bytes of a certificate.
 //!
-//! The first line, the distance, then the parts of each step: a byte of flags, the times, the tables and the proof
-//! of contact that they announce. docs/certificates.md of the repository has all fields.
+//! The first line, the distance, then the parts of each step: a byte of flags, the times, the tables
+//! and the proof of contact that they announce. docs/certificates.md of the repository has all fields.
 
 use dashu_int::IBig;
 

@@ -1,8 +1,8 @@
 //! The statements of a certificate, proved or refused.
 //!
-//! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and each must be
-//! in the table. There are at most as many as the table has bytes, or the certificate is refused: memory and time
-//! are bounded by the sizes of the files.
+//! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and
+//! each must be in the table. There are at most as many as the table has bytes, or the certificate is
+//! refused: memory and time are bounded by the sizes of the files.
 
 use std::fmt;
 

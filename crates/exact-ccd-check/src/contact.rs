@@ -2,17 +2,17 @@
 //!
 //! Three proofs, of which any suffices:
 //!
-//! - *A point at T⁺.* Weights, not negative and with the same positive sum w for either primitive, name a point of
-//!   each. Their difference, times w, is a vector of integers of length at most w d.
-//! - *A root of coplanarity.* Let n be the normal of the face or of both edges, and c = n · (x_i − x_j), which vanishes
-//!   when all four vertices are in one plane. A polynomial f divides c and has different signs at T and T⁺, so c
-//!   vanishes at a root of f between them. One component of n has a strict sign. So have all sides, which are that
-//!   component times the barycentric coordinates of the vertex in the face, or times u, 1 − u, v, 1 − v for the
-//!   crossing of the lines of the edges; or f divides a side, which then is 0. So the vertex is in the face, or the
-//!   edges meet, at the root.
-//! - *A vertex q on an edge x y.* f, as above, divides all components of (x − q) × (y − q), so that q is on the line
-//!   at a root of f. (x − q) · (y − q) is negative, or f divides it: q is between x and y, or at one of them. For
-//!   two vertices, x = y.
+//! - *A point at T⁺.* Weights, not negative and with the same positive sum w for either primitive, name
+//!   a point of each. Their difference, times w, is a vector of integers of length at most w d.
+//! - *A root of coplanarity.* Let n be the normal of the face or of both edges, and c = n · (x_i −
+//!   x_j), which vanishes when all four vertices are in one plane. A polynomial f divides c and has
+//!   different signs at T and T⁺, so c vanishes at a root of f between them. One component of n has a
+//!   strict sign. So have all sides, which are that component times the barycentric coordinates of the
+//!   vertex in the face, or times u, 1 − u, v, 1 − v for the crossing of the lines of the edges; or f
+//!   divides a side, which then is 0. So the vertex is in the face, or the edges meet, at the root.
+//! - *A vertex q on an edge x y.* f, as above, divides all components of (x − q) × (y − q), so that q
+//!   is on the line at a root of f. (x − q) · (y − q) is negative, or f divides it: q is between x and
+//!   y, or at one of them. For two vertices, x = y.
 
 use dashu_int::IBig;
 

@@ -1,10 +1,11 @@
 //! Positions at two times, rounded down to a grid of 64-bit integers.
 //!
-//! Let X be the rounded coordinate and x the exact one, in units of the grid: X ≤ x < X + 1. Most proofs need no more
-//! than X. For integers g, not all 0, let |g| be the sum of their absolute values, and consider vertices i and j:
-//! g · (x_i − x_j) > g · (X_i − X_j) − |g|, because each of the fractions that rounding took away is in [0, 1), so
-//! that the difference of two is strictly between −1 and 1. If the right side is at least d times the length of g,
-//! the vertices are more than d apart along g.
+//! Let X be the rounded coordinate and x the exact one, in units of the grid: X ≤ x < X + 1. Most
+//! proofs need no more than X. For integers g, not all 0, let |g| be the sum of their absolute values,
+//! and consider vertices i and j: g · (x_i − x_j) > g · (X_i − X_j) − |g|, because each of the
+//! fractions that rounding took away is in [0, 1), so that the difference of two is strictly between −1
+//! and 1. If the right side is at least d times the length of g, the vertices are more than d apart
+//! along g.
 
 use dashu_int::IBig;
 
@@ -63,9 +64,9 @@ impl Grid {
         self.distance
     }
 
-    /// Returns true if the grid proves that the first primitive of a pair is beyond the second along a direction,
-    /// by more than the distance, at these ends of the motion. If it is at t = 0 and at t = T, it is at all times
-    /// between, as g · x is linear.
+    /// Returns true if the grid proves that the first primitive of a pair is beyond the second along a
+    /// direction, by more than the distance, at these ends of the motion. If it is at t = 0 and at t =
+    /// T, it is at all times between, as g · x is linear.
     ///
     /// No sum overflows: coordinates are below 2^60 in magnitude, components of g below 2^48.
     #[must_use]

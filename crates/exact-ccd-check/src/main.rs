@@ -1,7 +1,8 @@
 //! The program `exact-ccd-check`.
 //!
-//! `exact-ccd-check CERTIFICATE FRAMES...` prints the statements that a certificate proves about mesh files, and ends
-//! with the status 0 if it proves all of them, 1 if it does not, and 2 if a file cannot be read.
+//! `exact-ccd-check CERTIFICATE FRAMES...` prints the statements that a certificate proves about mesh
+//! files, and ends with the status 0 if it proves all of them, 1 if it does not, and 2 if a file cannot
+//! be read.
 
 use std::io::Write;
 use std::process::ExitCode;

@@ -1,9 +1,9 @@
 //! The primitives of a mesh, and the pairs of them for which contact counts.
 //!
-//! Two primitives are apart if they have no common vertex. A vertex is loose if it has no edge, an edge if it
-//! belongs to no face. The pairs are those of a vertex and a face, apart; of two edges, apart; of a vertex and a
-//! loose edge, apart, if no edge of the vertex is apart from it; and of two loose vertices. With a distance, the
-//! third kind counts at distance 0 only, unless the vertex is loose.
+//! Two primitives are apart if they have no common vertex. A vertex is loose if it has no edge, an edge
+//! if it belongs to no face. The pairs are those of a vertex and a face, apart; of two edges, apart; of
+//! a vertex and a loose edge, apart, if no edge of the vertex is apart from it; and of two loose
+//! vertices. With a distance, the third kind counts at distance 0 only, unless the vertex is loose.
 
 use crate::failure::{Failure, unreadable};
 
@@ -149,8 +149,8 @@ impl Mesh {
         counts.then(|| Pair::new(first, second, has_distance))
     }
 
-    /// The first or the second primitives of all pairs of a kind: their indices, and their vertices, of which the
-    /// last is repeated up to three.
+    /// The first or the second primitives of all pairs of a kind: their indices, and their vertices, of
+    /// which the last is repeated up to three.
     #[must_use]
     pub fn primitives(&self, kind: Kind, is_second: bool) -> Vec<(u32, [u32; 3])> {
         let vertices = |most: u32| {

@@ -1,8 +1,8 @@
 //! The positions of all vertices as integers, and times as ratios.
 //!
-//! A finite f64 is an integer times a power of two. Divided by the least such power of all coordinates and of the
-//! distance, all of them are integers. At the time t = k / 2^m, a vertex that moves from a to b is at
-//! ((2^m − k) a + k b) / 2^m, and 2^m times that is an integer again.
+//! A finite f64 is an integer times a power of two. Divided by the least such power of all coordinates
+//! and of the distance, all of them are integers. At the time t = k / 2^m, a vertex that moves from a
+//! to b is at ((2^m − k) a + k b) / 2^m, and 2^m times that is an integer again.
 
 use dashu_int::IBig;
 

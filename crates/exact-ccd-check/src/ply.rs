@@ -1,7 +1,8 @@
 //! Mesh files: PLY, as text or binary, with the elements `vertex`, `face` and `edge` and nothing else.
 //!
-//! Coordinates are `float` or `double`; in text, any decimal number, read as the nearest f64. A face with more than
-//! three corners becomes a fan of triangles from its lowest vertex. Properties beside these are skipped.
+//! Coordinates are `float` or `double`; in text, any decimal number, read as the nearest f64. A face
+//! with more than three corners becomes a fan of triangles from its lowest vertex. Properties beside
+//! these are skipped.
 
 use crate::bytes::Bytes;
 use crate::failure::{Failure, unreadable};
@@ -121,7 +122,8 @@ fn header<'a>(bytes: &mut Bytes<'a>) -> Result<(Encoding, Vec<Element<'a>>), Fai
     Ok((encoding.unwrap_or(Encoding::Text), elements))
 }
 
-/// The values of a property in a row: one, or those of a list. A list that is longer than the file ends with it.
+/// The values of a property in a row: one, or those of a list. A list that is longer than the file ends
+/// with it.
 fn values(
     bytes: &mut Bytes<'_>,
     encoding: Encoding,

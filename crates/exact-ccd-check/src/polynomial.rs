@@ -1,8 +1,9 @@
 //! Polynomials in both ends of an interval of time.
 //!
-//! With s from 0 to 1 over the interval, a polynomial of degree n is the sum of c_i s^i (1 − s)^(n − i). Products and
-//! sums of equal degree are those of ordinary polynomials in s / (1 − s), which take the same values up to positive
-//! factors inside of the interval. Coefficients of one strict sign are a proof of that sign for all s in [0, 1].
+//! With s from 0 to 1 over the interval, a polynomial of degree n is the sum of c_i s^i (1 − s)^(n −
+//! i). Products and sums of equal degree are those of ordinary polynomials in s / (1 − s), which take
+//! the same values up to positive factors inside of the interval. Coefficients of one strict sign are a
+//! proof of that sign for all s in [0, 1].
 
 use dashu_int::IBig;
 
@@ -47,9 +48,9 @@ impl Polynomial {
         }
     }
 
-    /// Returns true if this polynomial vanishes at all roots of another one inside of the interval, because that
-    /// divides it: the remainder of the division, in which the dividend is multiplied by the leading coefficient
-    /// at each step so that all numbers are integers, is 0.
+    /// Returns true if this polynomial vanishes at all roots of another one inside of the interval,
+    /// because that divides it: the remainder of the division, in which the dividend is multiplied by
+    /// the leading coefficient at each step so that all numbers are integers, is 0.
     ///
     /// A divisor whose last coefficient is 0 does not count.
     #[must_use]

@@ -1,17 +1,19 @@
 //! The proof that two primitives are not in contact, and not within the distance d.
 //!
-//! Let g be a direction, constant or linear in time, and x_i − x_j the difference of a vertex of the first primitive
-//! and one of the second. The difference of any two points of the primitives is a mean of such differences. If
-//! g · (x_i − x_j) > d |g| for all of them, the primitives are more than d apart.
+//! Let g be a direction, constant or linear in time, and x_i − x_j the difference of a vertex of the
+//! first primitive and one of the second. The difference of any two points of the primitives is a mean
+//! of such differences. If g · (x_i − x_j) > d |g| for all of them, the primitives are more than d
+//! apart.
 //!
-//! On a stretch of time from s to e, let g turn from g_s to g_e. Then g · (x_i − x_j) is quadratic, with the Bernstein
-//! coefficients of g_s · x_s, (g_s · x_e + g_e · x_s) / 2 and g_e · x_e for x = x_i − x_j. It is at least the least of
-//! them, and |g| is at most the larger of |g_s| and |g_e|, as length is convex. If g is constant, the middle
-//! coefficient is the mean of the others.
+//! On a stretch of time from s to e, let g turn from g_s to g_e. Then g · (x_i − x_j) is quadratic,
+//! with the Bernstein coefficients of g_s · x_s, (g_s · x_e + g_e · x_s) / 2 and g_e · x_e for x = x_i
+//! − x_j. It is at least the least of them, and |g| is at most the larger of |g_s| and |g_e|, as length
+//! is convex. If g is constant, the middle coefficient is the mean of the others.
 //!
-//! For an edge and a face at t = 0, it suffices that g is not 0 and g · (x_i − x_j) ≥ 0. An edge that pierces a face
-//! has a point inside of itself in common with the inside of the face; there, all of these products would be 0, so
-//! that g would be orthogonal to the edge and to the plane of the face, which the edge is not in: g would be 0.
+//! For an edge and a face at t = 0, it suffices that g is not 0 and g · (x_i − x_j) ≥ 0. An edge that
+//! pierces a face has a point inside of itself in common with the inside of the face; there, all of
+//! these products would be 0, so that g would be orthogonal to the edge and to the plane of the face,
+//! which the edge is not in: g would be 0.
 
 use dashu_int::IBig;
 
@@ -29,8 +31,8 @@ pub struct Stretch {
     pub to: Option<Point>,
 }
 
-/// Returns true if stretches prove that a pair is not within its distance at any time from `start` to the end of the
-/// last one. Times must increase, but a single stretch may have the length 0.
+/// Returns true if stretches prove that a pair is not within its distance at any time from `start` to
+/// the end of the last one. Times must increase, but a single stretch may have the length 0.
 #[must_use]
 pub fn is_apart(motion: &Motion, kind: Kind, pair: &Pair, start: f64, stretches: &[Stretch]) -> bool {
     let mut start = start;

@@ -1,9 +1,10 @@
 //! All pairs of primitives that boxes do not separate.
 //!
-//! The box of a primitive has the least and the largest coordinates of its vertices at t = 0 and at t = T. A node of
-//! the tree has the union of the boxes below it. Two nodes are pruned only if one axis separates them by more than
-//! the distance at both times, in the same order: then every coordinate of one side minus any of the other is beyond
-//! the distance at both times, so at all times between, because it is linear. Nothing else is left out.
+//! The box of a primitive has the least and the largest coordinates of its vertices at t = 0 and at t =
+//! T. A node of the tree has the union of the boxes below it. Two nodes are pruned only if one axis
+//! separates them by more than the distance at both times, in the same order: then every coordinate of
+//! one side minus any of the other is beyond the distance at both times, so at all times between,
+//! because it is linear. Nothing else is left out.
 
 use crate::grid::Grid;
 use crate::mesh::{Kind, Mesh};
@@ -29,8 +30,9 @@ impl Extent {
         Self([0, 1].map(|end| [0, 1, 2].map(|k| axis(end, k))))
     }
 
-    /// The exact coordinates are less than 1 above the rounded ones, so a difference of more than the distance
-    /// between rounded coordinates, which is at least 1 more, is one between exact coordinates.
+    /// The exact coordinates are less than 1 above the rounded ones, so a difference of more than the
+    /// distance between rounded coordinates, which is at least 1 more, is one between exact
+    /// coordinates.
     fn is_separate(&self, other: &Self, distance: i64) -> bool {
         let [p, q] = [&self.0, &other.0];
         (0..3).any(|axis| {
@@ -42,7 +44,8 @@ impl Extent {
     }
 }
 
-/// A binary tree: a node with n primitives is followed by the nodes of its first n / 2, then those of the others.
+/// A binary tree: a node with n primitives is followed by the nodes of its first n / 2, then those of
+/// the others.
 #[derive(Debug)]
 struct Tree {
     nodes: Vec<Extent>,
@@ -136,7 +139,8 @@ impl Search<'_> {
     }
 }
 
-/// Passes each pair of a kind that counts and that the boxes do not separate to a function, until it returns false.
+/// Passes each pair of a kind that counts and that the boxes do not separate to a function, until it
+/// returns false.
 pub fn pairs(mesh: &Mesh, grid: &Grid, kind: Kind, mut emit: impl FnMut([u32; 2]) -> bool) {
     // The statement about edges and faces is about contact at t = 0.
     let (ends, distance) = if kind == Kind::EdgeFace { ([0, 0], 0) } else { ([0, 1], grid.distance()) };

@@ -29,7 +29,8 @@ pub(crate) struct CertificateOption {
 /// A certificate in the making, if one is asked for.
 pub(crate) struct Certificate<'a> {
     making: Option<(&'a Path, Maker)>,
-    /// True if an edge pierces a face at the start, or primitives touch in the first frame: there is nothing to prove.
+    /// True if an edge pierces a face at the start, or primitives touch in the first frame: there is
+    /// nothing to prove.
     is_broken: bool,
     steps: usize,
 }
