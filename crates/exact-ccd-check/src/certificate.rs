@@ -95,9 +95,9 @@ pub fn stretches(bytes: &mut Bytes<'_>, until: f64) -> Result<Vec<Stretch>, Fail
 }
 
 /// The direction of a single stretch to T that does not turn, of at most four bytes a component, if the next
-/// stretch is such a one: most are.
+/// stretch is such a one, as most are; and the number of its bytes.
 #[must_use]
-pub fn single(bytes: &Bytes<'_>) -> Option<[i64; 3]> {
+pub fn single(bytes: &Bytes<'_>) -> Option<([i64; 3], usize)> {
     let (&tag, rest) = bytes.0.split_first()?;
     let size = match tag {
         0 => 1,
@@ -110,7 +110,7 @@ pub fn single(bytes: &Bytes<'_>) -> Option<[i64; 3]> {
         let sign = if bytes[size - 1] < 128 { 0 } else { -1 };
         Some(bytes.iter().rev().fold(sign, |value, &byte| value << 8 | i64::from(byte)))
     };
-    Some([component(0)?, component(1)?, component(2)?])
+    Some(([component(0)?, component(1)?, component(2)?], 1 + 3 * size))
 }
 
 fn direction(bytes: &mut Bytes<'_>, size: usize) -> Result<Point, Failure> {

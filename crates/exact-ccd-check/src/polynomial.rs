@@ -76,8 +76,8 @@ impl Polynomial {
 /// The scalar product.
 #[must_use]
 pub fn dot(a: &Vector, b: &Vector) -> Polynomial {
-    let minus = |x: &Polynomial| Polynomial(x.0.iter().map(|c| -c).collect());
-    a[0].times(&b[0]).minus(&minus(&a[1].times(&b[1]))).minus(&minus(&a[2].times(&b[2])))
+    let [x, y, z] = [0, 1, 2].map(|axis: usize| a[axis].times(&b[axis]).0);
+    Polynomial(x.into_iter().zip(y).zip(z).map(|((x, y), z)| x + y + z).collect())
 }
 
 /// The vector product.

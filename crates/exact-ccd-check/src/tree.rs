@@ -6,41 +6,35 @@
 //! one side minus any of the other is beyond the distance at both times, so at all times between,
 //! because it is linear. Nothing else is left out.
 
+use std::array::from_fn;
+
 use crate::grid::Grid;
 use crate::mesh::{Kind, Mesh};
 
-/// The least and the largest rounded coordinates at both times.
+/// The least x and the least −x of the rounded coordinates x, on each axis and at both times.
 #[derive(Clone, Copy, Debug)]
 struct Extent([[[i64; 2]; 3]; 2]);
 
 impl Extent {
     fn of(grid: &Grid, vertices: [u32; 3], ends: [usize; 2]) -> Self {
-        Self(ends.map(|end| {
-            let [a, b, c] = vertices.map(|vertex| grid.point(end, vertex));
-            [0, 1, 2]
-                .map(|axis: usize| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])])
-        }))
+        let of_vertex = |vertex| Self(ends.map(|end| grid.point(end, vertex).map(|x| [x, -x])));
+        let [a, b, c] = vertices.map(of_vertex);
+        a.union(&b).union(&c)
     }
 
     fn union(&self, other: &Self) -> Self {
-        let axis = |end: usize, axis: usize| {
-            let ([a, b], [c, d]) = (self.0[end][axis], other.0[end][axis]);
-            [a.min(c), b.max(d)]
-        };
-        Self([0, 1].map(|end| [0, 1, 2].map(|k| axis(end, k))))
+        let least =
+            |end: usize, axis: usize, side: usize| self.0[end][axis][side].min(other.0[end][axis][side]);
+        Self(from_fn(|end| from_fn(|axis| from_fn(|side| least(end, axis, side)))))
     }
 
-    /// The exact coordinates are less than 1 above the rounded ones, so a difference of more than the
-    /// distance between rounded coordinates, which is at least 1 more, is one between exact
-    /// coordinates.
+    /// The least x on one side plus the least −x on the other is the gap between them. The exact
+    /// coordinates are less than 1 above the rounded ones, so a gap of more than the distance between
+    /// rounded coordinates, which is at least 1 more, is one between exact coordinates.
     fn is_separate(&self, other: &Self, distance: i64) -> bool {
-        let [p, q] = [&self.0, &other.0];
-        (0..3).any(|axis| {
-            let above = |a: &[[[i64; 2]; 3]; 2], b: &[[[i64; 2]; 3]; 2]| {
-                (0..2).all(|end| a[end][axis][0] - b[end][axis][1] > distance)
-            };
-            above(p, q) || above(q, p)
-        })
+        let gap =
+            |end: usize, axis: usize, side: usize| self.0[end][axis][side] + other.0[end][axis][1 - side];
+        (0..6).any(|k| (0..2).all(|end| gap(end, k / 2, k % 2) > distance))
     }
 }
 
@@ -93,12 +87,11 @@ fn build(leaves: &mut [(u32, Extent)], nodes: &mut Vec<Extent>) {
     };
     nodes.push(all);
     if leaves.len() > 1 {
-        let length = |axis: &usize| all.0[0][*axis][1] - all.0[0][*axis][0];
-        let axis = (0..3).max_by_key(length).unwrap_or(0);
+        // The longest axis has the least sum, and the middle of a box on it is half of the difference.
+        let axis = (0..3).min_by_key(|&axis: &usize| all.0[0][axis][0] + all.0[0][axis][1]).unwrap_or(0);
         let middle = leaves.len() / 2;
         leaves.select_nth_unstable_by_key(middle, |(id, extent)| {
-            let [low, high] = extent.0[0][axis];
-            (low / 2 + high / 2, *id)
+            (extent.0[0][axis][0] - extent.0[0][axis][1], *id)
         });
         let (first, second) = leaves.split_at_mut(middle);
         build(first, nodes);
