@@ -9,13 +9,12 @@ use exact_ccd_check::Pair;
 use exact_ccd_check::motion::{Motion, Point, Time};
 use exact_ccd_check::separation::dot;
 
-/// All candidates at a time.
-pub(crate) fn directions(motion: &Motion, pair: &Pair, time: f64) -> Vec<Point> {
-    let time = Time::new(time);
+/// All candidates at a time, those of the same features at the same places for all times. Some may be 0.
+pub(crate) fn directions(motion: &Motion, pair: &Pair, time: &Time) -> Vec<Point> {
     let points: Vec<Point> = pair
         .vertices()
         .iter()
-        .map(|&vertex| motion.at(vertex, &time))
+        .map(|&vertex| motion.at(vertex, time))
         .collect();
     let (first, second) = points.split_at(pair.first());
     let corners: Vec<Point> = first
