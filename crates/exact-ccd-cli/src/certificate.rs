@@ -127,8 +127,11 @@ impl Certificate<'_> {
         let Some((place, maker)) = self.making else {
             return Ok(None);
         };
-        let failed = if self.is_broken || self.steps == 0 {
-            "no certificate: the mesh touches itself or passes through itself in the first frame, or there is no step"
+        let failed = if !self.is_broken && self.steps == 0 {
+            "no certificate: a single frame has no step; name the next one, or the same file twice".to_owned()
+        } else if self.is_broken {
+            "no certificate: the mesh passes through itself or touches itself in the first frame, so that nothing can \
+             be proved; of a step, --no-start-check leaves the first statement out"
                 .to_owned()
         } else {
             match maker.finish() {
