@@ -7,8 +7,8 @@ use proof::{Scene, certify, verify};
 
 #[test]
 fn the_certificate_of_the_documentation() {
-    let at = |z: f64| vec![[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [1.0, 1.0, z]];
-    let scene = Scene::new(&[[0, 1, 2]], &[], [at(3.0), at(-1.0)]);
+    let at = |z: f64| vec![[0.0, 0.0, 0.0], [8.0, 0.0, 8.0], [0.0, 8.0, 0.0], [1.0, 1.0, z]];
+    let scene = Scene::new(&[[0, 1, 2]], &[], [at(4.0), at(0.0)]);
     let certificate = certify(&scene, 0.0).unwrap();
     let table = include_str!("../../../docs/certificates.md")
         .split("| bytes | meaning |")
