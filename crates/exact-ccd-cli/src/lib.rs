@@ -5,6 +5,7 @@
 mod audit;
 #[cfg(feature = "queries")]
 mod bench;
+mod certificate;
 mod contacts;
 #[cfg(feature = "queries")]
 mod convert;

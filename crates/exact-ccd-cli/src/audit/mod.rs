@@ -11,6 +11,7 @@ use std::time::{Duration, Instant};
 use exact_ccd::Separation;
 use exact_ccd_mesh::{Audit, Frame, MotionError, Step, Violation};
 
+use crate::certificate::CertificateOption;
 use crate::contacts::{ContactList, ContactRecord, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
@@ -68,6 +69,8 @@ pub(crate) struct Arguments {
     /// that were found as points, contacts.vtp, to this folder, for ParaView.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    certificate: CertificateOption,
     /// Print the report as a JSON object. docs/reports.md has its schema.
     #[arg(long)]
     json: bool,
@@ -99,6 +102,14 @@ impl Examination {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.check_outputs()?;
+    let mut certificate = arguments
+        .certificate
+        .begin(&arguments.frames, arguments.min_distance)?;
+    if certificate.is_wanted() && arguments.all.is_some() {
+        return Err(Failure::new(
+            "a certificate ends with the first violation: leave out --all",
+        ));
+    }
     let clock = Instant::now();
     let mut notes = Notes::default();
     let mut scene = Scene::of_sequence(
@@ -133,6 +144,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let Some(last) = examination.last() else {
                 continue;
             };
+            timed(&mut write, || {
+                certificate.add_frame(before.as_deref(), last, &violations)
+            })?;
             timed(&mut write, || {
                 violations
                     .iter()
@@ -194,7 +208,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         report.to_string()
     };
     print(&text)?;
-    Ok(ExitCode::from(u8::from(!report.collision_free)))
+    let status = ExitCode::from(u8::from(!report.collision_free));
+    Ok(certificate.finish()?.unwrap_or(status))
 }
 
 /// Runs `work`, and adds its duration to a sum.

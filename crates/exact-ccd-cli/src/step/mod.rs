@@ -15,6 +15,7 @@ use exact_ccd_mesh::{
     MinDistance, Motion, StepError, StepReport, intersections,
 };
 
+use crate::certificate::CertificateOption;
 use crate::contacts::{ContactList, ContactRecord, ListFile};
 use crate::distances::{Distances, kept};
 use crate::failure::Failure;
@@ -90,6 +91,8 @@ pub(crate) struct Arguments {
     /// this folder, for ParaView.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    certificate: CertificateOption,
     /// Repeat the computation N times, for measurements, and report the run of median duration.
     /// With --toi or --any, memory and the order of the primitives are kept from run to run, as in
     /// a simulation.
@@ -104,6 +107,14 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     arguments.check_outputs()?;
+    let mut certificate = arguments
+        .certificate
+        .begin(&arguments.files, arguments.min_distance)?;
+    if certificate.is_wanted() && (arguments.files.len() != 2 || arguments.inner_distance.is_some()) {
+        return Err(Failure::new(
+            "a certificate is about one pair of files, without --inner-distance",
+        ));
+    }
     let (mut clock, mut phases) = (Laps::begin(), Phases::default());
     let mut notes = Notes::default();
     let (scene, motion) = during(progress::stage("reading"), |_| arguments.read(&mut notes))?;
@@ -173,7 +184,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     } else {
         output.to_string()
     })?;
-    Ok(ExitCode::from(u8::from(!output.collision_free)))
+    if certificate.is_wanted() {
+        let earliest = detector.earliest_contact(&problem.motion.x0, &problem.motion.x1)?;
+        let starts_apart = (!arguments.no_start_check).then_some(start.is_empty());
+        certificate.add_step(&problem.motion, earliest.as_ref(), starts_apart)?;
+    }
+    let status = ExitCode::from(u8::from(!output.collision_free));
+    Ok(certificate.finish()?.unwrap_or(status))
 }
 
 /// A motion, the ids of its vertices and faces, and the meaning of contact in it.

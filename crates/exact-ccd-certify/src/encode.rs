@@ -1,0 +1,104 @@
+//! The bytes of a certificate, as `exact_ccd_check::certificate` reads them.
+
+use dashu_int::IBig;
+use exact_ccd_check::Kind;
+use exact_ccd_check::contact::Proof;
+use exact_ccd_check::motion::Point;
+use exact_ccd_check::separation::Stretch;
+
+/// A number in groups of seven bits.
+pub(crate) fn number(bytes: &mut Vec<u8>, mut number: u32) {
+    while number >= 128 {
+        bytes.push(number as u8 | 128);
+        number >>= 7;
+    }
+    bytes.push(number as u8);
+}
+
+/// The indices of a pair, after those of the one before.
+pub(crate) fn ids(bytes: &mut Vec<u8>, last: Option<[u32; 2]>, [a, b]: [u32; 2]) {
+    match last {
+        Some([c, d]) if a == c => {
+            number(bytes, 0);
+            number(bytes, b - d - 1);
+        }
+        _ => {
+            number(bytes, a - last.map_or(0, |[c, _]| c));
+            number(bytes, b);
+        }
+    }
+}
+
+/// The stretches of a pair.
+pub(crate) fn stretches(bytes: &mut Vec<u8>, stretches: &[Stretch]) {
+    for (number, stretch) in (1..).zip(stretches) {
+        let directions = [Some(&stretch.from), stretch.to.as_ref()].into_iter().flatten();
+        let components: Vec<&IBig> = directions.flatten().collect();
+        let needed = components
+            .iter()
+            .map(|component| signed(component).len())
+            .max()
+            .unwrap_or(1);
+        let size = needed.next_power_of_two();
+        let is_last = number == stretches.len();
+        bytes.push(
+            (size.trailing_zeros() as u8) << 2 | u8::from(stretch.to.is_some()) << 1 | u8::from(!is_last),
+        );
+        if !is_last {
+            bytes.extend(stretch.end.to_le_bytes());
+        }
+        for component in components {
+            let mut signed = signed(component);
+            let sign = if *component < IBig::ZERO { 255 } else { 0 };
+            signed.resize(size, sign);
+            bytes.extend(signed);
+        }
+    }
+}
+
+/// The proof of a contact.
+pub(crate) fn contact(bytes: &mut Vec<u8>, kind: Kind, ids: [u32; 2], proof: &Proof) {
+    bytes.push(Kind::ALL.iter().position(|other| *other == kind).unwrap_or(0) as u8);
+    number(bytes, ids[0]);
+    number(bytes, ids[1]);
+    match proof {
+        Proof::Point(weights) => {
+            bytes.push(0);
+            integers(bytes, weights);
+        }
+        Proof::Coplanar { axis, factor } => {
+            bytes.extend([1, *axis as u8]);
+            integers(bytes, factor.as_ref().map_or(&[], |factor| &factor.0[..]));
+        }
+        Proof::OnEdge { row, factor } => {
+            bytes.extend([2, *row as u8]);
+            integers(bytes, &factor.0);
+        }
+    }
+}
+
+fn integers(bytes: &mut Vec<u8>, integers: &[IBig]) {
+    bytes.push(integers.len() as u8);
+    for integer in integers {
+        let signed = signed(integer);
+        number(bytes, signed.len() as u32);
+        bytes.extend(signed);
+    }
+}
+
+/// The two's complement of an integer, with at least one byte.
+fn signed(x: &IBig) -> Vec<u8> {
+    let bytes = x.to_le_bytes();
+    if bytes.is_empty() {
+        vec![0]
+    } else {
+        bytes.into_vec()
+    }
+}
+
+/// True if a direction has a size of the format.
+pub(crate) fn fits(direction: &Point) -> bool {
+    direction
+        .iter()
+        .all(|component| component.to_le_bytes().len() <= 1 << 15)
+}

@@ -1,0 +1,184 @@
+//! The maker of certificates.
+
+use exact_ccd::{Point, Separation};
+use exact_ccd_check::certificate::{CONTACT, FREE, MAGIC, REST};
+use exact_ccd_check::grid::Grid;
+use exact_ccd_check::motion::{Motion, Time};
+use exact_ccd_check::separation::Stretch;
+use exact_ccd_check::{Failure, Kind, Mesh, tree};
+use exact_ccd_mesh::{Contact, Pair, TriangleMesh};
+use rayon::prelude::*;
+
+use crate::stretches::Step;
+use crate::{contact, encode};
+
+/// A certificate in the making: steps are added in the order of time.
+#[derive(Clone, Debug)]
+pub struct Maker {
+    bytes: Vec<u8>,
+    distance: f64,
+    uncertified: Uncertified,
+}
+
+/// The reason why a step cannot be added.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MakerError {
+    /// The positions are not those of a mesh in motion.
+    #[error("{0}: pass as many finite positions as the mesh has vertices")]
+    Motion(Failure),
+}
+
+/// The pairs for which no proof was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{missing} of {pairs} pairs not certified{}: a shorter step, or a smaller distance, may have a certificate",
+    first.as_ref().map(|first| format!(", the first of them {first}")).unwrap_or_default()
+)]
+pub struct Uncertified {
+    /// The number of pairs without a proof.
+    pub missing: usize,
+    /// The number of pairs that boxes do not separate, and that need a proof.
+    pub pairs: usize,
+    /// The first pair without a proof, by name.
+    pub first: Option<String>,
+}
+
+impl Uncertified {
+    fn add(&mut self, kind: Kind, [a, b]: [u32; 2]) {
+        let [first, second] = kind.names();
+        self.missing += 1;
+        self.first
+            .get_or_insert_with(|| format!("{first} {a} and {second} {b}"));
+    }
+}
+
+impl Maker {
+    /// A certificate without steps, about a distance, which is 0 for contact.
+    #[must_use]
+    pub fn new(distance: Separation) -> Self {
+        let distance = distance.get();
+        let bytes = [MAGIC, &distance.to_le_bytes()].concat();
+        Self {
+            bytes,
+            distance,
+            uncertified: Uncertified::default(),
+        }
+    }
+
+    /// The number of pairs that needed a proof so far, and the number of those without one.
+    #[must_use]
+    pub fn counts(&self) -> [usize; 2] {
+        [self.uncertified.pairs, self.uncertified.missing]
+    }
+
+    /// Adds the step of a mesh from the first positions to the second: that it is free until its
+    /// earliest contact, and has that contact; and, with `rest`, that no edge pierces a face at its
+    /// start.
+    ///
+    /// # Errors
+    /// If there are too many or too few positions, or one is not finite.
+    pub fn add_step(
+        &mut self,
+        mesh: &TriangleMesh,
+        positions: [&[Point]; 2],
+        rest: bool,
+        earliest: Option<&Contact>,
+    ) -> Result<(), MakerError> {
+        let [free, contact] = times(earliest);
+        let motion = Motion::new(positions[0], positions[1], self.distance).map_err(MakerError::Motion)?;
+        let mesh = Mesh::new(positions[0].len(), mesh.faces().to_vec(), mesh.loose_edges())
+            .map_err(MakerError::Motion)?;
+        let flag = |is_on: bool, flag: u8| if is_on { flag } else { 0 };
+        self.bytes
+            .push(flag(rest, REST) | flag(free.is_some(), FREE) | flag(contact.is_some(), CONTACT));
+        for time in [free, contact].into_iter().flatten() {
+            self.bytes.extend(time.to_le_bytes());
+        }
+        let until = free.unwrap_or(0.0);
+        if rest || free.is_some() {
+            let grid = Grid::new(&motion, &Time::new(until));
+            let step = Step {
+                motion: &motion,
+                grid: &grid,
+                positions,
+                distance: self.distance,
+                until,
+            };
+            if rest {
+                self.add_table(&mesh, &step, Kind::EdgeFace);
+            }
+            for kind in Kind::ALL.into_iter().take(4).filter(|_| free.is_some()) {
+                self.add_table(&mesh, &step, kind);
+            }
+        }
+        if let (Some(earliest), Some(time)) = (earliest, contact) {
+            let kind = match earliest.pair {
+                Pair::VertexFace { .. } => Kind::VertexFace,
+                Pair::EdgeEdge { .. } => Kind::EdgeEdge,
+                Pair::VertexEdge { .. } => Kind::VertexEdge,
+                Pair::VertexVertex { .. } => Kind::VertexVertex,
+            };
+            let ids = earliest.pair.ids();
+            let pair = mesh.pair(kind, ids);
+            let proof = pair.and_then(|pair| contact::proof(&motion, kind, &pair, [until, time]));
+            self.uncertified.pairs += 1;
+            match proof {
+                Some(proof) => encode::contact(&mut self.bytes, kind, ids, &proof),
+                None => self.uncertified.add(kind, ids),
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds the proofs of one kind of pairs.
+    fn add_table(&mut self, mesh: &Mesh, step: &Step<'_>, kind: Kind) {
+        let mut needed = Vec::new();
+        tree::pairs(mesh, step.grid, kind, |ids| {
+            needed.push(ids);
+            true
+        });
+        needed.par_sort_unstable();
+        let proof = |&ids: &[u32; 2]| step.stretches(kind, &mesh.pair(kind, ids)?);
+        let proofs: Vec<Option<Vec<Stretch>>> = needed.par_iter().map(proof).collect();
+        encode::number(&mut self.bytes, needed.len() as u32);
+        let mut last = None;
+        for (ids, proof) in needed.iter().zip(&proofs) {
+            let proof = proof
+                .as_ref()
+                .filter(|proof| proof.iter().all(|stretch| encode::fits(&stretch.from)));
+            match proof {
+                Some(proof) => {
+                    encode::ids(&mut self.bytes, last, *ids);
+                    encode::stretches(&mut self.bytes, proof);
+                    last = Some(*ids);
+                }
+                None => self.uncertified.add(kind, *ids),
+            }
+        }
+        self.uncertified.pairs += needed.len();
+    }
+
+    /// The certificate.
+    ///
+    /// # Errors
+    /// The number of pairs for which no proof was found, if there are any: the certificate would be refused.
+    pub fn finish(self) -> Result<Vec<u8>, Uncertified> {
+        if self.uncertified.missing > 0 {
+            Err(self.uncertified)
+        } else {
+            Ok(self.bytes)
+        }
+    }
+}
+
+/// The last f64 before the earliest contact, and the first that is not before it. Without a contact,
+/// the end of the step; if it is at t = 0, no f64 is before it.
+fn times(earliest: Option<&Contact>) -> [Option<f64>; 2] {
+    match earliest.map(|contact| contact.impact.time) {
+        None => [Some(1.0), None],
+        Some(time) if time.is_start() => [None, Some(0.0)],
+        Some(time) if time.is_exact() => [Some(time.lower().next_down()), Some(time.lower())],
+        Some(time) => [Some(time.lower()), Some(time.upper())],
+    }
+}

@@ -1,0 +1,196 @@
+//! The statements of a certificate, proved or refused.
+//!
+//! A table has the proofs of one kind of pairs, sorted. The pairs that need a proof are found here, and
+//! each must be in the table. There are at most as many as the table has bytes, or the certificate is
+//! refused: memory and time are bounded by the sizes of the files.
+
+use std::fmt;
+
+use crate::bytes::Bytes;
+use crate::certificate::{self, Head, MAGIC};
+use crate::contact;
+use crate::failure::{Failure, refused, unreadable};
+use crate::grid::Grid;
+use crate::mesh::{Kind, Mesh};
+use crate::motion::{Motion, Time};
+use crate::ply::Frame;
+use crate::separation::is_apart;
+use crate::tree;
+
+/// The statements that have been proved, in the order of the steps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proved {
+    /// The distance d.
+    pub distance: f64,
+    /// The statements of each step.
+    pub steps: Vec<Step>,
+}
+
+/// The statements about one step that have been proved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step {
+    /// The statements.
+    pub head: Head,
+    /// The kind and the indices of the contact.
+    pub contact: Option<(Kind, [u32; 2])>,
+    /// The number of pairs that boxes do not separate.
+    pub pairs: usize,
+}
+
+/// Checks a certificate about frames of one mesh, in their order.
+///
+/// # Errors
+/// The reason why it is not accepted.
+pub fn check(
+    certificate: &[u8],
+    frames: impl IntoIterator<Item = Result<Frame, Failure>>,
+) -> Result<Proved, Failure> {
+    let mut bytes = Bytes(certificate);
+    if bytes.take(MAGIC.len())? != MAGIC {
+        return unreadable("the first line of the certificate is not `exact-ccd certificate 1`");
+    }
+    let distance = f64::from_le_bytes(bytes.array()?);
+    let mut frames = frames.into_iter();
+    let mut last = frames.next().unwrap_or_else(|| unreadable("there are no frames"))?;
+    let mut steps: Vec<Step> = Vec::new();
+    for frame in frames {
+        let next = frame?;
+        if last.mesh != next.mesh || next.mesh.vertex_count as usize != next.positions.len() {
+            return unreadable(format!("frames {} and {} are not of one mesh", steps.len(), steps.len() + 1));
+        }
+        let motion = Motion::new(&last.positions, &next.positions, distance)?;
+        let step = check_step(&mut bytes, &last.mesh, &motion);
+        steps.push(step.map_err(|failure| in_step(failure, steps.len()))?);
+        last = next;
+    }
+    if !bytes.0.is_empty() || steps.is_empty() {
+        return refused("the certificate is about another number of frames");
+    }
+    Ok(Proved { distance, steps })
+}
+
+fn in_step(failure: Failure, step: usize) -> Failure {
+    match failure {
+        Failure::Unreadable(reason) => Failure::Unreadable(format!("step {step}: {reason}")),
+        Failure::Refused(reason) => Failure::Refused(format!("step {step}: {reason}")),
+    }
+}
+
+fn check_step(bytes: &mut Bytes<'_>, mesh: &Mesh, motion: &Motion) -> Result<Step, Failure> {
+    let head = Head::read(bytes)?;
+    let mut pairs = 0;
+    if head.rest || head.free.is_some() {
+        let until = head.free.unwrap_or(0.0);
+        let grid = Grid::new(motion, &Time::new(until));
+        if head.rest {
+            pairs += check_table(bytes, (mesh, motion, &grid), Kind::EdgeFace, 0.0)?;
+        }
+        for kind in Kind::ALL.into_iter().take(4).filter(|_| head.free.is_some()) {
+            pairs += check_table(bytes, (mesh, motion, &grid), kind, until)?;
+        }
+    }
+    let mut contact = None;
+    if let Some(time) = head.contact {
+        let (kind, ids, proof) = certificate::contact(bytes)?;
+        let Some(pair) = mesh.pair(kind, ids) else {
+            return refused(format!("{} are no pair that counts", Named(kind, ids)));
+        };
+        if !contact::is_contact(motion, kind, &pair, [head.free.unwrap_or(0.0), time], &proof) {
+            return refused(format!("the contact of {} is not proved", Named(kind, ids)));
+        }
+        contact = Some((kind, ids));
+    }
+    Ok(Step { head, contact, pairs })
+}
+
+/// Checks the table of one kind, and returns the number of pairs that boxes do not separate.
+fn check_table(
+    bytes: &mut Bytes<'_>,
+    (mesh, motion, grid): (&Mesh, &Motion, &Grid),
+    kind: Kind,
+    until: f64,
+) -> Result<usize, Failure> {
+    let count = bytes.number()? as usize;
+    // Every row has at least five bytes.
+    if count > bytes.0.len() {
+        return unreadable("the certificate ends too early");
+    }
+    let mut needed = Vec::new();
+    tree::pairs(mesh, grid, kind, |ids| {
+        needed.push(ids);
+        needed.len() <= count
+    });
+    if needed.len() > count {
+        let [a, b] = kind.names();
+        return refused(format!(
+            "more than {count} pairs of kind {a} and {b} need a proof, and {count} have one"
+        ));
+    }
+    needed.sort_unstable();
+    let (total, mut needed) = (needed.len(), needed.into_iter().peekable());
+    let ends: &[usize] = if kind == Kind::EdgeFace { &[0] } else { &[0, 1] };
+    let mut last = None;
+    for _ in 0..count {
+        let ids = certificate::next_ids(bytes, last)?;
+        last = Some(ids);
+        if needed.peek().is_some_and(|needed| *needed < ids) {
+            break;
+        }
+        needed.next_if_eq(&ids);
+        let Some(pair) = mesh.pair(kind, ids) else {
+            return refused(format!("{} are no pair that counts", Named(kind, ids)));
+        };
+        let is_proved = match certificate::single(bytes) {
+            Some((g, length)) if grid.separates(&pair, g, ends) => bytes.take(length).is_ok(),
+            _ => is_apart(motion, kind, &pair, 0.0, &certificate::stretches(bytes, until)?),
+        };
+        if !is_proved {
+            return refused(format!("{} are not proved to be apart until t = {until:?}", Named(kind, ids)));
+        }
+    }
+    match needed.next() {
+        Some(ids) => refused(format!("there is no proof that {} are apart", Named(kind, ids))),
+        None => Ok(total),
+    }
+}
+
+/// The name of a pair.
+struct Named(Kind, [u32; 2]);
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ([a, b], [i, j]) = (self.0.names(), self.1);
+        write!(f, "{a} {i} and {b} {j}")
+    }
+}
+
+/// One sentence for each statement, each on a line.
+impl fmt::Display for Proved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (near, first) = match self.distance {
+            0.0 => ("in contact".to_owned(), "The earliest contact is that of".to_owned()),
+            d => (format!("within {d:?} of each other"), format!("The first within {d:?} of each other are")),
+        };
+        for (number, step) in self.steps.iter().enumerate() {
+            let Step { head, contact, pairs } = step;
+            let next = number + 1;
+            writeln!(f, "step from frame {number} to frame {next}, {pairs} pairs next to each other:")?;
+            if head.rest {
+                writeln!(f, "  No edge pierces a face at t = 0.")?;
+            }
+            if let Some(until) = head.free {
+                writeln!(f, "  No two primitives are {near} at any time of [0, {until:?}].")?;
+            }
+            if let (Some((kind, ids)), Some(time)) = (contact, head.contact) {
+                let pair = Named(*kind, *ids);
+                match head.free {
+                    None => writeln!(f, "  At t = 0, {pair} are {near}.")?,
+                    Some(until) => {
+                        writeln!(f, "  {first} {pair}, at a time after {until:?} and not after {time:?}.")?
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+}

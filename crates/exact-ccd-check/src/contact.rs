@@ -1,0 +1,164 @@
+//! The proof that two primitives are in contact, or within the distance, at a time after T and not after T⁺.
+//!
+//! Three proofs, of which any suffices:
+//!
+//! - *A point at T⁺.* Weights, not negative and with the same positive sum w for either primitive, name
+//!   a point of each. Their difference, times w, is a vector of integers of length at most w d.
+//! - *A root of coplanarity.* Let n be the normal of the face or of both edges, and c = n · (x_i −
+//!   x_j), which vanishes when all four vertices are in one plane. A polynomial f divides c and has
+//!   different signs at T and T⁺, so c vanishes at a root of f between them. One component of n has a
+//!   strict sign. So have all sides, which are that component times the barycentric coordinates of the
+//!   vertex in the face, or times u, 1 − u, v, 1 − v for the crossing of the lines of the edges; or f
+//!   divides a side, which then is 0. So the vertex is in the face, or the edges meet, at the root.
+//! - *A vertex q on an edge x y.* f, as above, divides all components of (x − q) × (y − q), so that q
+//!   is on the line at a root of f. (x − q) · (y − q) is negative, or f divides it: q is between x and
+//!   y, or at one of them. For two vertices, x = y.
+
+use dashu_int::IBig;
+
+use crate::mesh::{Kind, Pair};
+use crate::motion::{Motion, Time};
+use crate::polynomial::{Polynomial, Vector, cross, difference, dot};
+
+/// A proof of contact.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Proof {
+    /// Points at T⁺: the weights of all vertices of the pair.
+    Point(Vec<IBig>),
+    /// A root of f, or of c itself, at which the component of the normal on this axis does not vanish.
+    Coplanar {
+        /// The axis, from 0.
+        axis: usize,
+        /// f; c itself if there is none.
+        factor: Option<Polynomial>,
+    },
+    /// A root of f at which a vertex is on an edge.
+    OnEdge {
+        /// The row of [`vertex_on_edge`].
+        row: usize,
+        /// f.
+        factor: Polynomial,
+    },
+}
+
+/// Returns true if a proof shows contact of a pair at a time in (T, T⁺], or at T⁺ = 0.
+#[must_use]
+pub fn is_contact(motion: &Motion, kind: Kind, pair: &Pair, times: [f64; 2], proof: &Proof) -> bool {
+    match proof {
+        Proof::Point(weights) => is_near(motion, pair, &Time::new(times[1]), weights),
+        Proof::Coplanar { axis, factor } => {
+            Moving::new(motion, pair, times).is_inside(kind, *axis, factor.as_ref()).unwrap_or(false)
+        }
+        Proof::OnEdge { row, factor } => {
+            Moving::new(motion, pair, times).is_on_edge(kind, *row, factor).unwrap_or(false)
+        }
+    }
+}
+
+fn is_near(motion: &Motion, pair: &Pair, time: &Time, weights: &[IBig]) -> bool {
+    if weights.len() != pair.vertices().len() || weights.iter().any(|weight| *weight < IBig::ZERO) {
+        return false;
+    }
+    let (first, second) = weights.split_at(pair.first());
+    let [sum, other]: [IBig; 2] = [first, second].map(|weights| weights.iter().sum());
+    let mut difference = [IBig::ZERO, IBig::ZERO, IBig::ZERO];
+    for (place, (&vertex, weight)) in pair.vertices().iter().zip(weights).enumerate() {
+        let point = motion.at(vertex, time);
+        for (sum, x) in difference.iter_mut().zip(point) {
+            *sum += if place < pair.first() { weight * x } else { -(weight * x) };
+        }
+    }
+    let reach = if pair.has_distance { (motion.distance() << time.power) * &sum } else { IBig::ZERO };
+    sum > IBig::ZERO && sum == other && crate::separation::dot(&difference, &difference) <= &reach * &reach
+}
+
+/// The vertices of a pair, by their positions at T and T⁺, with one denominator.
+#[derive(Clone, Debug)]
+pub struct Moving(Vec<Vector>);
+
+/// The vertex q and the edge x y of each row of a kind, as places in the pair.
+#[must_use]
+pub fn vertex_on_edge(kind: Kind) -> &'static [[usize; 3]] {
+    match kind {
+        Kind::VertexFace => &[[0, 1, 2], [0, 2, 3], [0, 3, 1]],
+        Kind::EdgeEdge => &[[0, 2, 3], [1, 2, 3], [2, 0, 1], [3, 0, 1]],
+        Kind::VertexEdge => &[[0, 1, 2]],
+        Kind::VertexVertex => &[[0, 1, 1]],
+        Kind::EdgeFace => &[],
+    }
+}
+
+impl Moving {
+    /// The motion from T to T⁺.
+    #[must_use]
+    pub fn new(motion: &Motion, pair: &Pair, times: [f64; 2]) -> Self {
+        let times = times.map(Time::new);
+        let power = times[0].power.max(times[1].power);
+        let times = times.map(|time| time.over(power));
+        let linear = |&vertex: &u32| {
+            let [a, b] = [&times[0], &times[1]].map(|time| motion.at(vertex, time));
+            let mut ends = a.into_iter().zip(b);
+            [0; 3].map(|_| Polynomial(ends.next().map_or(Vec::new(), |(a, b)| vec![a, b])))
+        };
+        Self(pair.vertices().iter().map(linear).collect())
+    }
+
+    fn between(&self, i: usize, j: usize) -> Option<Vector> {
+        Some(difference(self.0.get(i)?, self.0.get(j)?))
+    }
+
+    /// The normal n, the coplanarity c and the sides, each of the vector of which a component counts.
+    #[must_use]
+    pub fn coplanarity(&self, kind: Kind) -> Option<(Vector, Polynomial, Vec<Vector>)> {
+        match kind {
+            Kind::VertexFace => {
+                let normal = cross(&self.between(2, 1)?, &self.between(3, 1)?);
+                let side = |[i, j]: [usize; 2]| Some(cross(&self.between(i, 0)?, &self.between(j, 0)?));
+                let sides = [[1, 2], [2, 3], [3, 1]].into_iter().map(side).collect::<Option<Vec<_>>>()?;
+                let c = dot(&normal, &self.between(0, 1)?);
+                Some((normal, c, sides))
+            }
+            Kind::EdgeEdge => {
+                let [e, f, w] = [self.between(1, 0)?, self.between(3, 2)?, self.between(2, 0)?];
+                let normal = cross(&e, &f);
+                // a0 + u e = b0 + v f, so u e × f = w × f and v e × f = w × e.
+                let [u, v] = [cross(&w, &f), cross(&w, &e)];
+                let c = dot(&normal, &w);
+                let sides = vec![difference(&normal, &u), difference(&normal, &v), u, v];
+                Some((normal, c, sides))
+            }
+            _ => None,
+        }
+    }
+
+    /// The components of (x − q) × (y − q), and (x − q) · (y − q).
+    #[must_use]
+    pub fn on_edge(&self, kind: Kind, row: usize) -> Option<(Vector, Polynomial)> {
+        let &[q, x, y] = vertex_on_edge(kind).get(row)?;
+        let [x, y] = [self.between(x, q)?, self.between(y, q)?];
+        Some((cross(&x, &y), dot(&x, &y)))
+    }
+
+    fn is_inside(&self, kind: Kind, axis: usize, factor: Option<&Polynomial>) -> Option<bool> {
+        let (normal, c, sides) = self.coplanarity(kind)?;
+        let factor = factor.unwrap_or(&c);
+        let component = normal.get(axis)?;
+        let sign = if component.has_sign(1) { 1 } else { -1 };
+        let is_inner = |side: &Vector| side[axis].has_sign(sign) || side[axis].is_multiple_of(factor);
+        Some(
+            factor.changes_sign()
+                && c.is_multiple_of(factor)
+                && component.has_sign(sign)
+                && sides.iter().all(is_inner),
+        )
+    }
+
+    fn is_on_edge(&self, kind: Kind, row: usize, factor: &Polynomial) -> Option<bool> {
+        let (cross, dot) = self.on_edge(kind, row)?;
+        Some(
+            factor.changes_sign()
+                && cross.iter().all(|component| component.is_multiple_of(factor))
+                && (dot.has_sign(-1) || dot.is_multiple_of(factor)),
+        )
+    }
+}

@@ -1,0 +1,120 @@
+//! The positions of all vertices as integers, and times as ratios.
+//!
+//! A finite f64 is an integer times a power of two. Divided by the least such power of all coordinates
+//! and of the distance, all of them are integers. At the time t = k / 2^m, a vertex that moves from a
+//! to b is at ((2^m − k) a + k b) / 2^m, and 2^m times that is an integer again.
+
+use dashu_int::IBig;
+
+use crate::failure::{Failure, unreadable};
+
+/// A point with integer coordinates.
+pub type Point = [IBig; 3];
+
+/// A finite f64 as an integer, odd or 0, times a power of two; `None` for others.
+#[must_use]
+pub fn dyadic(x: f64) -> Option<(i64, i32)> {
+    let bits = x.to_bits();
+    let (exponent, fraction) = ((bits >> 52 & 2047) as i32, (bits & ((1 << 52) - 1)) as i64);
+    let (mantissa, exponent) = match exponent {
+        2047 => return None,
+        0 => (fraction, -1074),
+        _ => (fraction | 1 << 52, exponent - 1075),
+    };
+    // The exponent of 0 is that of the largest f64: it is no reason for a smaller unit.
+    if mantissa == 0 {
+        return Some((0, 971));
+    }
+    let zeros = mantissa.trailing_zeros();
+    let mantissa = mantissa >> zeros;
+    Some((if bits >> 63 == 0 { mantissa } else { -mantissa }, exponent + zeros as i32))
+}
+
+/// A mesh in motion from one frame to the next, and the distance that counts as contact.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    ends: [Vec<Point>; 2],
+    distance: IBig,
+}
+
+impl Motion {
+    /// The motion from the first positions to the second, with a distance d ≥ 0.
+    ///
+    /// # Errors
+    /// If a number is not finite, d is negative, or there are not as many vertices in both.
+    pub fn new(start: &[[f64; 3]], end: &[[f64; 3]], d: f64) -> Result<Self, Failure> {
+        if start.len() != end.len() {
+            return unreadable("the frames have different numbers of vertices");
+        }
+        let mut unit = 971;
+        for &x in start.as_flattened().iter().chain(end.as_flattened()).chain([&d]) {
+            let Some((_, exponent)) = dyadic(x) else {
+                return unreadable("a number is infinite or not a number");
+            };
+            unit = unit.min(exponent);
+        }
+        let whole = |x: f64| {
+            let (mantissa, exponent) = dyadic(x).unwrap_or_default();
+            IBig::from(mantissa) << (exponent - unit).max(0) as usize
+        };
+        let distance = whole(d);
+        if distance < IBig::ZERO {
+            return unreadable("the distance is negative");
+        }
+        let ends = [start, end].map(|x| x.iter().map(|point| point.map(whole)).collect());
+        Ok(Self { ends, distance })
+    }
+
+    /// The position of a vertex at a time, and the distance, both times the denominator of the time.
+    ///
+    /// `vertex` is below the number of vertices.
+    #[must_use]
+    pub fn at(&self, vertex: u32, time: &Time) -> Point {
+        let [a, b] = [0, 1].map(|end: usize| &self.ends[end][vertex as usize]);
+        if time.numerator.is_zero() {
+            return a.clone().map(|a| a << time.power);
+        }
+        let rest = (IBig::ONE << time.power) - &time.numerator;
+        std::array::from_fn(|axis| &rest * &a[axis] + &time.numerator * &b[axis])
+    }
+
+    /// The distance that counts as contact.
+    #[must_use]
+    pub fn distance(&self) -> &IBig {
+        &self.distance
+    }
+
+    /// The number of vertices.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.ends[0].len()
+    }
+}
+
+/// The time numerator / 2^power in [0, 1].
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Time {
+    /// From 0 to 2^power.
+    pub numerator: IBig,
+    /// The logarithm of the denominator.
+    pub power: usize,
+}
+
+impl Time {
+    /// An f64 in [0, 1]; 0 for others.
+    #[must_use]
+    pub fn new(t: f64) -> Self {
+        let (mantissa, exponent) = dyadic(t).unwrap_or_default();
+        match usize::try_from(-exponent) {
+            Ok(power) => Self { numerator: mantissa.into(), power },
+            Err(_) => Self { numerator: IBig::ZERO, power: 0 },
+        }
+    }
+
+    /// The same time with another denominator, that is not less.
+    #[must_use]
+    pub fn over(&self, power: usize) -> Self {
+        let numerator = self.numerator.clone() << power.saturating_sub(self.power);
+        Self { numerator, power: power.max(self.power) }
+    }
+}
