@@ -1,6 +1,6 @@
 //! A step for every vertex: certified to be free of contact.
 
-use exact_ccd::Point;
+use exact_ccd::{Options, Point};
 
 use super::error::LineSearchError;
 use super::free_step::{FreeStepOptions, certified};
@@ -75,7 +75,7 @@ impl<B: BroadPhase> Detector<B> {
         pinned: &[u32],
         options: &FreeStepOptions<'_>,
     ) -> Result<FreeSteps, LineSearchError> {
-        let mut begun = self.begin(x0, x1)?;
+        let mut begun = self.begin(x0, x1, Options::within(options.min_distance.clone()))?;
         let taken = free_steps(begun.search, begun.step, pinned, options)?;
         if taken.blocked.is_empty() {
             begun.found_free(&taken.positions);
@@ -96,7 +96,7 @@ fn free_steps<B: BroadPhase>(
     let mut is_least_certified = !pinned.is_empty();
     let (mut kept, mut rounds, mut blocked) = (1.0, 0, Vec::new());
     loop {
-        let found = sizes.search(search, &watch)?;
+        let found = sizes.search(search, &options.min_distance, &watch)?;
         rounds += 1;
         if found.is_empty() {
             break;
@@ -109,7 +109,7 @@ fn free_steps<B: BroadPhase>(
         let (stuck, retreats): (Vec<_>, Vec<_>) =
             found.into_iter().partition(|retreat| retreat.vertices.is_empty());
         if !stuck.is_empty() && !is_least_certified {
-            let common = certified(search, step, sizes.least(), |size| step.at(size), &watch)?;
+            let common = certified(search, step, sizes.least(), |size| step.at(size), options, &watch)?;
             sizes.set_least(common.map_or(0.0, |(size, _)| size));
             is_least_certified = true;
             continue;

@@ -6,6 +6,7 @@ use super::error::LineSearchError;
 use super::retreat::{Retreat, Retreats};
 use super::watched::{Watch, Watched};
 use crate::broad_phase::BroadPhase;
+use crate::pairs::MinDistance;
 use crate::search::CulledSearch;
 use crate::steps::Step;
 
@@ -62,6 +63,7 @@ impl<'a> Sizes<'a> {
     pub(super) fn search<B: BroadPhase>(
         &self,
         search: &mut CulledSearch<B>,
+        min_distance: &MinDistance,
         watch: &Watch<'_>,
     ) -> Result<Vec<Retreat>, LineSearchError> {
         let [x0, _] = self.step.positions();
@@ -69,8 +71,8 @@ impl<'a> Sizes<'a> {
         let collector = Retreats::new(step, &self.can_retreat);
         let watched = Watched { collector, watch };
         match &self.has_fallen {
-            Some(has_fallen) => search.run_marked(&step, has_fallen, &watched),
-            None => search.run(&step, &watched),
+            Some(has_fallen) => search.run_marked(&step, min_distance, has_fallen, &watched),
+            None => search.run(&step, min_distance, &watched),
         }
         if watch.is_cancelled() {
             return Err(LineSearchError::Cancelled);
