@@ -153,11 +153,17 @@ impl<const T: usize> StepBoxes<T> {
             }
             PrimitiveSet::Faces => {
                 let faces = mesh.faces();
-                boxes.replace(|id| any(&faces[id as usize]), |id| around(moving, &faces[id as usize]));
+                boxes.replace(
+                    |id| any(&faces[id as usize]),
+                    |id| around(moving, &faces[id as usize]),
+                );
             }
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => {
                 let edges = mesh.edges();
-                boxes.replace(|id| any(&edges[id as usize]), |id| around(moving, &edges[id as usize]));
+                boxes.replace(
+                    |id| any(&edges[id as usize]),
+                    |id| around(moving, &edges[id as usize]),
+                );
             }
         }
     }
