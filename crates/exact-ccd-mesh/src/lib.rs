@@ -57,7 +57,7 @@ pub use broad_phase::{
 pub use exact_ccd::{CONTACT, Options, Point};
 pub use half_space::{HalfSpace, HalfSpaceError};
 pub use line_search::{
-    FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
+    FreeStep, FreeStepOptions, FreeSteps, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,
 };
 pub use mesh::{
     Frame, FrameError, MeshError, PositionsError, TetFaces, TetMesh, TetMeshError, TriangleMesh,

@@ -36,7 +36,7 @@ impl<const T: usize> Boxes<T> {
         check_primitive_count(boxes.len())?;
         let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
         let mut all = Self::in_order(order(&centres, (0..boxes.len() as u32).collect()));
-        all.set(|id| MovingBox::new(boxes[id as usize], [0.0; 3]));
+        all.replace(|_| true, |id| MovingBox::new(boxes[id as usize], [0.0; 3]));
         Ok(all)
     }
 
@@ -50,11 +50,27 @@ impl<const T: usize> Boxes<T> {
         }
     }
 
-    /// Places each box anew, by its index.
-    pub(crate) fn set(&mut self, moving: impl Fn(u32) -> MovingBox<T> + Sync) {
+    /// Sets the boxes of the chosen primitives, and those of others again, in blocks of eight.
+    pub(crate) fn replace(
+        &mut self,
+        is_chosen: impl Fn(u32) -> bool + Sync,
+        moving: impl Fn(u32) -> MovingBox<T> + Sync,
+    ) {
         let blocks = self.blocks.par_iter_mut().zip(&mut self.around);
         let blocks = blocks.zip(self.ids.par_chunks(LANES)).with_min_len(GRAIN);
-        blocks.for_each(|((block, around), ids)| (*block, *around) = fill(ids, &moving));
+        let chosen = blocks.filter(|(_, ids)| ids.iter().any(|&id| is_chosen(id)));
+        chosen.for_each(|((block, around), ids)| (*block, *around) = fill(ids, |&id| moving(id)));
+    }
+
+    /// The boxes of some of the primitives.
+    pub(crate) fn only(&self, is_chosen: impl Fn(u32) -> bool) -> Self {
+        let places = (0..self.ids.len()).filter(|&place| is_chosen(self.ids[place]));
+        let places: Vec<usize> = places.collect();
+        let moving = |place: usize| self.blocks[place / LANES].get(place % LANES);
+        let eight = places.chunks(LANES);
+        let (blocks, around) = eight.map(|places| fill(places, |&place| moving(place))).unzip();
+        let ids = places.iter().map(|&place| self.ids[place]).collect();
+        Self { ids, blocks, around }
     }
 
     /// One block in every `stride`.
@@ -104,9 +120,9 @@ impl<const T: usize> Boxes<T> {
 
 /// A block, and the box around it.
 #[inline(always)]
-fn fill<const T: usize>(ids: &[u32], moving: impl Fn(u32) -> MovingBox<T>) -> (Block<T>, MovingBox<T>) {
+fn fill<const T: usize, I>(ids: &[I], moving: impl Fn(&I) -> MovingBox<T>) -> (Block<T>, MovingBox<T>) {
     let (mut block, mut around) = (Block::EMPTY, MovingBox::EMPTY);
-    for (lane, &id) in ids.iter().enumerate() {
+    for (lane, id) in ids.iter().enumerate() {
         let moving = moving(id);
         block.set(lane, &moving);
         around = around.union(&moving);

@@ -19,6 +19,14 @@ pub enum LineSearchError {
     /// The fraction of the time of impact to keep is out of range.
     #[error("the fraction of the time of impact to keep is {0}, expected a number above 0 and at most 1")]
     Keep(f64),
+    /// A pinned vertex is not one of the mesh.
+    #[error("vertex {vertex} is pinned, but the mesh has {vertex_count} vertices")]
+    Pinned {
+        /// The index of the vertex.
+        vertex: u32,
+        /// The number of vertices of the mesh.
+        vertex_count: usize,
+    },
     /// The caller has cancelled the search.
     #[error("the search for a free step was cancelled")]
     Cancelled,

@@ -68,6 +68,18 @@ impl<'a> FreeStepOptions<'a> {
     }
 }
 
+impl FreeStepOptions<'_> {
+    /// The fraction to keep, if it is in range.
+    pub(super) fn checked_keep(&self) -> Result<f64, LineSearchError> {
+        let keep = self.keep;
+        if keep > 0.0 && keep <= 1.0 {
+            Ok(keep)
+        } else {
+            Err(LineSearchError::Keep(keep))
+        }
+    }
+}
+
 impl fmt::Debug for FreeStepOptions<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("FreeStepOptions")
@@ -177,10 +189,7 @@ pub(super) fn free_step<B: BroadPhase>(
     at: impl Fn(f64) -> Vec<Point>,
     options: &FreeStepOptions<'_>,
 ) -> Result<FreeStep, LineSearchError> {
-    let keep = options.keep;
-    if keep.is_nan() || keep <= 0.0 || keep > 1.0 {
-        return Err(LineSearchError::Keep(keep));
-    }
+    let keep = options.checked_keep()?;
     let watch = Watch::new(options.progress, options.cancel);
     let earliest = watched(search, &step, options, Earliest::with_touching(), &watch)?;
     let [x0, x1] = step.positions();
@@ -196,19 +205,36 @@ pub(super) fn free_step<B: BroadPhase>(
         return Ok(free(1.0, x1.to_vec()));
     };
     let first = keep * contact.impact.time.lower();
+    Ok(match certified(search, step, first, at, options, &watch)? {
+        Some((size, positions)) => free(size, positions),
+        None => free(0.0, x0.to_vec()),
+    })
+}
+
+/// The first f64 among `first` and those 1, 2, 4, … places below it to which the step is free, with the
+/// positions there; `None` if no positive one is.
+pub(super) fn certified<B: BroadPhase>(
+    search: &mut CulledSearch<B>,
+    step: Step<'_>,
+    first: f64,
+    at: impl Fn(f64) -> Vec<Point>,
+    options: &FreeStepOptions<'_>,
+    watch: &Watch<'_>,
+) -> Result<Option<(f64, Vec<Point>)>, LineSearchError> {
+    let [x0, _] = step.positions();
     let (mut size, mut retreat) = (first, 1);
     // By its bits: a comparison may read a subnormal number as zero, and a difference may be flushed to
     // zero.
     while size.to_bits() > 0 {
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        if !watched(search, &shorter, options, AnyContact::new(1.0, |_| true), &watch)?.is_found() {
-            return Ok(free(size, positions));
+        if !watched(search, &shorter, options, AnyContact::new(1.0, |_| true), watch)?.is_found() {
+            return Ok(Some((size, positions)));
         }
         size = f64::from_bits(first.to_bits().saturating_sub(retreat));
         retreat *= 2;
     }
-    Ok(free(0.0, x0.to_vec()))
+    Ok(None)
 }
 
 /// Runs a search that can be cancelled.

@@ -4,6 +4,9 @@ mod advance;
 mod bisection;
 mod error;
 mod free_step;
+mod free_steps;
+mod retreat;
+mod sizes;
 mod step_size;
 mod watched;
 
@@ -11,4 +14,5 @@ pub use advance::advance;
 pub use bisection::{Tolerance, bisect};
 pub use error::LineSearchError;
 pub use free_step::{FreeStep, FreeStepOptions};
+pub use free_steps::FreeSteps;
 pub use step_size::{LineSearch, step_size};

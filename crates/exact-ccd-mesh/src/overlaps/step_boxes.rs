@@ -140,21 +140,105 @@ impl<const T: usize> StepBoxes<T> {
     }
 
     fn place_set(&mut self, mesh: &TriangleMesh, set: PrimitiveSet) {
+        self.place_some(mesh, set, |_| true);
+    }
+
+    /// Places the boxes of the primitives of a set of which some vertex is chosen.
+    fn place_some(&mut self, mesh: &TriangleMesh, set: PrimitiveSet, is_chosen: impl Fn(u32) -> bool + Sync) {
         let (moving, boxes) = (&self.moving, &mut self.sets[set as usize]);
+        let any = |vertices: &[u32]| vertices.iter().any(|&vertex| is_chosen(vertex));
         match set {
             PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => {
-                boxes.set(|id| moving[id as usize]);
+                boxes.replace(&is_chosen, |id| moving[id as usize]);
             }
-            PrimitiveSet::Faces => boxes.set(|id| around(moving, &mesh.faces()[id as usize])),
+            PrimitiveSet::Faces => {
+                let faces = mesh.faces();
+                boxes.replace(
+                    |id| any(&faces[id as usize]),
+                    |id| around(moving, &faces[id as usize]),
+                );
+            }
             PrimitiveSet::Edges | PrimitiveSet::LooseEdges => {
-                boxes.set(|id| around(moving, &mesh.edges()[id as usize]));
+                let edges = mesh.edges();
+                boxes.replace(
+                    |id| any(&edges[id as usize]),
+                    |id| around(moving, &edges[id as usize]),
+                );
             }
         }
+    }
+
+    /// Places the boxes of all primitives of a kind of pairs in a step that differs from the one before in the
+    /// ends of the marked vertices, which [`move_marked`](Self::move_marked) has taken.
+    pub(crate) fn place_marked<K: Searched>(&mut self, mesh: &TriangleMesh, is_marked: &[bool]) {
+        let [first, second] = K::SETS;
+        self.place_some(mesh, first, |vertex| is_marked[vertex as usize]);
+        if second != first {
+            self.place_some(mesh, second, |vertex| is_marked[vertex as usize]);
+        }
+    }
+
+    /// Takes the ends of marked vertices. Returns false if the boxes are not those of a whole step.
+    pub(crate) fn move_marked(&mut self, step: &Step<'_>, is_marked: &[bool]) -> bool {
+        if !self.has_begun || self.time != 1.0 {
+            return false;
+        }
+        let [x0, x1] = step.positions();
+        for vertex in (0..is_marked.len()).filter(|&vertex| is_marked[vertex]) {
+            let margin = self.margin.uniform().unwrap_or_else(|| self.margins[vertex]);
+            let places = until(1.0, x0[vertex], x1[vertex]);
+            self.moving[vertex] = MovingBox::new(places.map(|aabb| aabb.inflated(margin)), self.origin);
+        }
+        true
     }
 
     /// Returns true if the current step has begun, and its mesh has no pairs of a kind.
     pub(crate) fn lacks<K: Searched>(&self) -> bool {
         self.has_begun && K::SETS.iter().any(|&set| self.get(set).is_empty())
+    }
+
+    /// Finds the pairs of a kind whose boxes meet and of which a vertex is marked; some of them twice, and in
+    /// any order.
+    pub(crate) fn pairs_of_marked<K: Searched>(
+        &self,
+        mesh: &TriangleMesh,
+        broad_phase: &impl BroadPhase,
+        marked: &[bool],
+        sink: &PairSink<'_>,
+    ) -> ControlFlow<()> {
+        let uncovered = self.uncovered::<K>(mesh, sink);
+        let [first, second] = K::SETS;
+        let any = |vertices: &[u32]| vertices.iter().any(|&vertex| marked[vertex as usize]);
+        let only = |set: PrimitiveSet| {
+            self.get(set).only(|id| match set {
+                PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => any(&[id]),
+                PrimitiveSet::Faces => any(&mesh.faces()[id as usize]),
+                PrimitiveSet::Edges | PrimitiveSet::LooseEdges => any(&mesh.edges()[id as usize]),
+            })
+        };
+        broad_phase.between(&only(first), self.get(second), &uncovered)?;
+        if first == second {
+            return ControlFlow::Continue(());
+        }
+        broad_phase.between(self.get(first), &only(second), &uncovered)
+    }
+
+    /// The pairs of a kind that no pair of edges covers, passed on.
+    fn uncovered<'a, K: Searched>(
+        &'a self,
+        mesh: &'a TriangleMesh,
+        sink: &'a PairSink<'a>,
+    ) -> impl Fn(&[[u32; 2]]) -> ControlFlow<()> + Sync + 'a {
+        let is_covered = |&ids: &[u32; 2]| {
+            K::vertices(mesh, ids).is_none_or(|vertices| K::is_covered(&self.other_ends, &vertices))
+        };
+        move |pairs: &[[u32; 2]]| {
+            if !K::SOME_ARE_COVERED {
+                return sink(pairs);
+            }
+            let pairs: Vec<_> = pairs.iter().copied().filter(|ids| !is_covered(ids)).collect();
+            sink(&pairs)
+        }
     }
 
     /// Finds the pairs of a kind whose boxes meet; of a sample of the first primitives, if there is a stride.
@@ -165,14 +249,7 @@ impl<const T: usize> StepBoxes<T> {
         sample: Option<usize>,
         sink: &PairSink<'_>,
     ) -> ControlFlow<()> {
-        let is_covered = |&ids: &[u32; 2]| {
-            K::vertices(mesh, ids).is_none_or(|vertices| K::is_covered(&self.other_ends, &vertices))
-        };
-        let uncovered = |pairs: &[[u32; 2]]| {
-            let pairs: Vec<_> = pairs.iter().copied().filter(|ids| !is_covered(ids)).collect();
-            sink(&pairs)
-        };
-        let sink: &PairSink<'_> = if K::SOME_ARE_COVERED { &uncovered } else { sink };
+        let sink = &self.uncovered::<K>(mesh, sink);
         let [first, second] = K::SETS;
         match sample {
             Some(stride) => broad_phase.between(&self.get(first).sample(stride), self.get(second), sink),

@@ -53,6 +53,21 @@ pub fn contact_points(
     Some([on(first, u)?, on(second, v)?])
 }
 
+/// The weights of the vertices of a pair in the vector from the second of its closest points to the first.
+pub(crate) fn contact_weights(first: usize, count: usize, [u, v]: [f64; 2]) -> [f64; 4] {
+    let mut weights = [0.0; 4];
+    let (a, b) = weights[..count].split_at_mut(first);
+    for (primitive, place, sign) in [(a, u, 1.0), (b, v, -1.0)] {
+        match primitive {
+            [a] => *a = sign,
+            [a, b] => (*a, *b) = (sign * (1.0 - place), sign * place),
+            [a, b, c] => (*a, *b, *c) = (sign * (1.0 - u - v), sign * u, sign * v),
+            _ => {}
+        }
+    }
+    weights
+}
+
 /// (1 − t) a + t b, which is finite for t in [0, 1].
 fn mix(a: Point, b: Point, t: f64) -> Point {
     [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis])

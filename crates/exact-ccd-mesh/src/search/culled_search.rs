@@ -106,6 +106,42 @@ impl<B: BroadPhase> CulledSearch<B> {
     }
 }
 
+impl<B: BroadPhase> CulledSearch<B> {
+    /// Searches the pairs of which a vertex is marked, in all of the step; some of them twice. The search
+    /// before was in the same step, but for the ends of the marked vertices.
+    pub(crate) fn run_marked(
+        &mut self,
+        step: &Step<'_>,
+        min_distance: &MinDistance,
+        marked: &[bool],
+        collector: &impl Collect,
+    ) {
+        let Self { broad_phase, memory } = self;
+        let Memory {
+            narrow_phase, moving, ..
+        } = memory;
+        let _ = rayon::scope(|_| {
+            narrow_phase.begin(step, min_distance.clone());
+            let is_placed = moving.move_marked(step, marked);
+            if !is_placed {
+                moving.end(&Margin::new(min_distance.clone(), 0.0));
+            }
+            let marked = Marked {
+                is_placed,
+                step,
+                broad_phase: &*broad_phase,
+                narrow_phase: &*narrow_phase,
+                collector,
+                marked,
+            };
+            marked.examine::<VertexFace>(moving)?;
+            marked.examine::<EdgeEdge>(moving)?;
+            marked.examine::<VertexEdge>(moving)?;
+            marked.examine::<VertexVertex>(moving)
+        });
+    }
+}
+
 /// The time until which all displacements are short.
 fn time_of_short_displacements(step: &Step<'_>) -> f64 {
     let [x0, x1] = step.positions();
@@ -155,5 +191,33 @@ impl<B: BroadPhase, C: Collect> Pass<'_, B, C> {
             }
         }
         boxes.pairs::<K>(mesh, self.broad_phase, None, &examine)
+    }
+}
+
+/// A search among the pairs of which a vertex is marked.
+struct Marked<'a, B, C> {
+    step: &'a Step<'a>,
+    broad_phase: &'a B,
+    narrow_phase: &'a NarrowPhase,
+    collector: &'a C,
+    marked: &'a [bool],
+    /// True if the boxes of the vertices are those of the step.
+    is_placed: bool,
+}
+
+impl<B: BroadPhase, C: Collect> Marked<'_, B, C> {
+    fn examine<K: Searched>(&self, boxes: &mut StepBoxes<2>) -> ControlFlow<()> {
+        if boxes.lacks::<K>() {
+            return ControlFlow::Continue(());
+        }
+        let mesh = self.step.mesh();
+        if self.is_placed {
+            boxes.place_marked::<K>(mesh, self.marked);
+        } else {
+            boxes.place::<K>(self.step, self.narrow_phase.can_collide(), 1.0);
+        }
+        boxes.pairs_of_marked::<K>(mesh, self.broad_phase, self.marked, &|pairs: &[_]| {
+            self.collector.examine::<K>(self.narrow_phase, mesh, pairs)
+        })
     }
 }

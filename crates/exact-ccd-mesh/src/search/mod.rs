@@ -19,5 +19,6 @@ pub use detector::Detector;
 pub use report::{StepReport, step};
 
 pub(crate) use collect::{AnyContact, Collect, Earliest};
+pub(crate) use contact_points::contact_weights;
 pub(crate) use culled_search::CulledSearch;
 pub(crate) use narrow_phase::NarrowPhase;

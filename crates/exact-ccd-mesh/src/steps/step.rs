@@ -87,14 +87,13 @@ impl<'a> Step<'a> {
     #[must_use]
     pub fn at(&self, time: f64) -> Vec<Point> {
         let [x0, x1] = self.positions;
-        if time >= 1.0 {
-            return x1.to_vec();
-        }
-        if time.is_nan() || time <= 0.0 {
-            return x0.to_vec();
-        }
-        let between = |(a, b): (&Point, &Point)| core::array::from_fn(|axis| between(a[axis], b[axis], time));
-        x0.iter().zip(x1).map(between).collect()
+        x0.iter().zip(x1).map(|(&a, &b)| place(a, b, time)).collect()
+    }
+
+    /// The position of a vertex at a time of the step, as in [`at`](Self::at); the mesh has the vertex.
+    pub(crate) fn vertex_at(&self, vertex: usize, time: f64) -> Point {
+        let [x0, x1] = self.positions;
+        place(x0[vertex], x1[vertex], time)
     }
 
     /// The query of a vertex against a face, its corners in the order of the face, or `None` if the
@@ -126,6 +125,17 @@ impl<'a> Step<'a> {
         let [x0, x1] = self.positions;
         // All positions are finite.
         Query::new(at(x0)?, at(x1)?).ok()
+    }
+}
+
+/// The position at a time on the way from a to b, rounded; a for NaN.
+fn place(a: Point, b: Point, time: f64) -> Point {
+    if time >= 1.0 {
+        b
+    } else if time > 0.0 {
+        core::array::from_fn(|axis| between(a[axis], b[axis], time))
+    } else {
+        a
     }
 }
 

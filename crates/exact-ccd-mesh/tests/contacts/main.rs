@@ -7,6 +7,7 @@ mod can_collide;
 mod candidates;
 mod distance;
 mod free_step;
+mod free_steps;
 mod scene;
 mod start_check;
 mod within;

@@ -234,7 +234,7 @@ fn outer<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance)
 }
 
 /// The distance that a pair must not come within.
-fn allowed<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Separation {
+pub(crate) fn allowed<K: PairKind>(step: Step<'_>, ids: [u32; 2], min_distance: &MinDistance) -> Separation {
     let d = outer::<K>(step, ids, min_distance);
     match min_distance.inner() {
         Some(inner) if touches::<K>(step, ids, min_distance) && inner < d => inner,

@@ -1,0 +1,130 @@
+//! A step for every vertex: certified to be free of contact.
+
+use exact_ccd::{Options, Point};
+
+use super::error::LineSearchError;
+use super::free_step::{FreeStepOptions, certified};
+use super::sizes::Sizes;
+use super::watched::Watch;
+use crate::broad_phase::BroadPhase;
+use crate::pairs::Pair;
+use crate::search::{CulledSearch, Detector};
+use crate::steps::Step;
+
+/// A part of a step for each vertex, such that together they are free of contact.
+///
+/// The straight motion from the start to `positions` has been decided exactly, for the positions as they
+/// are, rounded: no two primitives touch, except those of `blocked`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FreeSteps {
+    /// The part of its displacement that each vertex takes, from 0 to 1. It is 1 if the vertex is pinned, or
+    /// if no contact held it back in any round.
+    pub sizes: Vec<f64>,
+    /// The positions at the ends of these parts: those of [`Step::at`], vertex by vertex.
+    pub positions: Vec<Point>,
+    /// The pairs that touch, whatever the sizes of the vertices that are not pinned: those that touch at the
+    /// start, and those whose other vertices stay at the start. Sorted.
+    pub blocked: Vec<Pair>,
+    /// The number of searches for contact.
+    pub rounds: usize,
+}
+
+/// The round from which on a contact brings the vertices that it holds back to the least size.
+const LAST_FALL: usize = 32;
+
+impl<B: BroadPhase> Detector<B> {
+    /// A step for each vertex, from positions `x0` towards positions `x1`, such that the motion of all
+    /// vertices is certified to be free of contact.
+    ///
+    /// In each round, the step to the positions so far is searched for contact. A contact at time t holds
+    /// back the vertices that approach the other primitive, to first order: in round k, their sizes are
+    /// multiplied by t `keep`ᵏ, and by the least of these factors if several contacts hold a vertex back. The
+    /// next round searches the pairs of which a vertex has been held back. The last one finds no contact,
+    /// which is the certificate.
+    ///
+    /// No size falls below that of [`free_step`](Self::free_step), to which the step of all vertices is
+    /// certified. So the rounds end: from round 32 on, a contact brings vertices to that size, and there are
+    /// at most as many further rounds as vertices.
+    ///
+    /// `pinned` are vertices that go all the way, such as those of obstacles and scripts. If there are any, the
+    /// least size of the others is 0, and a pair that touches nonetheless is reported as blocked.
+    ///
+    /// ```
+    /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};
+    ///
+    /// let mesh = TriangleMesh::new(5, vec![[0, 1, 2]])?;
+    /// let floor = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    /// let x0 = [&floor[..], &[[0.25, 0.25, 1.0], [5.0, 0.0, 1.0]]].concat();
+    /// let x1 = [&floor[..], &[[0.25, 0.25, -1.0], [5.0, 0.0, -1.0]]].concat();
+    ///
+    /// // Vertex 3 stops above the face; vertex 4 passes by.
+    /// let options = FreeStepOptions::default().with_keep(0.5);
+    /// let steps = Detector::new(mesh).free_steps(&x0, &x1, &[], &options)?;
+    /// assert_eq!(steps.sizes, [1.0, 1.0, 1.0, 0.25, 1.0]);
+    /// assert_eq!(steps.positions[3], [0.25, 0.25, 0.5]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`free_step`](Self::free_step); [`LineSearchError::Pinned`] names a pinned vertex that is not one
+    /// of the mesh.
+    pub fn free_steps(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        pinned: &[u32],
+        options: &FreeStepOptions<'_>,
+    ) -> Result<FreeSteps, LineSearchError> {
+        let mut begun = self.begin(x0, x1, Options::within(options.min_distance.clone()))?;
+        let taken = free_steps(begun.search, begun.step, pinned, options)?;
+        if taken.blocked.is_empty() {
+            begun.found_free(&taken.positions);
+        }
+        Ok(taken)
+    }
+}
+
+fn free_steps<B: BroadPhase>(
+    search: &mut CulledSearch<B>,
+    step: Step<'_>,
+    pinned: &[u32],
+    options: &FreeStepOptions<'_>,
+) -> Result<FreeSteps, LineSearchError> {
+    let keep = options.checked_keep()?;
+    let watch = Watch::new(options.progress, options.cancel);
+    let mut sizes = Sizes::new(step, pinned)?;
+    let mut is_least_certified = !pinned.is_empty();
+    let (mut kept, mut rounds, mut blocked) = (1.0, 0, Vec::new());
+    loop {
+        let found = sizes.search(search, &options.min_distance, &watch)?;
+        rounds += 1;
+        if found.is_empty() {
+            break;
+        }
+        if rounds == 1 && pinned.is_empty() {
+            // The common step is not larger. It is certified only if it is needed.
+            let earliest = found.iter().map(|retreat| retreat.time).fold(1.0, f64::min);
+            sizes.set_least(keep * earliest);
+        }
+        let (stuck, retreats): (Vec<_>, Vec<_>) =
+            found.into_iter().partition(|retreat| retreat.vertices.is_empty());
+        if !stuck.is_empty() && !is_least_certified {
+            let common = certified(search, step, sizes.least(), |size| step.at(size), options, &watch)?;
+            sizes.set_least(common.map_or(0.0, |(size, _)| size));
+            is_least_certified = true;
+            continue;
+        }
+        blocked.extend(stuck.iter().map(|retreat| retreat.pair));
+        kept = if rounds < LAST_FALL { kept * keep } else { 0.0 };
+        sizes.hold_back(&retreats, kept);
+    }
+    blocked.sort_unstable();
+    blocked.dedup();
+    let Sizes { sizes, positions, .. } = sizes;
+    Ok(FreeSteps {
+        sizes,
+        positions,
+        blocked,
+        rounds,
+    })
+}

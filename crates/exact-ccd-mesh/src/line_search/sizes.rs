@@ -1,0 +1,109 @@
+//! The sizes of the steps of all vertices, from round to round.
+
+use exact_ccd::Point;
+
+use super::error::LineSearchError;
+use super::retreat::{Retreat, Retreats};
+use super::watched::{Watch, Watched};
+use crate::broad_phase::BroadPhase;
+use crate::pairs::MinDistance;
+use crate::search::CulledSearch;
+use crate::steps::Step;
+
+/// The sizes of the steps of all vertices.
+pub(super) struct Sizes<'a> {
+    step: Step<'a>,
+    /// The size of each vertex.
+    pub(super) sizes: Vec<f64>,
+    /// The positions at these sizes.
+    pub(super) positions: Vec<Point>,
+    /// The size below which no vertex falls.
+    least: f64,
+    /// True for vertices that are not pinned and have a size above the least.
+    can_retreat: Vec<bool>,
+    is_pinned: Vec<bool>,
+    /// The vertices that have fallen since the search before; `None` if all pairs have to be searched.
+    has_fallen: Option<Vec<bool>>,
+}
+
+impl<'a> Sizes<'a> {
+    /// All vertices go all the way.
+    pub(super) fn new(step: Step<'a>, pinned: &[u32]) -> Result<Self, LineSearchError> {
+        let vertex_count = step.mesh().vertex_count();
+        let mut is_pinned = vec![false; vertex_count];
+        for &vertex in pinned {
+            let place = is_pinned.get_mut(vertex as usize);
+            *place.ok_or(LineSearchError::Pinned { vertex, vertex_count })? = true;
+        }
+        let [_, x1] = step.positions();
+        Ok(Self {
+            step,
+            sizes: vec![1.0; vertex_count],
+            positions: x1.to_vec(),
+            least: 0.0,
+            can_retreat: is_pinned.iter().map(|is_pinned| !is_pinned).collect(),
+            is_pinned,
+            has_fallen: None,
+        })
+    }
+
+    /// The least size.
+    pub(super) fn least(&self) -> f64 {
+        self.least
+    }
+
+    /// Replaces the least size, below which no size is. All pairs are searched next.
+    pub(super) fn set_least(&mut self, least: f64) {
+        self.least = least;
+        self.has_fallen = None;
+        self.find_who_can_retreat();
+    }
+
+    /// Searches the step to the positions for contact.
+    pub(super) fn search<B: BroadPhase>(
+        &self,
+        search: &mut CulledSearch<B>,
+        min_distance: &MinDistance,
+        watch: &Watch<'_>,
+    ) -> Result<Vec<Retreat>, LineSearchError> {
+        let [x0, _] = self.step.positions();
+        let step = Step::new(self.step.mesh(), x0, &self.positions)?;
+        let collector = Retreats::new(step, &self.can_retreat);
+        let watched = Watched { collector, watch };
+        match &self.has_fallen {
+            Some(has_fallen) => search.run_marked(&step, min_distance, has_fallen, &watched),
+            None => search.run(&step, min_distance, &watched),
+        }
+        if watch.is_cancelled() {
+            return Err(LineSearchError::Cancelled);
+        }
+        Ok(watched.collector.found())
+    }
+
+    /// Holds the vertices of contacts back: to `kept` times the time of the contact, from the size before.
+    pub(super) fn hold_back(&mut self, retreats: &[Retreat], kept: f64) {
+        let before = self.sizes.clone();
+        let mut has_fallen = vec![false; before.len()];
+        for retreat in retreats {
+            for &vertex in &retreat.vertices {
+                let vertex = vertex as usize;
+                // Below the size before, even if nothing is lost to the time and to the factor.
+                let size = (kept * retreat.time * before[vertex]).min(before[vertex].next_down());
+                self.sizes[vertex] = self.sizes[vertex].min(size).max(self.least);
+                has_fallen[vertex] = true;
+            }
+        }
+        for vertex in (0..before.len()).filter(|&vertex| has_fallen[vertex]) {
+            self.positions[vertex] = self.step.vertex_at(vertex, self.sizes[vertex]);
+        }
+        self.has_fallen = Some(has_fallen);
+        self.find_who_can_retreat();
+    }
+
+    fn find_who_can_retreat(&mut self) {
+        let vertices = self.sizes.iter().zip(&self.is_pinned);
+        self.can_retreat.clear();
+        self.can_retreat
+            .extend(vertices.map(|(&size, &is_pinned)| !is_pinned && size > self.least));
+    }
+}
