@@ -1,7 +1,5 @@
 //! Candidates, detectors and free steps against loops over all pairs.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 mod bisection;
 mod can_collide;
 mod candidates;
@@ -10,6 +8,3 @@ mod free_step;
 mod scene;
 mod start_check;
 mod within;
-
-#[path = "../odd/mod.rs"]
-mod odd;
