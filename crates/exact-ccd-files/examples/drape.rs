@@ -7,7 +7,7 @@
 //! cargo run --release --example drape -p exact-ccd-files -- [FOLDER]
 //! ```
 
-#[path = "../../exact-ccd-mesh/tests/drape/mod.rs"]
+#[path = "../../exact-ccd-mesh/tests/meshes/drape.rs"]
 mod drape;
 
 use std::error::Error;

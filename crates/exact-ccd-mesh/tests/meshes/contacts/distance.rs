@@ -6,7 +6,7 @@ use exact_ccd::{CONTACT, EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Pair, PairKind, Point, Step, advance};
 use fastrand::Rng;
 
-use crate::scene::{Scene, contacts};
+use super::scene::{Scene, contacts};
 
 /// The weights of points on a primitive of one, two or three vertices.
 fn weights(vertices: usize) -> Vec<Vec<f64>> {

@@ -1,7 +1,5 @@
 //! The kinds of pairs cover all contacts and distances, except where the documentation of [`Pair`] says so.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_mesh::{Bvh, CanCollide, CandidateOptions, Candidates, Pair, Step, TriangleMesh};
 use proptest::prelude::*;
 

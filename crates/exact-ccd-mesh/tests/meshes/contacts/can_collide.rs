@@ -6,7 +6,7 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
-use crate::scene::{PIECES, Scene, contacts};
+use super::scene::{PIECES, Scene, contacts};
 
 /// The pairs of vertex lists that a rule allows.
 type Allows = dyn Fn(&[u32], &[u32]) -> bool + Sync;

@@ -1,7 +1,5 @@
 //! Every broad phase finds exactly the pairs of boxes that meet.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -1,7 +1,5 @@
 //! The report of a step, and the searches that examine fewer pairs.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 mod broad_phases;
 mod motions;
 mod properties;

@@ -6,9 +6,9 @@ use exact_ccd_mesh::{
 };
 use proptest::prelude::*;
 
-use crate::motions::{small_motion, soup, steps};
-use crate::report;
-use crate::truth::Truth;
+use super::motions::{small_motion, soup, steps};
+use super::report;
+use super::truth::Truth;
 
 pub(crate) fn assert_searches_agree(motion: &Motion, report: &StepReport) {
     fn check(motion: &Motion, broad_phase: impl BroadPhase, report: &StepReport) {

@@ -1,8 +1,6 @@
 //! Rods that fold through themselves, and rods, points and faces against a loop over everything they
 //! consist of.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd::{
     CONTACT, ContactTime, EdgeEdge, Options, Query, Separation, Thickness, VertexEdge, VertexFace,
     VertexVertex,

@@ -8,7 +8,7 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
-use crate::scene::{Scene, contacts, contacts_within, on_threads, touching};
+use super::scene::{Scene, contacts, contacts_within, on_threads, touching};
 
 fn separation(d: f64) -> Separation {
     Separation::new(d).unwrap()

@@ -2,7 +2,7 @@
 
 use exact_ccd_mesh::{Step, TriangleMesh};
 
-use crate::motions::falling_sheet;
+use super::motions::falling_sheet;
 
 #[test]
 fn primitives_that_a_mesh_does_not_have_have_no_query() {

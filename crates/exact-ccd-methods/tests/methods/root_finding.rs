@@ -1,5 +1,4 @@
 //! The floating-point root finders: contacts, false negatives and false positives.
-#![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::{FloatingPointRootFinder, MinimumSeparationRootFinder};

@@ -1,7 +1,5 @@
 //! Loose edges (rods) and loose vertices (points) of a mesh.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use std::collections::BTreeSet;
 
 use exact_ccd_mesh::{Frame, MeshError, Motion, TriangleMesh};

@@ -1,5 +1,4 @@
 //! The methods without false negatives, and their false positives.
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::{IntervalRootFinder, Magnitude, TightInclusion, UnivariateIntervalRootFinder};

@@ -1,14 +1,12 @@
 //! The line search on the generated examples, and on steps of known size.
 
-mod drape;
-mod odd;
-
 use exact_ccd::{Ccd, Exact};
 use exact_ccd_mesh::{
     LineSearch, LineSearchError, Motion, Point, Tolerance, TriangleMesh, advance, step, step_size,
 };
 
-use odd::Odd;
+use super::drape;
+use super::odd::Odd;
 
 fn example(end: &str) -> Motion {
     let frames = drape::frames().expect("the examples are sound");

@@ -9,7 +9,7 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
-use crate::scene::{Scene, contacts, moved, on_threads};
+use super::scene::{Scene, contacts, moved, on_threads};
 
 /// True if no pair touches, one query at a time.
 fn is_free(mesh: &TriangleMesh, x0: &[Point], x1: &[Point]) -> bool {

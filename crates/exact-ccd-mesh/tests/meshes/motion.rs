@@ -1,7 +1,5 @@
 //! Two frames as the start and the end of one motion.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_mesh::{Frame, Motion, Point};
 
 const TRIANGLE: [Point; 3] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];

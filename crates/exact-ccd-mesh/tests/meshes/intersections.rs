@@ -1,8 +1,6 @@
 //! Self-intersections at rest against rational numbers, and sequences of frames against all pairs.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-#[path = "../../exact-ccd/tests/intersection/oracle.rs"]
+#[path = "../../../exact-ccd/tests/intersection/oracle.rs"]
 mod oracle;
 
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};

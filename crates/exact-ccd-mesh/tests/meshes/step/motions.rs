@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use exact_ccd_mesh::{Motion, Point, TriangleMesh, advance};
 use proptest::prelude::*;
 
-use crate::motion;
+use super::motion;
 
 /// Motions of a few faces, with or without area, rods and points between whole numbers, so that many
 /// contacts coincide in time.

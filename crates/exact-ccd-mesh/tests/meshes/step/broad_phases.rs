@@ -6,8 +6,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{Boxes, BroadPhase, Bvh, Detector, PairSink, Point};
 
-use crate::motions::{falling_sheet, sheet};
-use crate::{motion, report};
+use super::motions::{falling_sheet, sheet};
+use super::{motion, report};
 
 /// A broad phase that counts its pairs.
 #[derive(Default)]

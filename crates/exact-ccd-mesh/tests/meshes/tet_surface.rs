@@ -1,7 +1,5 @@
 //! The surface of a mesh of tetrahedra is closed, points outward and encloses the volume.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_mesh::{Point, PositionsError, TetMesh, TetMeshError};
 use proptest::prelude::*;
 

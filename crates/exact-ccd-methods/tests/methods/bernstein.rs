@@ -1,5 +1,4 @@
 //! The methods in Bernstein form: their guarantees and their known errors.
-#![expect(clippy::unwrap_used, reason = "a failure to build a query is a failed test")]
 
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Point, Query, VertexFace};
 use exact_ccd_methods::{BernsteinSignClassification, TightCcd};

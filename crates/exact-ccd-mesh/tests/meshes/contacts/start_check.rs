@@ -9,7 +9,7 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
-use crate::scene::{Scene, moved};
+use super::scene::{Scene, moved};
 
 const FLOOR: [Point; 3] = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
 

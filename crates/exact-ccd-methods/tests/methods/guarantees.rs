@@ -1,7 +1,5 @@
 //! The registry, and the guarantees of every registered method on random motions.
 
-#![expect(clippy::unwrap_used, reason = "the points are finite")]
-
 use std::collections::BTreeSet;
 
 use exact_ccd::{CONTACT, Ccd, ContactTime, Decide, EdgeEdge, Kind, Point, Query, TimeGuarantee, VertexFace};

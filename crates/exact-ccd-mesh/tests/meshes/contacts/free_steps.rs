@@ -9,7 +9,7 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
-use crate::scene::{Scene, allowed, contacts_within, on_threads, touching};
+use super::scene::{Scene, allowed, contacts_within, on_threads, touching};
 
 /// A small scene of one of several families, and its scale.
 fn scene(random: &mut Rng) -> (Scene, f64) {

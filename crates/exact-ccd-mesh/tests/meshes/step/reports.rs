@@ -5,9 +5,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use exact_ccd::CONTACT;
 use exact_ccd_mesh::{Bvh, Pair, PairCounts, Point, StepReport, TriangleMesh, step};
 
-use crate::motions::falling_sheet;
-use crate::properties::assert_searches_agree;
-use crate::{motion, report};
+use super::motions::falling_sheet;
+use super::properties::assert_searches_agree;
+use super::{motion, report};
 
 #[test]
 fn the_report_is_the_same_on_any_number_of_threads() {

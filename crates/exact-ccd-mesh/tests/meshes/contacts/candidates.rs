@@ -10,8 +10,8 @@ use exact_ccd_mesh::{
 };
 use fastrand::Rng;
 
+use super::scene::{Scene, contacts, on_threads};
 use crate::odd::Odd;
-use crate::scene::{Scene, contacts, on_threads};
 
 #[test]
 fn contacts_of_candidates_are_those_of_all_pairs() {
