@@ -11,6 +11,7 @@ import pytest
 
 import exact_ccd
 from exact_ccd import ipc
+from generated import of_points
 from plane import first_meeting
 
 
@@ -88,7 +89,7 @@ def earliest_in_space(edges, faces, x0: np.ndarray, x1: np.ndarray) -> Optional[
         fours = [[*a, *b] for a, b in of_kind if not {*a} & {*b}]
         if fours:
             points = [np.vstack([x0[four], x1[four]]) for four in fours]
-            times += exact_ccd.time_of_impact(kind, points).tolist()
+            times += of_points(kind, points).time_of_impact().tolist()
     return min((time for time in times if not np.isnan(time)), default=None)
 
 

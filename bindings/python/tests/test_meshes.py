@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import exact_ccd
-from exact_ccd import Detector, Mesh
+from exact_ccd import Detector, Mesh, Queries
 
 FLOOR = [[0, 0, 0], [8, 0, 0], [0, 8, 0]]
 
@@ -43,7 +43,7 @@ def all_pairs(mesh: Mesh, x0: np.ndarray, x1: np.ndarray) -> dict[tuple[str, int
     for kind, (first, second, indices) in lists.items():
         split = 1 if kind == "vf" else 2
         apart = np.array([not set(row[:split]) & set(row[split:]) for row in indices.tolist()])
-        toi = exact_ccd.time_of_impact(kind, indices=indices[apart], vertices_t0=x0, vertices_t1=x1)
+        toi = Queries(kind, x0, x1, indices[apart]).time_of_impact()
         for i, j, time in zip(first[apart], second[apart], toi):
             if not np.isnan(time):
                 times[kind, int(i), int(j)] = float(time)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import exact_ccd
-from exact_ccd import Detector, Mesh, ipc
+from exact_ccd import Detector, Mesh, Worlds, ipc
 from test_meshes import FACES, two_triangles
 
 
@@ -42,7 +42,10 @@ DETECTORS = [
 ]
 
 
-@pytest.mark.parametrize("values", [MESHES, DETECTORS], ids=["meshes", "detectors"])
+WORLDS = [Worlds(detector.mesh, **detector._settings._asdict()) for detector in DETECTORS]
+
+
+@pytest.mark.parametrize("values", [MESHES, DETECTORS, WORLDS], ids=["meshes", "detectors", "worlds"])
 def test_equality_and_pickles(values: list) -> None:
     twins = [pickle.loads(pickle.dumps(value)) for value in values]
     for i, value in enumerate(values):
@@ -125,6 +128,6 @@ def test_no_faces() -> None:
     x0, x1 = np.array([[0.0, 0, 0], [1, 0, 0]]), np.array([[1.0, 0, 0], [0, 0, 0]])
     assert Detector(Mesh(2, [])).earliest_contact(x0, x1).time == 0.5
     assert exact_ccd.audit([x0, x1], []).violation.contact.kind == "vv"
-    assert exact_ccd.collides("vf", []).shape == (0,)
+    assert exact_ccd.Queries("vf", [], []).collides().shape == (0,)
     with pytest.raises(ValueError, match=r"min_distance has the shape \(0,\), expected \(5\)"):
         Detector(Mesh(5, []), min_distance=[])

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from .contacts import Contact
 from .frames import FileFrames, FilePath, Rules, files_in
 from .half_spaces import HalfSpaces
-from .meshes import Detector, Mesh, Progress
+from .detectors import Detector, Progress
+from .meshes import Mesh
 from .pages import Page, line
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
 from .._arrays import Floats, Indices, number
-from ..queries import Kind, time_of_impact
+from ..queries import Kind, Queries
 from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
 from .stencils import (
@@ -161,7 +161,7 @@ class Candidates:
 
     @property
     def pairs(self) -> dict[Kind, NDArray[np.uint32]]:
-        """The vertices of the pairs of each kind, as `indices` of :func:`exact_ccd.collides`."""
+        """The vertices of the pairs of each kind, as `vertices` of :class:`exact_ccd.Queries`."""
         return dict(self._pairs)
 
     def is_step_collision_free(
@@ -211,7 +211,7 @@ class Candidates:
         first: Optional[float] = None
         fold: tuple[Kind, Indices, float] = ("ve", self._folds, 0.0)
         for kind, pairs, d in [*((kind, pairs, min_distance) for kind, pairs in self._pairs.items()), fold]:
-            times = time_of_impact(kind, indices=pairs, vertices_t0=x0, vertices_t1=x1, min_distance=d)
+            times = Queries(kind, x0, x1, pairs).time_of_impact(separation=d)
             near = np.flatnonzero(~np.isnan(times))
             for row in near[np.argsort(times[near], kind="stable")]:
                 if first is not None and times[row] >= first:

@@ -8,9 +8,8 @@ from typing import Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native
 from .._arrays import floats, number
-from ..queries import Kind
+from ..queries import Kind, Queries
 from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
 
 
@@ -22,8 +21,10 @@ def _ccd(
     distance, last = number("min_distance", min_distance), number("tmax", tmax)
     if isnan(last):
         raise ValueError("tmax is nan, expected a number")
-    query = three_dimensional("points", points)[None]
-    (time,) = _native.time_until(kind, query, distance, last).tolist()
+    x = three_dimensional("points", points)
+    half = len(x) // 2
+    query = Queries(kind, x[None, :half], x[None, half:])
+    (time,) = query.time_of_impact(separation=distance, until=last).tolist()
     return (False, inf) if isnan(time) else (True, conservative_rescaling * time)
 
 
