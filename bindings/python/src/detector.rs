@@ -205,14 +205,20 @@ impl Detector {
     )> {
         let steps = self.each(py, &x0, &x1, None, |search, x0, x1| {
             let free = search.free_step(x0, x1, keep)?;
-            let row = free.contact.map(|contact| Row::new(&self.mesh, [x0, x1], &contact));
+            let row = free
+                .contact
+                .map(|contact| Row::new(&self.mesh, [x0, x1], &contact));
             Ok((free, row))
         })?;
         let (steps, contacts): (Vec<_>, Vec<_>) = steps.into_iter().unzip();
         let shape = [steps.len(), self.mesh.vertex_count(), 3];
         let positions: Vec<f64> = match &steps[..] {
             [one] => one.positions.as_flattened().to_vec(),
-            all => all.iter().flat_map(|step| step.positions.as_flattened()).copied().collect(),
+            all => all
+                .iter()
+                .flat_map(|step| step.positions.as_flattened())
+                .copied()
+                .collect(),
         };
         Ok((
             PyArray1::from_iter(py, steps.iter().map(|step| step.size)),
@@ -233,7 +239,9 @@ impl Detector {
     ) -> PyResult<([Bound<'py, PyArray2<i64>>; 3], Columns<'py>)> {
         let reports = self.each(py, &x0, &x1, progress.as_ref(), |search, x0, x1| {
             let report = search.step(x0, x1)?;
-            let row = report.earliest.map(|contact| Row::new(&self.mesh, [x0, x1], &contact));
+            let row = report
+                .earliest
+                .map(|contact| Row::new(&self.mesh, [x0, x1], &contact));
             Ok(([report.candidates, report.colliding, report.touching], row))
         })?;
         let (counts, contacts): (Vec<_>, Vec<_>) = reports.into_iter().unzip();

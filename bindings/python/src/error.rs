@@ -34,7 +34,10 @@ pub(crate) struct Refusal {
 impl Refusal {
     pub(crate) fn new(error: impl ToString) -> Self {
         let message = error.to_string();
-        Self { message, crossing: None }
+        Self {
+            message,
+            crossing: None,
+        }
     }
 
     /// The exception, which names the world if there are several.

@@ -5,16 +5,27 @@ use std::borrow::Cow;
 
 use exact_ccd::Point;
 use numpy::ndarray::{ArrayView2, ArrayView3, Axis};
-use numpy::{PyReadonlyArray3, PyUntypedArrayMethods};
+use numpy::{PyArray3, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
 
 use crate::error::refused;
 
 /// Rows of points, of shape (rows, points, 3), with any strides. Every float32 is a float64.
-#[derive(FromPyObject)]
 pub(crate) enum Positions<'py> {
     Double(PyReadonlyArray3<'py, f64>),
     Single(PyReadonlyArray3<'py, f32>),
+}
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Positions<'py> {
+    type Error = PyErr;
+
+    fn extract(array: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        // An error of `extract` for the first type would cost more than most queries.
+        if array.cast::<PyArray3<f32>>().is_ok() {
+            return array.extract().map(Self::Single);
+        }
+        array.extract().map(Self::Double)
+    }
 }
 
 impl Positions<'_> {
@@ -85,7 +96,9 @@ impl<'a> Rows<'a> {
 }
 
 fn converted<T: Copy + Into<f64>>(row: &ArrayView2<'_, T>) -> Vec<Point> {
-    (0..row.nrows()).map(|i| from_fn(|axis| row[[i, axis]].into())).collect()
+    (0..row.nrows())
+        .map(|i| from_fn(|axis| row[[i, axis]].into()))
+        .collect()
 }
 
 #[inline]

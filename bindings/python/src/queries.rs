@@ -71,8 +71,7 @@ pub(crate) fn intervals<'py>(
     queries: Arrays<'py>,
     settings: Settings,
 ) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>)> {
-    let answers =
-        for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, Vec::new(), ends))?;
+    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, Vec::new(), ends))?;
     let offsets = offsets(py, answers.iter().map(Vec::len));
     Ok((offsets, rows(py, answers.into_iter().flatten())?))
 }

@@ -144,7 +144,12 @@ impl Search {
     }
 
     /// All contacts of a step until a time.
-    pub(crate) fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> Result<Vec<Contact>, Refusal> {
+    pub(crate) fn contacts(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        until: f64,
+    ) -> Result<Vec<Contact>, Refusal> {
         let run = |inner: &mut Inner| inner.contacts(x0, x1, until).map_err(Refusal::from);
         let mut contacts = self.search(x0, run, |_| None)?;
         if self.ruled.is_some() {

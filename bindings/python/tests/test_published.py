@@ -49,7 +49,7 @@ def test_separation(kind: str) -> None:
         for row in rows:
             query = int(row["query"])
             intervals = [[float(end) for end in part.split(":")] for part in row["intervals"].split()]
-            found = times.intervals[times.offsets[query] : times.offsets[query + 1]]
+            found = times.times[times.offsets[query] : times.offsets[query + 1]]
             assert found.tolist() == intervals, (file, query)
             assert toi[query] == float(row["toi"]), (file, query)
             assert d == 0.0 or counts[query] == int(row["count"]), (file, query)
@@ -73,7 +73,7 @@ def test_scenes(scene: str, kind: str) -> None:
             assert toi[query] == float(row["toi"])
             if counts[query] >= 0:
                 # Where contact lasts for an interval, the file has its first instant only.
-                found = times.intervals[times.offsets[query] : times.offsets[query + 1], 0]
+                found = times.times[times.offsets[query] : times.offsets[query + 1], 0]
                 assert found.tolist() == [float(time) for time in row["times"].split()]
                 assert counts[query] == int(row["count"])
 

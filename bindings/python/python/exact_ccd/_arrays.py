@@ -11,6 +11,8 @@ Floats = NDArray[np.float64]
 Positions = NDArray[Union[np.float32, np.float64]]
 Indices = NDArray[np.uint32]
 Shape = tuple[Optional[int], ...]
+"""The sizes that are expected; None, which only the first may be, for any."""
+
 _Number = TypeVar("_Number", bound=np.generic)
 
 MOST_THREADS = 1024
@@ -56,12 +58,14 @@ def _checked(name: str, values: ArrayLike, shape: Shape, kinds: str, expected: s
         array = np.empty(array.shape, np.uint32)
     if array.dtype.kind not in kinds:
         raise TypeError(f"{name} has the dtype {array.dtype}, expected {expected}")
-    if len(array.shape) != len(shape) or any(
-        size is not None and actual != size for actual, size in zip(array.shape, shape)
-    ):
+    if not _fits(array.shape, shape):
         sizes = ", ".join("N" if size is None else str(size) for size in shape)
         raise ValueError(f"{name} has the shape {array.shape}, expected ({sizes})")
     return array
+
+
+def _fits(actual: tuple[int, ...], shape: Shape) -> bool:
+    return len(actual) == len(shape) and actual[1:] == shape[1:] and shape[:1] in ((None,), actual[:1])
 
 
 def _first_row(differs: NDArray[np.bool_]) -> int:
@@ -75,7 +79,7 @@ def positions(name: str, values: ArrayLike, shape: Shape) -> Positions:
     The exceptions are those of :func:`floats`.
     """
     if type(values) is np.ndarray and values.dtype in _IN_PLACE and values.flags.aligned:
-        return _checked(name, values, shape, "f", "real numbers")
+        return values if _fits(values.shape, shape) else _checked(name, values, shape, "f", "real numbers")
     return floats(name, values, shape)
 
 

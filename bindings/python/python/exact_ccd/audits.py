@@ -93,7 +93,7 @@ def audit(
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
         Loose edges, if the frames are positions.
-    groups, can_collide
+    groups, can_collide : int array of shape (V,) and callable, optional
         The pairs that can collide, see :class:`Mesh`. Of STL files, the vertices are those that remain.
     half_spaces : array of shape (H, 2, 3), optional
         Half spaces that no vertex may touch, nor come within the minimum distance of: for each, a point of
@@ -107,6 +107,11 @@ def audit(
     view : path, optional
         An HTML file to write, which shows the frames that were examined and the violation in a browser. It
         needs no network.
+
+    Returns
+    -------
+    AuditReport
+        The number of frames examined, and the first violation.
 
     Raises
     ------

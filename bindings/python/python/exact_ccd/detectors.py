@@ -21,7 +21,15 @@ Progress = Callable[[int], object]
 
 
 class PairCounts(NamedTuple):
-    """Numbers of pairs, by their kind."""
+    """Numbers of pairs, by their kind.
+
+    Attributes
+    ----------
+    vertex_face, edge_edge : int
+        The pairs of a vertex and a face, and of two edges.
+    vertex_edge, vertex_vertex : int
+        The pairs of a loose vertex and a loose edge, and of two loose vertices.
+    """
 
     vertex_face: int
     edge_edge: int
@@ -238,7 +246,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (V, 3)
             As for :meth:`is_free`.
 
         Returns
@@ -253,7 +261,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (V, 3)
             As for :meth:`is_free`.
         until : float
             The last time that counts, in [0, 1]: contacts that begin later are left out.
@@ -270,7 +278,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (V, 3)
             As for :meth:`is_free`.
         keep : float
             The part of the time of impact that is taken if the full step is not free, above 0 and at most 1.
@@ -297,7 +305,7 @@ class Detector(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (V, 3)
             As for :meth:`is_free`.
         progress : callable, optional
             Called with the number of candidates examined since its last call, as ``tqdm.update``.

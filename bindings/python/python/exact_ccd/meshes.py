@@ -16,7 +16,17 @@ from ._records import by_value, same
 
 @by_value
 class MeshFile(NamedTuple):
-    """The mesh in a file, see :func:`read_mesh`."""
+    """The mesh in a file, see :func:`read_mesh`.
+
+    Attributes
+    ----------
+    vertices : float64 array of shape (V, 3)
+        The positions of the vertices, in the unit of the file.
+    faces : uint32 array of shape (F, 3)
+        The vertices of each face, from 0.
+    edges : uint32 array of shape (E, 2)
+        The vertices of each loose edge.
+    """
 
     vertices: NDArray[np.float64]
     faces: NDArray[np.uint32]
@@ -130,7 +140,18 @@ class Mesh:
         return self._can_collide
 
     def vertices_can_collide(self, i: int, j: int) -> bool:
-        """Return True if two vertices can collide by the groups and by the rule."""
+        """Decide if two vertices can collide by the groups and by the rule.
+
+        Parameters
+        ----------
+        i, j : int
+            The indices of the vertices.
+
+        Returns
+        -------
+        bool
+            True if they can.
+        """
         if self._groups is not None and self._groups[i] == self._groups[j]:
             return False
         return self._can_collide is None or bool(self._can_collide(i, j))
@@ -164,6 +185,11 @@ class Mesh:
 
 def read_mesh(path: Union[str, PathLike[str]]) -> MeshFile:
     """Read a mesh from a PLY, OBJ, STL, OFF, Gmsh (.msh) or VTK (.vtu) file, exactly.
+
+    Parameters
+    ----------
+    path : path
+        The file; its format is that of the extension.
 
     Returns
     -------

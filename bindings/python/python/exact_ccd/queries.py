@@ -18,6 +18,7 @@ POINTS: dict[str, int] = dict(_native.KINDS)
 """The kinds in their order, and the number of points of a query of each."""
 
 _NUMBERS = {kind: number for number, kind in enumerate(POINTS)}
+_NAMES = ", ".join(f'"{kind}"' for kind in POINTS)
 
 IMPACT = np.dtype(
     [
@@ -55,11 +56,10 @@ class Intervals(NamedTuple):
 
 def check_kind(kind: object, place: str = "") -> None:
     """Refuse a name that is not that of a kind; `place` is a prefix of the message."""
-    names = ", ".join(f'"{name}"' for name in POINTS)
     if not isinstance(kind, str):
-        raise TypeError(f"{place}kind is of type {type(kind).__name__}, expected one of {names}")
+        raise TypeError(f"{place}kind is of type {type(kind).__name__}, expected one of {_NAMES}")
     if kind not in POINTS:
-        raise ValueError(f"{place}kind {kind!r}, expected one of {names}")
+        raise ValueError(f"{place}kind {kind!r}, expected one of {_NAMES}")
 
 
 class Queries:
@@ -184,7 +184,7 @@ class Queries:
 
         Parameters
         ----------
-        separation, until, threads
+        separation, until, threads : float, float, int or None
             As for :meth:`collides`.
 
         Returns
@@ -207,7 +207,7 @@ class Queries:
 
         Parameters
         ----------
-        separation, until, threads
+        separation, until, threads : float, float, int or None
             As for :meth:`collides`.
 
         Returns
@@ -233,7 +233,7 @@ class Queries:
 
         Parameters
         ----------
-        separation, until, threads
+        separation, until, threads : float, float, int or None
             As for :meth:`collides`. All times of a query that collides are computed, also those after `until`.
 
         Returns
@@ -260,7 +260,7 @@ class Queries:
 
         Parameters
         ----------
-        separation, until, threads
+        separation, until, threads : float, float, int or None
             As for :meth:`collides`.
 
         Returns
@@ -285,7 +285,7 @@ class Queries:
 
 def settings(separation: float, until: float, threads: Optional[int]) -> tuple[float, float, Optional[int]]:
     """The options of the answers, as the compiled part takes them."""
-    last = number("until", until)
+    distance, last = number("separation", separation), number("until", until)
     if last != last:
         raise ValueError("until is nan, expected a number")
-    return number("separation", separation), last, thread_count(threads)
+    return distance, last, thread_count(threads)

@@ -80,7 +80,7 @@ class Worlds(Searcher):
     ----------
     mesh : Mesh
         The mesh of every world.
-    min_distance, inner_distance, threads, start_check
+    min_distance, inner_distance, threads, start_check : see Detector
         As for :class:`Detector`.
 
     Raises
@@ -143,7 +143,7 @@ class Worlds(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (W, V, 3)
             As for :meth:`is_free`.
 
         Returns
@@ -159,7 +159,7 @@ class Worlds(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (W, V, 3)
             As for :meth:`is_free`.
         until : float
             The last time that counts, in [0, 1]: contacts that begin later are left out.
@@ -177,7 +177,7 @@ class Worlds(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (W, V, 3)
             As for :meth:`is_free`.
         keep : float
             The part of the time of impact of a world that is taken if its full step is not free, above 0 and
@@ -196,7 +196,7 @@ class Worlds(Searcher):
 
         Parameters
         ----------
-        x0, x1
+        x0, x1 : array of shape (W, V, 3)
             As for :meth:`is_free`.
 
         Returns
@@ -204,5 +204,5 @@ class Worlds(Searcher):
         StepReports
             The numbers of pairs, and the earliest contact of each world.
         """
-        counts, contact = self._native.step(*self._ends(x0, x1), None)
-        return StepReports(*counts, earliest(contact))
+        (candidates, colliding, touching), contact = self._native.step(*self._ends(x0, x1), None)
+        return StepReports(candidates, colliding, touching, earliest(contact))

@@ -73,9 +73,18 @@ class Candidates:
         inflation_radius: float = 0.0,
         broad_phase: object = None,
     ) -> None:
-        """Find the pairs whose boxes over the step meet, each enlarged by `inflation_radius` on every side.
+        """Find the pairs whose boxes over the step meet.
 
-        Without `vertices_t1`, the vertices do not move. `broad_phase` has no effect.
+        Parameters
+        ----------
+        mesh, vertices_t0 : CollisionMesh, and array of shape (V, 2) or (V, 3)
+            As for :func:`exact_ccd.ipc.is_step_collision_free`.
+        vertices_t1 : array of shape (V, 2) or (V, 3), optional
+            The positions at the end; without them, the vertices do not move.
+        inflation_radius : float
+            The distance by which each box is enlarged on every side.
+        broad_phase : object
+            Accepted as in ipctk, without effect.
         """
         if vertices_t1 is not None and np.ndim(vertices_t1) == 0:
             # The form without the end: build(mesh, vertices, inflation_radius).
@@ -152,7 +161,13 @@ class Candidates:
         return [_stencil(kind, row) for row in self._ids.get(kind, ())]
 
     def empty(self) -> bool:
-        """Return True if there are no pairs."""
+        """Return True if there are no pairs.
+
+        Returns
+        -------
+        bool
+            True without pairs.
+        """
         return len(self) == 0
 
     def clear(self) -> None:
@@ -172,9 +187,17 @@ class Candidates:
         min_distance: float = 0.0,
         narrow_phase_ccd: object = None,
     ) -> bool:
-        """Return True if none of the pairs comes within `min_distance` in the step, exactly.
+        """Decide if none of the pairs comes within `min_distance` in the step, exactly.
 
-        See :func:`exact_ccd.ipc.is_step_collision_free`, for meshes that are pierced at the start, too.
+        Parameters
+        ----------
+        mesh, vertices_t0, vertices_t1, min_distance, narrow_phase_ccd : see is_step_collision_free
+            As for :func:`exact_ccd.ipc.is_step_collision_free`.
+
+        Returns
+        -------
+        bool
+            True if the step is free.
         """
         given = surface(mesh)
         return self._earliest(given, *ends(given, vertices_t0, vertices_t1), min_distance) is None
@@ -188,9 +211,17 @@ class Candidates:
         narrow_phase_ccd: object = None,
         conservative_rescaling: Optional[float] = None,
     ) -> float:
-        """Return a step size, from 0 to 1, at which none of the pairs has come within `min_distance`.
+        """Compute a step size at which none of the pairs has come within `min_distance`.
 
-        See :func:`exact_ccd.ipc.compute_collision_free_stepsize`.
+        Parameters
+        ----------
+        mesh, vertices_t0, vertices_t1, min_distance, narrow_phase_ccd, conservative_rescaling : see compute_collision_free_stepsize
+            As for :func:`exact_ccd.ipc.compute_collision_free_stepsize`.
+
+        Returns
+        -------
+        float
+            The size, from 0 to 1.
         """
         rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
         given = surface(mesh)

@@ -81,7 +81,7 @@ def compute_collision_free_stepsize(
 
     Parameters
     ----------
-    mesh, vertices_t0, vertices_t1, min_distance, broad_phase, narrow_phase_ccd
+    mesh, vertices_t0, vertices_t1, min_distance, broad_phase, narrow_phase_ccd : see is_step_collision_free
         As for :func:`is_step_collision_free`. If `narrow_phase_ccd` is an :class:`ExactCCD`, its
         ``conservative_rescaling`` is taken.
     conservative_rescaling : float, optional
@@ -125,6 +125,11 @@ def has_intersections(mesh: AnyMesh, vertices: ArrayLike, broad_phase: object = 
         The positions.
     broad_phase : object
         Accepted as in ipctk, without effect.
+
+    Returns
+    -------
+    bool
+        True if it does.
     """
     given = surface(mesh)
     x, _ = ends(given, vertices, vertices)
