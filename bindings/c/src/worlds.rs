@@ -81,10 +81,11 @@ pub unsafe extern "C" fn exact_ccd_worlds_is_free(
             let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
             (detector, worlds, places("is_free", is_free, world_count)?)
         };
-        fill(
-            is_free,
-            worlds.each(detector, |detector, x0, x1| Ok(detector.is_free(x0, x1)?))?,
-        );
+        let options = detector.options();
+        let free = worlds.each(detector, |detector, x0, x1| {
+            Ok(!detector.collides(x0, x1, options.clone())?)
+        })?;
+        fill(is_free, free);
         Ok(())
     })
 }
@@ -114,8 +115,9 @@ pub unsafe extern "C" fn exact_ccd_worlds_earliest_contact(
                 places("contacts", contacts, world_count)?,
             )
         };
+        let options = detector.options();
         let found = worlds.each(detector, |detector, x0, x1| {
-            let earliest = detector.earliest_contact(x0, x1)?;
+            let earliest = detector.collision(x0, x1, options.clone())?;
             Ok(earliest.map(|earliest| Contact::of(detector.mesh(), [x0, x1], &earliest)))
         })?;
         fill(is_found, found.iter().map(Option::is_some));
@@ -147,6 +149,7 @@ pub unsafe extern "C" fn exact_ccd_worlds_free_step(
         unsafe {
             let detector = reference("detector", detector)?;
             let options = FreeStepOptions::default().with_keep(keep);
+            let options = options.with_min_distance(detector.min_distance.clone());
             let steps = {
                 let worlds = Worlds::new(x0, x1, vertex_count, world_count)?;
                 worlds.each(detector, |detector, x0, x1| {

@@ -456,6 +456,61 @@ static void meshes(void)
 }
 
 // The number of threads may change between any two calls, and belong to a call.
+// Three worlds with one triangle and a vertex that falls at different speeds.
+static void worlds(void)
+{
+    enum { COUNT = 3 };
+    const uint32_t face[3] = {1, 2, 3};
+    const double heights[COUNT] = {0.5, -1, -3};
+    double x0[12 * COUNT], x1[12 * COUNT];
+    for (int i = 0; i < COUNT; ++i) {
+        memcpy(x0 + 12 * i, FACE_START, sizeof FACE_START);
+        memcpy(x1 + 12 * i, FACE_START, sizeof FACE_START);
+        x1[12 * i + 2] = heights[i];
+    }
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
+    OK(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh));
+    OK(exact_ccd_detector_new(mesh, &detector));
+
+    bool is_free[COUNT], is_found[COUNT];
+    OK(exact_ccd_worlds_is_free(detector, x0, x1, 4, COUNT, is_free));
+    CHECK(is_free[0] && !is_free[1] && !is_free[2]);
+    exact_ccd_contact_t contacts[COUNT];
+    contacts[0].impact.time = 7;
+    OK(exact_ccd_worlds_earliest_contact(detector, x0, x1, 4, COUNT, is_found, contacts));
+    CHECK(!is_found[0] && is_found[1] && is_found[2] && contacts[0].impact.time == 7);
+    CHECK(contacts[1].impact.time == 0.5 && contacts[2].impact.time == 0.25);
+    CHECK(contacts[2].kind == EXACT_CCD_KIND_VERTEX_FACE && contacts[2].first == 0);
+
+    double sizes[COUNT], ends[12 * COUNT];
+    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, ends));
+    CHECK(sizes[0] == 1 && sizes[1] == 0.25 && sizes[2] == 0.125);
+    CHECK(ends[2] == 0.5 && ends[14] == 0.5 && ends[26] == 0.5);
+    OK(exact_ccd_worlds_is_free(detector, x0, ends, 4, COUNT, is_free));
+    CHECK(is_free[0] && is_free[1] && is_free[2]);
+    OK(exact_ccd_detector_set_min_distance(detector, 0.5));
+    OK(exact_ccd_worlds_is_free(detector, x0, ends, 4, COUNT, is_free));
+    CHECK(!is_free[0] && !is_free[1] && !is_free[2]);
+    OK(exact_ccd_detector_set_min_distance(detector, 0));
+    // The results may be in the place of the arguments.
+    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, x1));
+    CHECK(memcmp(x1, ends, sizeof ends) == 0);
+
+    OK(exact_ccd_worlds_is_free(detector, NULL, NULL, 4, 0, NULL));
+    x1[12 + 2] = NAN;
+    fails(exact_ccd_worlds_is_free(detector, x0, x1, 4, COUNT, is_free),
+          EXACT_CCD_STATUS_INVALID_POSITIONS,
+          "world 1: at the end, vertex 0");
+    fails(exact_ccd_worlds_is_free(detector, x0, x1, 3, COUNT, is_free), EXACT_CCD_STATUS_INVALID_POSITIONS, "world 0");
+    fails(exact_ccd_worlds_is_free(detector, x0, x1, 4, SIZE_MAX, is_free), EXACT_CCD_STATUS_INVALID_ARGUMENT, "memory");
+    fails(exact_ccd_worlds_earliest_contact(detector, x0, x1, 4, COUNT, NULL, contacts),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "is_found");
+    exact_ccd_detector_free(detector);
+    exact_ccd_mesh_free(mesh);
+}
+
 static void numbers_of_threads(void)
 {
     const uint32_t counts[] = {3, 1, 0, 2};
@@ -477,6 +532,7 @@ int main(void)
 {
     OK(exact_ccd_set_threads(2));
     versions();
+    worlds();
     queries();
     errors();
     batches();

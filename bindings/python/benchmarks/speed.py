@@ -60,7 +60,7 @@ def beside_rust(reference: Path, folder: Path) -> None:
     calls = {
         "indices": lambda: queries.collides(threads=1),
         "points": lambda: points.collides(threads=1),
-        "earliest_contact": lambda: detector.earliest_contact(x0, x1),
+        "collision": lambda: detector.collision(x0, x1),
     }
     best = {name: {"rust": np.inf, "python": np.inf} for name in calls}
     with tempfile.TemporaryDirectory() as raw:

@@ -147,33 +147,22 @@ impl Detector {
         })
     }
 
-    /// Free of contact.
-    fn is_free<'py>(
+    /// Contact or none.
+    fn collides<'py>(
         &self,
         py: Python<'py>,
         x0: Positions<'py>,
         x1: Positions<'py>,
+        until: f64,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let free = self.each(py, &x0, &x1, None, Search::is_free)?;
-        Ok(PyArray1::from_vec(py, free))
+        let collides = self.each(py, &x0, &x1, None, |search, x0, x1| {
+            search.collides(x0, x1, until)
+        })?;
+        Ok(PyArray1::from_vec(py, collides))
     }
 
     /// The earliest contact: one row or none for each world.
-    fn earliest_contact<'py>(
-        &self,
-        py: Python<'py>,
-        x0: Positions<'py>,
-        x1: Positions<'py>,
-    ) -> PyResult<Columns<'py>> {
-        let contacts = self.each(py, &x0, &x1, None, |search, x0, x1| {
-            let contact = search.earliest(x0, x1)?;
-            Ok(contact.map(|contact| Row::new(&self.mesh, [x0, x1], &contact)))
-        })?;
-        into_columns(py, &contacts)
-    }
-
-    /// All contacts until a time.
-    fn contacts<'py>(
+    fn collision<'py>(
         &self,
         py: Python<'py>,
         x0: Positions<'py>,
@@ -181,7 +170,22 @@ impl Detector {
         until: f64,
     ) -> PyResult<Columns<'py>> {
         let contacts = self.each(py, &x0, &x1, None, |search, x0, x1| {
-            let contacts = search.contacts(x0, x1, until)?;
+            let contact = search.collision(x0, x1, until)?;
+            Ok(contact.map(|contact| Row::new(&self.mesh, [x0, x1], &contact)))
+        })?;
+        into_columns(py, &contacts)
+    }
+
+    /// All contacts.
+    fn collisions<'py>(
+        &self,
+        py: Python<'py>,
+        x0: Positions<'py>,
+        x1: Positions<'py>,
+        until: f64,
+    ) -> PyResult<Columns<'py>> {
+        let contacts = self.each(py, &x0, &x1, None, |search, x0, x1| {
+            let contacts = search.collisions(x0, x1, until)?;
             let row = |contact| Row::new(&self.mesh, [x0, x1], contact);
             Ok(contacts.iter().map(row).collect::<Vec<_>>())
         })?;
@@ -277,9 +281,9 @@ impl Detector {
     ) -> PyResult<()> {
         let contacts = self.each(py, &x0, &x1, None, |search, x0, x1| {
             if all {
-                search.contacts(x0, x1, 1.0)
+                search.collisions(x0, x1, 1.0)
             } else {
-                Ok(search.earliest(x0, x1)?.into_iter().collect())
+                Ok(search.collision(x0, x1, 1.0)?.into_iter().collect())
             }
         })?;
         page.add_contacts(&contacts.concat())

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use exact_ccd::Point;
+use exact_ccd::{Options, Point};
 use exact_ccd_mesh::{
-    CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, Intersection, MinDistance,
-    Pair, Step, StepError, StepReport, ThicknessCount, TriangleMesh, crossings_by, intersections_by,
+    CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, Intersection,
+    IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
+    TriangleMesh, intersections,
 };
 
 use crate::broad_phase::Interruptible;
@@ -61,15 +62,14 @@ impl Search {
         watch: Arc<Watch>,
         checks_start: bool,
     ) -> Result<Self, ThicknessCount> {
+        min_distance.check(mesh)?;
         let detector = |can_collide: &CanCollide| {
             let broad_phase = Interruptible { watch: watch.clone() };
-            Inner::with_broad_phase(mesh.clone(), broad_phase)
-                .with_can_collide(can_collide.clone())
-                .with_min_distance(min_distance.clone())
+            Inner::with_broad_phase(mesh.clone(), broad_phase).with_can_collide(can_collide.clone())
         };
         Ok(Self {
-            open: detector(&rules.groups)?.with_start_check(checks_start && !rules.has_rule),
-            ruled: rules.has_rule.then(|| detector(&rules.every)).transpose()?,
+            open: detector(&rules.groups).with_start_check(checks_start && !rules.has_rule),
+            ruled: rules.has_rule.then(|| detector(&rules.every)),
             rules,
             min_distance,
             watch,
@@ -87,6 +87,11 @@ impl Search {
         Interruptible { watch }
     }
 
+    /// The minimum distance, and the last time that counts.
+    fn options(&self, until: f64) -> Options<MinDistance> {
+        Options::within(self.min_distance.clone()).until(until)
+    }
+
     /// Makes certain that no edge passes through a face at the start of a step, if that is to be checked. The
     /// rule is asked for the edges and faces that were found.
     fn check_start(&mut self, x0: &[Point]) -> Result<(), StepError> {
@@ -95,7 +100,9 @@ impl Search {
             return Ok(());
         }
         let mesh = self.mesh();
-        for Intersection { edge, face } in crossings_by(&self.broad_phase(), mesh, x0, &self.rules.groups)? {
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(self.rules.groups.clone());
+        for Intersection { edge, face } in intersections(mesh, x0, &self.broad_phase(), &options)? {
             let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
             if self.rules.every.allows(&ends, &corners) {
                 return Err(StepError::Crossing {
@@ -127,30 +134,39 @@ impl Search {
         }
     }
 
-    /// Free of contact.
-    pub(crate) fn is_free(&mut self, x0: &[Point], x1: &[Point]) -> Result<bool, Refusal> {
+    /// Contact or none.
+    pub(crate) fn collides(&mut self, x0: &[Point], x1: &[Point], until: f64) -> Result<bool, Refusal> {
+        let options = self.options(until);
         if self.ruled.is_none() {
-            return Ok(self.open.is_free(x0, x1)?);
+            return Ok(self.open.collides(x0, x1, options)?);
         }
         self.check_start(x0)?;
-        let (rules, mesh) = (&self.rules, self.open.mesh().clone());
-        Ok(self.open.is_free_of(x0, x1, |pair| rules.allow(&mesh, pair))?)
+        let (rules, mesh) = (&self.rules, self.mesh().clone());
+        let counts = |pair| rules.allow(&mesh, pair);
+        Ok(self.open.collides_if(x0, x1, options, counts)?)
     }
 
     /// The earliest contact of a step.
-    pub(crate) fn earliest(&mut self, x0: &[Point], x1: &[Point]) -> Result<Option<Contact>, Refusal> {
-        let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(Refusal::from);
+    pub(crate) fn collision(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        until: f64,
+    ) -> Result<Option<Contact>, Refusal> {
+        let options = self.options(until);
+        let run = |inner: &mut Inner| inner.collision(x0, x1, options.clone()).map_err(Refusal::from);
         self.search(x0, run, |contact| *contact)
     }
 
-    /// All contacts of a step until a time.
-    pub(crate) fn contacts(
+    /// All contacts of a step.
+    pub(crate) fn collisions(
         &mut self,
         x0: &[Point],
         x1: &[Point],
         until: f64,
     ) -> Result<Vec<Contact>, Refusal> {
-        let run = |inner: &mut Inner| inner.contacts(x0, x1, until).map_err(Refusal::from);
+        let options = self.options(until);
+        let run = |inner: &mut Inner| inner.collisions(x0, x1, options.clone()).map_err(Refusal::from);
         let mut contacts = self.search(x0, run, |_| None)?;
         if self.ruled.is_some() {
             contacts.retain(|contact| self.rules.allow(self.mesh(), contact.pair));
@@ -161,6 +177,7 @@ impl Search {
     /// A certified step.
     pub(crate) fn free_step(&mut self, x0: &[Point], x1: &[Point], keep: f64) -> Result<FreeStep, Refusal> {
         let options = FreeStepOptions::default().with_keep(keep);
+        let options = options.with_min_distance(self.min_distance.clone());
         let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(Refusal::from);
         let free = self.search(x0, run, |free| free.contact)?;
         match &mut self.ruled {
@@ -183,7 +200,7 @@ impl Search {
     /// The edges and faces that meet at rest.
     pub(crate) fn intersections(&self, x: &[Point]) -> Result<Vec<Intersection>, Refusal> {
         let mesh = self.mesh();
-        let found = intersections_by(&self.broad_phase(), mesh, x, &CanCollide::all());
+        let found = intersections(mesh, x, &self.broad_phase(), &IntersectionOptions::default());
         let mut found = found.map_err(Refusal::new)?;
         found.retain(|pair| {
             let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);

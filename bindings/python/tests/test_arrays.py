@@ -37,7 +37,7 @@ def test_tensors_are_arguments(dtype) -> None:
     assert np.array_equal(Queries("vf", Tensor(x0), Tensor(x1)).time_of_impact(), expected, equal_nan=True)
     mesh = Mesh(6, Tensor(np.array(FACES, np.int64)))
     start, end = (two_triangles(z).astype(dtype) for z in (1.0, -1.0))
-    assert Detector(mesh).earliest_contact(Tensor(start), Tensor(end)).time == 0.5
+    assert Detector(mesh).collision(Tensor(start), Tensor(end)).time == 0.5
 
 
 def test_tensors_that_are_refused() -> None:
@@ -54,7 +54,7 @@ def test_results_are_tensors() -> None:
     impact = points.impact()
     for result in (points.time_of_impact(), points.count(), points.intervals().times, impact["time"], impact["normal"]):
         assert np.shares_memory(np.from_dlpack(Tensor(result)), result)
-    contacts = Detector(Mesh(6, FACES)).contacts(two_triangles(1.0), two_triangles(-1.0))
+    contacts = Detector(Mesh(6, FACES)).collisions(two_triangles(1.0), two_triangles(-1.0))
     assert np.from_dlpack(Tensor(contacts["points"])).shape == (1, 2, 3)
 
 
@@ -80,4 +80,4 @@ def test_more_queries_than_memory() -> None:
         Queries("vv", x, x).time_of_impact()
     worlds = exact_ccd.Worlds(Mesh(2, []))
     with pytest.raises(MemoryError):
-        worlds.is_free(x, x)
+        worlds.collides(x, x)

@@ -34,7 +34,7 @@ def test_queries(name: str, kind: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["is_free", "earliest_contact", "contacts", "free_step", "step", "intersections", "audit"]
+    "name", ["collides", "collision", "collisions", "free_step", "step", "intersections", "audit"]
 )
 def test_meshes(name: str) -> None:
     random = np.random.default_rng(len(name))

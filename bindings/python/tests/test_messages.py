@@ -33,7 +33,7 @@ CASES = {
     "separation has the dtype <U1": lambda: PAIR.count(separation="1"),
     "min_distance has a number that is not exactly": lambda: Detector(Mesh(6, FACES), min_distance=2**63 - 1),
     "inner_distance has the dtype object": lambda: Detector(Mesh(6, FACES), inner_distance=HUGE),
-    "until has the dtype object": lambda: Detector(Mesh(6, FACES)).contacts(X0, X1, until=HUGE),
+    "until has the dtype object": lambda: Detector(Mesh(6, FACES)).collisions(X0, X1, until=HUGE),
     "keep has the dtype object": lambda: Detector(Mesh(6, FACES)).free_step(X0, X1, keep=HUGE),
     "tmax has the dtype object": lambda: ipc.point_point_ccd(*POINTS, tmax=HUGE),
     "until is nan": lambda: PAIR.collides(until=np.nan),
@@ -60,7 +60,7 @@ def test_a_detector_at_work() -> None:
 
     def call() -> None:
         try:
-            detector.is_free(X0, X1)
+            detector.collides(X0, X1)
         except RuntimeError as error:
             errors.append(str(error))
 
@@ -72,5 +72,5 @@ def test_a_detector_at_work() -> None:
         return True
 
     detector = Detector(Mesh(6, FACES, can_collide=rule))
-    assert not detector.is_free(X0, X1)
+    assert detector.collides(X0, X1)
     assert len(errors) >= 2 and all("the detector is at work" in text for text in errors)

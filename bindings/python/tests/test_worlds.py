@@ -37,15 +37,17 @@ def test_the_answers_are_those_of_each_world(dtype, settings, rule) -> None:
     detector, worlds = Detector(mesh, **settings), Worlds(mesh, **settings)
     each = list(zip(x0, x1))
 
-    is_free = worlds.is_free(x0, x1)
-    assert is_free.tolist() == [detector.is_free(*ends) for ends in each]
-    assert 0 < is_free.sum() < COUNT
-    earliest = worlds.earliest_contact(x0, x1)
-    assert rows(earliest) == [detector.earliest_contact(*ends) for ends in each]
-    assert_array_equal(np.isnan(earliest["time"]), is_free)
-    offsets, contacts = worlds.contacts(x0, x1, until=0.5)
+    collides = worlds.collides(x0, x1)
+    assert collides.tolist() == [detector.collides(*ends) for ends in each]
+    assert 0 < collides.sum() < COUNT
+    early = [detector.collides(*ends, until=0.25) for ends in each]
+    assert worlds.collides(x0, x1, until=0.25).tolist() == early
+    earliest = worlds.collision(x0, x1)
+    assert rows(earliest) == [detector.collision(*ends) for ends in each]
+    assert_array_equal(~np.isnan(earliest["time"]), collides)
+    offsets, contacts = worlds.collisions(x0, x1, until=0.5)
     for world, ends in enumerate(each):
-        expected = detector.contacts(*ends, until=0.5)
+        expected = detector.collisions(*ends, until=0.5)
         assert contacts[offsets[world] : offsets[world + 1]].tobytes() == expected.tobytes()
     free = worlds.free_step(x0, x1, keep=0.5)
     steps = [detector.free_step(*ends, keep=0.5) for ends in each]
@@ -62,10 +64,10 @@ def test_the_answers_are_those_of_each_world(dtype, settings, rule) -> None:
 
 def test_no_worlds() -> None:
     worlds, none = Worlds(Mesh(6, FACES)), np.empty((0, 6, 3))
-    assert worlds.is_free(none, none).shape == (0,)
-    assert worlds.earliest_contact(none, none).dtype == exact_ccd.CONTACT
+    assert worlds.collides(none, none).shape == (0,)
+    assert worlds.collision(none, none).dtype == exact_ccd.CONTACT
     assert worlds.free_step(none, none).positions.shape == (0, 6, 3)
-    assert worlds.contacts(none, none).offsets.tolist() == [0]
+    assert worlds.collisions(none, none).offsets.tolist() == [0]
 
 
 def test_errors_name_the_first_world() -> None:
@@ -74,16 +76,16 @@ def test_errors_name_the_first_world() -> None:
     x[4, 0, 0] = np.inf
     x[3, 2, 1] = np.nan
     with pytest.raises(ValueError, match="world 3: at the start, vertex 2"):
-        worlds.is_free(x, x)
+        worlds.collides(x, x)
     x[3], x[4] = x[0], x[0]
     x[1] = [*two_triangles(1.0)[:3], [1, 1, -1], [1, 1, 1], [9, 1, 1]]
     with pytest.raises(CrossingError, match="world 1: at the start") as error:
-        worlds.earliest_contact(x, x)
+        worlds.collision(x, x)
     assert (error.value.edge, error.value.face) == (3, 0)
     with pytest.raises(ValueError, match=r"x1 has the shape \[4, 6, 3\], expected that of x0: \[5, 6, 3\]"):
-        worlds.is_free(x, x[:4])
+        worlds.collides(x, x[:4])
     with pytest.raises(ValueError, match=r"x0 has the shape \(6, 3\), expected \(N, 6, 3\)"):
-        worlds.is_free(x[0], x)
+        worlds.collides(x[0], x)
 
 
 def test_an_exception_of_the_rule_ends_all_worlds() -> None:
@@ -94,4 +96,4 @@ def test_an_exception_of_the_rule_ends_all_worlds() -> None:
     worlds = Worlds(Mesh(6, FACES, can_collide=rule))
     for _ in range(2):
         with pytest.raises(KeyError, match="no such vertex"):
-            worlds.is_free(x0, x1)
+            worlds.collides(x0, x1)

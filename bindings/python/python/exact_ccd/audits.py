@@ -211,7 +211,7 @@ def _examine(
         if len(found):
             return Violation(0, None, (int(found[0, 0]), int(found[0, 1])))
         last = frame
-    contact = detector.earliest_contact(last, frame)
+    contact = detector.collision(last, frame)
     if contact is not None:
         return Violation(max(number - 1, 0), contact, None)
     touching = None if half_spaces is None else half_spaces.touching(frame)

@@ -208,16 +208,16 @@ class Detector(Searcher):
     >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]])
     >>> x1 = x0.copy()
     >>> x1[3, 2] = -1.0
-    >>> detector.is_free(x0, x1)
-    False
-    >>> contact = detector.earliest_contact(x0, x1)
+    >>> detector.collides(x0, x1), detector.collides(x0, x1, until=0.25)
+    (True, False)
+    >>> contact = detector.collision(x0, x1)
     >>> contact.kind, contact.first, contact.second, contact.time
     ('vf', 3, 0, 0.5)
     >>> step = detector.free_step(x0, x1)
     >>> step.size, step.positions[3].tolist()
     (0.45, [0.25, 0.25, 0.09999999999999998])
-    >>> detector.is_free(x0, step.positions)
-    True
+    >>> detector.collides(x0, step.positions)
+    False
     """
 
     def _world(self, name: str, x: ArrayLike) -> Positions:
@@ -226,52 +226,56 @@ class Detector(Searcher):
     def _ends(self, x0: ArrayLike, x1: ArrayLike) -> tuple[Positions, Positions]:
         return self._world("x0", x0), self._world("x1", x1)
 
-    def is_free(self, x0: ArrayLike, x1: ArrayLike) -> bool:
-        """Decide if the step is free of contact; ends soon after the first contact found.
+    def collides(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> bool:
+        """Decide if any two primitives touch in the step; ends soon after the first contact found.
 
         Parameters
         ----------
         x0, x1 : array of shape (V, 3)
             The positions of the vertices at t = 0 and at t = 1.
+        until : float
+            The last time that counts, in [0, 1]: contacts that begin later are left out.
 
         Returns
         -------
         bool
-            True if no two primitives touch in the step.
+            False if the step is free of contact.
         """
-        return bool(self._native.is_free(*self._ends(x0, x1))[0])
+        return bool(self._native.collides(*self._ends(x0, x1), number("until", until))[0])
 
-    def earliest_contact(self, x0: ArrayLike, x1: ArrayLike) -> Optional[Contact]:
+    def collision(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> Optional[Contact]:
         """Find the earliest contact of the step.
 
         Parameters
         ----------
         x0, x1 : array of shape (V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
+        until : float
+            As for :meth:`collides`.
 
         Returns
         -------
         Contact or None
             None if the step is free.
         """
-        return first(self._native.earliest_contact(*self._ends(x0, x1)))
+        return first(self._native.collision(*self._ends(x0, x1), number("until", until)))
 
-    def contacts(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
+    def collisions(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
         """Find all contacts of the step.
 
         Parameters
         ----------
         x0, x1 : array of shape (V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
         until : float
-            The last time that counts, in [0, 1]: contacts that begin later are left out.
+            As for :meth:`collides`.
 
         Returns
         -------
         structured array of shape (M,)
             The contacts, the earliest first, with the fields of :data:`CONTACT`.
         """
-        return table(self._native.contacts(*self._ends(x0, x1), number("until", until)))
+        return table(self._native.collisions(*self._ends(x0, x1), number("until", until)))
 
     def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> FreeStep:
         """Compute a step towards `x1` that is certified to be free of contact.
@@ -279,7 +283,7 @@ class Detector(Searcher):
         Parameters
         ----------
         x0, x1 : array of shape (V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
         keep : float
             The part of the time of impact that is taken if the full step is not free, above 0 and at most 1.
 
@@ -306,7 +310,7 @@ class Detector(Searcher):
         Parameters
         ----------
         x0, x1 : array of shape (V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
         progress : callable, optional
             Called with the number of candidates examined since its last call, as ``tqdm.update``.
         view : path, optional

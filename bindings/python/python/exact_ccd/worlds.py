@@ -40,7 +40,7 @@ class FreeSteps(NamedTuple):
     positions : float64 array of shape (W, V, 3)
         The positions at its end, in the unit of the coordinates.
     contact : structured array of shape (W,)
-        The earliest contact of the full step, as of :meth:`Worlds.earliest_contact`.
+        The earliest contact of the full step, as of :meth:`Worlds.collision`.
     touching : int64 array of shape (W, 4)
         The numbers of pairs that touch at the start, in the order of :class:`PairCounts`.
     """
@@ -61,7 +61,7 @@ class StepReports(NamedTuple):
         The numbers of pairs that come near each other, that are in contact at some time of the step, and
         that are in contact at t = 0, in the order of :class:`PairCounts`.
     earliest : structured array of shape (W,)
-        The earliest contact, as of :meth:`Worlds.earliest_contact`.
+        The earliest contact, as of :meth:`Worlds.collision`.
     """
 
     candidates: NDArray[np.int64]
@@ -111,9 +111,9 @@ class Worlds(Searcher):
     >>> x1 = x0.copy()
     >>> x1[:, 3, 2] = [0.5, -1, -3]
     >>> worlds = Worlds(Mesh(4, [[0, 1, 2]]))
-    >>> worlds.is_free(x0, x1)
-    array([ True, False, False])
-    >>> worlds.earliest_contact(x0, x1)["time"]
+    >>> worlds.collides(x0, x1)
+    array([False,  True,  True])
+    >>> worlds.collision(x0, x1)["time"]
     array([ nan, 0.5 , 0.25])
     >>> worlds.free_step(x0, x1, keep=0.5).size
     array([1.   , 0.25 , 0.125])
@@ -123,28 +123,32 @@ class Worlds(Searcher):
         shape = (None, self._mesh.vertex_count, 3)
         return positions("x0", x0, shape), positions("x1", x1, shape)
 
-    def is_free(self, x0: ArrayLike, x1: ArrayLike) -> NDArray[np.bool_]:
-        """Decide which worlds are free of contact in the step.
+    def collides(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.bool_]:
+        """Decide in which worlds any two primitives touch in the step.
 
         Parameters
         ----------
         x0, x1 : array of shape (W, V, 3)
             The positions of the vertices of each world at t = 0 and at t = 1.
+        until : float
+            The last time that counts, in [0, 1]: contacts that begin later are left out.
 
         Returns
         -------
         bool array of shape (W,)
-            True if no two primitives of the world touch in the step.
+            False for the worlds that are free of contact.
         """
-        return self._native.is_free(*self._ends(x0, x1))
+        return self._native.collides(*self._ends(x0, x1), number("until", until))
 
-    def earliest_contact(self, x0: ArrayLike, x1: ArrayLike) -> NDArray[np.void]:
+    def collision(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
         """Find the earliest contact of each world.
 
         Parameters
         ----------
         x0, x1 : array of shape (W, V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
+        until : float
+            As for :meth:`collides`.
 
         Returns
         -------
@@ -152,24 +156,24 @@ class Worlds(Searcher):
             The fields are those of :data:`CONTACT`. For a world that is free, ``kind`` is empty, ``first``,
             ``second`` and ``vertices`` are 0, and the other numbers NaN.
         """
-        return earliest(self._native.earliest_contact(*self._ends(x0, x1)))
+        return earliest(self._native.collision(*self._ends(x0, x1), number("until", until)))
 
-    def contacts(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> Contacts:
+    def collisions(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> Contacts:
         """Find all contacts of each world.
 
         Parameters
         ----------
         x0, x1 : array of shape (W, V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
         until : float
-            The last time that counts, in [0, 1]: contacts that begin later are left out.
+            As for :meth:`collides`.
 
         Returns
         -------
         Contacts
             The contacts, world by world.
         """
-        columns = self._native.contacts(*self._ends(x0, x1), number("until", until))
+        columns = self._native.collisions(*self._ends(x0, x1), number("until", until))
         return Contacts(columns[0], table(columns))
 
     def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> FreeSteps:
@@ -178,7 +182,7 @@ class Worlds(Searcher):
         Parameters
         ----------
         x0, x1 : array of shape (W, V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
         keep : float
             The part of the time of impact of a world that is taken if its full step is not free, above 0 and
             at most 1.
@@ -197,7 +201,7 @@ class Worlds(Searcher):
         Parameters
         ----------
         x0, x1 : array of shape (W, V, 3)
-            As for :meth:`is_free`.
+            As for :meth:`collides`.
 
         Returns
         -------

@@ -8,11 +8,11 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd::Separation;
+use exact_ccd::{Options, Separation};
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{
-    Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, MinDistance, Motion, StepError,
-    StepReport, crossings,
+    Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting,
+    MinDistance, Motion, StepError, StepReport, intersections,
 };
 
 use crate::contacts::{ContactList, ContactRecord, ListFile};
@@ -122,7 +122,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         ids: scene.ids().clone(),
         motion,
     };
-    let mut detector = problem.detector()?;
+    let mut detector = problem.detector();
     phases.read = clock.lap();
 
     let start = arguments.start(&problem)?;
@@ -161,7 +161,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if arguments.has_files() {
         let contacts = during(progress::stage("listing all contacts"), |_| {
             let Motion { x0, x1, .. } = &problem.motion;
-            detector.contacts(x0, x1, 1.0)
+            detector.collisions(x0, x1, problem.options())
         })?;
         phases.list = Some(clock.lap());
         arguments.write((&scene, &problem), &start, &contacts, in_half_spaces, &output)?;
@@ -187,10 +187,13 @@ struct Problem {
 }
 
 impl Problem {
-    fn detector(&self) -> Result<Detector<&Timed<Bvh>>, Failure> {
+    fn detector(&self) -> Detector<&Timed<Bvh>> {
         let detector = Detector::with_broad_phase(self.motion.mesh.clone(), &self.broad_phase);
-        let detector = detector.with_can_collide(self.can_collide.clone());
-        Ok(detector.with_min_distance(self.distance.clone())?)
+        detector.with_can_collide(self.can_collide.clone())
+    }
+
+    fn options(&self) -> Options<MinDistance> {
+        Options::within(self.distance.clone())
     }
 
     /// The contacts with half spaces, if there are half spaces, and their numbers.
@@ -237,7 +240,9 @@ impl Arguments {
         }
         let Motion { mesh, x0, .. } = &problem.motion;
         let stage = progress::stage("examining the start");
-        let found = during(stage, |_| crossings(mesh, x0, &problem.can_collide));
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(problem.can_collide.clone());
+        let found = during(stage, |_| intersections(mesh, x0, &Bvh, &options));
         Ok(found.map_err(StepError::from)?)
     }
 
@@ -251,10 +256,14 @@ impl Arguments {
         let Motion { x0, x1, .. } = &problem.motion;
         let stage = progress::stage("searching for contact");
         let (earliest, report) = if self.any {
-            let is_free = during(stage, |_| detector.is_free(x0, x1))? && in_half_spaces.is_empty();
+            let collides = during(stage, |_| detector.collides(x0, x1, problem.options()))?;
+            let is_free = !collides && in_half_spaces.is_empty();
             return Ok(Answer::Free { is_free });
         } else if self.toi {
-            (during(stage, |_| detector.earliest_contact(x0, x1))?, None)
+            (
+                during(stage, |_| detector.collision(x0, x1, problem.options()))?,
+                None,
+            )
         } else {
             let options = CandidateOptions::default()
                 .with_min_distance(problem.distance.clone())

@@ -2,8 +2,9 @@
 
 use std::fs::File;
 
+use exact_ccd::CONTACT;
 use exact_ccd_files::{MeshFile, Polygons, read_frame};
-use exact_ccd_mesh::{CanCollide, Detector, Frame, crossings};
+use exact_ccd_mesh::{Bvh, Detector, Frame, IntersectionOptions, Meeting, intersections};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 use serde_json::{Value, json};
@@ -178,7 +179,9 @@ fn all_contacts_of_a_step_are_listed_in_every_format() {
     let folder = fall(1.0, -2.0);
     let [start, end] = [1.0, -2.0].map(tip_above_square);
     let mut detector = Detector::new(start.mesh.clone());
-    let contacts = detector.contacts(&start.positions, &end.positions, 1.0).unwrap();
+    let contacts = detector
+        .collisions(&start.positions, &end.positions, CONTACT)
+        .unwrap();
     assert!(contacts.len() > 1);
     let list = |name: &str| {
         let run = folder.run(&["step", "start.ply", "end.ply", "--json", "--all", name]);
@@ -237,7 +240,8 @@ fn a_list_has_the_intersections_at_the_start() {
     let run = folder.run(&["step", "start.ply", "end.ply", "--all", "all.jsonl"]);
     assert_eq!(run.status, 1);
     let Frame { mesh, positions } = tip_above_square(-1.0);
-    let expected = crossings(&mesh, &positions, &CanCollide::all()).unwrap();
+    let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+    let expected = intersections(&mesh, &positions, &Bvh, &crossing).unwrap();
     let found = lines(&folder, "all.jsonl");
     let (at_rest, moving): (Vec<&Value>, Vec<_>) = found.iter().partition(|record| record["kind"] == "ef");
     let ids: Vec<_> = expected

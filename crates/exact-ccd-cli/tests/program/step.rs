@@ -1,7 +1,8 @@
 //! Reports of `exact-ccd step`.
 
 use exact_ccd_mesh::{
-    CanCollide, Contact, Frame, Motion, Pair, PairCounts, Point, StepReport, contact_points, crossings, step,
+    Bvh, Contact, Frame, IntersectionOptions, Meeting, Motion, Pair, PairCounts, Point, StepReport,
+    contact_points, intersections, step,
 };
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -63,7 +64,8 @@ fn expected(motion: &Motion, report: &StepReport) -> Value {
             "vv": counts.vertex_vertex,
         })
     };
-    let found = crossings(&motion.mesh, &motion.x0, &CanCollide::all()).unwrap();
+    let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+    let found = intersections(&motion.mesh, &motion.x0, &Bvh, &crossing).unwrap();
     json!({
         "min_distance": 0.0,
         "collision_free": report.is_free() && found.is_empty(),

@@ -60,7 +60,7 @@ def is_step_collision_free(
     x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
     detector = _detector(mesh, vertices_t0, min_distance)
     if detector is not None:
-        return detector.is_free(x0, x1)
+        return not detector.collides(x0, x1)
     candidates = _candidates(mesh, vertices_t0, vertices_t1, min_distance)
     return candidates.is_step_collision_free(mesh, vertices_t0, vertices_t1, min_distance)
 
