@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{Point, Query, Separation, Separations, VertexFace};
-use exact_ccd_c::{Kind, Status, exact_ccd_batch_times, exact_ccd_time_of_impact};
+use exact_ccd_c::{Kind, Status, exact_ccd_batch_time_of_impact, exact_ccd_time_of_impact};
 use rayon::prelude::*;
 
 const ROUNDS: usize = 1001;
@@ -44,7 +44,14 @@ fn single() {
             let (t0, t1) = (t0.as_ptr().cast(), t1.as_ptr().cast());
             // SAFETY: both arrays have four points.
             let status = unsafe {
-                exact_ccd_time_of_impact(Kind::VertexFace as u32, t0, t1, black_box(0.0), &raw mut time)
+                exact_ccd_time_of_impact(
+                    Kind::VertexFace as u32,
+                    t0,
+                    t1,
+                    black_box(0.0),
+                    1.0,
+                    &raw mut time,
+                )
             };
             assert_eq!(status, Status::Ok);
             black_box(time);
@@ -84,7 +91,7 @@ fn batch() {
         let mut times = vec![0.0; COUNT];
         // SAFETY: the arrays have the lengths that are passed on.
         let status = unsafe {
-            exact_ccd_batch_times(
+            exact_ccd_batch_time_of_impact(
                 Kind::VertexFace as u32,
                 x0.as_ptr().cast(),
                 x1.as_ptr().cast(),
@@ -92,6 +99,8 @@ fn batch() {
                 queries.as_ptr().cast(),
                 COUNT,
                 0.0,
+                1.0,
+                0,
                 times.as_mut_ptr(),
             )
         };

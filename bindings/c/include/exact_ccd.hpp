@@ -184,57 +184,52 @@ inline std::size_t query_count(Kind kind, View<std::uint32_t, 1> indices)
 
 }  // namespace detail
 
-/// Decides if two primitives come within a distance of each other, or touch if it is 0.
-inline bool collides(Kind kind, Points t0, Points t1, double min_distance = 0)
+/// Decides if two primitives touch: if they come within the distance `separation`, or are in contact if it is 0.
+/// `until` is the last time that counts; the exact time is compared.
+inline bool collides(Kind kind, Points x0, Points x1, double separation = 0, double until = 1)
 {
-    detail::check_points(kind, t0, t1);
+    detail::check_points(kind, x0, x1);
     bool answer = false;
-    check(exact_ccd_collides(static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, &answer));
+    check(exact_ccd_collides(
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, 1, until, &answer));
     return answer;
 }
 
-/// The first time within a distance, rounded down; none if the primitives never come within it.
-inline std::optional<double> time_of_impact(Kind kind, Points t0, Points t1, double min_distance = 0)
+/// The first time at which the primitives touch, rounded down; none if they do not collide.
+inline std::optional<double> time_of_impact(
+    Kind kind, Points x0, Points x1, double separation = 0, double until = 1)
 {
-    detail::check_points(kind, t0, t1);
+    detail::check_points(kind, x0, x1);
     double time = 0;
     check(exact_ccd_time_of_impact(
-        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, &time));
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, 1, until, &time));
     return std::isnan(time) ? std::nullopt : std::optional(time);
 }
 
-/// `time_of_impact` until a time: none if the exact time is after it.
-inline std::optional<double> time_of_impact_until(
-    Kind kind, Points t0, Points t1, double min_distance, double until)
+/// The first time at which the primitives touch, with the closest points and the normal then.
+inline std::optional<Impact> impact(Kind kind, Points x0, Points x1, double separation = 0, double until = 1)
 {
-    detail::check_points(kind, t0, t1);
-    double time = 0;
-    check(exact_ccd_time_of_impact_until(
-        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, until, &time));
-    return std::isnan(time) ? std::nullopt : std::optional(time);
-}
-
-/// The first time within a distance, with the closest points and the normal then.
-inline std::optional<Impact> impact(Kind kind, Points t0, Points t1, double min_distance = 0)
-{
-    detail::check_points(kind, t0, t1);
+    detail::check_points(kind, x0, x1);
     bool is_found = false;
     Impact answer{};
     check(exact_ccd_impact(
-        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), min_distance, &is_found, &answer));
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), separation, 1, until, &is_found, &answer));
     return is_found ? std::optional(answer) : std::nullopt;
 }
 
-/// The times within a distance: the maximal closed intervals, in increasing order.
-inline std::vector<Interval> intervals(Kind kind, Points t0, Points t1, double min_distance = 0)
+/// The times at which the primitives touch: the maximal closed intervals, in increasing order; none if the first
+/// is after `until`.
+inline std::vector<Interval> intervals(
+    Kind kind, Points x0, Points x1, double separation = 0, double until = 1)
 {
-    detail::check_points(kind, t0, t1);
+    detail::check_points(kind, x0, x1);
     std::vector<Interval> answer(32);
     std::size_t count = 0;
     check(exact_ccd_intervals(static_cast<std::uint32_t>(kind),
-                              t0.data(),
-                              t1.data(),
-                              min_distance,
+                              x0.data(),
+                              x1.data(),
+                              separation, 1,
+                              until,
                               answer.data(),
                               answer.size(),
                               &count));
@@ -243,12 +238,12 @@ inline std::vector<Interval> intervals(Kind kind, Points t0, Points t1, double m
 }
 
 /// Bounds of the distance at a time of the step: the nearest doubles not above and not below it.
-inline std::pair<double, double> distance_at(Kind kind, Points t0, Points t1, double time)
+inline std::pair<double, double> distance_at(Kind kind, Points x0, Points x1, double time)
 {
-    detail::check_points(kind, t0, t1);
+    detail::check_points(kind, x0, x1);
     std::pair<double, double> bounds;
     check(exact_ccd_distance_at(
-        static_cast<std::uint32_t>(kind), t0.data(), t1.data(), time, &bounds.first, &bounds.second));
+        static_cast<std::uint32_t>(kind), x0.data(), x1.data(), time, &bounds.first, &bounds.second));
     return bounds;
 }
 
@@ -259,20 +254,22 @@ inline std::vector<double> times_of_impact(Kind kind,
                                            Points x0,
                                            Points x1,
                                            View<std::uint32_t, 1> indices,
-                                           double min_distance = 0,
+                                           double separation = 0,
+                                           double until = 1,
                                            std::uint32_t threads = 0)
 {
     detail::check_counts(x0, x1);
     std::vector<double> times(detail::query_count(kind, indices));
-    check(exact_ccd_batch_times_on(threads,
-                                   static_cast<std::uint32_t>(kind),
-                                   x0.data(),
-                                   x1.data(),
-                                   x0.size(),
-                                   indices.data(),
-                                   times.size(),
-                                   min_distance,
-                                   times.data()));
+    check(exact_ccd_batch_time_of_impact(static_cast<std::uint32_t>(kind),
+                                         x0.data(),
+                                         x1.data(),
+                                         x0.size(),
+                                         indices.data(),
+                                         times.size(),
+                                         separation,
+                                         until,
+                                         threads,
+                                         times.data()));
     return times;
 }
 
@@ -283,6 +280,7 @@ inline std::vector<double> times_of_impact_thick(Kind kind,
                                                  Points x1,
                                                  View<std::uint32_t, 1> indices,
                                                  View<double, 1> thickness,
+                                                 double until = 1,
                                                  std::uint32_t threads = 0)
 {
     detail::check_counts(x0, x1);
@@ -292,15 +290,16 @@ inline std::vector<double> times_of_impact_thick(Kind kind,
                                     + std::to_string(x0.size()) + " vertices");
     }
     std::vector<double> times(detail::query_count(kind, indices));
-    check(exact_ccd_batch_times_thick_on(threads,
-                                         static_cast<std::uint32_t>(kind),
-                                         x0.data(),
-                                         x1.data(),
-                                         x0.size(),
-                                         indices.data(),
-                                         times.size(),
-                                         thickness.data(),
-                                         times.data()));
+    check(exact_ccd_batch_time_of_impact_thick(static_cast<std::uint32_t>(kind),
+                                               x0.data(),
+                                               x1.data(),
+                                               x0.size(),
+                                               indices.data(),
+                                               times.size(),
+                                               thickness.data(),
+                                               until,
+                                               threads,
+                                               times.data()));
     return times;
 }
 

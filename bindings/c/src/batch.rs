@@ -3,85 +3,58 @@
 use core::mem::MaybeUninit;
 
 use exact_ccd::batch::Trajectories;
-use exact_ccd::{Kind, Separation, Separations, Thickness};
+use exact_ccd::{Kind, Options, Separations, Thickness};
 use rayon::prelude::*;
 
 use crate::border::call;
 use crate::error::{Error, Status};
 use crate::kind::with_kind;
 use crate::pointers::{array, places, positions};
+use crate::query::options;
 use crate::threads::Threads;
 
 /// The number of queries that a thread answers at a time.
 const GRAIN: usize = 4096;
 
-/// The first time of each of `query_count` queries, rounded down to `double`; NaN for those whose
-/// primitives never come within `min_distance`.
+/// `exact_ccd_time_of_impact` of each of `query_count` queries.
 ///
 /// `x0` and `x1` are the positions of `vertex_count` vertices at t = 0 and t = 1. `vertices` has the
-/// indices of the vertices of each query, as many as the kind has points, in its order. `times` has
-/// room for `query_count` numbers. Runs on as many threads as `exact_ccd_set_threads` has set.
+/// indices of the vertices of each query, as many as the kind has points, in its order. `separation` and `until`
+/// are as in `exact_ccd_collides`. `threads` is the number of threads of this call: from 1 to 1024, or 0 for the
+/// number that `exact_ccd_set_threads` has set. `times` has room for `query_count` numbers.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_batch_times(
+pub unsafe extern "C" fn exact_ccd_batch_time_of_impact(
     kind: u32,
     x0: *const f64,
     x1: *const f64,
     vertex_count: usize,
     vertices: *const u32,
     query_count: usize,
-    min_distance: f64,
-    times: *mut f64,
-) -> Status {
-    // SAFETY: the caller's promise.
-    unsafe {
-        exact_ccd_batch_times_on(
-            0,
-            kind,
-            x0,
-            x1,
-            vertex_count,
-            vertices,
-            query_count,
-            min_distance,
-            times,
-        )
-    }
-}
-
-/// `exact_ccd_batch_times` on a number of threads of this call: from 1 to 1024, or 0 for the number that
-/// `exact_ccd_set_threads` has set.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_batch_times_on(
+    separation: f64,
+    until: f64,
     threads: u32,
-    kind: u32,
-    x0: *const f64,
-    x1: *const f64,
-    vertex_count: usize,
-    vertices: *const u32,
-    query_count: usize,
-    min_distance: f64,
     times: *mut f64,
 ) -> Status {
     call(|| {
+        let options = options(separation, until)?.into();
         let threads = Threads::new(threads)?;
-        let separations = Separations::Uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
         unsafe {
             let trajectories = trajectories(x0, x1, vertex_count)?;
             let times = places("times", times, query_count)?;
             with_kind!(kind, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
-                threads.run(|| first_times::<K>(&trajectories, vertices, separations, times))
+                threads.run(|| first_times::<K>(&trajectories, vertices, options, times))
             })
         }
     })
 }
 
-/// `exact_ccd_batch_times` for vertices of different thickness: a number for each of the
-/// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the distance of a
+/// `exact_ccd_batch_time_of_impact` for vertices of different thickness: a number for each of the
+/// `vertex_count` vertices. That of a primitive is the largest of its vertices, and the separation of a
 /// query the sum of both, rounded up.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_batch_times_thick(
+pub unsafe extern "C" fn exact_ccd_batch_time_of_impact_thick(
     kind: u32,
     x0: *const f64,
     x1: *const f64,
@@ -89,48 +62,22 @@ pub unsafe extern "C" fn exact_ccd_batch_times_thick(
     vertices: *const u32,
     query_count: usize,
     thickness: *const f64,
-    times: *mut f64,
-) -> Status {
-    // SAFETY: the caller's promise.
-    unsafe {
-        exact_ccd_batch_times_thick_on(
-            0,
-            kind,
-            x0,
-            x1,
-            vertex_count,
-            vertices,
-            query_count,
-            thickness,
-            times,
-        )
-    }
-}
-
-/// `exact_ccd_batch_times_thick` on a number of threads of this call, as in `exact_ccd_batch_times_on`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_batch_times_thick_on(
+    until: f64,
     threads: u32,
-    kind: u32,
-    x0: *const f64,
-    x1: *const f64,
-    vertex_count: usize,
-    vertices: *const u32,
-    query_count: usize,
-    thickness: *const f64,
     times: *mut f64,
 ) -> Status {
     call(|| {
+        let Options { until, .. } = options(0.0, until)?;
         let threads = Threads::new(threads)?;
         // SAFETY: the documentation of the function states the promise.
         unsafe {
             let thickness = Thickness::new(array("thickness", thickness, vertex_count)?)?;
+            let options = Options::from(&thickness).until(until);
             let trajectories = trajectories(x0, x1, vertex_count)?;
             let times = places("times", times, query_count)?;
             with_kind!(kind, K => {
                 let vertices = array("vertices", vertices.cast::<<K as Kind>::Vertices>(), query_count)?;
-                let separations = Separations::Thickness(&thickness);
-                threads.run(|| first_times::<K>(&trajectories, vertices, separations, times))
+                threads.run(|| first_times::<K>(&trajectories, vertices, options, times))
             })
         }
     })
@@ -148,13 +95,13 @@ unsafe fn trajectories(x0: *const f64, x1: *const f64, count: usize) -> Result<T
 fn first_times<K: Kind + Send + Sync>(
     trajectories: &Trajectories,
     queries: &[K::Vertices],
-    separations: Separations<'_>,
+    options: Options<Separations<'_>>,
     times: &mut [MaybeUninit<f64>],
 ) -> Result<(), Error> {
     let answer = |(chunk, queries): (usize, &[K::Vertices])| {
         let first = chunk * GRAIN;
         let mut found = Vec::new();
-        let answered = trajectories.collisions::<K>(queries, separations, |index, collision| {
+        let answered = trajectories.collisions::<K>(queries, options, |index, collision| {
             found.push((first + index, collision.time_of_impact()));
         });
         answered.map_err(|error| Error::of_batch(error, first))?;

@@ -84,6 +84,12 @@ impl Error {
         }
     }
 
+    /// The error of one of many worlds.
+    pub(crate) fn of_world(self, world: usize) -> Self {
+        let message = format!("world {world}: {}", self.message);
+        Self { message, ..self }
+    }
+
     /// Keeps the message for `exact_ccd_last_error`, and returns the status.
     #[cold]
     pub(crate) fn record(self) -> Status {

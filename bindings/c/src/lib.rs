@@ -35,6 +35,7 @@ mod pointers;
 mod query;
 mod threads;
 mod version;
+mod worlds;
 
 pub use audit::*;
 pub use batch::*;
@@ -51,3 +52,4 @@ pub use mesh::*;
 pub use query::*;
 pub use threads::*;
 pub use version::*;
+pub use worlds::*;

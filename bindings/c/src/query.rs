@@ -21,138 +21,111 @@ unsafe fn points<'a, K: exact_ccd::Kind>(name: &str, pointer: *const f64) -> Res
 /// # Safety
 /// As for [`points`].
 #[inline]
-unsafe fn query<K: exact_ccd::Kind>(points_t0: *const f64, points_t1: *const f64) -> Result<Query<K>, Error> {
+unsafe fn query<K: exact_ccd::Kind>(x0: *const f64, x1: *const f64) -> Result<Query<K>, Error> {
     // SAFETY: the caller's promise.
-    let (t0, t1) = unsafe {
-        (
-            points::<K>("points_t0", points_t0)?,
-            points::<K>("points_t1", points_t1)?,
-        )
-    };
-    Ok(Query::new(*t0, *t1)?)
+    let (x0, x1) = unsafe { (points::<K>("x0", x0)?, points::<K>("x1", x1)?) };
+    Ok(Query::new(*x0, *x1)?)
 }
 
-/// Decides if two primitives come within a distance of each other in a time step; for
-/// `min_distance` = 0, if they touch. Exact.
+/// The distance at which primitives touch, and the last time that counts.
+#[inline]
+pub(crate) fn options(separation: f64, until: f64) -> Result<Options, Error> {
+    if until.is_nan() {
+        return Err(Error::argument("until is NaN, expected a time"));
+    }
+    Ok(Options::within(Separation::new(separation)?).until(until))
+}
+
+/// Decides if two primitives touch in a time step: if they come within the distance `separation` of each
+/// other, or are in contact if it is 0. Exact.
 ///
-/// `points_t0` and `points_t1` are the points of the query, in the order of its kind, at t = 0 and at
-/// t = 1; in between, each moves in a straight line. `min_distance` is a finite number of at least 0.
+/// `x0` and `x1` are the points of the query, in the order of its kind, at t = 0 and at t = 1; in between,
+/// each moves in a straight line. `separation` is a finite number of at least 0. `until` is the last time that
+/// counts, 1 for the whole step: primitives that first touch later do not collide. The exact time is compared,
+/// not the rounded one; `until` may be any number but NaN.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_collides(
     kind: u32,
-    points_t0: *const f64,
-    points_t1: *const f64,
-    min_distance: f64,
+    x0: *const f64,
+    x1: *const f64,
+    separation: f64,
+    until: f64,
     collides: *mut bool,
 ) -> Status {
     call(|| {
-        let d = Separation::new(min_distance)?;
+        let options = options(separation, until)?;
         // SAFETY: the documentation of the function states the promise.
-        let (collides, answer) = unsafe {
+        unsafe {
             let collides = Out::new("collides", collides)?;
-            let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.collides(d))
-            })?;
-            (collides, answer)
-        };
-        collides.write(answer);
-        Ok(())
+            with_kind!(kind, K => {
+                collides.write(query::<K>(x0, x1)?.collides(options));
+                Ok(())
+            })
+        }
     })
 }
 
-/// The first time at which two primitives come within a distance of each other, rounded down to
-/// `double`; for `min_distance` = 0, at which they touch. It is 0 if they are within it at the
-/// start, and NaN if they never come within it.
+/// The first time at which two primitives touch, rounded down to `double`. It is 0 if they touch at the start,
+/// and NaN if they do not collide.
 ///
 /// Arguments as in `exact_ccd_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_time_of_impact(
     kind: u32,
-    points_t0: *const f64,
-    points_t1: *const f64,
-    min_distance: f64,
-    time: *mut f64,
-) -> Status {
-    call(|| {
-        let d = Separation::new(min_distance)?;
-        // SAFETY: the documentation of the function states the promise.
-        let (time, answer) = unsafe {
-            let time = Out::new("time", time)?;
-            let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.time_of_impact(d))
-            })?;
-            (time, answer)
-        };
-        time.write(answer.unwrap_or(f64::NAN));
-        Ok(())
-    })
-}
-
-/// `exact_ccd_time_of_impact` until a time: NaN also if the primitives come within the distance only
-/// after `until`. The exact time is compared, not the rounded one. `until` may be any number but NaN.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn exact_ccd_time_of_impact_until(
-    kind: u32,
-    points_t0: *const f64,
-    points_t1: *const f64,
-    min_distance: f64,
+    x0: *const f64,
+    x1: *const f64,
+    separation: f64,
     until: f64,
     time: *mut f64,
 ) -> Status {
     call(|| {
-        let options = Options::within(Separation::new(min_distance)?).until(until);
-        if until.is_nan() {
-            return Err(Error::argument("until is NaN, expected a time"));
-        }
+        let options = options(separation, until)?;
         // SAFETY: the documentation of the function states the promise.
-        let (time, answer) = unsafe {
+        unsafe {
             let time = Out::new("time", time)?;
-            let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.time_of_impact(options))
-            })?;
-            (time, answer)
-        };
-        time.write(answer.unwrap_or(f64::NAN));
-        Ok(())
+            with_kind!(kind, K => {
+                time.write(query::<K>(x0, x1)?.time_of_impact(options).unwrap_or(f64::NAN));
+                Ok(())
+            })
+        }
     })
 }
 
-/// The first time at which two primitives come within a distance of each other, with the closest
-/// points and the normal then. `impact` is written only if `collides` is.
+/// The first time at which two primitives touch, with the closest points and the normal then. `impact` is
+/// written only if `collides` is.
 ///
 /// Arguments as in `exact_ccd_collides`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_impact(
     kind: u32,
-    points_t0: *const f64,
-    points_t1: *const f64,
-    min_distance: f64,
+    x0: *const f64,
+    x1: *const f64,
+    separation: f64,
+    until: f64,
     collides: *mut bool,
     impact: *mut Impact,
 ) -> Status {
     call(|| {
-        let d = Separation::new(min_distance)?;
+        let options = options(separation, until)?;
         // SAFETY: the documentation of the function states the promise.
-        let (collides, impact, answer) = unsafe {
+        unsafe {
             let collides = Out::new("collides", collides)?;
             let impact = Out::new("impact", impact)?;
-            let answer = with_kind!(kind, K => {
-                let found = query::<K>(points_t0, points_t1)?.impact(d);
-                let (t0, t1) = (points::<K>("points_t0", points_t0)?, points::<K>("points_t1", points_t1)?);
-                Ok(found.map(|found| Impact::of_query::<K>(&found, t0, t1)))
-            })?;
-            (collides, impact, answer)
-        };
-        collides.write(answer.is_some());
-        if let Some(answer) = answer {
-            impact.write(answer);
+            with_kind!(kind, K => {
+                let found = query::<K>(x0, x1)?.impact(options);
+                collides.write(found.is_some());
+                if let Some(found) = found {
+                    let (x0, x1) = (points::<K>("x0", x0)?, points::<K>("x1", x1)?);
+                    impact.write(Impact::of_query::<K>(&found, x0, x1));
+                }
+                Ok(())
+            })
         }
-        Ok(())
     })
 }
 
-/// The times at which two primitives are within a distance of each other: the maximal closed
-/// intervals, in increasing order. For `min_distance` = 0, the times at which they touch.
+/// The times at which two primitives touch: the maximal closed intervals, in increasing order; none if the
+/// first is after `until`.
 ///
 /// The first `capacity` intervals are written to `intervals`, which may be null for 0, and their
 /// number to `count`, even if that is larger. There are at most 32. Other arguments as in
@@ -160,27 +133,27 @@ pub unsafe extern "C" fn exact_ccd_impact(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_intervals(
     kind: u32,
-    points_t0: *const f64,
-    points_t1: *const f64,
-    min_distance: f64,
+    x0: *const f64,
+    x1: *const f64,
+    separation: f64,
+    until: f64,
     intervals: *mut Interval,
     capacity: usize,
     count: *mut usize,
 ) -> Status {
     call(|| {
-        let d = Separation::new(min_distance)?;
+        let options = options(separation, until)?;
         // SAFETY: the documentation of the function states the promise.
-        let (intervals, count, answer) = unsafe {
+        unsafe {
             let intervals = places("intervals", intervals, capacity)?;
             let count = Out::new("count", count)?;
-            let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.intervals(d))
-            })?;
-            (intervals, count, answer)
-        };
-        count.write(answer.len());
-        fill(intervals, answer.iter().map(Interval::from));
-        Ok(())
+            with_kind!(kind, K => {
+                let found = query::<K>(x0, x1)?.intervals(options);
+                count.write(found.len());
+                fill(intervals, found.iter().map(Interval::from));
+                Ok(())
+            })
+        }
     })
 }
 
@@ -192,24 +165,23 @@ pub unsafe extern "C" fn exact_ccd_intervals(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn exact_ccd_distance_at(
     kind: u32,
-    points_t0: *const f64,
-    points_t1: *const f64,
+    x0: *const f64,
+    x1: *const f64,
     time: f64,
     lower: *mut f64,
     upper: *mut f64,
 ) -> Status {
     call(|| {
         // SAFETY: the documentation of the function states the promise.
-        let (lower, upper, answer) = unsafe {
+        unsafe {
             let lower = Out::new("lower", lower)?;
             let upper = Out::new("upper", upper)?;
-            let answer = with_kind!(kind, K => {
-                Ok(query::<K>(points_t0, points_t1)?.distance_at(time)?)
-            })?;
-            (lower, upper, answer)
-        };
-        lower.write(answer.lower);
-        upper.write(answer.upper);
-        Ok(())
+            with_kind!(kind, K => {
+                let bounds = query::<K>(x0, x1)?.distance_at(time)?;
+                lower.write(bounds.lower);
+                upper.write(bounds.upper);
+                Ok(())
+            })
+        }
     })
 }

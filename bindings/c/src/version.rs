@@ -3,7 +3,7 @@
 use core::ffi::{CStr, c_char};
 
 /// The version of the binary interface. It grows with each change that a compiled caller notices.
-pub const EXACT_CCD_ABI_VERSION: u32 = 2;
+pub const EXACT_CCD_ABI_VERSION: u32 = 3;
 
 const VERSION: &CStr = match CStr::from_bytes_with_nul(concat!(env!("CARGO_PKG_VERSION"), "\0").as_bytes()) {
     Ok(version) => version,

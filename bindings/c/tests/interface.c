@@ -31,38 +31,38 @@ static void versions(void)
 static void queries(void)
 {
     bool collides = false;
-    OK(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, &collides));
+    OK(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 1, &collides));
     CHECK(collides);
 
     double time = -1;
-    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 1, &time));
     CHECK(time == 0.5);
-    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, 1, &time));
     CHECK(time == 0.25);
-    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_START, 0.5, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_START, 0.5, 1, &time));
     CHECK(isnan(time));
 
     // A time that is exactly 0.5, and one at 1/3 between two numbers.
-    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 0.5, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 0.5, &time));
     CHECK(time == 0.5);
     double third[12];
     memcpy(third, FACE_END, sizeof third);
     third[2] = -2;
     const double below = 1.0 / 3;
-    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, 1, &time));
     CHECK(time == below);
-    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, below, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, below, &time));
     CHECK(isnan(time));
-    OK(exact_ccd_time_of_impact_until(
+    OK(exact_ccd_time_of_impact(
         EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, 0x1.5555555555556p-2, &time));
     CHECK(time == below);
-    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, INFINITY, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, third, 0, INFINITY, &time));
     CHECK(time == below);
-    OK(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 1, -1, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 1, -1, &time));
     CHECK(isnan(time));
 
     exact_ccd_impact_t impact;
-    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, &collides, &impact));
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 1, &collides, &impact));
     CHECK(collides && impact.time == 0.5 && impact.time_is_exact && impact.has_normal);
     CHECK(fabs(impact.normal[2] - 1) < 1e-9 && fabs(impact.parameters[0] - 0.25) < 1e-9);
     const double meeting[3] = {0.25, 0.25, 0};
@@ -70,14 +70,14 @@ static void queries(void)
         CHECK(fabs(impact.points[0][axis] - meeting[axis]) < 1e-9);
         CHECK(fabs(impact.points[1][axis] - meeting[axis]) < 1e-9);
     }
-    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, &collides, &impact));
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, 1, &collides, &impact));
     CHECK(impact.points[0][2] == 0.5 && impact.points[1][2] == 0);
 
     exact_ccd_interval_t intervals[32];
     size_t count = 99;
-    OK(exact_ccd_intervals(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, intervals, 32, &count));
+    OK(exact_ccd_intervals(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, 1, intervals, 32, &count));
     CHECK(count == 1 && intervals[0].start == 0.25 && intervals[0].end == 0.75);
-    OK(exact_ccd_intervals(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, NULL, 0, &count));
+    OK(exact_ccd_intervals(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0.5, 1, NULL, 0, &count));
     CHECK(count == 1);
 
     double lower = 0, upper = 0;
@@ -86,21 +86,21 @@ static void queries(void)
 
     // Points that pass each other at the distance 3 come within 5 at t = 1/4.
     const double point_start[6] = {0, 3, -8, 0, 0, 0}, point_end[6] = {0, 3, 8, 0, 0, 0};
-    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_VERTEX, point_start, point_end, 5, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_VERTEX, point_start, point_end, 5, 1, &time));
     CHECK(time == 0.25);
     const double edge_start[9] = {0, 3, -8, -9, 0, 0, 9, 0, 0}, edge_end[9] = {0, 3, 8, -9, 0, 0, 9, 0, 0};
-    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, &time));
+    OK(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, 1, &time));
     CHECK(time == 0.25);
     // The point of the edge is the middle.
-    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, &collides, &impact));
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_EDGE, edge_start, edge_end, 5, 1, &collides, &impact));
     CHECK(collides && fabs(impact.parameters[1] - 0.5) < 1e-9);
     CHECK(impact.points[0][1] == 3 && impact.points[0][2] == -4 && fabs(impact.points[1][0]) < 1e-9);
-    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_VERTEX, point_start, point_end, 5, &collides, &impact));
+    OK(exact_ccd_impact(EXACT_CCD_KIND_VERTEX_VERTEX, point_start, point_end, 5, 1, &collides, &impact));
     CHECK(collides && impact.points[0][2] == -4 && impact.points[1][2] == 0);
     // Edges that cross in the middle.
     const double cross_start[12] = {-1, 0, 1, 1, 0, 1, 0, -1, 0, 0, 3, 0};
     const double cross_end[12] = {-1, 0, -1, 1, 0, -1, 0, -1, 0, 0, 3, 0};
-    OK(exact_ccd_impact(EXACT_CCD_KIND_EDGE_EDGE, cross_start, cross_end, 0.5, &collides, &impact));
+    OK(exact_ccd_impact(EXACT_CCD_KIND_EDGE_EDGE, cross_start, cross_end, 0.5, 1, &collides, &impact));
     CHECK(collides && impact.time == 0.25 && fabs(impact.parameters[1] - 0.25) < 1e-9);
     CHECK(impact.points[0][2] == 0.5 && impact.points[1][2] == 0 && fabs(impact.points[1][1]) < 1e-9);
 }
@@ -110,27 +110,27 @@ static void errors(void)
     bool collides;
     double time;
     const exact_ccd_status_t argument = EXACT_CCD_STATUS_INVALID_ARGUMENT;
-    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, NULL, FACE_END, 0, &collides), argument, "points_t0");
-    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NULL), argument, "collides");
-    fails(exact_ccd_collides(7, FACE_START, FACE_END, 0, &collides), argument, "kind is 7");
-    fails(exact_ccd_collides(EXACT_CCD_KIND_EDGE_FACE, FACE_START, FACE_END, 0, &collides), argument, "kind is 4");
+    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, NULL, FACE_END, 0, 1, &collides), argument, "x0");
+    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, 1, NULL), argument, "collides");
+    fails(exact_ccd_collides(7, FACE_START, FACE_END, 0, 1, &collides), argument, "kind is 7");
+    fails(exact_ccd_collides(EXACT_CCD_KIND_EDGE_FACE, FACE_START, FACE_END, 0, 1, &collides), argument, "kind is 4");
     CHECK(!exact_ccd_last_error_fields().has_query && exact_ccd_last_error_fields().edge == UINT32_MAX);
-    fails(exact_ccd_time_of_impact_until(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NAN, &time),
+    fails(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 0, NAN, &time),
           argument,
           "until");
-    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, -1, &collides), argument, "-1");
-    fails(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, NAN, &time), argument, "NaN");
+    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, -1, 1, &collides), argument, "-1");
+    fails(exact_ccd_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, NAN, 1, &time), argument, "NaN");
 
     double not_finite[12];
     memcpy(not_finite, FACE_END, sizeof not_finite);
     not_finite[4] = INFINITY;
-    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, not_finite, 0, &collides),
+    fails(exact_ccd_collides(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, not_finite, 0, 1, &collides),
           EXACT_CCD_STATUS_INVALID_POSITIONS,
           "inf");
 
     const uint32_t out_of_range[4] = {0, 1, 2, 4};
-    fails(exact_ccd_batch_times(
-              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, out_of_range, 1, 0, &time),
+    fails(exact_ccd_batch_time_of_impact(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, out_of_range, 1, 0, 1, 0, &time),
           EXACT_CCD_STATUS_INVALID_MESH,
           "vertex 4");
 
@@ -164,14 +164,14 @@ static void batches(void)
     x1[2] = x1[5] = -1;
     const uint32_t queries[8] = {0, 2, 3, 4, 1, 2, 3, 4};
     double times[2] = {-1, -1};
-    OK(exact_ccd_batch_times(EXACT_CCD_KIND_VERTEX_FACE, x0, x1, 5, queries, 2, 0, times));
+    OK(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, x0, x1, 5, queries, 2, 0, 1, 0, times));
     CHECK(times[0] == 0.5 && isnan(times[1]));
-    OK(exact_ccd_batch_times(EXACT_CCD_KIND_VERTEX_FACE, x0, x1, 5, queries, 2, 0.5, times));
+    OK(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, x0, x1, 5, queries, 2, 0.5, 1, 0, times));
     CHECK(times[0] == 0.25 && isnan(times[1]));
     const double thickness[5] = {0.25, 0, 0.25, 0, 0};
-    OK(exact_ccd_batch_times_thick(EXACT_CCD_KIND_VERTEX_FACE, x0, x1, 5, queries, 2, thickness, times));
+    OK(exact_ccd_batch_time_of_impact_thick(EXACT_CCD_KIND_VERTEX_FACE, x0, x1, 5, queries, 2, thickness, 1, 0, times));
     CHECK(times[0] == 0.25 && isnan(times[1]));
-    OK(exact_ccd_batch_times(EXACT_CCD_KIND_VERTEX_FACE, NULL, NULL, 0, NULL, 0, 0, NULL));
+    OK(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, NULL, NULL, 0, NULL, 0, 0, 1, 0, NULL));
 }
 
 // A batch that fails writes no time, and names the first wrong query, on any number of threads.
@@ -189,18 +189,17 @@ static void wrong_batches(void)
     queries[4 * 9001 + 2] = 4;
     queries[4 * 15001 + 1] = 5;
     const double thickness[4] = {0, 0, 0, 0};
-    fails(exact_ccd_batch_times(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, times),
+    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 0, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
-    fails(exact_ccd_batch_times_thick(
-              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, thickness, times),
+    fails(exact_ccd_batch_time_of_impact_thick(
+              EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, thickness, 1, 0, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
     const exact_ccd_error_t error = exact_ccd_last_error_fields();
     CHECK(error.status == EXACT_CCD_STATUS_INVALID_MESH && error.has_query && error.query == 9001);
     CHECK(strcmp(error.message, exact_ccd_last_error()) == 0);
-    fails(exact_ccd_batch_times_on(
-              3, EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, times),
+    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, queries, COUNT, 0, 1, 3, times),
           EXACT_CCD_STATUS_INVALID_MESH,
           "query 9001");
     for (int i = 0; i < COUNT; ++i) {
@@ -457,6 +456,61 @@ static void meshes(void)
 }
 
 // The number of threads may change between any two calls, and belong to a call.
+// Three worlds with one triangle and a vertex that falls at different speeds.
+static void worlds(void)
+{
+    enum { COUNT = 3 };
+    const uint32_t face[3] = {1, 2, 3};
+    const double heights[COUNT] = {0.5, -1, -3};
+    double x0[12 * COUNT], x1[12 * COUNT];
+    for (int i = 0; i < COUNT; ++i) {
+        memcpy(x0 + 12 * i, FACE_START, sizeof FACE_START);
+        memcpy(x1 + 12 * i, FACE_START, sizeof FACE_START);
+        x1[12 * i + 2] = heights[i];
+    }
+    exact_ccd_mesh_t* mesh = NULL;
+    exact_ccd_detector_t* detector = NULL;
+    OK(exact_ccd_mesh_new(4, face, 1, NULL, 0, &mesh));
+    OK(exact_ccd_detector_new(mesh, &detector));
+
+    bool is_free[COUNT], is_found[COUNT];
+    OK(exact_ccd_worlds_is_free(detector, x0, x1, 4, COUNT, is_free));
+    CHECK(is_free[0] && !is_free[1] && !is_free[2]);
+    exact_ccd_contact_t contacts[COUNT];
+    contacts[0].impact.time = 7;
+    OK(exact_ccd_worlds_earliest_contact(detector, x0, x1, 4, COUNT, is_found, contacts));
+    CHECK(!is_found[0] && is_found[1] && is_found[2] && contacts[0].impact.time == 7);
+    CHECK(contacts[1].impact.time == 0.5 && contacts[2].impact.time == 0.25);
+    CHECK(contacts[2].kind == EXACT_CCD_KIND_VERTEX_FACE && contacts[2].first == 0);
+
+    double sizes[COUNT], ends[12 * COUNT];
+    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, ends));
+    CHECK(sizes[0] == 1 && sizes[1] == 0.25 && sizes[2] == 0.125);
+    CHECK(ends[2] == 0.5 && ends[14] == 0.5 && ends[26] == 0.5);
+    OK(exact_ccd_worlds_is_free(detector, x0, ends, 4, COUNT, is_free));
+    CHECK(is_free[0] && is_free[1] && is_free[2]);
+    OK(exact_ccd_detector_set_min_distance(detector, 0.5));
+    OK(exact_ccd_worlds_is_free(detector, x0, ends, 4, COUNT, is_free));
+    CHECK(!is_free[0] && !is_free[1] && !is_free[2]);
+    OK(exact_ccd_detector_set_min_distance(detector, 0));
+    // The results may be in the place of the arguments.
+    OK(exact_ccd_worlds_free_step(detector, x0, x1, 4, COUNT, 0.5, sizes, x1));
+    CHECK(memcmp(x1, ends, sizeof ends) == 0);
+
+    OK(exact_ccd_worlds_is_free(detector, NULL, NULL, 4, 0, NULL));
+    x1[12 + 2] = NAN;
+    fails(exact_ccd_worlds_is_free(detector, x0, x1, 4, COUNT, is_free),
+          EXACT_CCD_STATUS_INVALID_POSITIONS,
+          "world 1: at the end, vertex 0");
+    fails(exact_ccd_worlds_is_free(detector, x0, x1, 3, COUNT, is_free), EXACT_CCD_STATUS_INVALID_POSITIONS, "world 0");
+    fails(exact_ccd_worlds_is_free(detector, x0, x1, 4, SIZE_MAX, is_free), EXACT_CCD_STATUS_INVALID_ARGUMENT, "memory");
+    fails(exact_ccd_worlds_earliest_contact(detector, x0, x1, 4, COUNT, NULL, contacts),
+          EXACT_CCD_STATUS_INVALID_ARGUMENT,
+          "is_found");
+    exact_ccd_detector_free(detector);
+    exact_ccd_mesh_free(mesh);
+}
+
 static void numbers_of_threads(void)
 {
     const uint32_t counts[] = {3, 1, 0, 2};
@@ -465,12 +519,11 @@ static void numbers_of_threads(void)
         batches();
         const uint32_t query[4] = {0, 1, 2, 3};
         double time = -1;
-        OK(exact_ccd_batch_times_on(
-            counts[3 - i], EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, &time));
+        OK(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, FACE_START, FACE_END, 4, query, 1, 0, 1, counts[3 - i], &time));
         CHECK(time == 0.5);
     }
     fails(exact_ccd_set_threads(1025), EXACT_CCD_STATUS_INVALID_ARGUMENT, "1025 threads");
-    fails(exact_ccd_batch_times_on(UINT32_MAX, EXACT_CCD_KIND_VERTEX_FACE, NULL, NULL, 0, NULL, 0, 0, NULL),
+    fails(exact_ccd_batch_time_of_impact(EXACT_CCD_KIND_VERTEX_FACE, NULL, NULL, 0, NULL, 0, 0, 1, UINT32_MAX, NULL),
           EXACT_CCD_STATUS_INVALID_ARGUMENT,
           "4294967295 threads");
 }
@@ -479,6 +532,7 @@ int main(void)
 {
     OK(exact_ccd_set_threads(2));
     versions();
+    worlds();
     queries();
     errors();
     batches();

@@ -54,12 +54,13 @@ def beside_rust(reference: Path, folder: Path) -> None:
     candidates.build(flat, x0, x1)
     pairs = candidates.pairs["ee"]
     indices = np.resize(pairs, (1_000_000, 4))
-    points = np.concatenate([x0[indices], x1[indices]], axis=1)
+    queries = exact_ccd.Queries("ee", x0, x1, indices)
+    points = exact_ccd.Queries("ee", x0[indices], x1[indices])
     detector = exact_ccd.Detector(mesh)
     calls = {
-        "indices": lambda: exact_ccd.collides("ee", indices=indices, vertices_t0=x0, vertices_t1=x1, threads=1),
-        "points": lambda: exact_ccd.collides("ee", points, threads=1),
-        "earliest_contact": lambda: detector.earliest_contact(x0, x1),
+        "indices": lambda: queries.collides(threads=1),
+        "points": lambda: points.collides(threads=1),
+        "collision": lambda: detector.collision(x0, x1),
     }
     best = {name: {"rust": np.inf, "python": np.inf} for name in calls}
     with tempfile.TemporaryDirectory() as raw:
@@ -98,7 +99,7 @@ def beside_pyarrow(folder: Path, count: int) -> None:
     import ray
     import ray.data
 
-    from exact_ccd.ray import check_dataset
+    from exact_ccd.ray import answer_dataset
 
     x0, x1, faces = scene(folder)
     mesh = exact_ccd.Mesh(x0, faces)
@@ -119,11 +120,11 @@ def beside_pyarrow(folder: Path, count: int) -> None:
 
         def by_pyarrow() -> int:
             tables = (parquet.read_table(file) for file in Path(data).iterdir())
-            answers = (exact_ccd.check(table, answers=["collides"], threads=None) for table in tables)
+            answers = (exact_ccd.answer_table(table, answers=["collides"], threads=None) for table in tables)
             return sum(int(np.count_nonzero(table["collides"])) for table in answers)
 
         def by_ray() -> int:
-            answered = check_dataset(ray.data.read_parquet(data), answers=["collides"]).select_columns(["collides"])
+            answered = answer_dataset(ray.data.read_parquet(data), answers=["collides"]).select_columns(["collides"])
             blocks = answered.iter_batches(batch_size=None, batch_format="pyarrow")
             return sum(int(np.count_nonzero(table["collides"])) for table in blocks)
 
@@ -133,7 +134,7 @@ def beside_pyarrow(folder: Path, count: int) -> None:
             best[0] = min(best[0], fastest(by_pyarrow, 1))
             best[1] = min(best[1], fastest(by_ray, 1))
         ray.shutdown()
-    print(f"{count} queries in Parquet: pyarrow and batches {best[0]:.2f}  check_dataset {best[1]:.2f}  "
+    print(f"{count} queries in Parquet: pyarrow and batches {best[0]:.2f}  answer_dataset {best[1]:.2f}  "
           f"ratio {best[1] / best[0]:.2f}")
 
 

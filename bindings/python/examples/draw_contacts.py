@@ -20,7 +20,7 @@ triangles = link.faces.reshape(-1, 4)[:, 1:]
 mesh = Mesh(len(x0), np.vstack([triangles, triangles + len(ring)]), groups=np.repeat([0, 1], len(ring)))
 
 detector = Detector(mesh)
-contacts = detector.contacts(x0, x1)
+contacts = detector.collisions(x0, x1)
 first = contacts[0]
 print(f"{len(contacts)} contacts, the first of {first['kind']} at t = {first['time']}")
 

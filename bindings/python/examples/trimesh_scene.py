@@ -34,7 +34,7 @@ mesh = Mesh(sum(counts), faces, groups=np.repeat(np.arange(len(names)), counts))
 detector = Detector(mesh)
 x0, x1 = positions(3.0), positions(1.0)
 step = detector.free_step(x0, x1, keep=0.9)
-assert step.contact is not None and detector.is_free(x0, step.positions)
+assert step.contact is not None and not detector.collides(x0, step.positions)
 bodies = np.searchsorted(starts, step.contact.vertices, side="right") - 1
 print(f"{names[bodies[0]]} meets {names[bodies[3]]} at t = {step.contact.time}, at {step.contact.points[0]}")
 print(f"free step: {step.size}")

@@ -4,18 +4,22 @@ use std::time::{Duration, Instant};
 
 use exact_ccd::batch::{self, Trajectories};
 use exact_ccd::{Collision, Options, Separation};
-use numpy::{PyReadonlyArray2, PyReadonlyArray3};
+use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::compute::{Watch, compute};
-use crate::error::refused;
+use crate::error::{refused, room};
 use crate::kind::ArrayKind;
 use crate::pool;
+use crate::positions::{Positions, Rows};
 
 /// The number of queries of a task.
 const GRAIN: usize = 4096;
+
+/// The number of queries whose points are gathered at a time: 48 KiB at most.
+const BLOCK: usize = 256;
 
 /// The number of queries that a thread decides first, before it checks for the end of the computation.
 const FEW: usize = 8;
@@ -23,20 +27,23 @@ const FEW: usize = 8;
 /// The time from one check to the next. A query takes from some 10⁻⁸ to some 10⁻¹ seconds.
 const CHECK_INTERVAL: Duration = Duration::from_millis(20);
 
-/// Queries by their points, or by the indices of vertices and the positions of these at t = 0 and at t = 1.
+/// Queries of one kind, given by its number and the positions at t = 0 and at t = 1: of the points of each
+/// query, or of vertices, and then the vertices of each query.
 #[derive(FromPyObject)]
-pub(crate) enum Arrays<'py> {
-    Points(PyReadonlyArray3<'py, f64>),
-    Vertices(
-        PyReadonlyArray2<'py, u32>,
-        PyReadonlyArray2<'py, f64>,
-        PyReadonlyArray2<'py, f64>,
-    ),
-}
+pub(crate) struct Arrays<'py>(
+    pub(crate) u8,
+    Positions<'py>,
+    Positions<'py>,
+    Option<PyReadonlyArray2<'py, u32>>,
+);
+
+/// The distance at which primitives touch, the last time that counts, and the number of threads.
+#[derive(FromPyObject)]
+pub(crate) struct Settings(f64, f64, Option<usize>);
 
 /// The queries of a batch.
 enum Queries<'a, K: ArrayKind> {
-    Points(&'a [[K::Points; 2]]),
+    Points([Rows<'a>; 2]),
     Vertices(&'a [K::Vertices], Trajectories),
 }
 
@@ -49,7 +56,7 @@ enum Failure {
 impl<K: ArrayKind> Queries<'_, K> {
     fn count(&self) -> usize {
         match self {
-            Self::Points(queries) => queries.len(),
+            Self::Points([start, _]) => start.count(),
             Self::Vertices(queries, _) => queries.len(),
         }
     }
@@ -62,19 +69,32 @@ impl<K: ArrayKind> Queries<'_, K> {
         answers: &mut [T],
         of: impl Fn(&Collision<'_, K>) -> T,
     ) -> Result<(), Failure> {
-        let rows = first..first + answers.len();
-        let found = |index: usize, collision: Collision<'_, K>| answers[index] = of(&collision);
         match self {
-            Self::Points(queries) => batch::Queries::<K>::new(&queries[rows])
-                .collisions(options, found)
-                .map_err(|error| Failure::Row(first + error.query, error.source.to_string())),
-            Self::Vertices(queries, trajectories) => trajectories
-                .collisions::<K>(&queries[rows.clone()], options, found)
-                .map_err(|error| {
-                    let exist = |row: &usize| trajectories.query::<K>(queries[*row]).is_some();
-                    let row = rows.into_iter().find(|row| !exist(row)).unwrap_or(first);
-                    Failure::Row(row, error.to_string())
-                }),
+            Self::Points([start, end]) => {
+                let mut points = Vec::with_capacity(BLOCK.min(answers.len()));
+                for (block, answers) in answers.chunks_mut(BLOCK).enumerate() {
+                    let first = first + BLOCK * block;
+                    let rows = first..first + answers.len();
+                    points.clear();
+                    points.extend(rows.map(|row| [start, end].map(|rows| K::points(rows, row))));
+                    batch::Queries::<K>::new(&points)
+                        .collisions(options, |index, collision| answers[index] = of(&collision))
+                        .map_err(|error| Failure::Row(first + error.query, error.source.to_string()))?;
+                }
+                Ok(())
+            }
+            Self::Vertices(queries, trajectories) => {
+                let rows = first..first + answers.len();
+                trajectories
+                    .collisions::<K>(&queries[rows.clone()], options, |index, collision| {
+                        answers[index] = of(&collision);
+                    })
+                    .map_err(|error| {
+                        let exist = |row: &usize| trajectories.query::<K>(queries[*row]).is_some();
+                        let row = rows.into_iter().find(|row| !exist(row)).unwrap_or(first);
+                        Failure::Row(row, error.to_string())
+                    })
+            }
         }
     }
 }
@@ -82,28 +102,29 @@ impl<K: ArrayKind> Queries<'_, K> {
 /// An answer for each query: that of its collision, or `none`.
 pub(crate) fn answers<K: ArrayKind, T: Clone + Send>(
     py: Python<'_>,
-    arrays: &Arrays<'_>,
-    min_distance: f64,
-    until: f64,
-    threads: Option<usize>,
+    Arrays(_, x0, x1, vertices): &Arrays<'_>,
+    &Settings(separation, until, threads): &Settings,
     none: T,
     of: impl Fn(&Collision<'_, K>) -> T + Sync,
 ) -> PyResult<Vec<T>>
 where
-    K::Points: Sync,
     K::Vertices: Sync,
 {
     pool::check(threads)?;
-    let options = Options::within(Separation::new(min_distance).map_err(refused)?).until(until);
-    let queries = match arrays {
-        Arrays::Points(points) => Queries::Points(K::points(points.as_slice()?)),
-        Arrays::Vertices(vertices, x0, x1) => {
-            let (x0, x1) = (x0.as_slice()?.as_chunks().0, x1.as_slice()?.as_chunks().0);
-            let trajectories = py.detach(|| Trajectories::new(x0, x1)).map_err(refused)?;
-            Queries::Vertices(K::vertices(vertices.as_slice()?), trajectories)
+    let options = Options::within(Separation::new(separation).map_err(refused)?).until(until);
+    let ends = Positions::ends(x0, x1)?;
+    let queries = match vertices {
+        None => Queries::Points(ends),
+        Some(vertices) => {
+            let trajectories = py.detach(|| {
+                let [x0, x1] = ends.map(|rows| rows.row(0));
+                Trajectories::new(&x0, &x1)
+            });
+            Queries::Vertices(K::vertices(vertices.as_slice()?), trajectories.map_err(refused)?)
         }
     };
-    let mut answers = vec![none; queries.count()];
+    let mut answers = room(queries.count())?;
+    answers.resize(queries.count(), none);
     let watch = Watch::default();
     let answer = |(chunk, mut answers): (usize, &mut [T])| {
         let (mut first, mut count) = (GRAIN * chunk, FEW);

@@ -1,17 +1,52 @@
 //! Contacts as columns.
 
-use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_mesh::{Contact, Pair, PairKind, Step};
+use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd_mesh::{Contact, Pair, TriangleMesh};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
 use crate::impact::{COLUMNS, columns};
 use crate::kind::ArrayKind;
 use crate::mesh::rows;
+use crate::queries::offsets;
 
-/// The kind, the indices of both primitives and the vertices of each contact, its impact, and the
-/// bounds of its distance. A pair of fewer than four vertices has −1 for the others.
+/// A contact in numbers.
+pub(crate) struct Row {
+    kind: u8,
+    ids: [u32; 2],
+    vertices: [i64; 4],
+    impact: [f64; COLUMNS],
+    distance: [f64; 2],
+}
+
+impl Row {
+    /// A contact of a mesh with these positions at both ends of the step.
+    pub(crate) fn new(mesh: &TriangleMesh, ends: [&[Point]; 2], contact: &Contact) -> Self {
+        let pair = contact.pair;
+        // A contact of the step is a pair of its mesh.
+        let vertices = pair.vertices(mesh).unwrap_or_default();
+        let (first, second) = vertices.split_at(pair.first_len().min(vertices.len()));
+        let vertex = |index| vertices.get(index).copied().map_or(-1, i64::from);
+        Self {
+            kind: match pair {
+                Pair::VertexFace { .. } => VertexFace::NUMBER,
+                Pair::EdgeEdge { .. } => EdgeEdge::NUMBER,
+                Pair::VertexEdge { .. } => VertexEdge::NUMBER,
+                Pair::VertexVertex { .. } => VertexVertex::NUMBER,
+            },
+            ids: pair.ids(),
+            vertices: [0, 1, 2, 3].map(vertex),
+            impact: columns(&contact.impact, [first, second], ends),
+            distance: [contact.distance.lower, contact.distance.upper],
+        }
+    }
+}
+
+/// The index of the first contact of each world; the kind, the indices of both primitives and the vertices
+/// of each contact, its impact, and the bounds of its distance. A pair of fewer than four vertices has −1 for the
+/// others.
 pub(crate) type Columns<'py> = (
+    Bound<'py, PyArray1<i64>>,
     Bound<'py, PyArray1<u8>>,
     Bound<'py, PyArray2<u32>>,
     Bound<'py, PyArray2<i64>>,
@@ -19,56 +54,19 @@ pub(crate) type Columns<'py> = (
     Bound<'py, PyArray2<f64>>,
 );
 
-/// The columns before they belong to the interpreter.
-#[derive(Default)]
-pub(crate) struct Table {
-    kinds: Vec<u8>,
-    ids: Vec<[u32; 2]>,
-    vertices: Vec<[i64; 4]>,
-    impacts: Vec<[f64; COLUMNS]>,
-    distances: Vec<[f64; 2]>,
-}
-
-impl Table {
-    /// The columns of contacts of a step.
-    pub(crate) fn new(step: &Step<'_>, contacts: &[Contact]) -> Self {
-        let mut table = Self::default();
-        for contact in contacts {
-            match contact.pair {
-                Pair::VertexFace { .. } => table.add::<VertexFace>(step, contact),
-                Pair::EdgeEdge { .. } => table.add::<EdgeEdge>(step, contact),
-                Pair::VertexEdge { .. } => table.add::<VertexEdge>(step, contact),
-                Pair::VertexVertex { .. } => table.add::<VertexVertex>(step, contact),
-            }
-        }
-        table
-    }
-
-    fn add<K: ArrayKind + PairKind>(&mut self, step: &Step<'_>, contact: &Contact) {
-        let ids = contact.pair.ids();
-        let vertices = <K as PairKind>::vertices(step.mesh(), ids).unwrap_or_default();
-        let vertex = |index| vertices.as_ref().get(index).copied().map_or(-1, i64::from);
-        // A contact of the step is a pair of its mesh.
-        let query = step.query::<K>(ids);
-        let impact = query.map_or([f64::NAN; COLUMNS], |query| columns(&query, &contact.impact));
-        self.kinds.push(K::NUMBER);
-        self.ids.push(ids);
-        self.vertices.push([0, 1, 2, 3].map(vertex));
-        self.impacts.push(impact);
-        self.distances
-            .push([contact.distance.lower, contact.distance.upper]);
-    }
-
-    /// The columns as arrays.
-    pub(crate) fn into_arrays(self, py: Python<'_>) -> PyResult<Columns<'_>> {
-        let kinds = PyArray1::from_vec(py, self.kinds);
-        let (ids, vertices) = (rows(py, &self.ids)?, rows(py, &self.vertices)?);
-        Ok((
-            kinds,
-            ids,
-            vertices,
-            rows(py, &self.impacts)?,
-            rows(py, &self.distances)?,
-        ))
-    }
+/// The contacts of worlds as columns.
+pub(crate) fn into_columns<'py, C>(py: Python<'py>, worlds: &[C]) -> PyResult<Columns<'py>>
+where
+    for<'a> &'a C: IntoIterator<Item = &'a Row>,
+{
+    let every: Vec<&Row> = worlds.iter().flatten().collect();
+    let each = every.iter();
+    Ok((
+        offsets(py, worlds.iter().map(|contacts| contacts.into_iter().count())),
+        PyArray1::from_iter(py, each.clone().map(|contact| contact.kind)),
+        rows(py, each.clone().map(|contact| contact.ids))?,
+        rows(py, each.clone().map(|contact| contact.vertices))?,
+        rows(py, each.clone().map(|contact| contact.impact))?,
+        rows(py, each.map(|contact| contact.distance))?,
+    ))
 }

@@ -19,12 +19,11 @@ type Arrays<'py> = (
     Bound<'py, PyArray2<u32>>,
 );
 
-fn arrays<'py>(py: Python<'py>, frame: &Frame) -> PyResult<Arrays<'py>> {
-    let Frame { mesh, positions } = frame;
+fn arrays(py: Python<'_>, Frame { mesh, positions }: Frame) -> PyResult<Arrays<'_>> {
     Ok((
         rows(py, positions)?,
-        rows(py, mesh.faces())?,
-        rows(py, mesh.loose_edges())?,
+        rows(py, mesh.faces().iter().copied())?,
+        rows(py, mesh.loose_edges().iter().copied())?,
     ))
 }
 
@@ -39,7 +38,7 @@ fn unread(error: &ReadError) -> PyErr {
 #[pyfunction]
 pub(crate) fn read_mesh(py: Python<'_>, path: PathBuf) -> PyResult<Arrays<'_>> {
     let frame = py.detach(|| exact_ccd_files::read_frame(path));
-    arrays(py, &frame.map_err(|error| unread(&error))?)
+    arrays(py, frame.map_err(|error| unread(&error))?)
 }
 
 /// The mesh in the contents of a file, whose name has the format.
@@ -49,7 +48,7 @@ pub(crate) fn parse_mesh<'py>(py: Python<'py>, contents: &[u8], name: PathBuf) -
     let unknown = || refused(format_args!("{}: no known format of meshes", name.display()));
     let format = Format::of_path(&name).ok_or_else(unknown)?;
     let frame = py.detach(|| parse_frame(contents, format));
-    arrays(py, &frame.map_err(at)?)
+    arrays(py, frame.map_err(at)?)
 }
 
 /// The format that belongs to the extension of a path, if it is that of a mesh file.
@@ -89,7 +88,7 @@ impl FrameSequence {
     /// The mesh of a frame.
     fn read<'py>(&self, py: Python<'py>, frame: usize) -> PyResult<Arrays<'py>> {
         let file = py.detach(|| self.0.read(frame));
-        arrays(py, &file.map_err(|error| unread(&error))?.frame)
+        arrays(py, file.map_err(|error| unread(&error))?.frame)
     }
 }
 
@@ -120,7 +119,10 @@ impl Welding {
         mesh: &Mesh,
     ) -> PyResult<(Bound<'py, PyArray2<u32>>, Bound<'py, PyArray2<u32>>)> {
         let welded = py.detach(|| self.0.mesh(mesh.mesh())).map_err(refused)?;
-        Ok((rows(py, welded.faces())?, rows(py, welded.loose_edges())?))
+        Ok((
+            rows(py, welded.faces().iter().copied())?,
+            rows(py, welded.loose_edges().iter().copied())?,
+        ))
     }
 
     /// The positions of the new vertices.
@@ -130,6 +132,6 @@ impl Welding {
         positions: PyReadonlyArray2<'_, f64>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let positions = points(&positions)?;
-        rows(py, &py.detach(|| self.0.positions(positions)))
+        rows(py, py.detach(|| self.0.positions(positions)))
     }
 }

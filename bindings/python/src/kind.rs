@@ -1,9 +1,8 @@
 //! The kinds of queries, and their arrays.
 
 use exact_ccd::{EdgeEdge, Kind, Point, VertexEdge, VertexFace, VertexVertex};
-use pyo3::PyErr;
 
-use crate::error::refused;
+use crate::positions::Rows;
 
 /// The names of the kinds in Python, and the numbers of points of a query. The place of a kind is its number.
 pub(crate) const KINDS: [(&str, usize); 4] = [("vf", 4), ("ee", 4), ("ve", 3), ("vv", 2)];
@@ -13,14 +12,11 @@ pub(crate) trait ArrayKind: Kind + Send + Sync {
     /// The place in [`KINDS`].
     const NUMBER: u8;
 
-    /// The name in Python.
-    const NAME: &'static str = KINDS[Self::NUMBER as usize].0;
-
     /// True if the second primitive is a face.
     const IS_FACE: bool;
 
-    /// Queries as their points, from coordinates.
-    fn points(coordinates: &[f64]) -> &[[Self::Points; 2]];
+    /// The points of a query.
+    fn points(rows: &Rows<'_>, row: usize) -> Self::Points;
 
     /// Queries as their vertices.
     fn vertices(indices: &[u32]) -> &[Self::Vertices];
@@ -33,9 +29,8 @@ macro_rules! array_kind {
             const NUMBER: u8 = $number;
             const IS_FACE: bool = $is_face;
 
-            fn points(coordinates: &[f64]) -> &[[[Point; KINDS[$number].1]; 2]] {
-                let points = coordinates.as_chunks().0;
-                points.as_chunks().0.as_chunks().0
+            fn points(rows: &Rows<'_>, row: usize) -> [Point; KINDS[$number].1] {
+                rows.query(row)
             }
 
             fn vertices(indices: &[u32]) -> &[[u32; KINDS[$number].1]] {
@@ -50,34 +45,21 @@ array_kind!(EdgeEdge, 1, false);
 array_kind!(VertexEdge, 2, false);
 array_kind!(VertexVertex, 3, false);
 
-/// The error for a kind of another name.
-pub(crate) fn unknown(name: &str) -> PyErr {
-    let names = KINDS.map(|(name, _)| format!("{name:?}")).join(", ");
-    refused(format_args!("kind {name:?}, expected one of {names}"))
-}
-
-/// Evaluates an expression for the kind of a name.
+/// Evaluates an expression for the kind of a number.
 macro_rules! for_kind {
-    ($name:expr, $kind:ident => $value:expr) => {{
-        use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-        match $name {
-            <VertexFace as ArrayKind>::NAME => {
-                type $kind = VertexFace;
+    ($number:expr, $kind:ident => $value:expr) => {{
+        macro_rules! evaluate {
+            ($one:ident) => {{
+                type $kind = exact_ccd::$one;
                 $value
-            }
-            <EdgeEdge as ArrayKind>::NAME => {
-                type $kind = EdgeEdge;
-                $value
-            }
-            <VertexEdge as ArrayKind>::NAME => {
-                type $kind = VertexEdge;
-                $value
-            }
-            <VertexVertex as ArrayKind>::NAME => {
-                type $kind = VertexVertex;
-                $value
-            }
-            name => Err($crate::kind::unknown(name)),
+            }};
+        }
+        match $number {
+            0 => evaluate!(VertexFace),
+            1 => evaluate!(EdgeEdge),
+            2 => evaluate!(VertexEdge),
+            3 => evaluate!(VertexVertex),
+            number => Err($crate::error::refused(format_args!("there is no kind {number}"))),
         }
     }};
 }

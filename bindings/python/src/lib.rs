@@ -17,9 +17,11 @@ mod mesh;
 mod overlaps;
 mod page;
 mod pool;
+mod positions;
 #[cfg(feature = "program")]
 mod program;
 mod queries;
+mod search;
 
 use pyo3::prelude::*;
 
@@ -52,7 +54,5 @@ mod _native {
     #[pymodule_export]
     use crate::program::main;
     #[pymodule_export]
-    use crate::queries::{
-        collides, contact_count, contact_times, impacts, time_and_count, time_of_impact, time_until,
-    };
+    use crate::queries::{collides, impact, intervals, time_and_count, time_of_impact};
 }

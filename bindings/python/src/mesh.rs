@@ -93,13 +93,13 @@ impl Mesh {
     /// The faces.
     #[getter]
     fn faces<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        rows(py, self.mesh.faces())
+        rows(py, self.mesh.faces().iter().copied())
     }
 
     /// The edges of the faces, then the loose edges.
     #[getter]
     fn edges<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
-        rows(py, self.mesh.edges())
+        rows(py, self.mesh.edges().iter().copied())
     }
 
     /// The number of loose edges.
@@ -110,9 +110,11 @@ impl Mesh {
 }
 
 /// An array of rows.
-pub(crate) fn rows<'py, T: numpy::Element + Copy, const N: usize>(
-    py: Python<'py>,
-    rows: &[[T; N]],
-) -> PyResult<Bound<'py, PyArray2<T>>> {
-    PyArray1::from_slice(py, rows.as_flattened()).reshape([rows.len(), N])
+pub(crate) fn rows<T: numpy::Element + Copy, const N: usize>(
+    py: Python<'_>,
+    rows: impl IntoIterator<Item = [T; N]>,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let rows: Vec<[T; N]> = rows.into_iter().collect();
+    let shape = [rows.len(), N];
+    PyArray1::from_vec(py, rows.into_flattened()).reshape(shape)
 }

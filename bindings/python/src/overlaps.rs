@@ -49,7 +49,7 @@ pub(crate) fn overlaps<'py>(
         });
         Ok::<_, PyErr>(collector.into_sorted())
     })??;
-    rows(py, &pairs)
+    rows(py, pairs)
 }
 
 /// Primitives with equal numbers of vertices.

@@ -1,77 +1,55 @@
 //! The answers to queries in arrays.
 
 use exact_ccd::Collision;
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 
-use crate::batch::{Arrays, answers};
-use crate::impact::{COLUMNS, columns};
+use crate::batch::{Arrays, Settings, answers};
+use crate::impact::{COLUMNS, columns_of_query};
 use crate::kind::{ArrayKind, for_kind};
+use crate::mesh::rows;
 
 /// Contact or none.
 #[pyfunction]
 pub(crate) fn collides<'py>(
     py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    threads: Option<usize>,
+    queries: Arrays<'py>,
+    settings: Settings,
 ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-    let answers =
-        for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, 1.0, threads, false, |_| true))?;
+    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, false, |_| true))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
 /// The first time of contact, rounded down, or NaN.
 #[pyfunction]
-#[expect(
-    clippy::redundant_closure_for_method_calls,
-    reason = "the method is not general enough over lifetimes"
-)]
 pub(crate) fn time_of_impact<'py>(
     py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    threads: Option<usize>,
+    queries: Arrays<'py>,
+    settings: Settings,
 ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let answers = for_kind!(kind, K => {
-        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, f64::NAN, |c| c.time_of_impact())
-    })?;
+    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, f64::NAN, time))?;
     Ok(PyArray1::from_vec(py, answers))
 }
 
-/// As [`time_of_impact`], and NaN too if the first contact is after `until`: the contact itself is compared,
-/// not the f64 below it. On the thread of the caller.
-#[pyfunction]
-#[expect(
-    clippy::redundant_closure_for_method_calls,
-    reason = "the method is not general enough over lifetimes"
-)]
-pub(crate) fn time_until<'py>(
-    py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    until: f64,
-) -> PyResult<Bound<'py, PyArray1<f64>>> {
-    let answers = for_kind!(kind, K => {
-        answers::<K, _>(py, &arrays, min_distance, until, Some(1), f64::NAN, |c| c.time_of_impact())
-    })?;
-    Ok(PyArray1::from_vec(py, answers))
+fn time<K: ArrayKind>(collision: &Collision<'_, K>) -> f64 {
+    collision.time_of_impact()
 }
 
-/// The number of contact times, −1 for infinitely many; with a distance, the number of intervals.
+/// The first time of contact, rounded down, or NaN, and the number of contact times: −1 for infinitely many;
+/// with a distance, the number of intervals.
 #[pyfunction]
-pub(crate) fn contact_count<'py>(
+#[expect(clippy::type_complexity, reason = "a tuple for Python")]
+pub(crate) fn time_and_count<'py>(
     py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    threads: Option<usize>,
-) -> PyResult<Bound<'py, PyArray1<i64>>> {
-    let answers = for_kind!(kind, K => answers::<K, _>(py, &arrays, min_distance, 1.0, threads, 0, count))?;
-    Ok(PyArray1::from_vec(py, answers))
+    queries: Arrays<'py>,
+    settings: Settings,
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>)> {
+    let answers = for_kind!(queries.0, K => {
+        let of = |collision: &Collision<'_, K>| (time(collision), count(collision));
+        answers::<K, _>(py, &queries, &settings, (f64::NAN, 0), of)
+    })?;
+    let (times, counts) = answers.into_iter().unzip();
+    Ok((PyArray1::from_vec(py, times), PyArray1::from_vec(py, counts)))
 }
 
 fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
@@ -85,72 +63,47 @@ fn count<K: ArrayKind>(collision: &Collision<'_, K>) -> i64 {
     count.map_or(-1, |count| count as i64)
 }
 
-/// The first time of contact, rounded down, or NaN, and the number of contact times.
+/// The index of the first interval of contact of each query, and the ends of the intervals, rounded down.
 #[pyfunction]
 #[expect(clippy::type_complexity, reason = "a tuple for Python")]
-pub(crate) fn time_and_count<'py>(
+pub(crate) fn intervals<'py>(
     py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    threads: Option<usize>,
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i64>>)> {
-    let answers = for_kind!(kind, K => {
-        let of = |collision: &Collision<'_, K>| (collision.time_of_impact(), count(collision));
-        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, (f64::NAN, 0), of)
-    })?;
-    let (times, counts) = answers.into_iter().unzip();
-    Ok((PyArray1::from_vec(py, times), PyArray1::from_vec(py, counts)))
-}
-
-/// The intervals of contact of all queries, each end rounded down, and the index of the first of each
-/// query.
-#[pyfunction]
-#[expect(clippy::type_complexity, reason = "a tuple for Python")]
-pub(crate) fn contact_times<'py>(
-    py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    threads: Option<usize>,
+    queries: Arrays<'py>,
+    settings: Settings,
 ) -> PyResult<(Bound<'py, PyArray1<i64>>, Bound<'py, PyArray2<f64>>)> {
-    let answers = for_kind!(kind, K => {
-        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, Vec::new(), intervals)
-    })?;
-    let mut offsets = Vec::with_capacity(answers.len() + 1);
-    offsets.push(0);
-    for intervals in &answers {
-        offsets.push(offsets[offsets.len() - 1] + intervals.len() as i64);
-    }
-    let ends: Vec<f64> = answers.into_iter().flatten().flatten().collect();
-    let shape = [ends.len() / 2, 2];
-    Ok((
-        PyArray1::from_vec(py, offsets),
-        PyArray1::from_vec(py, ends).reshape(shape)?,
-    ))
+    let answers = for_kind!(queries.0, K => answers::<K, _>(py, &queries, &settings, Vec::new(), ends))?;
+    let offsets = offsets(py, answers.iter().map(Vec::len));
+    Ok((offsets, rows(py, answers.into_iter().flatten())?))
 }
 
-fn intervals<K: ArrayKind>(collision: &Collision<'_, K>) -> Vec<[f64; 2]> {
+fn ends<K: ArrayKind>(collision: &Collision<'_, K>) -> Vec<[f64; 2]> {
     let intervals = collision.intervals().into_iter();
     intervals
         .map(|interval| [interval.start.lower(), interval.end.lower()])
         .collect()
 }
 
+/// The places at which parts of these lengths begin, and the end of the last one.
+pub(crate) fn offsets(py: Python<'_>, lengths: impl Iterator<Item = usize>) -> Bound<'_, PyArray1<i64>> {
+    let mut end = 0;
+    let ends = lengths.map(|length| {
+        end += length as i64;
+        end
+    });
+    PyArray1::from_iter(py, std::iter::once(0).chain(ends))
+}
+
 /// The columns of the impacts.
 #[pyfunction]
-pub(crate) fn impacts<'py>(
+pub(crate) fn impact<'py>(
     py: Python<'py>,
-    kind: &str,
-    arrays: Arrays<'py>,
-    min_distance: f64,
-    threads: Option<usize>,
+    queries: Arrays<'py>,
+    settings: Settings,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     let none = [f64::NAN; COLUMNS];
-    let answers = for_kind!(kind, K => {
-        let of = |collision: &Collision<'_, K>| columns::<K>(collision.query(), &collision.impact());
-        answers::<K, _>(py, &arrays, min_distance, 1.0, threads, none, of)
+    let answers = for_kind!(queries.0, K => {
+        let of = |collision: &Collision<'_, K>| columns_of_query(collision.query(), &collision.impact());
+        answers::<K, _>(py, &queries, &settings, none, of)
     })?;
-    let shape = [answers.len(), COLUMNS];
-    PyArray1::from_vec(py, answers.into_flattened()).reshape(shape)
+    rows(py, answers)
 }

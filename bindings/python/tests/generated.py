@@ -7,11 +7,12 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from exact_ccd import Queries
 from exact_ccd.queries import POINTS
 
 
 def queries(kind: str, count: int, seed: int = 0) -> NDArray[np.float64]:
-    """Points of queries of a kind, in the shape of the argument `points`."""
+    """Points of queries of a kind: those at t = 0, then the same at t = 1."""
     random = np.random.default_rng(seed)
     return random.integers(-3, 4, (count, 2 * POINTS[kind], 3)).astype(np.float64)
 
@@ -26,12 +27,15 @@ def write_queries(file: Path) -> None:
     pyarrow.parquet.write_table(pa.table({"kind": kinds, "points": points}), file)
 
 
-def as_indices(points: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
-    """The same queries by the indices of vertices, each of which has one."""
+def of_points(kind: str, points) -> Queries:
+    """The queries with these points, of shape (N, 2 P, 3)."""
+    count = points.shape[1] // 2
+    return Queries(kind, points[:, :count], points[:, count:])
+
+
+def of_vertices(kind: str, points: NDArray[np.float64]) -> tuple:
+    """The arguments of the same queries by the indices of vertices, each of which has one."""
     count, both, _ = points.shape
     half = both // 2
-    return {
-        "indices": np.arange(count * half, dtype=np.uint32).reshape(count, half),
-        "vertices_t0": points[:, :half].reshape(-1, 3),
-        "vertices_t1": points[:, half:].reshape(-1, 3),
-    }
+    vertices = np.arange(count * half, dtype=np.uint32).reshape(count, half)
+    return kind, points[:, :half].reshape(-1, 3), points[:, half:].reshape(-1, 3), vertices

@@ -14,27 +14,27 @@ from hostile import CASES, integers, positions, survive, table
 
 
 @pytest.mark.parametrize("kind", POINTS)
-@pytest.mark.parametrize("name", ["collides", "time_of_impact", "contact_count", "contact_times", "impacts"])
+@pytest.mark.parametrize("name", ["collides", "time_of_impact", "count", "intervals", "impact"])
 def test_queries(name: str, kind: str) -> None:
     random = np.random.default_rng(len(name))
-    function = getattr(exact_ccd, name)
     answers = 0
     for _ in range(CASES):
         d = float(random.choice([0.0, 0.0, 1.0, 5e-324, 1.7e308, -1.0, np.nan, np.inf]))
-        threads = [None, None, 1, 2, 0, -1][random.integers(6)]
-        points = positions(random, 4, 2 * POINTS[kind], 3)
-        answers += survive(lambda: function(kind, points, min_distance=d, threads=threads))
-        form = {
-            "indices": integers(random, 6, 5, POINTS[kind]),
-            "vertices_t0": positions(random, 6, 3),
-            "vertices_t1": positions(random, 6, 3),
-        }
-        answers += survive(lambda: function(kind, **form, min_distance=d, threads=threads))
+        options = {"separation": d, "threads": [None, None, 1, 2, 0, -1][random.integers(6)]}
+        if random.random() < 0.3:
+            options["until"] = float(random.choice([0.0, 0.5, -1.0, np.inf, np.nan]))
+
+        def call(shape: tuple[int, ...], vertices: object) -> None:
+            queries = exact_ccd.Queries(kind, positions(random, *shape), positions(random, *shape), vertices)
+            getattr(queries, name)(**options)
+
+        answers += survive(lambda: call((4, POINTS[kind], 3), None))
+        answers += survive(lambda: call((6, 3), integers(random, 6, 5, POINTS[kind])))
     assert 10 < answers < 2 * CASES
 
 
 @pytest.mark.parametrize(
-    "name", ["is_free", "earliest_contact", "contacts", "free_step", "step", "intersections", "audit"]
+    "name", ["collides", "collision", "collisions", "free_step", "step", "intersections", "audit"]
 )
 def test_meshes(name: str) -> None:
     random = np.random.default_rng(len(name))
@@ -82,7 +82,7 @@ def test_tables() -> None:
     for _ in range(4 * CASES):
         queries = table(random)
         d = float(random.choice([0.0, 1.0, np.nan, -1.0], p=[0.6, 0.2, 0.1, 0.1]))
-        answers += survive(lambda: exact_ccd.check(queries, min_distance=d))
+        answers += survive(lambda: exact_ccd.answer_table(queries, separation=d))
     assert CASES / 4 < answers < 4 * CASES
 
 

@@ -17,6 +17,7 @@ import numpy as np, exact_ccd
 # Numbers that leave every query to integers, for minutes on one thread.
 random = np.random.default_rng(0)
 points = np.ldexp(random.normal(size=(100_000, 8, 3)), random.integers(-900, 900, (100_000, 8, 3)))
+queries = exact_ccd.Queries("ee", points[:, :4], points[:, 4:])
 """
 CROWD = """
 import numpy as np, exact_ccd
@@ -44,18 +45,19 @@ RULE = """
 detector = exact_ccd.Detector(exact_ccd.Mesh(len(x), faces, can_collide=lambda i, j: True))
 """
 SLOW = {
-    "collides": (HARD, 'exact_ccd.collides("ee", points, min_distance=1.0, threads=1)'),
-    "time_of_impact": (HARD, 'exact_ccd.time_of_impact("ee", points, min_distance=1.0, threads=1)'),
-    "contact_count": (HARD, 'exact_ccd.contact_count("ee", points, min_distance=1.0, threads=1)'),
-    "contact_times": (HARD, 'exact_ccd.contact_times("ee", points, min_distance=1.0, threads=1)'),
-    "impacts": (HARD, 'exact_ccd.impacts("ee", points, min_distance=1.0)'),
-    "check": (HARD + TABLE, "exact_ccd.check(table, min_distance=1.0)"),
-    "is_free": (STACK, "detector.is_free(x, x)"),
-    "earliest_contact": (STACK, "detector.earliest_contact(x, x)"),
+    "collides": (HARD, 'queries.collides(separation=1.0, threads=1)'),
+    "time_of_impact": (HARD, 'queries.time_of_impact(separation=1.0, threads=1)'),
+    "count": (HARD, 'queries.count(separation=1.0, threads=1)'),
+    "intervals": (HARD, 'queries.intervals(separation=1.0, threads=1)'),
+    "impact": (HARD, 'queries.impact(separation=1.0)'),
+    "answer_table": (HARD + TABLE, "exact_ccd.answer_table(table, separation=1.0)"),
+    "a mesh collides": (STACK, "detector.collides(x, x)"),
+    "collision": (STACK, "detector.collision(x, x)"),
     "free_step": (STACK, "detector.free_step(x, x)"),
-    "contacts": (CROWD, "detector.contacts(x, x[::-1])"),
+    "collisions": (CROWD, "detector.collisions(x, x[::-1])"),
     "step": (CROWD, "detector.step(x, x[::-1])"),
     "step with a rule": (STACK + RULE, "detector.step(x, x)"),
+    "worlds": (STACK, "exact_ccd.Worlds(detector.mesh).collides(x[None], x[None])"),
     "intersections": (CROWD, "detector.intersections(x)"),
     "audit": (STACK, "exact_ccd.audit([x, x], faces)"),
     "ipc.is_step_collision_free": (STACK, "ipc.is_step_collision_free(mesh, x, x)"),

@@ -9,8 +9,7 @@ from typing import Optional
 import numpy as np
 import pytest
 
-import exact_ccd
-from exact_ccd import ipc
+from exact_ccd import Queries, ipc
 from plane import first_meeting
 
 
@@ -87,8 +86,8 @@ def earliest_in_space(edges, faces, x0: np.ndarray, x1: np.ndarray) -> Optional[
     for kind, of_kind in pairs.items():
         fours = [[*a, *b] for a, b in of_kind if not {*a} & {*b}]
         if fours:
-            points = [np.vstack([x0[four], x1[four]]) for four in fours]
-            times += exact_ccd.time_of_impact(kind, points).tolist()
+            queries = Queries(kind, x0, x1, fours)
+            times += queries.time_of_impact().tolist()
     return min((time for time in times if not np.isnan(time)), default=None)
 
 

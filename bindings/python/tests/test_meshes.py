@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_array_equal
 
 import exact_ccd
-from exact_ccd import Detector, Mesh
+from exact_ccd import Detector, Mesh, Queries
 
 FLOOR = [[0, 0, 0], [8, 0, 0], [0, 8, 0]]
 
@@ -43,7 +43,7 @@ def all_pairs(mesh: Mesh, x0: np.ndarray, x1: np.ndarray) -> dict[tuple[str, int
     for kind, (first, second, indices) in lists.items():
         split = 1 if kind == "vf" else 2
         apart = np.array([not set(row[:split]) & set(row[split:]) for row in indices.tolist()])
-        toi = exact_ccd.time_of_impact(kind, indices=indices[apart], vertices_t0=x0, vertices_t1=x1)
+        toi = Queries(kind, x0, x1, indices[apart]).time_of_impact()
         for i, j, time in zip(first[apart], second[apart], toi):
             if not np.isnan(time):
                 times[kind, int(i), int(j)] = float(time)
@@ -56,33 +56,33 @@ def test_the_contacts_are_those_of_all_pairs(seed: int) -> None:
     expected = all_pairs(mesh, x0, x1)
     assert expected
     detector = Detector(mesh, threads=2)
-    contacts = detector.contacts(x0, x1)
+    contacts = detector.collisions(x0, x1)
     assert contacts.dtype == exact_ccd.CONTACT
     found = {(str(c["kind"]), int(c["first"]), int(c["second"])): float(c["time"]) for c in contacts}
     assert found == expected
     assert (np.diff(contacts["time"]) >= 0).all()
     report = detector.step(x0, x1)
     assert sum(report.colliding) == len(expected)
-    earliest = detector.earliest_contact(x0, x1)
+    earliest = detector.collision(x0, x1)
     assert earliest.time == min(expected.values()) == report.earliest.time
-    assert not detector.is_free(x0, x1)
+    assert detector.collides(x0, x1)
     # The time of a contact may lie just above the float64 that it is rounded down to.
     middle = float(np.nextafter(np.median(contacts["time"]), 1.0))
-    assert len(detector.contacts(x0, x1, until=middle)) == (contacts["time"] <= middle).sum()
+    assert len(detector.collisions(x0, x1, until=middle)) == (contacts["time"] <= middle).sum()
     for wrong in (np.nan, -1.0, np.inf):
         with pytest.raises(ValueError, match="from 0 to 1"):
-            detector.contacts(x0, x1, until=wrong)
+            detector.collisions(x0, x1, until=wrong)
 
 
 def test_contact_fields() -> None:
     detector = Detector(Mesh(6, FACES))
-    contact = detector.earliest_contact(two_triangles(1.0), two_triangles(-1.0))
+    contact = detector.collision(two_triangles(1.0), two_triangles(-1.0))
     assert (contact.kind, contact.first, contact.second) == ("vf", 3, 0)
     assert contact.vertices.tolist() == [3, 0, 1, 2]
     assert (contact.time, contact.u, contact.v) == (0.5, 0.125, 0.125)
     assert contact.normal.tolist() == [0.0, 0.0, 1.0]
     assert contact.points.tolist() == [[1.0, 1.0, 0.0], [1.0, 1.0, 0.0]]
-    assert detector.earliest_contact(two_triangles(1.0), two_triangles(0.5)) is None
+    assert detector.collision(two_triangles(1.0), two_triangles(0.5)) is None
 
 
 def test_free_steps_are_free() -> None:
@@ -90,7 +90,7 @@ def test_free_steps_are_free() -> None:
     x0 = two_triangles(1.0)
     free = detector.free_step(x0, two_triangles(-1.0))
     assert free.size == 0.45 and free.contact.time == 0.5
-    assert detector.is_free(x0, free.positions)
+    assert not detector.collides(x0, free.positions)
     full = detector.free_step(x0, two_triangles(0.5))
     assert full.size == 1.0 and full.contact is None
     assert_array_equal(full.positions, two_triangles(0.5))
@@ -113,19 +113,19 @@ def test_a_step_may_have_no_positive_size() -> None:
 def test_groups_and_rules() -> None:
     x0, x1 = two_triangles(1.0), two_triangles(-1.0)
     same = Detector(Mesh(6, FACES, groups=[0] * 6))
-    assert same.is_free(x0, x1)
-    assert not Detector(Mesh(6, FACES, groups=[0, 0, 0, 1, 1, 1])).is_free(x0, x1)
+    assert not same.collides(x0, x1)
+    assert Detector(Mesh(6, FACES, groups=[0, 0, 0, 1, 1, 1])).collides(x0, x1)
 
     calls = []
     never = Detector(Mesh(6, FACES, can_collide=lambda i, j: calls.append((i, j))))
-    assert never.is_free(x0, x1) and never.earliest_contact(x0, x1) is None
-    assert len(never.contacts(x0, x1)) == 0 and never.free_step(x0, x1).size == 1.0
+    assert not never.collides(x0, x1) and never.collision(x0, x1) is None
+    assert len(never.collisions(x0, x1)) == 0 and never.free_step(x0, x1).size == 1.0
     assert (3, 0) in calls
     assert never.step(x0, x1).candidates == (0, 0, 0, 0)
     resting = never.free_step(two_triangles(0.0), two_triangles(0.0))
     assert (resting.size, sum(resting.touching)) == (1.0, 0)
     one = Detector(Mesh(6, FACES, can_collide=lambda i, j: {i, j} == {3, 2}))
-    assert one.earliest_contact(x0, x1).first == 3
+    assert one.collision(x0, x1).first == 3
     assert len(one.intersections(two_triangles(-1.0))) == 2
 
 
@@ -140,22 +140,22 @@ def test_the_calls_of_a_rule() -> None:
         return set(calls)
 
     in_contact = set()
-    for contact in Detector(Mesh(6, FACES)).contacts(x0, x1):
+    for contact in Detector(Mesh(6, FACES)).collisions(x0, x1):
         split = 2 if contact["kind"] == "ee" else 1
         first, second = contact["vertices"][:split].tolist(), contact["vertices"][split:].tolist()
         in_contact |= {(v, w) for v in first for w in second}
     for answer in (False, True):
-        for method in ("is_free", "contacts"):
+        for method in ("collides", "contacts"):
             assert called(method, x0, x1, answer=answer) <= in_contact
     assert called("intersections", x0, answer=False) == set()
     # The sides of the falling face that meet the floor.
     assert called("intersections", x1, answer=False) == {(v, w) for v in (3, 4, 5) for w in (0, 1, 2)}
     assert called("step", x0, x1, answer=False) > in_contact
-    for method in ("earliest_contact", "free_step"):
+    for method in ("collision", "free_step"):
         assert called(method, x0, x1, answer=True) == {(3, 0)}
         assert called(method, x0, x1, answer=False) > in_contact
     resting = two_triangles(0.0)
-    assert called("earliest_contact", resting, resting, answer=True) == {(3, 0)}
+    assert called("collision", resting, resting, answer=True) == {(3, 0)}
     assert called("free_step", resting, resting, answer=True) > {(3, 0)}
 
 
@@ -165,8 +165,8 @@ def test_a_rule_gives_the_same_answers_as_groups() -> None:
     grouped = Detector(Mesh(mesh.vertex_count, mesh.faces, mesh.loose_edges, groups=groups))
     rule = Mesh(mesh.vertex_count, mesh.faces, mesh.loose_edges, can_collide=lambda i, j: groups[i] != groups[j])
     ruled = Detector(rule)
-    assert_array_equal(grouped.contacts(x0, x1), ruled.contacts(x0, x1))
-    assert grouped.earliest_contact(x0, x1)[:4][3].tolist() == ruled.earliest_contact(x0, x1).vertices.tolist()
+    assert_array_equal(grouped.collisions(x0, x1), ruled.collisions(x0, x1))
+    assert grouped.collision(x0, x1)[:4][3].tolist() == ruled.collision(x0, x1).vertices.tolist()
     assert grouped.free_step(x0, x1).size == ruled.free_step(x0, x1).size
     assert grouped.step(x0, x1)[:3] == ruled.step(x0, x1)[:3]
 
@@ -177,11 +177,11 @@ def test_an_exception_of_a_rule_is_passed_on() -> None:
 
     detector = Detector(Mesh(6, FACES, can_collide=fails))
     x0, x1 = two_triangles(1.0), two_triangles(-1.0)
-    for call in (detector.is_free, detector.earliest_contact, detector.contacts, detector.free_step, detector.step):
+    for call in (detector.collides, detector.collision, detector.collisions, detector.free_step, detector.step):
         with pytest.raises(RuntimeError, match="the rule fails"):
             call(x0, x1)
     # The detector is as good as new.
-    assert detector.is_free(x0, x0)
+    assert not detector.collides(x0, x0)
 
 
 def test_progress() -> None:
@@ -211,12 +211,12 @@ def test_errors() -> None:
     detector = Detector(Mesh(6, FACES))
     x = two_triangles(1.0)
     with pytest.raises(ValueError, match="x1 has the shape"):
-        detector.is_free(x, x[:5])
+        detector.collides(x, x[:5])
     x[4, 1] = np.nan
     with pytest.raises(ValueError, match="vertex 4 has y = NaN"):
-        detector.contacts(x, two_triangles(0.0))
+        detector.collisions(x, two_triangles(0.0))
     with pytest.raises(ValueError, match="threads"):
-        Detector(Mesh(6, FACES), threads=0).is_free(two_triangles(1.0), two_triangles(1.0))
+        Detector(Mesh(6, FACES), threads=0).collides(two_triangles(1.0), two_triangles(1.0))
 
 
 def test_mesh_files(tmp_path) -> None:
@@ -235,20 +235,20 @@ def test_mesh_files(tmp_path) -> None:
 def test_minimum_distance() -> None:
     mesh = Mesh(6, FACES)
     x0, x1 = two_triangles(2.25), two_triangles(0.25)
-    assert Detector(mesh).is_free(x0, x1)
+    assert not Detector(mesh).collides(x0, x1)
     for distance in (1.0, np.array([0.25] * 3 + [0.75, 0.0, 0.0])):
         detector = Detector(mesh, min_distance=distance)
-        contact = detector.earliest_contact(x0, x1)
+        contact = detector.collision(x0, x1)
         assert contact.time == 0.625 and contact.distance.tolist() == [1.0, 1.0]
-        assert detector.contacts(x0, x1)["time"].tolist() == [0.625]
+        assert detector.collisions(x0, x1)["time"].tolist() == [0.625]
         assert detector.step(x0, x1).colliding == (1, 0, 0, 0)
         step = detector.free_step(x0, x1)
         assert step.size == pytest.approx(0.5625) and step.touching == (0, 0, 0, 0)
     assert exact_ccd.audit([x0, x1], FACES, min_distance=1.0).violation.contact.time == 0.625
     near = two_triangles(0.75)
-    assert not Detector(mesh, min_distance=1.0).is_free(near, x1)
+    assert Detector(mesh, min_distance=1.0).collides(near, x1)
     moves_on = Detector(mesh, min_distance=1.0, inner_distance=0.125)
-    assert moves_on.is_free(near, x1)
+    assert not moves_on.collides(near, x1)
     assert moves_on.free_step(near, x1).touching == (1, 0, 0, 0)
 
 
@@ -257,7 +257,7 @@ def test_loose_vertices_and_edges() -> None:
     mesh = Mesh(4, np.empty((0, 3), int), edges=[[0, 1]])
     x0 = np.array([[-1.0, 0, 0], [1, 0, 0], [0, 0, 1], [0, 4, 1]])
     x1 = np.array([[-1.0, 0, 0], [1, 0, 0], [0, 0, -3], [0, -4, -3]])
-    contacts = Detector(mesh).contacts(x0, x1)
+    contacts = Detector(mesh).collisions(x0, x1)
     assert contacts["kind"].tolist() == ["ve", "vv"]
     assert contacts["time"].tolist() == [0.25, 0.5]
     assert contacts["vertices"].tolist() == [[2, 0, 1, -1], [2, 3, -1, -1]]

@@ -8,35 +8,37 @@ import numpy as np
 import pytest
 
 import exact_ccd
-from exact_ccd import Detector, Mesh, ipc
+from exact_ccd import Detector, Mesh, Queries, ipc
 from test_meshes import FACES, two_triangles
 
 X0, X1 = two_triangles(1.0), two_triangles(-1.0)
-PAIR = np.zeros((1, 4, 3))
+POINTS = np.zeros((4, 3))
+PAIR = Queries("vv", POINTS[None, :2], POINTS[None, 2:])
 HUGE = 10**400
 
 CASES = {
-    "kind is of type list": lambda: exact_ccd.collides(["vv"], PAIR),
-    "kind is of type ndarray": lambda: exact_ccd.collides(PAIR, PAIR),
+    "kind is of type list": lambda: Queries(["vv"], X0, X1),
+    "kind is of type ndarray": lambda: Queries(X0, X0, X1),
     "mesh is of type str, expected an exact_ccd.Mesh": lambda: Detector("mesh"),
     "mesh is of type list, which has no attribute num_vertices": lambda: ipc.is_step_collision_free(FACES, X0, X1),
     "mesh is of type dict": lambda: ipc.Candidates().build({}, X0, X1),
     "number of vertices is -1, expected an integer from 0": lambda: Mesh(-1, []),
     "number of vertices is 1180591620717411303424": lambda: Mesh(2**70, []),
     "threads is -1, expected an integer from 1 to 1024": lambda: Detector(Mesh(6, FACES), threads=-1),
-    "threads is 0": lambda: exact_ccd.collides("vv", PAIR, threads=0),
-    "threads is 1180591620717411303424": lambda: exact_ccd.time_of_impact("vv", PAIR, threads=2**70),
-    "threads is of type float": lambda: exact_ccd.impacts("vv", PAIR, threads=1.5),
+    "threads is 0": lambda: PAIR.collides(threads=0),
+    "threads is 1180591620717411303424": lambda: PAIR.time_of_impact(threads=2**70),
+    "threads is of type float": lambda: PAIR.impact(threads=1.5),
     "threads is of type bool": lambda: exact_ccd.audit([X0], FACES, threads=True),
-    "min_distance has the dtype object": lambda: exact_ccd.collides("vv", PAIR, min_distance=HUGE),
-    "min_distance has the dtype <U1": lambda: exact_ccd.contact_count("vv", PAIR, min_distance="1"),
+    "separation has the dtype object": lambda: PAIR.collides(separation=HUGE),
+    "separation has the dtype <U1": lambda: PAIR.count(separation="1"),
     "min_distance has a number that is not exactly": lambda: Detector(Mesh(6, FACES), min_distance=2**63 - 1),
     "inner_distance has the dtype object": lambda: Detector(Mesh(6, FACES), inner_distance=HUGE),
-    "until has the dtype object": lambda: Detector(Mesh(6, FACES)).contacts(X0, X1, HUGE),
-    "keep has the dtype object": lambda: Detector(Mesh(6, FACES)).free_step(X0, X1, HUGE),
-    "tmax has the dtype object": lambda: ipc.point_point_ccd(*PAIR[0], tmax=HUGE),
-    "tmax is nan": lambda: ipc.point_point_ccd(*PAIR[0], tmax=np.nan),
-    "conservative_rescaling has the dtype": lambda: ipc.point_point_ccd(*PAIR[0], conservative_rescaling="1"),
+    "until has the dtype object": lambda: Detector(Mesh(6, FACES)).collisions(X0, X1, until=HUGE),
+    "keep has the dtype object": lambda: Detector(Mesh(6, FACES)).free_step(X0, X1, keep=HUGE),
+    "tmax has the dtype object": lambda: ipc.point_point_ccd(*POINTS, tmax=HUGE),
+    "until is nan": lambda: PAIR.collides(until=np.nan),
+    "tmax is nan": lambda: ipc.point_point_ccd(*POINTS, tmax=np.nan),
+    "conservative_rescaling has the dtype": lambda: ipc.point_point_ccd(*POINTS, conservative_rescaling="1"),
     "inflation_radius has the dtype": lambda: ipc.Candidates().build(Mesh(6, FACES), X0, X1, "1"),
     "displacement_map is not supported": lambda: ipc.CollisionMesh(X0, displacement_map=np.eye(18)),
 }
@@ -58,7 +60,7 @@ def test_a_detector_at_work() -> None:
 
     def call() -> None:
         try:
-            detector.is_free(X0, X1)
+            detector.collides(X0, X1)
         except RuntimeError as error:
             errors.append(str(error))
 
@@ -70,5 +72,5 @@ def test_a_detector_at_work() -> None:
         return True
 
     detector = Detector(Mesh(6, FACES, can_collide=rule))
-    assert not detector.is_free(X0, X1)
+    assert detector.collides(X0, X1)
     assert len(errors) >= 2 and all("the detector is at work" in text for text in errors)

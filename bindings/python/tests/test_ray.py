@@ -18,7 +18,7 @@ import exact_ccd
 from exact_ccd import AuditReport
 from exact_ccd.queries import POINTS
 from documents import PROGRAMS, needs_ray, run
-from generated import queries, write_queries
+from generated import of_points, queries, write_queries
 from hostile import CASES, integers, positions, survive, table
 
 # No reports to the makers of Ray.
@@ -196,14 +196,14 @@ def test_data_sets(cluster, tmp_path) -> None:
         lists = pa.array(list(points.reshape(500, -1)), pa.list_(pa.float64()))
         table = pa.table({"kind": [kind] * 500, "points": lists, "id_a": np.arange(500)})
         pyarrow.parquet.write_table(table, tmp_path / f"{kind}.parquet", row_group_size=100)
-    answered = exact_ccd.ray.check_dataset(ray.data.read_parquet(str(tmp_path)))
+    answered = exact_ccd.ray.answer_dataset(ray.data.read_parquet(str(tmp_path)))
     rows = pa.concat_tables(ray.get(answered.to_arrow_refs())).to_pandas()
     for kind in POINTS:
         part = rows[rows["kind"] == kind].sort_values("id_a")
         points = queries(kind, 500)
-        np.testing.assert_array_equal(part["collides"], exact_ccd.collides(kind, points))
-        np.testing.assert_array_equal(part["count"], exact_ccd.contact_count(kind, points))
-        np.testing.assert_array_equal(part["toi"], exact_ccd.time_of_impact(kind, points))
+        np.testing.assert_array_equal(part["collides"], of_points(kind, points).collides())
+        np.testing.assert_array_equal(part["count"], of_points(kind, points).count())
+        np.testing.assert_array_equal(part["toi"], of_points(kind, points).time_of_impact())
 
 
 def test_the_program(cluster, tmp_path) -> None:
@@ -220,7 +220,7 @@ def test_the_program(cluster, tmp_path) -> None:
     assert json.loads(output)["violation"]["frame"] == 10
     points = queries("vf", 300)
     lists = pa.array(list(points.reshape(300, -1)), pa.list_(pa.float64()))
-    truth = exact_ccd.collides("vf", points)
+    truth = of_points("vf", points).collides()
     table = pa.table({"kind": ["vf"] * 300, "points": lists, "truth": truth ^ (np.arange(300) < 2)})
     pyarrow.parquet.write_table(table, tmp_path / "queries.parquet")
     status, output, errors = run("queries", "queries.parquet", "--output", "answers")
@@ -253,7 +253,7 @@ def test_hostile_arguments(cluster, tmp_path) -> None:
         faces = integers(random, 6, 3, 3)
         edges = [None, integers(random, 6, 2, 2)][random.integers(2)]
         options = {
-            "min_distance": [0.0, 0.0, 1.0, -1.0, np.nan, "a"][random.integers(6)],
+            "separation": [0.0, 0.0, 1.0, -1.0, np.nan, "a"][random.integers(6)],
             "steps": [1, 1, 2, 2**70, 0, -1, 1.5, None][random.integers(8)],
             "window": [None, None, 1, 2**70, 0][random.integers(5)],
             "results": [None, tmp_path][random.integers(2)],
@@ -263,7 +263,7 @@ def test_hostile_arguments(cluster, tmp_path) -> None:
 
     def decide(rows) -> None:
         d = float(random.choice([0.0, 1.0, np.nan, -1.0], p=[0.6, 0.2, 0.1, 0.1]))
-        answered = exact_ccd.ray.check_dataset(ray.data.from_arrow(rows), min_distance=d)
+        answered = exact_ccd.ray.answer_dataset(ray.data.from_arrow(rows), separation=d)
         try:
             answered.materialize()
         except (pa.ArrowException, ray.exceptions.RayError) as error:

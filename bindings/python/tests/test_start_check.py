@@ -14,7 +14,7 @@ PIERCED = two_triangles(-1.0)
 """Two sides of the second face pass through the first face."""
 
 FREE = two_triangles(1.0)
-CALLS = ["is_free", "earliest_contact", "contacts", "free_step", "step"]
+CALLS = ["collides", "collision", "collisions", "free_step", "step"]
 
 
 @pytest.mark.parametrize("name", CALLS)
@@ -23,7 +23,7 @@ def test_a_pierced_start(name: str, rule) -> None:
     mesh = Mesh(6, FACES, can_collide=rule)
     plain, checked = Detector(mesh), Detector(mesh, start_check=True)
     # Nothing touches in the step, and the mesh is pierced all the time.
-    assert plain.is_free(PIERCED, PIERCED) and plain.free_step(PIERCED, PIERCED).size == 1.0
+    assert not plain.collides(PIERCED, PIERCED) and plain.free_step(PIERCED, PIERCED).size == 1.0
     for _ in range(2):
         with pytest.raises(CrossingError, match="edge 3 .*face 0") as error:
             getattr(checked, name)(PIERCED, PIERCED)
@@ -43,14 +43,14 @@ def test_the_pairs_that_cannot_collide() -> None:
     # The rule is asked for the first edge and face, and for others.
     only = Mesh(6, FACES, can_collide=lambda i, j: {i, j} == {5, 0})
     with pytest.raises(CrossingError) as error:
-        Detector(only, start_check=True).is_free(PIERCED, PIERCED)
+        Detector(only, start_check=True).collides(PIERCED, PIERCED)
     assert 5 in only.edges[error.value.edge]
 
 
 def test_touching_is_no_crossing() -> None:
     detector = Detector(Mesh(6, FACES), start_check=True)
     assert detector.free_step(two_triangles(0.0), FREE).size == 0.0
-    assert detector.earliest_contact(two_triangles(0.0), FREE).time == 0.0
+    assert detector.collision(two_triangles(0.0), FREE).time == 0.0
 
 
 def test_random_steps() -> None:
@@ -64,7 +64,7 @@ def test_random_steps() -> None:
         x1 = x0 + random.normal(0, 0.3, (9, 3))
         crosses = len(plain.intersections(x0)) > 0
         try:
-            assert checked.is_free(x0, x1) == plain.is_free(x0, x1)
+            assert checked.collides(x0, x1) == plain.collides(x0, x1)
             assert not crosses
         except CrossingError:
             refused += 1
@@ -85,17 +85,17 @@ def test_an_interrupted_check_is_made_again() -> None:
 
     detector = Detector(Mesh(6, FACES, can_collide=rule), start_check=True)
     with pytest.raises(RuntimeError, match="the rule fails"):
-        detector.is_free(PIERCED, PIERCED)
+        detector.collides(PIERCED, PIERCED)
     fails = False
     with pytest.raises(CrossingError):
-        detector.is_free(PIERCED, PIERCED)
+        detector.collides(PIERCED, PIERCED)
 
 
 def test_settings() -> None:
     detector = Detector(Mesh(6, FACES), start_check=True)
     assert detector != Detector(Mesh(6, FACES)) and repr(detector).endswith("start_check=True>")
     with pytest.raises(CrossingError):
-        pickle.loads(pickle.dumps(detector)).is_free(PIERCED, PIERCED)
+        pickle.loads(pickle.dumps(detector)).collides(PIERCED, PIERCED)
     # The functions of ipctk do not check the start: has_intersections does.
     assert ipc.is_step_collision_free(Mesh(6, FACES), PIERCED, PIERCED)
     assert ipc.has_intersections(Mesh(6, FACES), PIERCED)

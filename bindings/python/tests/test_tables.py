@@ -8,7 +8,7 @@ import pytest
 import exact_ccd
 from exact_ccd.queries import POINTS
 from exact_ccd.tables import _points
-from generated import queries
+from generated import of_points, queries
 from published import program
 
 pa = pytest.importorskip("pyarrow", reason="pyarrow is not installed: pip install pyarrow")
@@ -27,8 +27,8 @@ def mixed(count: int):
     order = np.random.default_rng(0).permutation(count * len(parts))
     table = pa.concat_tables([table for table, _ in parts]).combine_chunks().take(pa.array(order))
     table = pa.concat_tables([table.slice(0, 7), table.slice(7, count), table.slice(7 + count)])
-    times = [exact_ccd.time_of_impact(kind, points) for kind, (_, points) in zip(POINTS, parts)]
-    counts = [exact_ccd.contact_count(kind, points) for kind, (_, points) in zip(POINTS, parts)]
+    times = [of_points(kind, points).time_of_impact() for kind, (_, points) in zip(POINTS, parts)]
+    counts = [of_points(kind, points).count() for kind, (_, points) in zip(POINTS, parts)]
     return table, np.concatenate(times)[order], np.concatenate(counts)[order]
 
 
@@ -43,45 +43,45 @@ def assert_answers(table, times, counts) -> None:
 @pytest.mark.parametrize("kind", POINTS)
 def test_one_kind(kind: str) -> None:
     table, points = table_of(kind, 300)
-    answered = exact_ccd.check(table)
+    answered = exact_ccd.answer_table(table)
     assert answered.column_names == ["kind", "points", "id_a", "collides", "count", "toi"]
-    assert_answers(answered, exact_ccd.time_of_impact(kind, points), exact_ccd.contact_count(kind, points))
-    without = exact_ccd.check(table.drop_columns("kind"), kind=kind)
+    assert_answers(answered, of_points(kind, points).time_of_impact(), of_points(kind, points).count())
+    without = exact_ccd.answer_table(table.drop_columns("kind"), kind=kind)
     assert without["toi"].equals(answered["toi"])
     for answers in (["toi"], ["collides"], ["collides", "toi"], []):
-        assert exact_ccd.check(table, answers=answers).equals(
+        assert exact_ccd.answer_table(table, answers=answers).equals(
             answered.select(table.column_names + answers)
         )
-    near = exact_ccd.check(table, min_distance=0.5, threads=None)
+    near = exact_ccd.answer_table(table, separation=0.5, threads=None)
     assert near["toi"].to_numpy(zero_copy_only=False).tobytes() == (
-        exact_ccd.time_of_impact(kind, points, min_distance=0.5).tobytes()
+        of_points(kind, points).time_of_impact(separation=0.5).tobytes()
     )
 
 
 def test_mixed_kinds_and_chunks() -> None:
     table, times, counts = mixed(200)
-    assert_answers(exact_ccd.check(table), times, counts)
+    assert_answers(exact_ccd.answer_table(table), times, counts)
     batch = table.combine_chunks().to_batches()[0]
-    answered = exact_ccd.check(batch.slice(5, 60))
+    answered = exact_ccd.answer_table(batch.slice(5, 60))
     assert isinstance(answered, pa.RecordBatch)
     assert_answers(answered, times[5:65], counts[5:65])
     # Answers of before are replaced.
-    assert exact_ccd.check(answered).equals(answered)
-    assert exact_ccd.check(batch.slice(0, 0)).num_rows == 0
-    assert exact_ccd.check(table.slice(0, 0)).num_rows == 0
+    assert exact_ccd.answer_table(answered).equals(answered)
+    assert exact_ccd.answer_table(batch.slice(0, 0)).num_rows == 0
+    assert exact_ccd.answer_table(table.slice(0, 0)).num_rows == 0
 
 
 @pytest.mark.parametrize("form", ["large", "fixed", "float32", "dictionary"])
 def test_other_types_of_columns(form: str) -> None:
     table, points = table_of("ee", 100)
     types = {"large": pa.large_list(pa.float64()), "fixed": pa.list_(pa.float64(), 24), "float32": pa.list_(pa.float32())}
-    expected = exact_ccd.check(table, answers=["toi"])["toi"]
+    expected = exact_ccd.answer_table(table, answers=["toi"])["toi"]
     if form in types:
         table = table.set_column(1, "points", table["points"].cast(types[form]))
     else:
         table = table.set_column(0, "kind", table["kind"].dictionary_encode())
     for part in (table, table.slice(20)):
-        assert exact_ccd.check(part)["toi"].to_pylist() == expected.to_pylist()[-len(part) :]
+        assert exact_ccd.answer_table(part)["toi"].to_pylist() == expected.to_pylist()[-len(part) :]
 
 
 @pytest.mark.parametrize("kind", POINTS)
@@ -107,20 +107,20 @@ def test_the_files_of_convert(tmp_path) -> None:
     for file, answers in zip(files, ([], ["--answers"])):
         program("convert", "--kind", "vf", *answers, "-o", file, tmp_path / "queries.csv")
     plain, answered = (parquet.read_table(file) for file in files)
-    assert exact_ccd.check(plain, answers=["count", "toi"]).equals(answered)
+    assert exact_ccd.answer_table(plain, answers=["count", "toi"]).equals(answered)
 
 
 def test_polars() -> None:
     polars = pytest.importorskip("polars", reason="polars is not installed: pip install polars")
     table, times, counts = mixed(50)
     for frame in (polars.from_arrow(table), polars.from_arrow(table).with_columns(polars.col("kind").cast(polars.Categorical))):
-        answered = exact_ccd.check(frame)
+        answered = exact_ccd.answer_table(frame)
         assert isinstance(answered, polars.DataFrame)
         assert_answers(answered.to_arrow(), times, counts)
     table, points = table_of("vv", 20)
     fixed = polars.from_arrow(table).with_columns(polars.col("points").list.to_array(12))
     assert_answers(
-        exact_ccd.check(fixed).to_arrow(), exact_ccd.time_of_impact("vv", points), exact_ccd.contact_count("vv", points)
+        exact_ccd.answer_table(fixed).to_arrow(), of_points("vv", points).time_of_impact(), of_points("vv", points).count()
     )
 
 
@@ -129,7 +129,7 @@ def test_duckdb() -> None:
     table, times, counts = mixed(50)
     with duckdb.connect() as connection:
         connection.register("queries", table)
-        answered = exact_ccd.check(connection.sql("select * from queries"))
+        answered = exact_ccd.answer_table(connection.sql("select * from queries"))
         assert_answers(answered, times, counts)
         connection.register("answered", answered)
         ((colliding,),) = connection.sql("select count(*) from answered where collides").fetchall()
@@ -144,30 +144,30 @@ def test_errors() -> None:
         return table.set_column(1, "points", pa.array([*lists[:row], value, *lists[row + 1 :]]))
 
     with pytest.raises(ValueError, match="no column 'points'"):
-        exact_ccd.check(table.drop_columns("points"))
+        exact_ccd.answer_table(table.drop_columns("points"))
     with pytest.raises(ValueError, match="no column 'kind'"):
-        exact_ccd.check(table.drop_columns("kind"))
+        exact_ccd.answer_table(table.drop_columns("kind"))
     with pytest.raises(TypeError, match="the type int64"):
-        exact_ccd.check(table.set_column(1, "points", table["id_a"]))
+        exact_ccd.answer_table(table.set_column(1, "points", table["id_a"]))
     with pytest.raises(TypeError, match="points has the dtype"):
-        exact_ccd.check(table.set_column(1, "points", pa.array([["x"] * 24] * 10)))
+        exact_ccd.answer_table(table.set_column(1, "points", pa.array([["x"] * 24] * 10)))
     with pytest.raises(ValueError, match="row 4: the points are null"):
-        exact_ccd.check(with_points(4, None))
+        exact_ccd.answer_table(with_points(4, None))
     with pytest.raises(ValueError, match="row 5: a coordinate is null"):
-        exact_ccd.check(with_points(5, [None, *lists[5][1:]]))
+        exact_ccd.answer_table(with_points(5, [None, *lists[5][1:]]))
     with pytest.raises(ValueError, match='row 6: 23 coordinates, expected 24 for "vf"'):
-        exact_ccd.check(with_points(6, lists[6][1:]))
+        exact_ccd.answer_table(with_points(6, lists[6][1:]))
     infinite = with_points(7, [np.inf, *lists[7][1:]])
     for wrong in (infinite, pa.concat_tables([infinite.slice(0, 3), infinite.slice(3)])):
         with pytest.raises(ValueError, match="row 7: a coordinate is not finite"):
-            exact_ccd.check(wrong)
+            exact_ccd.answer_table(wrong)
     with pytest.raises(ValueError, match="row 2: kind 'xy'"):
-        exact_ccd.check(table.set_column(0, "kind", pa.array(["vf", "vf", "xy"] + ["vf"] * 7)))
+        exact_ccd.answer_table(table.set_column(0, "kind", pa.array(["vf", "vf", "xy"] + ["vf"] * 7)))
     with pytest.raises(ValueError, match="row 1: the kind is null"):
-        exact_ccd.check(table.set_column(0, "kind", pa.array(["vf", None] + ["vf"] * 8)))
+        exact_ccd.answer_table(table.set_column(0, "kind", pa.array(["vf", None] + ["vf"] * 8)))
     with pytest.raises(ValueError, match="answer 'time'"):
-        exact_ccd.check(table, answers=["time"])
+        exact_ccd.answer_table(table, answers=["time"])
     with pytest.raises(TypeError, match="dict is not a table of Arrow"):
-        exact_ccd.check({})
+        exact_ccd.answer_table({})
     with pytest.raises(ValueError, match="separation"):
-        exact_ccd.check(table, min_distance=-1.0)
+        exact_ccd.answer_table(table, separation=-1.0)

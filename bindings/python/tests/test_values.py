@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import exact_ccd
-from exact_ccd import Detector, Mesh, ipc
+from exact_ccd import Detector, Mesh, Worlds, ipc
 from test_meshes import FACES, two_triangles
 
 
@@ -42,7 +42,10 @@ DETECTORS = [
 ]
 
 
-@pytest.mark.parametrize("values", [MESHES, DETECTORS], ids=["meshes", "detectors"])
+WORLDS = [Worlds(detector.mesh, **detector._settings._asdict()) for detector in DETECTORS]
+
+
+@pytest.mark.parametrize("values", [MESHES, DETECTORS, WORLDS], ids=["meshes", "detectors", "worlds"])
 def test_equality_and_pickles(values: list) -> None:
     twins = [pickle.loads(pickle.dumps(value)) for value in values]
     for i, value in enumerate(values):
@@ -57,8 +60,8 @@ def test_a_pickled_detector_answers_alike() -> None:
     x0, x1 = two_triangles(1.0), two_triangles(-1.0)
     for settings in ({}, {"min_distance": 0.25}, {"min_distance": [0.25] * 6}):
         detector = Detector(Mesh(6, FACES, can_collide=odd_numbers), **settings)
-        expected = detector.earliest_contact(x0, x1)
-        assert pickle.loads(pickle.dumps(detector)).earliest_contact(x0, x1) == expected
+        expected = detector.collision(x0, x1)
+        assert pickle.loads(pickle.dumps(detector)).collision(x0, x1) == expected
 
 
 def test_texts() -> None:
@@ -93,10 +96,10 @@ def test_the_arrays_of_the_caller_stay_writable() -> None:
 def test_contacts_compare_by_value() -> None:
     x0, x1 = two_triangles(1.0), two_triangles(-1.0)
     detector = Detector(Mesh(6, FACES))
-    contact, again = detector.earliest_contact(x0, x1), detector.earliest_contact(x0, x1)
+    contact, again = detector.collision(x0, x1), detector.collision(x0, x1)
     assert contact == contact and contact == again and not contact != again
     assert hash(contact) == hash(again) and contact in [None, again]
-    other = detector.earliest_contact(x0, two_triangles(-3.0))
+    other = detector.collision(x0, two_triangles(-3.0))
     assert contact != other and not contact == other and contact == tuple(contact)
     assert detector.free_step(x0, x1) == detector.free_step(x0, x1)
     assert detector.free_step(x0, x1) != detector.free_step(x0, x1, keep=0.5)
@@ -104,7 +107,7 @@ def test_contacts_compare_by_value() -> None:
     assert exact_ccd.audit([x0, x1], FACES) == exact_ccd.audit([x0, x1], FACES)
     # Two points that rest in one place have no normal: NaN equals NaN.
     rest = np.zeros((2, 3))
-    points = [Detector(Mesh(2, [])).earliest_contact(rest, rest) for _ in range(2)]
+    points = [Detector(Mesh(2, [])).collision(rest, rest) for _ in range(2)]
     assert np.isnan(points[0].normal).any() and points[0] == points[1]
     assert pickle.loads(pickle.dumps(contact)) == contact
 
@@ -123,8 +126,8 @@ def test_meshes_in_use_are_not_kept_alive() -> None:
 def test_no_faces() -> None:
     assert Mesh(5, []).faces.shape == (0, 3) and Mesh(5, [], edges=[]).edges.shape == (0, 2)
     x0, x1 = np.array([[0.0, 0, 0], [1, 0, 0]]), np.array([[1.0, 0, 0], [0, 0, 0]])
-    assert Detector(Mesh(2, [])).earliest_contact(x0, x1).time == 0.5
+    assert Detector(Mesh(2, [])).collision(x0, x1).time == 0.5
     assert exact_ccd.audit([x0, x1], []).violation.contact.kind == "vv"
-    assert exact_ccd.collides("vf", []).shape == (0,)
+    assert exact_ccd.Queries("vf", [], []).collides().shape == (0,)
     with pytest.raises(ValueError, match=r"min_distance has the shape \(0,\), expected \(5\)"):
         Detector(Mesh(5, []), min_distance=[])

@@ -133,7 +133,7 @@ private:
              double min_distance,
              double tmax) const
     {
-        const auto time = time_of_impact_until(kind, t0, t1, min_distance, tmax);
+        const auto time = time_of_impact(kind, t0, t1, min_distance, tmax);
         toi = time ? conservative_rescaling * *time : std::numeric_limits<double>::infinity();
         return time.has_value();
     }

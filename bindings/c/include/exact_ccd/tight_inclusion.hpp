@@ -47,7 +47,7 @@ inline bool first_time(Kind kind,
         copies[i] = {points[i]->x(), points[i]->y(), points[i]->z()};
     }
     const auto time =
-        time_of_impact_until(kind, Points(copies[0].data(), 4), Points(copies[4].data(), 4), ms, t_max);
+        time_of_impact(kind, Points(copies[0].data(), 4), Points(copies[4].data(), 4), ms, t_max);
     output_tolerance = 0;
     toi = time.value_or(std::numeric_limits<Scalar>::infinity());
     return time.has_value();

@@ -1,7 +1,9 @@
 //! Batches: the times are those of single queries.
 
 use arbitrary::{Result, Unstructured};
-use exact_ccd_c::{Kind, exact_ccd_batch_times, exact_ccd_batch_times_thick, exact_ccd_time_of_impact};
+use exact_ccd_c::{
+    Kind, exact_ccd_batch_time_of_impact, exact_ccd_batch_time_of_impact_thick, exact_ccd_time_of_impact,
+};
 
 use super::{input, succeeds};
 
@@ -19,7 +21,18 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
     let status = unsafe {
         let (x0, x1) = (input::pointer(bytes, &x0)?, input::pointer(bytes, &x1)?);
         let queries = input::pointer(bytes, &queries)?;
-        exact_ccd_batch_times(kind, x0, x1, vertices, queries, count, d, times.as_mut_ptr())
+        exact_ccd_batch_time_of_impact(
+            kind,
+            x0,
+            x1,
+            vertices,
+            queries,
+            count,
+            d,
+            1.0,
+            0,
+            times.as_mut_ptr(),
+        )
     };
     if succeeds(status) {
         for (query, time) in queries.chunks(points).zip(&times) {
@@ -41,7 +54,7 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
     let status = unsafe {
         let (x0, x1, thickness) = (x0.as_ptr(), x1.as_ptr(), thickness.as_ptr());
         let queries = queries.as_ptr();
-        exact_ccd_batch_times_thick(
+        exact_ccd_batch_time_of_impact_thick(
             kind,
             x0,
             x1,
@@ -49,6 +62,8 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<()> {
             queries,
             count,
             thickness,
+            1.0,
+            0,
             times.as_mut_ptr(),
         )
     };
@@ -88,7 +103,7 @@ fn single(kind: u32, x0: &[f64], x1: &[f64], query: &[u32], d: f64) -> f64 {
     let (t0, t1) = (points(x0), points(x1));
     let mut time = 0.0;
     // SAFETY: the arrays have the points of the kind.
-    let status = unsafe { exact_ccd_time_of_impact(kind, t0.as_ptr(), t1.as_ptr(), d, &raw mut time) };
+    let status = unsafe { exact_ccd_time_of_impact(kind, t0.as_ptr(), t1.as_ptr(), d, 1.0, &raw mut time) };
     assert!(succeeds(status));
     time
 }

@@ -3,7 +3,7 @@
 use arbitrary::{Result, Unstructured};
 use exact_ccd_c::{
     Impact, Interval, exact_ccd_collides, exact_ccd_distance_at, exact_ccd_impact, exact_ccd_intervals,
-    exact_ccd_time_of_impact, exact_ccd_time_of_impact_until,
+    exact_ccd_time_of_impact,
 };
 
 use super::{input, succeeds};
@@ -33,14 +33,15 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<bool> {
     // SAFETY: pointers are null, or those of arrays of the kind's size.
     let statuses = unsafe {
         [
-            exact_ccd_collides(kind, t0, t1, d, &raw mut collides),
-            exact_ccd_time_of_impact(kind, t0, t1, d, &raw mut time),
-            exact_ccd_impact(kind, t0, t1, d, &raw mut is_found, &raw mut impact),
+            exact_ccd_collides(kind, t0, t1, d, 1.0, &raw mut collides),
+            exact_ccd_time_of_impact(kind, t0, t1, d, 1.0, &raw mut time),
+            exact_ccd_impact(kind, t0, t1, d, 1.0, &raw mut is_found, &raw mut impact),
             exact_ccd_intervals(
                 kind,
                 t0,
                 t1,
                 d,
+                1.0,
                 intervals.as_mut_ptr(),
                 3,
                 &raw mut interval_count,
@@ -55,8 +56,7 @@ pub(super) fn check(bytes: &mut Unstructured<'_>) -> Result<bool> {
             let until = |until: f64| {
                 let mut found = UNWRITTEN;
                 // SAFETY: as above.
-                let status =
-                    unsafe { exact_ccd_time_of_impact_until(kind, t0, t1, d, until, &raw mut found) };
+                let status = unsafe { exact_ccd_time_of_impact(kind, t0, t1, d, until, &raw mut found) };
                 assert!(succeeds(status));
                 (!found.is_nan()).then_some(found)
             };

@@ -1,29 +1,22 @@
 """Exact continuous collision detection of moving triangle meshes.
 
-- Queries are two primitives in motion: :func:`collides`, :func:`time_of_impact`, :func:`contact_count`,
-  :func:`contact_times` and :func:`impacts` answer many at a time, from numpy arrays.
+- :class:`Queries` are pairs of primitives in motion, in numpy arrays, and answer many at a time.
 - A :class:`Detector` finds the contacts of a whole :class:`Mesh` in a step, and certifies the step that a
-  solver can take. :func:`audit` certifies a sequence of frames.
-- :func:`check` answers for the queries in a table of Arrow; :mod:`exact_ccd.ray` distributes large tables and
-  long recordings over many machines.
+  solver can take; :class:`Worlds` do so for many positions of one mesh at a time. :func:`audit` certifies a
+  sequence of frames.
+- :func:`answer_table` answers the queries in a table of Arrow; :mod:`exact_ccd.ray` distributes large tables
+  and long recordings over many machines.
 - :mod:`exact_ccd.ipc` has functions of ipctk, with the same arguments.
 """
 
 from ._native import CrossingError, __version__
 from .audits import AuditReport, Violation, audit
 from .contacts import CONTACT, Contact
-from .meshes import Detector, FreeStep, Mesh, MeshFile, PairCounts, Progress, StepReport, read_mesh
-from .queries import (
-    IMPACT,
-    ContactTimes,
-    Kind,
-    collides,
-    contact_count,
-    contact_times,
-    impacts,
-    time_of_impact,
-)
-from .tables import Answer, check
+from .detectors import Detector, FreeStep, PairCounts, Progress, StepReport
+from .meshes import Mesh, MeshFile, read_mesh
+from .queries import IMPACT, Intervals, Kind, Queries
+from .tables import Answer, answer_table
+from .worlds import Contacts, FreeSteps, StepReports, Worlds
 
 __all__ = [
     "CONTACT",
@@ -31,24 +24,24 @@ __all__ = [
     "Answer",
     "AuditReport",
     "Contact",
-    "ContactTimes",
+    "Contacts",
     "CrossingError",
     "Detector",
     "FreeStep",
+    "FreeSteps",
+    "Intervals",
     "Kind",
     "Mesh",
     "MeshFile",
     "PairCounts",
     "Progress",
+    "Queries",
     "StepReport",
+    "StepReports",
     "Violation",
+    "Worlds",
     "__version__",
+    "answer_table",
     "audit",
-    "check",
-    "collides",
-    "contact_count",
-    "contact_times",
-    "impacts",
     "read_mesh",
-    "time_of_impact",
 ]

@@ -2,23 +2,35 @@
 
 from __future__ import annotations
 
-from typing import Any, Optional, TypeVar
+from typing import Any, Optional, TypeVar, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Floats = NDArray[np.float64]
+Positions = NDArray[Union[np.float32, np.float64]]
 Indices = NDArray[np.uint32]
+Shape = tuple[Optional[int], ...]
+"""The sizes that are expected; None, which only the first may be, for any."""
+
 _Number = TypeVar("_Number", bound=np.generic)
 
 MOST_THREADS = 1024
 """The largest number of threads, as in the program."""
 
+_CPU = 1
+"""The number of the kind of device in DLPack."""
+
+_IN_PLACE = (np.dtype(np.float64), np.dtype(np.float32))
+"""The types of numbers that the compiled part reads as they are."""
+
 
 def _array(name: str, values: ArrayLike) -> NDArray[Any]:
-    """The argument as an array of integers or floating-point numbers."""
+    """The argument as an array: itself, a tensor of DLPack in place, or numbers in lists."""
     if isinstance(values, np.ma.MaskedArray):
         raise TypeError(f"{name} is a masked array: the kernel has no missing values")
+    if not isinstance(values, np.ndarray) and hasattr(values, "__dlpack__"):
+        return _tensor(name, values)
     array = np.asarray(values)
     if array.size == 0 and not isinstance(values, np.ndarray):
         # An empty list has no type of its own.
@@ -26,11 +38,34 @@ def _array(name: str, values: ArrayLike) -> NDArray[Any]:
     return array
 
 
-def _without_rows(array: NDArray[Any], shape: tuple[Optional[int], ...]) -> NDArray[Any]:
-    """An array without rows, such as an empty list, in the shape that is expected; others as they are."""
+def _tensor(name: str, tensor: Any) -> NDArray[Any]:
+    device, _ = tensor.__dlpack_device__()
+    if device != _CPU:
+        raise TypeError(f"{name} is on a device of kind {int(device)} of DLPack: copy it to the CPU")
+    try:
+        return np.from_dlpack(tensor)
+    except (BufferError, RuntimeError, TypeError, ValueError) as error:
+        raise TypeError(f"{name} cannot be read by DLPack: {error}") from error
+
+
+def _checked(name: str, values: ArrayLike, shape: Shape, kinds: str, expected: str) -> NDArray[Any]:
+    """The argument as an array of this shape, of numbers of these kinds."""
+    array = _array(name, values)
     if array.shape[:1] == (0,) and shape[:1] == (None,):
-        return array.reshape(0, *(size or 0 for size in shape[1:]))
+        # Without rows, such as an empty list.
+        array = array.reshape(0, *(size or 0 for size in shape[1:]))
+    if kinds == "iu" and array.size == 0:
+        array = np.empty(array.shape, np.uint32)
+    if array.dtype.kind not in kinds:
+        raise TypeError(f"{name} has the dtype {array.dtype}, expected {expected}")
+    if not _fits(array.shape, shape):
+        sizes = ", ".join("N" if size is None else str(size) for size in shape)
+        raise ValueError(f"{name} has the shape {array.shape}, expected ({sizes})")
     return array
+
+
+def _fits(actual: tuple[int, ...], shape: Shape) -> bool:
+    return len(actual) == len(shape) and actual[1:] == shape[1:] and shape[:1] in ((None,), actual[:1])
 
 
 def _first_row(differs: NDArray[np.bool_]) -> int:
@@ -38,7 +73,17 @@ def _first_row(differs: NDArray[np.bool_]) -> int:
     return int(np.flatnonzero(differs.reshape(len(differs), -1).any(axis=1))[0])
 
 
-def floats(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> Floats:
+def positions(name: str, values: ArrayLike, shape: Shape) -> Positions:
+    """The same numbers as an array of this shape, without a copy of float64 and float32 with any strides.
+
+    The exceptions are those of :func:`floats`.
+    """
+    if type(values) is np.ndarray and values.dtype in _IN_PLACE and values.flags.aligned:
+        return values if _fits(values.shape, shape) else _checked(name, values, shape, "f", "real numbers")
+    return floats(name, values, shape)
+
+
+def floats(name: str, values: ArrayLike, shape: Shape) -> Floats:
     """The same numbers as a contiguous float64 array of this shape, without a copy where none is needed.
 
     Raises
@@ -48,10 +93,7 @@ def floats(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> Fl
     ValueError
         If the shape differs, or if a number is not exactly a float64.
     """
-    array = _without_rows(_array(name, values), shape)
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name} has the dtype {array.dtype}, expected real numbers")
-    _check_shape(name, array, shape)
+    array = _checked(name, values, shape, "fiu", "real numbers")
     converted = np.require(array, np.float64, ["C", "A"])
     is_short = array.dtype.itemsize < 8 or array.dtype.kind == "f" and array.dtype.itemsize == 8
     if not is_short:
@@ -72,7 +114,7 @@ def _check_exact(name: str, array: NDArray[Any], converted: Floats) -> None:
         raise ValueError(f"{place} has a number that is not exactly a float64")
 
 
-def indices(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> Indices:
+def indices(name: str, values: ArrayLike, shape: Shape) -> Indices:
     """The same indices as a contiguous uint32 array of this shape; int32 and uint32 are not copied.
 
     Raises
@@ -82,12 +124,7 @@ def indices(name: str, values: ArrayLike, shape: tuple[Optional[int], ...]) -> I
     ValueError
         If the shape differs, or if an index is negative or above 2**32 - 1.
     """
-    array = _without_rows(_array(name, values), shape)
-    if array.size == 0:
-        array = np.empty(array.shape, np.uint32)
-    if array.dtype.kind not in "iu":
-        raise TypeError(f"{name} has the dtype {array.dtype}, expected integers")
-    _check_shape(name, array, shape)
+    array = _checked(name, values, shape, "iu", "integers")
     if array.size and (array.dtype.kind == "i" or array.dtype.itemsize > 4):
         low, high = array.min(), array.max()
         if low < 0 or high > 0xFFFF_FFFF:
@@ -131,12 +168,3 @@ def frozen(array: NDArray[_Number]) -> NDArray[_Number]:
     own.flags.writeable = False
     # Of a view, the flag cannot be set again.
     return own.view()
-
-
-def _check_shape(name: str, array: NDArray[Any], shape: tuple[Optional[int], ...]) -> None:
-    fits = len(array.shape) == len(shape) and all(
-        expected is None or actual == expected for actual, expected in zip(array.shape, shape)
-    )
-    if not fits:
-        expected = ", ".join("N" if size is None else str(size) for size in shape)
-        raise ValueError(f"{name} has the shape {array.shape}, expected ({expected})")

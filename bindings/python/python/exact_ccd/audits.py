@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from .contacts import Contact
 from .frames import FileFrames, FilePath, Rules, files_in
 from .half_spaces import HalfSpaces
-from .meshes import Detector, Mesh, Progress
+from .detectors import Detector, Progress
+from .meshes import Mesh
 from .pages import Page, line
 
 
@@ -92,7 +93,7 @@ def audit(
         The faces, if the frames are positions.
     edges : int array of shape (E, 2), optional
         Loose edges, if the frames are positions.
-    groups, can_collide
+    groups, can_collide : int array of shape (V,) and callable, optional
         The pairs that can collide, see :class:`Mesh`. Of STL files, the vertices are those that remain.
     half_spaces : array of shape (H, 2, 3), optional
         Half spaces that no vertex may touch, nor come within the minimum distance of: for each, a point of
@@ -106,6 +107,11 @@ def audit(
     view : path, optional
         An HTML file to write, which shows the frames that were examined and the violation in a browser. It
         needs no network.
+
+    Returns
+    -------
+    AuditReport
+        The number of frames examined, and the first violation.
 
     Raises
     ------
@@ -205,7 +211,7 @@ def _examine(
         if len(found):
             return Violation(0, None, (int(found[0, 0]), int(found[0, 1])))
         last = frame
-    contact = detector.earliest_contact(last, frame)
+    contact = detector.collision(last, frame)
     if contact is not None:
         return Violation(max(number - 1, 0), contact, None)
     touching = None if half_spaces is None else half_spaces.touching(frame)

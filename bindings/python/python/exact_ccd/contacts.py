@@ -10,19 +10,20 @@ from numpy.typing import NDArray
 from ._records import by_value
 from .queries import IMPACT, POINTS, Kind
 
-_PAIR = [
-    ("kind", "U2"),
-    ("first", np.uint32),
-    ("second", np.uint32),
-    ("vertices", np.int64, (4,)),
-]
+_PAIR = [("kind", "U2"), ("first", np.uint32), ("second", np.uint32), ("vertices", np.int64, (4,))]
 
 CONTACT = np.dtype([*_PAIR, *IMPACT.descr, ("distance", np.float64, (2,))])
 """The fields of a contact of a mesh, those of :class:`Contact`."""
 
 Columns = tuple[
-    NDArray[np.uint8], NDArray[np.uint32], NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]
+    NDArray[np.int64],
+    NDArray[np.uint8],
+    NDArray[np.uint32],
+    NDArray[np.int64],
+    NDArray[np.float64],
+    NDArray[np.float64],
 ]
+"""The index of the first contact of each world, and the columns of the contacts."""
 
 
 @by_value
@@ -42,7 +43,7 @@ class Contact(NamedTuple):
     time : float
         The earliest contact time, from 0 to 1, rounded down to float64.
     u, v : float
-        The parameters of the contact, see :func:`impacts`.
+        The parameters of the contact, see :meth:`Queries.impact`.
     normal : float64 array of shape (3,)
         The unit normal, from the second primitive to the first; NaN if there is none.
     points : float64 array of shape (2, 3)
@@ -65,8 +66,8 @@ class Contact(NamedTuple):
 
 
 def table(columns: Columns) -> NDArray[np.void]:
-    """The columns of the compiled part as one structured array."""
-    kinds, ids, vertices, impacts, distances = columns
+    """The contacts in columns of the compiled part as one structured array."""
+    _, kinds, ids, vertices, impacts, distances = columns
     contacts = np.empty(len(kinds), CONTACT)
     contacts["kind"] = np.array(list(POINTS))[kinds]
     contacts["first"], contacts["second"] = ids.T
@@ -79,19 +80,17 @@ def table(columns: Columns) -> NDArray[np.void]:
 
 
 def first(columns: Columns) -> Optional[Contact]:
-    """The first contact of the columns of the compiled part, if there is one."""
-    if len(columns[0]) == 0:
-        return None
-    row = table(columns)[0]
-    return Contact(
-        kind=row["kind"].item(),
-        first=int(row["first"]),
-        second=int(row["second"]),
-        vertices=row["vertices"],
-        time=float(row["time"]),
-        u=float(row["u"]),
-        v=float(row["v"]),
-        normal=row["normal"],
-        points=row["points"],
-        distance=row["distance"],
-    )
+    """The only contact in the columns of one world, if there is one."""
+    for row in table(columns):
+        return Contact(*(row[name] if row[name].ndim else row[name].item() for name in Contact._fields))
+    return None
+
+
+def earliest(columns: Columns) -> NDArray[np.void]:
+    """The contact of each world, at most one in the columns of each; without numbers where there is none."""
+    is_found = np.diff(columns[0]) > 0
+    contacts = np.zeros(len(is_found), CONTACT)
+    for name in (*(IMPACT.names or ()), "distance"):
+        contacts[name] = np.nan
+    contacts[is_found] = table(columns)
+    return contacts

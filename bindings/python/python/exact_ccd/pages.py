@@ -14,7 +14,8 @@ from ._arrays import Floats, floats
 from .contacts import Contact
 
 if TYPE_CHECKING:
-    from .meshes import Detector, Mesh
+    from .detectors import Detector
+    from .meshes import Mesh
 
 
 class Page:
@@ -38,12 +39,12 @@ class Page:
     def add_intersections(self, detector: Detector) -> None:
         """Add the edges and faces that meet in the last frame."""
         if self._native is not None:
-            detector._native.show_intersections(self._native, self._last[-1])
+            detector._native.show_intersections(self._native, self._last[-1][None])
 
     def add_contacts(self, detector: Detector, every: bool) -> None:
         """Add the contacts between the last two frames: every one, or the earliest."""
         if self._native is not None:
-            detector._native.show_contacts(self._native, self._last[0], self._last[-1], every)
+            detector._native.show_contacts(self._native, self._last[0][None], self._last[-1][None], every)
 
     def write(self, file: Union[str, PathLike[str]], summary: Iterable[str]) -> None:
         """Write the page, with lines about the answer; it has no frames then."""

@@ -36,7 +36,7 @@ def run(options: argparse.Namespace) -> int:
     """Run a command; its exit status."""
     import ray
 
-    from .ray import audit, check_dataset
+    from .ray import audit, answer_dataset
     from .ray.chunks import absolute, to_json
 
     ray.init(address=options.address, log_to_driver=False, logging_level=logging.WARNING)
@@ -48,10 +48,10 @@ def run(options: argparse.Namespace) -> int:
     import ray.data
 
     ray.data.DataContext.get_current().enable_progress_bars = False
-    answered = check_dataset(
+    answered = answer_dataset(
         ray.data.read_parquet([absolute(file) for file in options.files]),
         answers=["collides", "toi"],
-        min_distance=options.min_distance,
+        separation=options.min_distance,
     )
     if options.output is not None:
         answered.write_parquet(absolute(options.output))

@@ -9,26 +9,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _native
-from ._arrays import Floats, floats, number, thread_count
-from .queries import POINTS, Kind, check_kind
+from ._arrays import Positions, positions
+from .queries import POINTS, Kind, Queries, check_kind, settings
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
 Answer = Literal["collides", "count", "toi"]
-"""A column of :func:`check`."""
+"""A column of :func:`answer_table`."""
 
 _TYPES: dict[str, type] = {"collides": np.bool_, "count": np.int64, "toi": np.float64}
 
 _Table = TypeVar("_Table")
+_Settings = tuple[float, float, Optional[int]]
 
 
-def check(
+def answer_table(
     table: _Table,
     *,
     answers: Iterable[Answer] = ("collides", "count", "toi"),
     kind: Optional[Kind] = None,
-    min_distance: float = 0.0,
+    separation: float = 0.0,
     threads: Optional[int] = 1,
 ) -> _Table:
     """Decide the queries of a table, and return it with their answers as further columns.
@@ -44,18 +45,18 @@ def check(
 
         - ``kind``: "vf", "ee", "ve" or "vv", which may differ from row to row;
         - ``points``: a list of 24 numbers, for "ve" 18, for "vv" 12: x, y and z of the points at t = 0, then
-          the same at t = 1, in the order of :func:`collides`. Lists of fixed size serve as well. Contiguous
-          float64 values are read where they are.
+          the same at t = 1, in the order of :class:`Queries`. Lists of fixed size serve as well. float64 and
+          float32 values are read where they are.
     answers : iterable of {"collides", "count", "toi"}
         The columns to add, each of which replaces one of the same name:
 
-        - ``collides``, bool: contact or none, as of :func:`collides`;
-        - ``count``, int64: the number of contact times, as of :func:`contact_count`;
-        - ``toi``, float64: the first of them, as of :func:`time_of_impact`; null if there is none.
+        - ``collides``, bool: contact or none, as of :meth:`Queries.collides`;
+        - ``count``, int64: the number of contact times, as of :meth:`Queries.count`;
+        - ``toi``, float64: the first of them, as of :meth:`Queries.time_of_impact`; null if there is none.
     kind : {"vf", "ee", "ve", "vv"}, optional
         The kind of all queries, in place of the column.
-    min_distance : float
-        Primitives that come within this distance of each other count as touching.
+    separation : float
+        The distance at which primitives touch, see :meth:`Queries.collides`.
     threads : int or None
         The number of threads: by default 1, because Ray, Dask, Spark and others call functions like
         this one in many processes. None for all cores.
@@ -79,9 +80,10 @@ def check(
     A vertex passes another one, or meets it.
 
     >>> import pyarrow
+    >>> from exact_ccd import answer_table
     >>> points = [[-1, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0], [-1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0]]
     >>> table = pyarrow.table({"kind": ["vv", "vv"], "points": points})
-    >>> check(table).select(["collides", "count", "toi"]).to_pylist()[1]
+    >>> answer_table(table).select(["collides", "count", "toi"]).to_pylist()[1]
     {'collides': True, 'count': 1, 'toi': 0.5}
     """
     chosen = tuple(answers)
@@ -89,8 +91,7 @@ def check(
         if name not in get_args(Answer):
             raise ValueError(f'answer {name!r}, expected "collides", "count" or "toi"')
     arrow = _as_arrow(table)
-    distance = number("min_distance", min_distance)
-    columns = _answers(arrow, chosen, kind, distance, thread_count(threads))
+    columns = _answers(arrow, chosen, kind, settings(separation, 1.0, threads))
     for column, values in columns.items():
         index = arrow.schema.get_field_index(column)
         arrow = arrow.append_column(column, values) if index < 0 else arrow.set_column(index, column, values)
@@ -138,7 +139,7 @@ def _one_chunk(column: pa.ChunkedArray) -> pa.Array:
 
 
 def _answers(
-    table: pa.Table, names: tuple[Answer, ...], kind: Optional[Kind], min_distance: float, threads: Optional[int]
+    table: pa.Table, names: tuple[Answer, ...], kind: Optional[Kind], options: _Settings
 ) -> dict[str, pa.Array]:
     """The columns of answers."""
     import pyarrow as pa
@@ -150,7 +151,7 @@ def _answers(
         for of, places in kinds.within(first, len(chunk)):
             rows = np.arange(first, first + len(chunk)) if places is None else first + places
             points = _points(of, chunk if places is None else chunk.take(pa.array(places)), rows)
-            for name, values in _decide(of, points, rows, names, min_distance, threads).items():
+            for name, values in _decide(of, points, rows, names, options).items():
                 if places is None:
                     found[name][first : first + len(chunk)] = values
                 else:
@@ -207,7 +208,7 @@ class _Kinds(NamedTuple):
                 yield name, None if len(places) == count else places
 
 
-def _points(kind: Kind, lists: Any, rows: NDArray[np.intp]) -> Floats:
+def _points(kind: Kind, lists: Any, rows: NDArray[np.intp]) -> Positions:
     """The points of queries, without a copy of contiguous float64 values. `rows` are their numbers."""
     import pyarrow as pa
     import pyarrow.compute as pc
@@ -228,7 +229,7 @@ def _points(kind: Kind, lists: Any, rows: NDArray[np.intp]) -> Floats:
     if values.null_count:
         raise ValueError(f"row {rows[_first(values.is_null()) // width]}: a coordinate is null")
     numbers = values.to_numpy(zero_copy_only=False)
-    return floats("points", numbers.reshape(-1, 2 * POINTS[kind], 3), (None, 2 * POINTS[kind], 3))
+    return positions("points", numbers.reshape(-1, 2 * POINTS[kind], 3), (None, 2 * POINTS[kind], 3))
 
 
 def _first(mask: Any) -> int:
@@ -237,15 +238,11 @@ def _first(mask: Any) -> int:
 
 
 def _decide(
-    kind: Kind,
-    points: Floats,
-    rows: NDArray[np.intp],
-    names: tuple[Answer, ...],
-    min_distance: float,
-    threads: Optional[int],
+    kind: Kind, points: Positions, rows: NDArray[np.intp], names: tuple[Answer, ...], options: _Settings
 ) -> dict[Answer, NDArray[Any]]:
     """The answers for queries of one kind."""
-    arguments = (kind, points, min_distance, threads)
+    count = POINTS[kind]
+    arguments = (Queries(kind, points[:, :count], points[:, count:])._arrays, options)
     try:
         if names == ("collides",):
             return {"collides": _native.collides(*arguments)}

@@ -34,16 +34,12 @@ pub fn contact_points(
     let (time, [u, v]) = (impact.time.lower(), impact.parameters);
     let at = |vertex: u32| -> Option<Point> {
         let [a, b] = positions.map(|x| x.get(vertex as usize).copied());
-        Some(mix(a?, b?, time))
+        Some(mean([(1.0 - time, a?), (time, b?)]))
     };
     let on = |primitive: &[u32], place: f64| -> Option<Point> {
         match *primitive {
-            [a, b, c] => {
-                let [a, b, c] = [at(a)?, at(b)?, at(c)?];
-                let weights = [1.0 - u - v, u, v];
-                Some([0, 1, 2].map(|axis| weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]))
-            }
-            [a, b] => Some(mix(at(a)?, at(b)?, place)),
+            [a, b, c] => Some(mean([(1.0 - u - v, at(a)?), (u, at(b)?), (v, at(c)?)])),
+            [a, b] => Some(mean([(1.0 - place, at(a)?), (place, at(b)?)])),
             [a] => at(a),
             _ => None,
         }
@@ -68,7 +64,13 @@ pub(crate) fn contact_weights(first: usize, count: usize, [u, v]: [f64; 2]) -> [
     weights
 }
 
-/// (1 − t) a + t b, which is finite for t in [0, 1].
-fn mix(a: Point, b: Point, t: f64) -> Point {
-    [0, 1, 2].map(|axis| (1.0 - t) * a[axis] + t * b[axis])
+/// The sum of points with weights that add up to 1: between the points, though rounding may lead beyond them,
+/// and beyond the largest f64.
+fn mean<const N: usize>(points: [(f64, Point); N]) -> Point {
+    [0, 1, 2].map(|axis| {
+        let values = points.map(|(_, point)| point[axis]);
+        let sum: f64 = points.iter().map(|(weight, point)| weight * point[axis]).sum();
+        sum.max(values.into_iter().fold(f64::INFINITY, f64::min))
+            .min(values.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    })
 }

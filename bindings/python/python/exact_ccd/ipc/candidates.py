@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _native
 from .._arrays import Floats, Indices, number
-from ..queries import Kind, time_of_impact
+from ..queries import Kind, Queries
 from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
 from .rescaling import choose_rescaling
 from .stencils import (
@@ -73,9 +73,18 @@ class Candidates:
         inflation_radius: float = 0.0,
         broad_phase: object = None,
     ) -> None:
-        """Find the pairs whose boxes over the step meet, each enlarged by `inflation_radius` on every side.
+        """Find the pairs whose boxes over the step meet.
 
-        Without `vertices_t1`, the vertices do not move. `broad_phase` has no effect.
+        Parameters
+        ----------
+        mesh, vertices_t0 : CollisionMesh, and array of shape (V, 2) or (V, 3)
+            As for :func:`exact_ccd.ipc.is_step_collision_free`.
+        vertices_t1 : array of shape (V, 2) or (V, 3), optional
+            The positions at the end; without them, the vertices do not move.
+        inflation_radius : float
+            The distance by which each box is enlarged on every side.
+        broad_phase : object
+            Accepted as in ipctk, without effect.
         """
         if vertices_t1 is not None and np.ndim(vertices_t1) == 0:
             # The form without the end: build(mesh, vertices, inflation_radius).
@@ -152,7 +161,13 @@ class Candidates:
         return [_stencil(kind, row) for row in self._ids.get(kind, ())]
 
     def empty(self) -> bool:
-        """Return True if there are no pairs."""
+        """Return True if there are no pairs.
+
+        Returns
+        -------
+        bool
+            True without pairs.
+        """
         return len(self) == 0
 
     def clear(self) -> None:
@@ -161,7 +176,7 @@ class Candidates:
 
     @property
     def pairs(self) -> dict[Kind, NDArray[np.uint32]]:
-        """The vertices of the pairs of each kind, as `indices` of :func:`exact_ccd.collides`."""
+        """The vertices of the pairs of each kind, as `vertices` of :class:`exact_ccd.Queries`."""
         return dict(self._pairs)
 
     def is_step_collision_free(
@@ -172,9 +187,17 @@ class Candidates:
         min_distance: float = 0.0,
         narrow_phase_ccd: object = None,
     ) -> bool:
-        """Return True if none of the pairs comes within `min_distance` in the step, exactly.
+        """Decide if none of the pairs comes within `min_distance` in the step, exactly.
 
-        See :func:`exact_ccd.ipc.is_step_collision_free`, for meshes that are pierced at the start, too.
+        Parameters
+        ----------
+        mesh, vertices_t0, vertices_t1, min_distance, narrow_phase_ccd : see is_step_collision_free
+            As for :func:`exact_ccd.ipc.is_step_collision_free`.
+
+        Returns
+        -------
+        bool
+            True if the step is free.
         """
         given = surface(mesh)
         return self._earliest(given, *ends(given, vertices_t0, vertices_t1), min_distance) is None
@@ -188,9 +211,17 @@ class Candidates:
         narrow_phase_ccd: object = None,
         conservative_rescaling: Optional[float] = None,
     ) -> float:
-        """Return a step size, from 0 to 1, at which none of the pairs has come within `min_distance`.
+        """Compute a step size at which none of the pairs has come within `min_distance`.
 
-        See :func:`exact_ccd.ipc.compute_collision_free_stepsize`.
+        Parameters
+        ----------
+        mesh, vertices_t0, vertices_t1, min_distance, narrow_phase_ccd, conservative_rescaling : see compute_collision_free_stepsize
+            As for :func:`exact_ccd.ipc.compute_collision_free_stepsize`.
+
+        Returns
+        -------
+        float
+            The size, from 0 to 1.
         """
         rescaling = choose_rescaling(conservative_rescaling, narrow_phase_ccd)
         given = surface(mesh)
@@ -211,7 +242,7 @@ class Candidates:
         first: Optional[float] = None
         fold: tuple[Kind, Indices, float] = ("ve", self._folds, 0.0)
         for kind, pairs, d in [*((kind, pairs, min_distance) for kind, pairs in self._pairs.items()), fold]:
-            times = time_of_impact(kind, indices=pairs, vertices_t0=x0, vertices_t1=x1, min_distance=d)
+            times = Queries(kind, x0, x1, pairs).time_of_impact(separation=d)
             near = np.flatnonzero(~np.isnan(times))
             for row in near[np.argsort(times[near], kind="stable")]:
                 if first is not None and times[row] >= first:

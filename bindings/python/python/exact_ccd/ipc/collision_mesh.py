@@ -23,7 +23,7 @@ class CollisionMesh:
         The edges, those of the faces too; by default only those. Others are codimensional: rods.
     faces : int array of shape (F, 3), optional
         The faces. A vertex of no edge is codimensional: a point.
-    displacement_map
+    displacement_map : None
         Not supported: give positions to which the map has been applied.
 
     Attributes
@@ -68,7 +68,17 @@ class CollisionMesh:
         edges: Optional[ArrayLike] = None,
         faces: Optional[ArrayLike] = None,
     ) -> CollisionMesh:
-        """The mesh without the vertices of no edge and no face.
+        """Build the mesh without the vertices of no edge and no face.
+
+        Parameters
+        ----------
+        full_rest_positions, edges, faces : arrays
+            As for the constructor.
+
+        Returns
+        -------
+        CollisionMesh
+            The mesh, whose vertices are numbered anew.
 
         Examples
         --------
@@ -161,13 +171,46 @@ class CollisionMesh:
         return self._full_count * self.dim
 
     def to_full_vertex_id(self, id: int) -> int:
-        """The index of a vertex in the full mesh."""
+        """Find a vertex in the full mesh.
+
+        Parameters
+        ----------
+        id : int
+            The index of the vertex.
+
+        Returns
+        -------
+        int
+            Its index in the full mesh.
+        """
         return int(self._full[id])
 
     def vertices(self, full_positions: ArrayLike) -> NDArray[np.float64]:
-        """The positions of the vertices, from those of the full mesh."""
+        """Take the positions of the vertices from those of the full mesh.
+
+        Parameters
+        ----------
+        full_positions : array of shape (F, 2) or (F, 3)
+            The positions of all vertices of the full mesh.
+
+        Returns
+        -------
+        float64 array of shape (V, 2) or (V, 3)
+            Those of the vertices of this mesh.
+        """
         return floats("full_positions", full_positions, (self._full_count, self.dim))[self._full]
 
     def displace_vertices(self, full_displacements: ArrayLike) -> NDArray[np.float64]:
-        """The positions at rest plus the displacements of the full mesh."""
+        """Add displacements to the positions at rest.
+
+        Parameters
+        ----------
+        full_displacements : array of shape (F, 2) or (F, 3)
+            The displacements of all vertices of the full mesh.
+
+        Returns
+        -------
+        float64 array of shape (V, 2) or (V, 3)
+            The positions of the vertices of this mesh.
+        """
         return self._rest + floats("full_displacements", full_displacements, (self._full_count, self.dim))[self._full]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import ipctk
-from numpy.typing import ArrayLike
 
 from .pairs import edge_edge_ccd, point_edge_ccd, point_point_ccd, point_triangle_ccd
 from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
@@ -32,64 +34,23 @@ class ExactCCD(ipctk.NarrowPhaseCCD):  # type: ignore[misc]
         if ipctk.get_num_threads() != 1:
             ipctk.set_num_threads(1)
 
-    def point_point_ccd(
-        self,
-        p0_t0: ArrayLike,
-        p1_t0: ArrayLike,
-        p0_t1: ArrayLike,
-        p1_t1: ArrayLike,
-        min_distance: float = 0.0,
-        tmax: float = 1.0,
-    ) -> tuple[bool, float]:
+    def point_point_ccd(self, *arguments: Any, **options: Any) -> tuple[bool, float]:
         """See :func:`exact_ccd.ipc.point_point_ccd`."""
-        points = (p0_t0, p1_t0, p0_t1, p1_t1)
-        return point_point_ccd(*points, min_distance, tmax, self.conservative_rescaling)
+        return self._rescaled(point_point_ccd, *arguments, **options)
 
-    def point_edge_ccd(
-        self,
-        p_t0: ArrayLike,
-        e0_t0: ArrayLike,
-        e1_t0: ArrayLike,
-        p_t1: ArrayLike,
-        e0_t1: ArrayLike,
-        e1_t1: ArrayLike,
-        min_distance: float = 0.0,
-        tmax: float = 1.0,
-    ) -> tuple[bool, float]:
+    def point_edge_ccd(self, *arguments: Any, **options: Any) -> tuple[bool, float]:
         """See :func:`exact_ccd.ipc.point_edge_ccd`."""
-        points = (p_t0, e0_t0, e1_t0, p_t1, e0_t1, e1_t1)
-        return point_edge_ccd(*points, min_distance, tmax, self.conservative_rescaling)
+        return self._rescaled(point_edge_ccd, *arguments, **options)
 
-    def point_triangle_ccd(
-        self,
-        p_t0: ArrayLike,
-        t0_t0: ArrayLike,
-        t1_t0: ArrayLike,
-        t2_t0: ArrayLike,
-        p_t1: ArrayLike,
-        t0_t1: ArrayLike,
-        t1_t1: ArrayLike,
-        t2_t1: ArrayLike,
-        min_distance: float = 0.0,
-        tmax: float = 1.0,
-    ) -> tuple[bool, float]:
+    def point_triangle_ccd(self, *arguments: Any, **options: Any) -> tuple[bool, float]:
         """See :func:`exact_ccd.ipc.point_triangle_ccd`."""
-        points = (p_t0, t0_t0, t1_t0, t2_t0, p_t1, t0_t1, t1_t1, t2_t1)
-        return point_triangle_ccd(*points, min_distance, tmax, self.conservative_rescaling)
+        return self._rescaled(point_triangle_ccd, *arguments, **options)
 
-    def edge_edge_ccd(
-        self,
-        ea0_t0: ArrayLike,
-        ea1_t0: ArrayLike,
-        eb0_t0: ArrayLike,
-        eb1_t0: ArrayLike,
-        ea0_t1: ArrayLike,
-        ea1_t1: ArrayLike,
-        eb0_t1: ArrayLike,
-        eb1_t1: ArrayLike,
-        min_distance: float = 0.0,
-        tmax: float = 1.0,
-    ) -> tuple[bool, float]:
+    def edge_edge_ccd(self, *arguments: Any, **options: Any) -> tuple[bool, float]:
         """See :func:`exact_ccd.ipc.edge_edge_ccd`."""
-        points = (ea0_t0, ea1_t0, eb0_t0, eb1_t0, ea0_t1, ea1_t1, eb0_t1, eb1_t1)
-        return edge_edge_ccd(*points, min_distance, tmax, self.conservative_rescaling)
+        return self._rescaled(edge_edge_ccd, *arguments, **options)
+
+    def _rescaled(
+        self, decide: Callable[..., tuple[bool, float]], *arguments: Any, **options: Any
+    ) -> tuple[bool, float]:
+        return decide(*arguments, **options, conservative_rescaling=self.conservative_rescaling)

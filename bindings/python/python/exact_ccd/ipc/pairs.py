@@ -8,9 +8,8 @@ from typing import Union
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native
 from .._arrays import floats, number
-from ..queries import Kind
+from ..queries import Kind, Queries
 from .rescaling import CONSERVATIVE_RESCALING, check_rescaling
 
 
@@ -22,8 +21,10 @@ def _ccd(
     distance, last = number("min_distance", min_distance), number("tmax", tmax)
     if isnan(last):
         raise ValueError("tmax is nan, expected a number")
-    query = three_dimensional("points", points)[None]
-    (time,) = _native.time_until(kind, query, distance, last).tolist()
+    x = three_dimensional("points", points)
+    half = len(x) // 2
+    query = Queries(kind, x[None, :half], x[None, half:])
+    (time,) = query.time_of_impact(separation=distance, until=last).tolist()
     return (False, inf) if isnan(time) else (True, conservative_rescaling * time)
 
 
@@ -84,7 +85,19 @@ def point_edge_ccd(
     tmax: float = 1.0,
     conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
-    """Decide if a point and an edge touch until `tmax`, and when; as :func:`point_point_ccd`.
+    """Decide if a point and an edge come within `min_distance` until `tmax`, and when.
+
+    Parameters
+    ----------
+    p_t0, e0_t0, e1_t0, p_t1, e0_t1, e1_t1 : array of shape (2,) or (3,)
+        The points at t = 0 and at t = 1.
+    min_distance, tmax, conservative_rescaling : float
+        As for :func:`point_point_ccd`.
+
+    Returns
+    -------
+    tuple of bool and float
+        As of :func:`point_point_ccd`.
 
     Examples
     --------
@@ -109,7 +122,19 @@ def point_triangle_ccd(
     tmax: float = 1.0,
     conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
-    """Decide if a point and a triangle touch until `tmax`, and when; as :func:`point_point_ccd`.
+    """Decide if a point and a triangle come within `min_distance` until `tmax`, and when.
+
+    Parameters
+    ----------
+    p_t0, t0_t0, t1_t0, t2_t0, p_t1, t0_t1, t1_t1, t2_t1 : array of shape (2,) or (3,)
+        The points at t = 0 and at t = 1.
+    min_distance, tmax, conservative_rescaling : float
+        As for :func:`point_point_ccd`.
+
+    Returns
+    -------
+    tuple of bool and float
+        As of :func:`point_point_ccd`.
 
     Examples
     --------
@@ -134,6 +159,19 @@ def edge_edge_ccd(
     tmax: float = 1.0,
     conservative_rescaling: float = CONSERVATIVE_RESCALING,
 ) -> tuple[bool, float]:
-    """Decide if two edges touch until `tmax`, and when; as :func:`point_point_ccd`."""
+    """Decide if two edges come within `min_distance` until `tmax`, and when.
+
+    Parameters
+    ----------
+    ea0_t0, ea1_t0, eb0_t0, eb1_t0, ea0_t1, ea1_t1, eb0_t1, eb1_t1 : array of shape (2,) or (3,)
+        The points at t = 0 and at t = 1.
+    min_distance, tmax, conservative_rescaling : float
+        As for :func:`point_point_ccd`.
+
+    Returns
+    -------
+    tuple of bool and float
+        As of :func:`point_point_ccd`.
+    """
     points = (ea0_t0, ea1_t0, eb0_t0, eb1_t0, ea0_t1, ea1_t1, eb0_t1, eb1_t1)
     return _ccd("ee", points, min_distance, tmax, conservative_rescaling)

@@ -87,7 +87,17 @@ def sides(faces: NDArray[np.uint32]) -> NDArray[np.uint32]:
 
 
 def edges(faces: ArrayLike) -> NDArray[np.int32]:
-    """The edges of faces, each once, as an array of shape (E, 2).
+    """Find the edges of faces.
+
+    Parameters
+    ----------
+    faces : int array of shape (F, 3)
+        The vertices of each face.
+
+    Returns
+    -------
+    int32 array of shape (E, 2)
+        The vertices of each edge, once, sorted.
 
     Examples
     --------

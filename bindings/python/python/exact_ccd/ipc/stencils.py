@@ -6,46 +6,114 @@ from typing import Any, NamedTuple, Union
 
 
 class VertexVertexCandidate(NamedTuple):
-    """Two vertices of no edge."""
+    """Two vertices of no edge.
+
+    Attributes
+    ----------
+    vertex0_id, vertex1_id : int
+        The indices of both primitives.
+    """
 
     vertex0_id: int
     vertex1_id: int
 
     def vertex_ids(self, edges: Any, faces: Any) -> list[int]:
-        """The vertices of both primitives."""
+        """List the vertices of both primitives.
+
+        Parameters
+        ----------
+        edges, faces : int arrays of shape (E, 2) and (F, 3)
+            Those of the mesh.
+
+        Returns
+        -------
+        list of int
+            The vertices of both primitives.
+        """
         return [self.vertex0_id, self.vertex1_id]
 
 
 class EdgeVertexCandidate(NamedTuple):
-    """An edge and a vertex."""
+    """An edge and a vertex.
+
+    Attributes
+    ----------
+    edge_id, vertex_id : int
+        The indices of both primitives.
+    """
 
     edge_id: int
     vertex_id: int
 
     def vertex_ids(self, edges: Any, faces: Any) -> list[int]:
-        """The vertex, then those of the edge."""
+        """List the vertices of both primitives.
+
+        Parameters
+        ----------
+        edges, faces : int arrays of shape (E, 2) and (F, 3)
+            Those of the mesh.
+
+        Returns
+        -------
+        list of int
+            The vertex, then those of the edge.
+        """
         return [self.vertex_id, *map(int, edges[self.edge_id])]
 
 
 class EdgeEdgeCandidate(NamedTuple):
-    """Two edges."""
+    """Two edges.
+
+    Attributes
+    ----------
+    edge0_id, edge1_id : int
+        The indices of both primitives.
+    """
 
     edge0_id: int
     edge1_id: int
 
     def vertex_ids(self, edges: Any, faces: Any) -> list[int]:
-        """The vertices of both edges."""
+        """List the vertices of both primitives.
+
+        Parameters
+        ----------
+        edges, faces : int arrays of shape (E, 2) and (F, 3)
+            Those of the mesh.
+
+        Returns
+        -------
+        list of int
+            The vertices of both edges.
+        """
         return [*map(int, edges[self.edge0_id]), *map(int, edges[self.edge1_id])]
 
 
 class FaceVertexCandidate(NamedTuple):
-    """A face and a vertex."""
+    """A face and a vertex.
+
+    Attributes
+    ----------
+    face_id, vertex_id : int
+        The indices of both primitives.
+    """
 
     face_id: int
     vertex_id: int
 
     def vertex_ids(self, edges: Any, faces: Any) -> list[int]:
-        """The vertex, then those of the face."""
+        """List the vertices of both primitives.
+
+        Parameters
+        ----------
+        edges, faces : int arrays of shape (E, 2) and (F, 3)
+            Those of the mesh.
+
+        Returns
+        -------
+        list of int
+            The vertex, then those of the face.
+        """
         return [self.vertex_id, *map(int, faces[self.face_id])]
 
 

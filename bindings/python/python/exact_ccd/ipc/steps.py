@@ -11,8 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _native
-from ..meshes import Detector, Mesh
-from ..queries import collides
+from ..detectors import Detector
+from ..meshes import Mesh
+from ..queries import Queries
 from .candidates import Candidates, allows, check_distance
 from .collision_mesh import CollisionMesh
 from .primitives import AnyMesh, SurfaceMesh, ends, primitives, rule_of, surface
@@ -59,7 +60,7 @@ def is_step_collision_free(
     x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
     detector = _detector(mesh, vertices_t0, min_distance)
     if detector is not None:
-        return detector.is_free(x0, x1)
+        return not detector.collides(x0, x1)
     candidates = _candidates(mesh, vertices_t0, vertices_t1, min_distance)
     return candidates.is_step_collision_free(mesh, vertices_t0, vertices_t1, min_distance)
 
@@ -80,7 +81,7 @@ def compute_collision_free_stepsize(
 
     Parameters
     ----------
-    mesh, vertices_t0, vertices_t1, min_distance, broad_phase, narrow_phase_ccd
+    mesh, vertices_t0, vertices_t1, min_distance, broad_phase, narrow_phase_ccd : see is_step_collision_free
         As for :func:`is_step_collision_free`. If `narrow_phase_ccd` is an :class:`ExactCCD`, its
         ``conservative_rescaling`` is taken.
     conservative_rescaling : float, optional
@@ -105,7 +106,7 @@ def compute_collision_free_stepsize(
     x0, x1 = ends(surface(mesh), vertices_t0, vertices_t1)
     detector = _detector(mesh, vertices_t0, min_distance)
     if detector is not None:
-        return detector.free_step(x0, x1, rescaling).size
+        return detector.free_step(x0, x1, keep=rescaling).size
     return _candidates(mesh, vertices_t0, vertices_t1, min_distance).compute_collision_free_stepsize(
         mesh, vertices_t0, vertices_t1, min_distance, conservative_rescaling=rescaling
     )
@@ -124,6 +125,11 @@ def has_intersections(mesh: AnyMesh, vertices: ArrayLike, broad_phase: object = 
         The positions.
     broad_phase : object
         Accepted as in ipctk, without effect.
+
+    Returns
+    -------
+    bool
+        True if it does.
     """
     given = surface(mesh)
     x, _ = ends(given, vertices, vertices)
@@ -133,7 +139,7 @@ def has_intersections(mesh: AnyMesh, vertices: ArrayLike, broad_phase: object = 
     pairs = _native.overlaps(edges, edges, x, x, 0.0, None)
     pairs = pairs[pairs[:, 0] < pairs[:, 1]]
     fours = np.hstack([edges[pairs[:, 0]], edges[pairs[:, 1]]])
-    meet = collides("ee", indices=fours, vertices_t0=x, vertices_t1=x)
+    meet = Queries("ee", x, x, fours).collides()
     return any(allows(given, "ee", four) for four in fours[meet])
 
 

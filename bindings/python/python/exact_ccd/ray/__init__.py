@@ -4,12 +4,12 @@
 machine; ``ray.init`` with an address, or the variable ``RAY_ADDRESS``, connects to a cluster, all machines of
 which need this package.
 
-- :func:`check_dataset` answers for the queries of a ``ray.data.Dataset``.
+- :func:`answer_dataset` answers for the queries of a ``ray.data.Dataset``.
 - :func:`audit` certifies a recording, in chunks of frames.
 - The program ``exact-ccd-ray`` does both with files.
 """
 
 from .audits import audit
-from .datasets import check_dataset
+from .datasets import answer_dataset
 
-__all__ = ["audit", "check_dataset"]
+__all__ = ["audit", "answer_dataset"]

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..audits import AuditReport, examine, in_files
 from ..frames import ArrayFrames, FileFrames, FilePath, Frames, Rules, ordered
 from ..half_spaces import HalfSpaces
-from ..meshes import Detector, Progress
+from ..detectors import Detector, Progress
 from .chunks import Chunk, Results, absolute, chunks, digest, file_system
 
 

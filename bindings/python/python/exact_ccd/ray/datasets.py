@@ -6,27 +6,27 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING, Optional
 
 from ..queries import Kind
-from ..tables import Answer, check
+from ..tables import Answer, answer_table
 
 if TYPE_CHECKING:
     from ray.data import Dataset
 
 
-def check_dataset(
+def answer_dataset(
     dataset: Dataset,
     *,
     answers: Iterable[Answer] = ("collides", "count", "toi"),
     kind: Optional[Kind] = None,
-    min_distance: float = 0.0,
+    separation: float = 0.0,
 ) -> Dataset:
     """Decide the queries of a data set, and return it with their answers as further columns.
 
     Parameters
     ----------
     dataset : ray.data.Dataset
-        With the columns of :func:`exact_ccd.check`, as of ``ray.data.read_parquet``.
-    answers, kind, min_distance
-        As of :func:`exact_ccd.check`.
+        With the columns of :func:`exact_ccd.answer_table`, as of ``ray.data.read_parquet``.
+    answers, kind, separation
+        As for :func:`exact_ccd.answer_table`.
 
     Returns
     -------
@@ -38,13 +38,13 @@ def check_dataset(
     --------
     >>> import ray.data
     >>> dataset = ray.data.read_parquet("queries/")  # doctest: +SKIP
-    >>> check_dataset(dataset, answers=["collides"]).sum("collides")  # doctest: +SKIP
+    >>> answer_dataset(dataset, answers=["collides"]).sum("collides")  # doctest: +SKIP
     107
     """
     return dataset.map_batches(
-        check,
+        answer_table,
         batch_size=None,
         batch_format="pyarrow",
         zero_copy_batch=True,
-        fn_kwargs={"answers": tuple(answers), "kind": kind, "min_distance": min_distance, "threads": 1},
+        fn_kwargs={"answers": tuple(answers), "kind": kind, "separation": separation, "threads": 1},
     )

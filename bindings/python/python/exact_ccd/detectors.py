@@ -1,0 +1,352 @@
+"""Contact in steps of a mesh."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from os import PathLike
+from typing import Any, NamedTuple, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._arrays import Floats, Positions, floats, frozen, number, positions, thread_count
+from ._records import by_value, same
+from .contacts import Contact, first, table
+from .meshes import Mesh
+from .pages import Page, line
+
+Progress = Callable[[int], object]
+"""A function that is called with the number of steps done since its last call, as ``tqdm.update``."""
+
+
+class PairCounts(NamedTuple):
+    """Numbers of pairs, by their kind.
+
+    Attributes
+    ----------
+    vertex_face, edge_edge : int
+        The pairs of a vertex and a face, and of two edges.
+    vertex_edge, vertex_vertex : int
+        The pairs of a loose vertex and a loose edge, and of two loose vertices.
+    """
+
+    vertex_face: int
+    edge_edge: int
+    vertex_edge: int
+    vertex_vertex: int
+
+
+class StepReport(NamedTuple):
+    """The contacts of a step, counted.
+
+    Attributes
+    ----------
+    candidates : PairCounts
+        The pairs of primitives that come near each other.
+    colliding : PairCounts
+        Those that are in contact at some time of the step.
+    touching : PairCounts
+        Those that are in contact at t = 0.
+    earliest : Contact or None
+        The earliest contact; None if the step is free of contact.
+    """
+
+    candidates: PairCounts
+    colliding: PairCounts
+    touching: PairCounts
+    earliest: Optional[Contact]
+
+
+@by_value
+class FreeStep(NamedTuple):
+    """A step that is certified to be free of contact.
+
+    Attributes
+    ----------
+    size : float
+        The part of the full step that is taken, from 0 to 1: 1 if the full step is free, 0 if no positive
+        size is certified, because the mesh touches itself at the start, or within the smallest float64 of it.
+    positions : float64 array of shape (V, 3)
+        The positions at its end. Unless `size` is 0, the straight motion to these very positions has
+        been decided to be free of contact, exactly.
+    contact : Contact or None
+        The earliest contact of the full step; None if it is free.
+    touching : PairCounts
+        The pairs that touch at the start: those within their minimum distance, even if an
+        `inner_distance` holds for them.
+    """
+
+    size: float
+    positions: NDArray[np.float64]
+    contact: Optional[Contact]
+    touching: PairCounts
+
+
+@by_value
+class Settings(NamedTuple):
+    """The settings of a detector, and of the detector of many worlds."""
+
+    min_distance: Union[float, Floats] = 0.0
+    inner_distance: Optional[float] = None
+    threads: Optional[int] = None
+    start_check: bool = False
+
+
+class Searcher:
+    """A mesh, and settings with which its steps are searched; compares by both."""
+
+    def __init__(
+        self,
+        mesh: Mesh,
+        *,
+        min_distance: Union[float, ArrayLike] = 0.0,
+        inner_distance: Optional[float] = None,
+        threads: Optional[int] = None,
+        start_check: bool = False,
+    ) -> None:
+        if not isinstance(mesh, Mesh):
+            raise TypeError(f"mesh is of type {type(mesh).__name__}, expected an exact_ccd.Mesh")
+        self._mesh = mesh
+        distance: Union[float, Floats]
+        if np.ndim(min_distance) == 0:
+            distance = number("min_distance", min_distance)
+        else:
+            distance = frozen(floats("min_distance", min_distance, (mesh.vertex_count,)))
+        inner = None if inner_distance is None else number("inner_distance", inner_distance)
+        self._settings = Settings(distance, inner, thread_count(threads), bool(start_check))
+        self._native = _native.Detector(mesh._native, *self._settings)
+
+    @property
+    def mesh(self) -> Mesh:
+        """The mesh."""
+        return self._mesh
+
+    def __repr__(self) -> str:
+        default = Settings()._asdict()
+        shown = [
+            f"{name}=<array>" if isinstance(value, np.ndarray) else f"{name}={value}"
+            for name, value in self._settings._asdict().items()
+            if not same(value, default[name])
+        ]
+        return f"<exact_ccd.{type(self).__name__}: {', '.join([repr(self._mesh), *shown])}>"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, type(self)):
+            return NotImplemented
+        return self._settings == other._settings and self._mesh == other._mesh
+
+    def __hash__(self) -> int:
+        return hash((self._settings, self._mesh))
+
+    def __reduce__(self) -> tuple[Callable[..., Searcher], tuple[object, ...]]:
+        return _searcher, (type(self), self._mesh, self._settings._asdict())
+
+
+def _searcher(kind: type[Searcher], mesh: Mesh, settings: dict[str, Any]) -> Searcher:
+    return kind(mesh, **settings)
+
+
+class Detector(Searcher):
+    """Finds contact in successive steps of one mesh, in which each vertex moves in a straight line.
+
+    The detector keeps memory and order between steps; no answer depends on earlier steps. A call while it
+    works for another thread, or from the rule that it calls, raises RuntimeError: each needs its own.
+
+    Two detectors are equal if their meshes and settings are. One that is pickled has these, and no memory.
+
+    Parameters
+    ----------
+    mesh : Mesh
+        The mesh, with the pairs that can collide.
+    min_distance : float or array of shape (V,)
+        Primitives that come within this distance of each other count as touching, in all that follows; in
+        the unit of the coordinates, taken exactly. Or a thickness for each vertex: a primitive has the
+        largest of its vertices, and the distance of a pair is the sum of both, rounded up.
+        A vertex and an edge of rods that another edge connects touch at distance 0 only (docs/pairs.md).
+    inner_distance : float, optional
+        In place of `min_distance` for pairs that start within that: for a line search that has to move on
+        from there.
+    threads : int, optional
+        The number of threads; by default that of the cores. The answers do not depend on it.
+    start_check : bool
+        Refuse a step that begins with an edge that passes through a face, by a :class:`CrossingError`. This
+        takes a pass over the mesh at rest, which is not repeated for a start that is the one before, or the
+        end of a step that was found free. With `groups` or a rule `can_collide`, only for
+        the one before.
+
+    Raises
+    ------
+    TypeError
+        If an argument has another type.
+    ValueError
+        If a distance is negative or not finite, or there is not one thickness for each vertex.
+
+    See Also
+    --------
+    Worlds : The same for many worlds at a time.
+
+    Notes
+    -----
+    Positions are arrays of shape (V, 3), at t = 0 and at t = 1. float64 and float32 with any strides are read
+    where they are. All methods raise ValueError if there is not one position for each vertex, or if one is
+    not finite, CrossingError with `start_check`, and KeyboardInterrupt after Ctrl-C.
+
+    A contact is that of a vertex and a face, of two edges, or of points and rods. An edge that pierces a face
+    at rest, away from its boundary, is none of these: a step from such a start may be free of contact, and
+    `free_step` may return the size 1. With `start_check`, it is an error. `intersections` finds such edges,
+    and :func:`audit` begins with them.
+    ``docs/pairs.md`` lists all pairs that are never in contact.
+
+    Examples
+    --------
+    A vertex falls onto a triangle.
+
+    >>> import numpy as np
+    >>> from exact_ccd import Detector, Mesh
+    >>> detector = Detector(Mesh(4, [[0, 1, 2]]))
+    >>> x0 = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0.25, 0.25, 1]])
+    >>> x1 = x0.copy()
+    >>> x1[3, 2] = -1.0
+    >>> detector.collides(x0, x1), detector.collides(x0, x1, until=0.25)
+    (True, False)
+    >>> contact = detector.collision(x0, x1)
+    >>> contact.kind, contact.first, contact.second, contact.time
+    ('vf', 3, 0, 0.5)
+    >>> step = detector.free_step(x0, x1)
+    >>> step.size, step.positions[3].tolist()
+    (0.45, [0.25, 0.25, 0.09999999999999998])
+    >>> detector.collides(x0, step.positions)
+    False
+    """
+
+    def _world(self, name: str, x: ArrayLike) -> Positions:
+        return positions(name, x, (self._mesh.vertex_count, 3))[None]
+
+    def _ends(self, x0: ArrayLike, x1: ArrayLike) -> tuple[Positions, Positions]:
+        return self._world("x0", x0), self._world("x1", x1)
+
+    def collides(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> bool:
+        """Decide if any two primitives touch in the step; ends soon after the first contact found.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            The positions of the vertices at t = 0 and at t = 1.
+        until : float
+            The last time that counts, in [0, 1]: contacts that begin later are left out.
+
+        Returns
+        -------
+        bool
+            False if the step is free of contact.
+        """
+        return bool(self._native.collides(*self._ends(x0, x1), number("until", until))[0])
+
+    def collision(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> Optional[Contact]:
+        """Find the earliest contact of the step.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        until : float
+            As for :meth:`collides`.
+
+        Returns
+        -------
+        Contact or None
+            None if the step is free.
+        """
+        return first(self._native.collision(*self._ends(x0, x1), number("until", until)))
+
+    def collisions(self, x0: ArrayLike, x1: ArrayLike, *, until: float = 1.0) -> NDArray[np.void]:
+        """Find all contacts of the step.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        until : float
+            As for :meth:`collides`.
+
+        Returns
+        -------
+        structured array of shape (M,)
+            The contacts, the earliest first, with the fields of :data:`CONTACT`.
+        """
+        return table(self._native.collisions(*self._ends(x0, x1), number("until", until)))
+
+    def free_step(self, x0: ArrayLike, x1: ArrayLike, *, keep: float = 0.9) -> FreeStep:
+        """Compute a step towards `x1` that is certified to be free of contact.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        keep : float
+            The part of the time of impact that is taken if the full step is not free, above 0 and at most 1.
+
+        Returns
+        -------
+        FreeStep
+            Its size is 1 if the full step is free, otherwise the time of impact times `keep`. The positions
+            there are rounded, and the step to the rounded positions is decided exactly; if it is not free,
+            the size is reduced by units in its last place until it is, or is 0.
+        """
+        size, end, contact, touching = self._native.free_step(*self._ends(x0, x1), number("keep", keep))
+        return FreeStep(size.item(), end[0], first(contact), PairCounts(*touching[0].tolist()))
+
+    def step(
+        self,
+        x0: ArrayLike,
+        x1: ArrayLike,
+        *,
+        progress: Optional[Progress] = None,
+        view: Optional[Union[str, PathLike[str]]] = None,
+    ) -> StepReport:
+        """Examine all candidates of the step, and count the contacts.
+
+        Parameters
+        ----------
+        x0, x1 : array of shape (V, 3)
+            As for :meth:`collides`.
+        progress : callable, optional
+            Called with the number of candidates examined since its last call, as ``tqdm.update``.
+        view : path, optional
+            An HTML file to write, which shows the motion in a browser, with the edges and faces that meet at
+            t = 0, and all contacts. It needs no network.
+
+        Returns
+        -------
+        StepReport
+            The numbers of pairs, and the earliest contact.
+        """
+        start, end = self._ends(x0, x1)
+        counts, contact = self._native.step(start, end, progress)
+        candidates, colliding, touching = (PairCounts(*count[0].tolist()) for count in counts)
+        report = StepReport(candidates, colliding, touching, first(contact))
+        if view is not None:
+            page = Page("Step", self._mesh)
+            page.add_frame("t = 0", start[0])
+            page.add_intersections(self)
+            page.add_frame("t = 1", end[0])
+            page.add_contacts(self, every=True)
+            answer = "free of contact" if report.earliest is None else line(report.earliest)
+            page.write(view, [answer, f"pairs in contact: {sum(colliding)}, at t = 0: {sum(touching)}"])
+        return report
+
+    def intersections(self, x: ArrayLike) -> NDArray[np.uint32]:
+        """Find the edges and faces that have a common point at rest and share no vertex.
+
+        Parameters
+        ----------
+        x : array of shape (V, 3)
+            The positions of the vertices.
+
+        Returns
+        -------
+        uint32 array of shape (M, 2)
+            The index of the edge in :attr:`Mesh.edges` and that of the face, sorted.
+        """
+        return self._native.intersections(self._world("x", x))

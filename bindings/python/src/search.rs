@@ -1,0 +1,211 @@
+//! The search for contact in the steps of one world.
+
+use std::sync::Arc;
+
+use exact_ccd::{Options, Point};
+use exact_ccd_mesh::{
+    CanCollide, CandidateOptions, Contact, Detector, FreeStep, FreeStepOptions, Intersection,
+    IntersectionOptions, Meeting, MinDistance, Pair, Step, StepError, StepReport, ThicknessCount,
+    TriangleMesh, intersections,
+};
+
+use crate::broad_phase::Interruptible;
+use crate::compute::Watch;
+use crate::error::Refusal;
+
+type Inner = Detector<Interruptible>;
+
+/// The detectors of a mesh.
+///
+/// A rule of the caller is a function in Python, too slow for every candidate. Hence the first search
+/// ignores it, and its answer stands if it has no contact or if the rule holds for the contact.
+#[derive(Clone)]
+pub(crate) struct Search {
+    /// Ignores the rule.
+    open: Inner,
+    /// Obeys it, if there is one.
+    ruled: Option<Inner>,
+    rules: Rules,
+    min_distance: MinDistance,
+    watch: Arc<Watch>,
+    /// True if the start of each step is checked. Without a rule, `open` does so, and knows the ends of free
+    /// steps.
+    checks_start: bool,
+    /// The bits of the last start that was checked here.
+    checked: Vec<[u64; 3]>,
+}
+
+/// The pairs that can collide: by the groups, and by the groups and the rule of the caller.
+#[derive(Clone)]
+pub(crate) struct Rules {
+    pub(crate) groups: CanCollide,
+    pub(crate) every: CanCollide,
+    /// True if there is a rule of the caller.
+    pub(crate) has_rule: bool,
+}
+
+impl Rules {
+    /// Returns true if a pair can collide.
+    fn allow(&self, mesh: &TriangleMesh, pair: Pair) -> bool {
+        pair.vertices(mesh).is_some_and(|vertices| {
+            let (a, b) = vertices.split_at(pair.first_len());
+            self.every.allows(a, b)
+        })
+    }
+}
+
+impl Search {
+    pub(crate) fn new(
+        mesh: &Arc<TriangleMesh>,
+        rules: Rules,
+        min_distance: MinDistance,
+        watch: Arc<Watch>,
+        checks_start: bool,
+    ) -> Result<Self, ThicknessCount> {
+        min_distance.check(mesh)?;
+        let detector = |can_collide: &CanCollide| {
+            let broad_phase = Interruptible { watch: watch.clone() };
+            Inner::with_broad_phase(mesh.clone(), broad_phase).with_can_collide(can_collide.clone())
+        };
+        Ok(Self {
+            open: detector(&rules.groups).with_start_check(checks_start && !rules.has_rule),
+            ruled: rules.has_rule.then(|| detector(&rules.every)),
+            rules,
+            min_distance,
+            watch,
+            checks_start,
+            checked: Vec::new(),
+        })
+    }
+
+    fn mesh(&self) -> &Arc<TriangleMesh> {
+        self.open.mesh()
+    }
+
+    fn broad_phase(&self) -> Interruptible {
+        let watch = self.watch.clone();
+        Interruptible { watch }
+    }
+
+    /// The minimum distance, and the last time that counts.
+    fn options(&self, until: f64) -> Options<MinDistance> {
+        Options::within(self.min_distance.clone()).until(until)
+    }
+
+    /// Makes certain that no edge passes through a face at the start of a step, if that is to be checked. The
+    /// rule is asked for the edges and faces that were found.
+    fn check_start(&mut self, x0: &[Point]) -> Result<(), StepError> {
+        let bits: Vec<_> = x0.iter().map(|point| point.map(f64::to_bits)).collect();
+        if !self.checks_start || bits == self.checked {
+            return Ok(());
+        }
+        let mesh = self.mesh();
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(self.rules.groups.clone());
+        for Intersection { edge, face } in intersections(mesh, x0, &self.broad_phase(), &options)? {
+            let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
+            if self.rules.every.allows(&ends, &corners) {
+                return Err(StepError::Crossing {
+                    edge,
+                    ends,
+                    face,
+                    corners,
+                });
+            }
+        }
+        self.checked = bits;
+        Ok(())
+    }
+
+    /// The result of a search, first without the rule.
+    fn search<T, E: From<StepError>>(
+        &mut self,
+        x0: &[Point],
+        run: impl Fn(&mut Inner) -> Result<T, E>,
+        contact: impl Fn(&T) -> Option<Contact>,
+    ) -> Result<T, E> {
+        if self.ruled.is_some() {
+            self.check_start(x0)?;
+        }
+        let result = run(&mut self.open)?;
+        match (&mut self.ruled, contact(&result)) {
+            (Some(ruled), Some(contact)) if !self.rules.allow(ruled.mesh(), contact.pair) => run(ruled),
+            _ => Ok(result),
+        }
+    }
+
+    /// Contact or none.
+    pub(crate) fn collides(&mut self, x0: &[Point], x1: &[Point], until: f64) -> Result<bool, Refusal> {
+        let options = self.options(until);
+        if self.ruled.is_none() {
+            return Ok(self.open.collides(x0, x1, options)?);
+        }
+        self.check_start(x0)?;
+        let (rules, mesh) = (&self.rules, self.mesh().clone());
+        let counts = |pair| rules.allow(&mesh, pair);
+        Ok(self.open.collides_if(x0, x1, options, counts)?)
+    }
+
+    /// The earliest contact of a step.
+    pub(crate) fn collision(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        until: f64,
+    ) -> Result<Option<Contact>, Refusal> {
+        let options = self.options(until);
+        let run = |inner: &mut Inner| inner.collision(x0, x1, options.clone()).map_err(Refusal::from);
+        self.search(x0, run, |contact| *contact)
+    }
+
+    /// All contacts of a step.
+    pub(crate) fn collisions(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        until: f64,
+    ) -> Result<Vec<Contact>, Refusal> {
+        let options = self.options(until);
+        let run = |inner: &mut Inner| inner.collisions(x0, x1, options.clone()).map_err(Refusal::from);
+        let mut contacts = self.search(x0, run, |_| None)?;
+        if self.ruled.is_some() {
+            contacts.retain(|contact| self.rules.allow(self.mesh(), contact.pair));
+        }
+        Ok(contacts)
+    }
+
+    /// A certified step.
+    pub(crate) fn free_step(&mut self, x0: &[Point], x1: &[Point], keep: f64) -> Result<FreeStep, Refusal> {
+        let options = FreeStepOptions::default().with_keep(keep);
+        let options = options.with_min_distance(self.min_distance.clone());
+        let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(Refusal::from);
+        let free = self.search(x0, run, |free| free.contact)?;
+        match &mut self.ruled {
+            // The pairs that touch at the start have been counted without the rule.
+            Some(ruled) if free.touching.total() > 0 => run(ruled),
+            _ => Ok(free),
+        }
+    }
+
+    /// The contacts of a step, counted.
+    pub(crate) fn step(&mut self, x0: &[Point], x1: &[Point]) -> Result<StepReport, Refusal> {
+        self.check_start(x0)?;
+        let options = CandidateOptions::default().with_can_collide(self.rules.every.clone());
+        let options = options.with_min_distance(self.min_distance.clone());
+        let progress = |count| self.watch.add(count);
+        let step = Step::new(self.mesh(), x0, x1)?;
+        StepReport::with_options(step, &self.broad_phase(), &options, &progress).map_err(Refusal::new)
+    }
+
+    /// The edges and faces that meet at rest.
+    pub(crate) fn intersections(&self, x: &[Point]) -> Result<Vec<Intersection>, Refusal> {
+        let mesh = self.mesh();
+        let found = intersections(mesh, x, &self.broad_phase(), &IntersectionOptions::default());
+        let mut found = found.map_err(Refusal::new)?;
+        found.retain(|pair| {
+            let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
+            !self.watch.is_cancelled() && self.rules.every.allows(&edge, &face)
+        });
+        Ok(found)
+    }
+}
