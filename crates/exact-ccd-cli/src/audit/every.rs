@@ -30,37 +30,34 @@ impl EveryViolation {
     pub(super) fn examine(&mut self, frame: Frame) -> Result<Vec<Violation>, MotionError> {
         let found =
             intersections_among(&frame.mesh, &frame.positions, &self.can_collide).map_err(StepError::from)?;
-        let mut violations = Vec::new();
-        if let Some((last, detector)) = &mut self.last {
-            last.mesh.check_same(&frame.mesh)?;
-            let contacts = detector.contacts(&last.positions, &frame.positions, 1.0)?;
-            let frame_before = self.frames - 1;
-            violations.extend(contacts.into_iter().map(|contact| Violation::Contact {
-                frame: frame_before,
-                contact,
-            }));
-            *last = frame;
-        } else {
-            let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
-            let mut detector = detector.with_min_distance(self.min_distance.clone())?;
-            if self.is_only_frame {
-                let contacts = detector.contacts(&frame.positions, &frame.positions, 1.0)?;
-                violations.extend(
-                    contacts
-                        .into_iter()
-                        .map(|contact| Violation::Contact { frame: 0, contact }),
-                );
+        let (detector, contacts) = match self.last.take() {
+            Some((last, mut detector)) => {
+                last.mesh.check_same(&frame.mesh)?;
+                let contacts = detector.contacts(&last.positions, &frame.positions, 1.0)?;
+                (detector, contacts)
             }
-            self.last = Some((frame, detector));
-        }
+            None => {
+                let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
+                let mut detector = detector.with_min_distance(self.min_distance.clone())?;
+                let contacts = if self.is_only_frame {
+                    detector.contacts(&frame.positions, &frame.positions, 1.0)?
+                } else {
+                    Vec::new()
+                };
+                (detector, contacts)
+            }
+        };
+        self.last = Some((frame, detector));
         let frame = self.frames;
-        violations.extend(
-            found
-                .into_iter()
-                .map(|intersection| Violation::Intersection { frame, intersection }),
-        );
         self.frames += 1;
-        Ok(violations)
+        let in_step = contacts.into_iter().map(|contact| Violation::Contact {
+            frame: frame.saturating_sub(1),
+            contact,
+        });
+        let at_rest = found
+            .into_iter()
+            .map(|intersection| Violation::Intersection { frame, intersection });
+        Ok(in_step.chain(at_rest).collect())
     }
 
     pub(super) fn last(&self) -> Option<&Frame> {
