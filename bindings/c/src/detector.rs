@@ -1,5 +1,8 @@
 //! Detectors: contact in the steps of one mesh.
 
+use exact_ccd::Options;
+use exact_ccd_mesh::MinDistance;
+
 use crate::border::call;
 use crate::error::{Error, Status};
 use crate::mesh::Mesh;
@@ -10,16 +13,30 @@ use crate::threads::Threads;
 /// depends on earlier steps.
 pub struct Detector {
     pub(crate) inner: exact_ccd_mesh::Detector,
+    /// The distance at which primitives touch.
+    pub(crate) min_distance: MinDistance,
     pub(crate) threads: Threads,
 }
 
 impl Detector {
+    /// Replaces the minimum distance. In case of an error, the detector keeps the one it has.
+    pub(crate) fn set_min_distance(&mut self, min_distance: MinDistance) -> Result<(), Error> {
+        min_distance.check(self.inner.mesh())?;
+        self.min_distance = min_distance;
+        Ok(())
+    }
+
+    /// The minimum distance, and the whole step.
+    pub(crate) fn options(&self) -> Options<MinDistance> {
+        Options::within(self.min_distance.clone())
+    }
+
     /// The result of a computation with the detector, on its threads.
     pub(crate) fn run<T: Send>(
         &mut self,
         compute: impl FnOnce(&mut exact_ccd_mesh::Detector) -> Result<T, Error> + Send,
     ) -> Result<T, Error> {
-        let Self { inner, threads } = self;
+        let Self { inner, threads, .. } = self;
         threads.run(|| compute(inner))
     }
 }
@@ -30,9 +47,12 @@ pub unsafe extern "C" fn exact_ccd_detector_new(mesh: *const Mesh, detector: *mu
     call(|| {
         // SAFETY: the documentation of the function states the promise.
         let (Mesh(mesh), detector) = unsafe { (reference("mesh", mesh)?, Out::new("detector", detector)?) };
-        let inner = exact_ccd_mesh::Detector::new(mesh.clone());
-        let threads = Threads::default();
-        detector.write(Box::into_raw(Box::new(Detector { inner, threads })));
+        let new = Detector {
+            inner: exact_ccd_mesh::Detector::new(mesh.clone()),
+            min_distance: MinDistance::default(),
+            threads: Threads::default(),
+        };
+        detector.write(Box::into_raw(Box::new(new)));
         Ok(())
     })
 }

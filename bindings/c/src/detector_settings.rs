@@ -24,7 +24,7 @@ pub unsafe extern "C" fn exact_ccd_detector_set_min_distance(
         let min_distance = MinDistance::uniform(Separation::new(min_distance)?);
         // SAFETY: the documentation of the function states the promise.
         let detector = unsafe { reference_mut("detector", detector)? };
-        Ok(detector.inner.set_min_distance(min_distance)?)
+        detector.set_min_distance(min_distance)
     })
 }
 
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn exact_ccd_detector_set_thickness(
             (detector, array("thickness", thickness, vertex_count)?)
         };
         let min_distance = MinDistance::thickness(Thickness::new(thickness)?);
-        Ok(detector.inner.set_min_distance(min_distance)?)
+        detector.set_min_distance(min_distance)
     })
 }
 
@@ -61,7 +61,7 @@ pub unsafe extern "C" fn exact_ccd_detector_set_inner_distance(
         let min_distance = min_distance.with_inner(Separation::new(inner_distance)?);
         // SAFETY: the documentation of the function states the promise.
         let detector = unsafe { reference_mut("detector", detector)? };
-        Ok(detector.inner.set_min_distance(min_distance)?)
+        detector.set_min_distance(min_distance)
     })
 }
 

@@ -35,7 +35,8 @@ pub unsafe extern "C" fn exact_ccd_detector_is_free(
                 is_free,
             )
         };
-        is_free.write(detector.run(|detector| Ok(detector.is_free(x0, x1)?))?);
+        let options = detector.options();
+        is_free.write(!detector.run(|detector| Ok(detector.collides(x0, x1, options)?))?);
         Ok(())
     })
 }
@@ -65,7 +66,8 @@ pub unsafe extern "C" fn exact_ccd_detector_earliest_contact(
             let is_found = Out::new("is_found", is_found)?;
             (detector, x0, x1, is_found, Out::new("contact", contact)?)
         };
-        let earliest = detector.run(|detector| Ok(detector.earliest_contact(x0, x1)?))?;
+        let options = detector.options();
+        let earliest = detector.run(|detector| Ok(detector.collision(x0, x1, options)?))?;
         is_found.write(earliest.is_some());
         if let Some(earliest) = &earliest {
             contact.write(Contact::of(detector.inner.mesh(), [x0, x1], earliest));
@@ -100,7 +102,8 @@ pub unsafe extern "C" fn exact_ccd_detector_contacts(
                 contacts,
             )
         };
-        let found = detector.run(|detector| Ok(detector.contacts(x0, x1, until)?))?;
+        let options = detector.options().until(until);
+        let found = detector.run(|detector| Ok(detector.collisions(x0, x1, options)?))?;
         let of = |contact| Contact::of(detector.inner.mesh(), [x0, x1], contact);
         let list = found.iter().map(of).collect();
         contacts.write(Box::into_raw(Box::new(Contacts(list))));
@@ -139,6 +142,7 @@ pub unsafe extern "C" fn exact_ccd_detector_free_step(
                 let x0 = crate::pointers::positions("x0", x0, vertex_count)?;
                 let x1 = crate::pointers::positions("x1", x1, vertex_count)?;
                 let options = FreeStepOptions::default().with_keep(keep);
+                let options = options.with_min_distance(detector.min_distance.clone());
                 detector.run(|detector| Ok(detector.free_step(x0, x1, &options)?))?
             };
             let places = places("positions", positions.cast::<Point>(), vertex_count)?;

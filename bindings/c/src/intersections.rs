@@ -1,5 +1,7 @@
 //! Meshes at rest.
 
+use exact_ccd_mesh::{Bvh, IntersectionOptions, intersections};
+
 use crate::border::call;
 use crate::detector::Detector;
 use crate::error::Status;
@@ -28,7 +30,11 @@ pub unsafe extern "C" fn exact_ccd_detector_has_intersections(
                 Out::optional("face", face)?,
             )
         };
-        let found = detector.threads.run(|| Ok(detector.inner.intersections(x)?))?;
+        let (mesh, can_collide) = (detector.inner.mesh(), detector.inner.can_collide());
+        let options = IntersectionOptions::default().with_can_collide(can_collide.clone());
+        let found = detector
+            .threads
+            .run(|| Ok(intersections(mesh, x, &Bvh, &options)?))?;
         has_intersections.write(!found.is_empty());
         if let Some(first) = found.first() {
             if let Some(edge) = edge {

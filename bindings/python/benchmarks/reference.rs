@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     let earliest = fastest(runs, || {
         detector
-            .earliest_contact(&x0, &x1)
+            .collision(&x0, &x1, CONTACT)
             .expect("the positions are finite")
     });
     let table =

@@ -2,10 +2,10 @@
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, TryLockError};
 
-use exact_ccd::{Point, Separation, Thickness};
+use exact_ccd::{Options, Point, Separation, Thickness};
 use exact_ccd_mesh::{
-    CanCollide, CandidateOptions, Contact, FreeStepOptions, Intersection, MinDistance, Pair, PairCounts,
-    Step, StepError, StepReport, TriangleMesh, crossings_by, intersections_by,
+    CanCollide, CandidateOptions, Contact, FreeStepOptions, Intersection, IntersectionOptions, Meeting,
+    MinDistance, Pair, PairCounts, Step, StepError, StepReport, TriangleMesh, intersections,
 };
 use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyRuntimeError;
@@ -96,7 +96,9 @@ impl Work {
             return Ok(());
         }
         let (mesh, watch) = (&self.mesh, self.watch.clone());
-        let found = crossings_by(&Interruptible { watch }, mesh, x0, &self.groups);
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(self.groups.clone());
+        let found = intersections(mesh, x0, &Interruptible { watch }, &options);
         for Intersection { edge, face } in found.map_err(|error| refused_step(error.into()))? {
             let (ends, corners) = (mesh.edges()[edge as usize], mesh.faces()[face as usize]);
             if self.rule.allows(&ends, &corners) {
@@ -130,17 +132,24 @@ impl Work {
         }
     }
 
+    /// The minimum distance, and the whole step.
+    fn options(&self) -> Options<MinDistance> {
+        Options::within(self.min_distance.clone())
+    }
+
     /// The earliest contact of a step.
     fn earliest(&mut self, x0: &[Point], x1: &[Point]) -> PyResult<Option<Contact>> {
         self.check_start_of_search(x0)?;
-        let run = |inner: &mut Inner| inner.earliest_contact(x0, x1).map_err(refused_step);
+        let options = self.options();
+        let run = |inner: &mut Inner| inner.collision(x0, x1, options.clone()).map_err(refused_step);
         self.search(run, |contact| *contact)
     }
 
     /// All contacts of a step until a time.
     fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> PyResult<Vec<Contact>> {
         self.check_start_of_search(x0)?;
-        let mut contacts = self.open.contacts(x0, x1, until).map_err(refused_step)?;
+        let options = self.options().until(until);
+        let mut contacts = self.open.collisions(x0, x1, options).map_err(refused_step)?;
         if self.ruled.is_some() {
             contacts.retain(|contact| allows(&self.rule, &self.mesh, contact.pair));
         }
@@ -151,7 +160,8 @@ impl Work {
     fn intersections(&self, x: &[Point]) -> PyResult<Vec<Intersection>> {
         let (mesh, watch) = (&self.mesh, self.watch.clone());
         let broad_phase = Interruptible { watch };
-        let mut found = intersections_by(&broad_phase, mesh, x, &CanCollide::all()).map_err(refused)?;
+        let mut found =
+            intersections(mesh, x, &broad_phase, &IntersectionOptions::default()).map_err(refused)?;
         found.retain(|pair| {
             let (edge, face) = (mesh.edges()[pair.edge as usize], mesh.faces()[pair.face as usize]);
             !self.watch.is_cancelled() && self.rule.allows(&edge, &face)
@@ -225,18 +235,16 @@ impl Detector {
         let watch = Arc::<Watch>::default();
         let failure = Arc::default();
         let rule = mesh.rule(&watch, &failure);
+        min_distance.check(mesh.mesh()).map_err(refused)?;
         let detector = |can_collide| {
             let broad_phase = Interruptible { watch: watch.clone() };
-            Inner::with_broad_phase(mesh.mesh().clone(), broad_phase)
-                .with_can_collide(can_collide)
-                .with_min_distance(min_distance.clone())
-                .map_err(refused)
+            Inner::with_broad_phase(mesh.mesh().clone(), broad_phase).with_can_collide(can_collide)
         };
         Ok(Self(Mutex::new(Work {
             mesh: mesh.mesh().clone(),
-            open: detector(mesh.groups())?.with_start_check(start_check && !mesh.has_rule()),
-            ruled: mesh.has_rule().then(|| detector(rule.clone())).transpose()?,
-            min_distance: min_distance.clone(),
+            open: detector(mesh.groups()).with_start_check(start_check && !mesh.has_rule()),
+            ruled: mesh.has_rule().then(|| detector(rule.clone())),
+            min_distance,
             groups: mesh.groups(),
             rule,
             failure,
@@ -266,13 +274,16 @@ impl Detector {
     fn is_free(&self, py: Python<'_>, x0: Positions<'_>, x1: Positions<'_>) -> PyResult<bool> {
         let (x0, x1) = (points(&x0)?, points(&x1)?);
         self.begin()?.compute(py, None, |detector| {
-            if detector.ruled.is_none() {
-                return detector.open.is_free(x0, x1).map_err(refused_step);
-            }
-            detector.check_start(x0)?;
-            let (rule, mesh) = (&detector.rule, &detector.mesh);
-            let free = detector.open.is_free_of(x0, x1, |pair| allows(rule, mesh, pair));
-            free.map_err(refused_step)
+            let options = detector.options();
+            let collides = if detector.ruled.is_none() {
+                detector.open.collides(x0, x1, options)
+            } else {
+                detector.check_start(x0)?;
+                let (rule, mesh) = (&detector.rule, &detector.mesh);
+                let counts = |pair| allows(rule, mesh, pair);
+                detector.open.collides_if(x0, x1, options, counts)
+            };
+            Ok(!collides.map_err(refused_step)?)
         })?
     }
 
@@ -306,6 +317,7 @@ impl Detector {
         let options = FreeStepOptions::default().with_keep(keep);
         let (free, table) = self.begin()?.compute(py, None, |detector| {
             detector.check_start_of_search(x0)?;
+            let options = options.with_min_distance(detector.min_distance.clone());
             let run = |inner: &mut Inner| inner.free_step(x0, x1, &options).map_err(refused_search);
             let mut free = detector.search(run, |free| free.contact)?;
             // The pairs that touch at the start have been counted without the rule.

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use exact_ccd::{Point, Separation};
+use exact_ccd::{Options, Point, Separation};
 use exact_ccd_files::{Format, MeshFile, Polygons};
 use exact_ccd_mesh::{
-    Bvh, CanCollide, CandidateOptions, Candidates, MinDistance, Motion, StepError, crossings,
+    Bvh, CandidateOptions, Candidates, IntersectionOptions, Meeting, MinDistance, Motion, StepError,
+    intersections,
 };
 use exact_ccd_view::Page;
 
@@ -54,8 +55,9 @@ impl MeshStep {
         options.min_distance = MinDistance::uniform(separation);
         let step = self.motion.step()?;
         self.candidates = Candidates::with_options(step, &Bvh, &options)?;
-        let contacts = self.candidates.contacts(step);
-        let start = crossings(&self.motion.mesh, &self.motion.x0, &CanCollide::all());
+        let contacts = self.candidates.collisions(step, Options::within(separation));
+        let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let start = intersections(&self.motion.mesh, &self.motion.x0, &Bvh, &crossing);
         let start = start.map_err(StepError::from)?;
         let touching = if separation.is_zero() {
             "contact".to_owned()
@@ -97,7 +99,7 @@ impl MeshStep {
     pub(crate) fn root_finder(&self, finder: RootFinder) -> Result<String, Error> {
         let time = self
             .candidates
-            .earliest_time_by(self.motion.step()?, finder.method());
+            .time_of_impact_by(self.motion.step()?, finder.method());
         // Cannot panic: the keys are strings.
         Ok(serde_json::to_string(&Verdict::new(time)).expect("the verdict has a text"))
     }

@@ -77,9 +77,9 @@ fn print_times(scene: &Scene, mesh: &TriangleMesh) {
     let step = Step::new(mesh, x0, x1).expect("all positions are finite");
     let report = StepReport::new(step, &Bvh, &|_| ());
     let all = milliseconds(|| StepReport::new(step, &Bvh, &|_| ()));
-    let places = milliseconds(|| Candidates::new(step, &Bvh).contacts(step));
+    let places = milliseconds(|| Candidates::new(step, &Bvh).collisions(step, CONTACT));
     let mut detector = Detector::new(mesh.clone());
-    let earliest = milliseconds(|| detector.earliest_contact(x0, x1));
+    let earliest = milliseconds(|| detector.collision(x0, x1, CONTACT));
     let candidates = report.candidates.total();
     println!(
         "| {} | {candidates} | {} | {all:.1} | {:.0} | {places:.1} | {earliest:.1} |",

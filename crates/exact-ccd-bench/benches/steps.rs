@@ -12,8 +12,9 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Instant;
 
+use exact_ccd::CONTACT;
 use exact_ccd_data::{DataError, DataFolder};
-use exact_ccd_mesh::{BroadPhase, Bvh, Motion, Point, Step, StepReport, Sweep, advance};
+use exact_ccd_mesh::{BroadPhase, Bvh, Detector, Motion, Point, Step, StepReport, Sweep, advance};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -38,7 +39,7 @@ fn main() -> Result<(), DataError> {
 
 fn print_rows(name: &str, motion: &Motion) {
     let step = motion.step().expect("the frames of a scene are sound");
-    let end = free_end(motion, &step);
+    let end = free_end(motion, Detector::new(motion.mesh.clone()));
     let free = Step::new(&motion.mesh, &motion.x0, &end).expect("it is between two sound frames");
     print_row(name, "all contacts", &Question::Report, step);
     print_row(name, "earliest contact", &Question::Earliest, step);
@@ -47,9 +48,10 @@ fn print_rows(name: &str, motion: &Motion) {
 }
 
 /// Positions of the mesh before the earliest contact of the step.
-fn free_end(motion: &Motion, step: &Step<'_>) -> Vec<Point> {
-    let time = step
-        .earliest_contact(&Bvh)
+fn free_end(motion: &Motion, mut detector: Detector) -> Vec<Point> {
+    let time = detector
+        .collision(&motion.x0, &motion.x1, CONTACT)
+        .expect("the frames of a scene are sound")
         .map_or(1.0, |contact| contact.impact.time.lower());
     let ends = motion.x0.iter().zip(&motion.x1);
     let direction: Vec<Point> = ends.map(|(a, b)| [0, 1, 2].map(|k: usize| b[k] - a[k])).collect();
@@ -63,16 +65,18 @@ enum Question {
 }
 
 impl Question {
-    fn answer(&self, step: Step<'_>, broad_phase: &impl BroadPhase) {
+    /// Answers with a detector that has no memory of earlier steps.
+    fn answer<B: BroadPhase>(&self, step: Step<'_>, broad_phase: &B, mut detector: Detector<B>) {
+        let [x0, x1] = step.positions();
         match self {
             Self::Report => {
                 black_box(StepReport::new(step, broad_phase, &|_| ()));
             }
             Self::Earliest => {
-                black_box(step.earliest_contact(broad_phase));
+                let _ = black_box(detector.collision(x0, x1, CONTACT));
             }
             Self::Free => {
-                black_box(step.is_free(broad_phase));
+                let _ = black_box(detector.collides(x0, x1, CONTACT));
             }
         }
     }
@@ -85,11 +89,15 @@ fn print_row(scene: &str, name: &str, question: &Question, step: Step<'_>) {
             .build()
             .expect("two threads can be had")
     });
+    let bvh = Detector::new(step.mesh().clone());
+    let sweep = Detector::with_broad_phase(bvh.mesh().clone(), Sweep);
     let mut times = [const { Vec::new() }; 4];
     for _ in 0..ROUNDS {
         for (pool, index) in pools.iter().zip(0..) {
-            times[index].push(milliseconds(pool, || question.answer(step, &Bvh)));
-            times[2 + index].push(milliseconds(pool, || question.answer(step, &Sweep)));
+            times[index].push(milliseconds(pool, || question.answer(step, &Bvh, bvh.clone())));
+            times[2 + index].push(milliseconds(pool, || {
+                question.answer(step, &Sweep, sweep.clone())
+            }));
         }
     }
     let medians = times.map(|times| format!("{:.1}", median(times)));

@@ -19,7 +19,7 @@ use std::fs::{self, File};
 use std::io::BufWriter;
 use std::path::Path;
 
-use exact_ccd::{Point, Separation, Thickness};
+use exact_ccd::{Options, Point, Separation, Thickness};
 use exact_ccd_files::write_ply;
 use exact_ccd_mesh::{Detector, Frame, MinDistance, TriangleMesh};
 
@@ -85,9 +85,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("0.5e-3 + 0.5e-3", thickness(0.5e-3)?),
         ("1e-3 + 1e-3", thickness(1e-3)?),
     ] {
-        let mut detector = Detector::new(mesh.clone()).with_min_distance(d)?;
+        let mut detector = Detector::new(mesh.clone());
         let contact = detector
-            .earliest_contact(&x0, &x1)?
+            .collision(&x0, &x1, Options::within(d))?
             .ok_or("the sheets pass through each other")?;
         let (time, distance) = (contact.impact.time.lower(), contact.distance);
         println!(

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd::Separation;
+use exact_ccd::{Options, Separation};
 use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{
-    Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, MinDistance, Motion, StepError,
-    StepReport, crossings,
+    Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting,
+    MinDistance, Motion, StepError, StepReport, intersections,
 };
 
 use crate::contacts::{ContactList, ContactRecord};
@@ -94,7 +94,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         ids: scene.ids().clone(),
         motion,
     };
-    let mut detector = problem.detector()?;
+    let mut detector = problem.detector();
     clock.end("read");
 
     let start = arguments.start(&problem)?;
@@ -159,7 +159,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     if mesh.has_files() {
         let contacts = during(progress::stage("listing all contacts"), |_| {
             let Motion { x0, x1, .. } = &problem.motion;
-            detector.contacts(x0, x1, 1.0)
+            detector.collisions(x0, x1, problem.options())
         })?;
         clock.end("list");
         records.extend(contacts.iter().map(|contact| problem.record(contact)));
@@ -193,10 +193,13 @@ struct Problem {
 }
 
 impl Problem {
-    fn detector(&self) -> Result<Detector<&Timed<Bvh>>, Failure> {
+    fn detector(&self) -> Detector<&Timed<Bvh>> {
         let detector = Detector::with_broad_phase(self.motion.mesh.clone(), &self.broad_phase);
-        let detector = detector.with_can_collide(self.can_collide.clone());
-        Ok(detector.with_min_distance(self.distance.clone())?)
+        detector.with_can_collide(self.can_collide.clone())
+    }
+
+    fn options(&self) -> Options<MinDistance> {
+        Options::within(self.distance.clone())
     }
 
     fn record_of_start(&self, found: Intersection) -> ContactRecord {
@@ -226,7 +229,9 @@ impl Arguments {
         }
         let Motion { mesh, x0, .. } = &problem.motion;
         let stage = progress::stage("examining the start");
-        let found = during(stage, |_| crossings(mesh, x0, &problem.can_collide));
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(problem.can_collide.clone());
+        let found = during(stage, |_| intersections(mesh, x0, &Bvh, &options));
         Ok(found.map_err(StepError::from)?)
     }
 
@@ -234,14 +239,14 @@ impl Arguments {
         let Motion { x0, x1, .. } = &problem.motion;
         let stage = progress::stage("searching for contact");
         if self.any {
-            let touches = !during(stage, |_| detector.is_free(x0, x1))?;
+            let touches = during(stage, |_| detector.collides(x0, x1, problem.options()))?;
             return Ok(Answer {
                 touches,
                 ..Answer::default()
             });
         }
         if self.toi {
-            let earliest = during(stage, |_| detector.earliest_contact(x0, x1))?;
+            let earliest = during(stage, |_| detector.collision(x0, x1, problem.options()))?;
             return Ok(Answer {
                 earliest,
                 ..Answer::default()

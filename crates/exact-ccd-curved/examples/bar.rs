@@ -10,8 +10,8 @@ use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 use std::time::Instant;
 
-use exact_ccd::{EdgeEdge, Separation};
-use exact_ccd_curved::{Polynomial, RigidMotion, SearchOptions, Trajectory, first_within};
+use exact_ccd::{CONTACT, EdgeEdge};
+use exact_ccd_curved::{Polynomial, RigidMotion, SearchOptions, Trajectory, time_of_impact};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let post = [-1.0, 1.0].map(|z| Polynomial::new([[0.0, 1.0, z]]));
@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for tolerance in [1e-3, 1e-6, 1e-12] {
             let options = SearchOptions::default().with_time_tolerance(tolerance / angle);
             let start = Instant::now();
-            let answer = first_within::<EdgeEdge, _>(&points, Separation::new(0.0)?, &options)?;
+            let answer = time_of_impact::<EdgeEdge, _>(&points, CONTACT, &options)?;
             let elapsed = start.elapsed().as_secs_f64() * 1e6;
             let free = answer.free_until * angle;
             let by = answer.within.ok_or("no contact")?.by * angle;

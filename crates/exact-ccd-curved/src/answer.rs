@@ -5,7 +5,7 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     /// The distance is certainly above d at all times before this one. If [`end`](Self::end) is
-    /// [`End::Free`], it is above d in the whole step, t = 1 included.
+    /// [`End::Free`], it is above d until the last time that counts, that time included.
     pub free_until: f64,
     /// The earliest time by which a small distance has been proved, if there is one.
     pub within: Option<Within>,
@@ -37,7 +37,7 @@ pub enum Proximity {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum End {
-    /// The whole step is free.
+    /// All is free until the last time that counts.
     Free,
     /// The gap between the free times and the proved proximity is within the tolerance of times.
     Tolerance,
@@ -49,7 +49,7 @@ pub enum End {
 }
 
 impl Answer {
-    /// Returns true if the distance is certainly above d in the whole step.
+    /// Returns true if the distance is certainly above d until the last time that counts.
     #[must_use]
     pub fn is_free(&self) -> bool {
         self.end == End::Free

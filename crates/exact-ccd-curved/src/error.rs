@@ -1,6 +1,6 @@
 //! Errors of a search.
 
-use exact_ccd::{NonFinite, environment};
+use exact_ccd::{NonFinite, TimeOutOfStep, environment};
 
 /// The reason why a search has no answer.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -31,6 +31,9 @@ pub enum SearchError {
     /// The tolerance of times is negative or NaN.
     #[error("the tolerance of times is {0}, expected a number of at least 0")]
     Tolerance(f64),
+    /// The last time that counts is not in [0, 1].
+    #[error(transparent)]
+    Time(#[from] TimeOutOfStep),
     /// The thread, or one of the threads of a step, has another floating-point
     /// [environment](exact_ccd::environment) than the default one, so that no bound of an error holds.
     #[error(

@@ -75,9 +75,7 @@ impl<'a, T: Trajectory + Sync> Interval<'a, T> {
         step.answer.free_until = self.end;
         for (relative, pair) in self.near(d, options, step)? {
             let until = step.answer.free_until;
-            if step.pair.is_some() && time_before(relative, self.start, self.end) >= until
-                || until <= self.start
-            {
+            if step.pair.is_some() && time_before(relative, self.start, self.end) >= until {
                 break;
             }
             let answer = self.search(pair, d, &options.search, until);

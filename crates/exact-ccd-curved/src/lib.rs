@@ -7,8 +7,8 @@
 //! is certainly free, and a time by which the primitives have certainly come together.
 //!
 //! ```
-//! use exact_ccd::{EdgeEdge, Separation};
-//! use exact_ccd_curved::{Polynomial, RigidMotion, SearchOptions, Trajectory, first_within};
+//! use exact_ccd::{CONTACT, EdgeEdge};
+//! use exact_ccd_curved::{Polynomial, RigidMotion, SearchOptions, Trajectory, time_of_impact};
 //!
 //! // A bar turns by two radians, from the x axis towards a post at y = 1: contact at a quarter turn.
 //! let motion = RigidMotion::new([0.0; 3], [0.0, 0.0, 1.0], 2.0, [0.0; 3])?;
@@ -17,7 +17,7 @@
 //!
 //! let points: [&dyn Trajectory; 4] = [&bar[0], &bar[1], &post[0], &post[1]];
 //! let options = SearchOptions::default().with_time_tolerance(1e-12);
-//! let answer = first_within::<EdgeEdge, _>(&points, Separation::default(), &options)?;
+//! let answer = time_of_impact::<EdgeEdge, _>(&points, CONTACT, &options)?;
 //! let by = answer.within.expect("they meet").by;
 //! let time = std::f64::consts::FRAC_PI_4;
 //! assert!(answer.free_until <= time && time <= by && by - answer.free_until <= 1e-12);
@@ -30,7 +30,7 @@
 //! | [`Polynomial`] | control points or coefficients, of any degree |
 //! | [`RigidMotion`] | rotation about an axis that moves in a straight line, as in a screw motion |
 //! | [`FromFunctions`] | functions of the caller |
-//! | [`first_within`] | two primitives |
+//! | [`time_of_impact`] | two primitives |
 //! | [`curved_step`] | a mesh; [`Instances`] are rigid bodies, by their poses at two times |
 //!
 //! No function panics on any input, except where a function of the caller does.
@@ -63,7 +63,7 @@ pub use options::SearchOptions;
 pub use polynomial::Polynomial;
 pub use pose::Pose;
 pub use rigid::{RigidMotion, RigidMotionError, RigidPoint};
-pub use search::first_within;
+pub use search::time_of_impact;
 pub use step::curved_step;
 pub use step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 pub use trajectory::{Position, Trajectory};

@@ -1,6 +1,6 @@
 //! Options of a search.
 
-use exact_ccd::Separation;
+use exact_ccd::{Separation, TimeOutOfStep};
 
 use crate::error::SearchError;
 
@@ -55,12 +55,12 @@ impl SearchOptions {
         Self { chord_limit, ..self }
     }
 
-    /// Checks the tolerance of times.
-    pub(crate) fn check(&self) -> Result<(), SearchError> {
-        if self.time_tolerance >= 0.0 {
-            Ok(())
-        } else {
-            Err(SearchError::Tolerance(self.time_tolerance))
+    /// Checks the tolerance of times, the last time that counts, and the environment of the thread.
+    pub(crate) fn check(&self, until: f64) -> Result<(), SearchError> {
+        TimeOutOfStep::check(until)?;
+        if self.time_tolerance.is_nan() || self.time_tolerance < 0.0 {
+            return Err(SearchError::Tolerance(self.time_tolerance));
         }
+        SearchError::check_environment()
     }
 }

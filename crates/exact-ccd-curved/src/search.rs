@@ -1,6 +1,6 @@
 //! The search for the first time within a distance, by chords.
 
-use exact_ccd::Separation;
+use exact_ccd::{Options, Separation};
 
 use crate::answer::{Answer, End, Within};
 use crate::error::SearchError;
@@ -18,12 +18,14 @@ const RESOLUTION: f64 = 4.0 * f64::EPSILON;
 /// The shortest chord that is cut.
 const SHORTEST: f64 = f64::EPSILON / 2.0;
 
-/// The first time at which two curved primitives are at most d apart, between certain bounds.
+/// The first time at which two curved primitives touch, between certain bounds: at which they are at most d
+/// apart, for the separation d of the options.
 ///
 /// `trajectories` are those of the points, in the order of the kind: four for
 /// [`VertexFace`](exact_ccd::VertexFace) and [`EdgeEdge`](exact_ccd::EdgeEdge), three for
 /// [`VertexEdge`](exact_ccd::VertexEdge), two for [`VertexVertex`](exact_ccd::VertexVertex). They may be
-/// of different types behind `&dyn Trajectory`. d = 0 is contact.
+/// of different types behind `&dyn Trajectory`. d = 0 is contact. The search is for the first time not after the last one
+/// that counts, which ends the step.
 ///
 /// The step is cut into chords where that is needed. The chords within d + Δ, Δ being a bound of the
 /// deviation of both primitives, are not certainly free; those within d + ε − Δ certainly come within
@@ -32,11 +34,12 @@ const SHORTEST: f64 = f64::EPSILON / 2.0;
 /// If the motion is straight and without error, this is one exact query.
 ///
 /// # Errors
-/// [`SearchError`] names a position that is not finite, a bound that is not valid, or the tolerance.
+/// [`SearchError`] names a position that is not finite, a bound that is not valid, the tolerance, or a last
+/// time that is not in [0, 1].
 ///
 /// ```
-/// use exact_ccd::{Separation, VertexFace};
-/// use exact_ccd_curved::{End, Polynomial, SearchOptions, Trajectory, first_within};
+/// use exact_ccd::{CONTACT, VertexFace};
+/// use exact_ccd_curved::{End, Polynomial, SearchOptions, Trajectory, time_of_impact};
 ///
 /// // A ball falls from the height 1 with the acceleration −4: it meets the floor at t = 1 / √2.
 /// let ball = Polynomial::new([[1.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1.0, -1.0]]);
@@ -44,20 +47,20 @@ const SHORTEST: f64 = f64::EPSILON / 2.0;
 /// let points: [&dyn Trajectory; 4] = [&ball, &floor[0], &floor[1], &floor[2]];
 ///
 /// let options = SearchOptions::default().with_time_tolerance(1e-9);
-/// let answer = first_within::<VertexFace, _>(&points, Separation::new(0.0)?, &options)?;
+/// let answer = time_of_impact::<VertexFace, _>(&points, CONTACT, &options)?;
 /// let by = answer.within.expect("they meet").by;
 /// assert_eq!(answer.end, End::Tolerance);
 /// assert!(answer.free_until <= 0.5_f64.sqrt() && 0.5_f64.sqrt() <= by && by - answer.free_until <= 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn first_within<K: CurvedKind, T: Trajectory>(
+pub fn time_of_impact<K: CurvedKind, T: Trajectory>(
     trajectories: &K::Trajectories<T>,
-    d: Separation,
-    options: &SearchOptions,
+    options: impl Into<Options>,
+    search_options: &SearchOptions,
 ) -> Result<Answer, SearchError> {
-    options.check()?;
-    SearchError::check_environment()?;
-    search::<K, _>(trajectories.as_ref(), d, options, [0.0, 1.0])
+    let Options { separation, until } = options.into();
+    search_options.check(until)?;
+    search::<K, _>(trajectories.as_ref(), separation, search_options, [0.0, until])
 }
 
 /// The search in an interval of times, before which all is free.

@@ -1,34 +1,33 @@
 //! A step of a mesh whose vertices move on curves.
 
-use exact_ccd::Separation;
+use exact_ccd::Options;
 use exact_ccd_mesh::TriangleMesh;
 
 use crate::answer::{Answer, End};
-use crate::error::SearchError;
 use crate::interval::Interval;
 use crate::step_answer::{CurvedStep, CurvedStepError, CurvedStepOptions};
 use crate::trajectory::Trajectory;
 
-/// The first time at which two primitives of a mesh, whose vertices move on curves, are at most d
-/// apart, between certain bounds.
+/// The first time at which two primitives of a mesh, whose vertices move on curves, touch, between certain
+/// bounds: at which they are at most d apart, for the separation d of the options.
 ///
 /// The step is cut into intervals of time in which the deviations are small compared with the motion. In
 /// each, every vertex moves along its chord and is as thick as its deviation and d / 2. The pairs that
-/// come within the sum of their thicknesses are searched as by [`first_within`](crate::first_within), those
+/// come within the sum of their thicknesses are searched as by [`time_of_impact`](crate::time_of_impact), those
 /// with the earliest chords first, until no other can be earlier. Primitives that share a vertex are left
 /// out. The result does not depend on the number of threads.
 ///
 /// # Errors
 /// [`CurvedStepError`], if the trajectories are not as many as the vertices, if a position is not finite,
-/// or if a bound or the tolerance is not valid.
+/// or if a bound, the tolerance or the last time that counts is not valid.
 pub fn curved_step<T: Trajectory + Sync>(
     mesh: &TriangleMesh,
     trajectories: &[T],
-    d: Separation,
-    options: &CurvedStepOptions,
+    options: impl Into<Options>,
+    step_options: &CurvedStepOptions,
 ) -> Result<CurvedStep, CurvedStepError> {
-    options.search.check()?;
-    SearchError::check_environment()?;
+    let Options { separation, until } = options.into();
+    step_options.search.check(until)?;
     let answer = Answer {
         free_until: 0.0,
         within: None,
@@ -41,7 +40,7 @@ pub fn curved_step<T: Trajectory + Sync>(
         intervals: 0,
         candidates: 0,
     };
-    let mut ends = vec![1.0];
+    let mut ends = vec![until];
     while let (Some(&end), None) = (ends.last(), step.pair) {
         let start = step.answer.free_until;
         let interval = Interval::new(mesh, trajectories, start, end)?;
@@ -51,7 +50,7 @@ pub fn curved_step<T: Trajectory + Sync>(
         }
         ends.pop();
         step.intervals += 1;
-        interval.advance(d, options, &mut step)?;
+        interval.advance(separation, step_options, &mut step)?;
     }
     Ok(step)
 }

@@ -1,8 +1,9 @@
 //! The certificate of a sequence of frames: the mesh never touches itself.
 
-use exact_ccd::Point;
+use exact_ccd::{Options, Point};
 
-use crate::at_rest::Intersection;
+use crate::at_rest::{Intersection, IntersectionOptions, intersections};
+use crate::broad_phase::Bvh;
 use crate::mesh::{Frame, TriangleMesh};
 use crate::pairs::{CanCollide, MinDistance};
 use crate::search::{Contact, Detector};
@@ -102,9 +103,9 @@ impl Audit {
             last.mesh.check_same(&frame.mesh)?;
             return self.examine_positions(frame.positions);
         }
-        let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
-        let mut detector = detector.with_min_distance(self.min_distance.clone())?;
-        let violation = at_rest(&frame, &mut detector)?;
+        let mut detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
+        self.min_distance.check(&frame.mesh)?;
+        let violation = self.at_rest(&frame, &mut detector)?;
         self.last = Some((frame, detector));
         self.frames += 1;
         Ok(violation)
@@ -120,13 +121,29 @@ impl Audit {
             let mesh = TriangleMesh::default();
             return self.examine(Frame { mesh, positions });
         };
-        let contact = detector.earliest_contact(&last.positions, &positions)?;
+        let options = Options::within(self.min_distance.clone());
+        let contact = detector.collision(&last.positions, &positions, options)?;
         last.positions = positions;
         self.frames += 1;
         Ok(contact.map(|contact| Violation::Contact {
             frame: self.frames - 2,
             contact,
         }))
+    }
+
+    /// The violation in the first frame at rest: an intersection, or a contact of a step without motion.
+    fn at_rest(&self, frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
+        let Frame { mesh, positions } = frame;
+        let options = IntersectionOptions::default().with_can_collide(self.can_collide.clone());
+        if let Some(&intersection) = intersections(mesh, positions, &Bvh, &options)?.first() {
+            return Ok(Some(Violation::Intersection {
+                frame: 0,
+                intersection,
+            }));
+        }
+        let options = Options::within(self.min_distance.clone());
+        let contact = detector.collision(positions, positions, options)?;
+        Ok(contact.map(|contact| Violation::Contact { frame: 0, contact }))
     }
 
     /// The number of frames that have been examined.
@@ -140,18 +157,4 @@ impl Audit {
     pub fn last(&self) -> Option<&Frame> {
         self.last.as_ref().map(|(frame, _)| frame)
     }
-}
-
-/// The violation in the first frame at rest: an intersection, or a contact of a step without
-/// motion.
-fn at_rest(frame: &Frame, detector: &mut Detector) -> Result<Option<Violation>, StepError> {
-    let positions = &frame.positions;
-    if let Some(&intersection) = detector.intersections(positions)?.first() {
-        return Ok(Some(Violation::Intersection {
-            frame: 0,
-            intersection,
-        }));
-    }
-    let contact = detector.earliest_contact(positions, positions)?;
-    Ok(contact.map(|contact| Violation::Contact { frame: 0, contact }))
 }

@@ -26,11 +26,11 @@
 //! - [`StepReport`] counts the contacts of a step and has the earliest one.
 //! - [`Detector`] finds contact in step after step, without a test of every candidate, and
 //!   [certifies the step](Detector::free_step) that a solver can take.
-//! - [`MinDistance`] makes all of this about a distance that primitives keep: one for all, or a
-//!   thickness of each vertex. [`Pair`] has the kinds of pairs, and which distances they cover.
+//! - [`Options`] have the distance at which primitives touch, and the last time that counts. [`CONTACT`] is the
+//!   distance 0 and the whole step, and a [`MinDistance`] is one for all or a thickness of each vertex. [`Pair`] has the kinds of pairs, and which distances they cover.
 //! - [`CanCollide`] restricts all of this to the pairs that can collide.
 //! - A [`HalfSpace`] is a ground or a wall: the first time at which a vertex reaches it is exact, too.
-//! - [`intersections`] finds the places where a mesh at rest passes through itself, and an [`Audit`]
+//! - [`intersections`] finds the places where a mesh at rest meets itself, and an [`Audit`]
 //!   certifies a sequence of frames.
 //! - [`step_size`] is the line search of an optimiser: the largest step along a direction without
 //!   contact.
@@ -49,15 +49,12 @@ mod search;
 mod steps;
 pub mod vector;
 
-pub use at_rest::{
-    Intersection, IntersectionsError, crossings, crossings_by, intersections, intersections_among,
-    intersections_by,
-};
+pub use at_rest::{Intersection, IntersectionOptions, IntersectionsError, Meeting, intersections};
 pub use audit::{Audit, Violation};
 pub use broad_phase::{
     Aabb, AllPairs, Boxes, BroadPhase, Bvh, PairCollector, PairSink, Sweep, TooManyPrimitives,
 };
-pub use exact_ccd::Point;
+pub use exact_ccd::{CONTACT, Options, Point};
 pub use half_space::{HalfSpace, HalfSpaceError};
 pub use line_search::{
     FreeStep, FreeStepOptions, LineSearch, LineSearchError, Tolerance, advance, bisect, step_size,

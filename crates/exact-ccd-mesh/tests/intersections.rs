@@ -7,9 +7,8 @@ mod oracle;
 
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, Audit, CanCollide, Frame, Intersection, IntersectionsError, MotionError, Point, PositionsError,
-    StepError, Sweep, TriangleMesh, Violation, crossings, intersections, intersections_among,
-    intersections_by, step,
+    AllPairs, Audit, Bvh, CanCollide, Frame, Intersection, IntersectionOptions, IntersectionsError, Meeting,
+    MotionError, Point, PositionsError, StepError, Sweep, TriangleMesh, Violation, intersections, step,
 };
 use proptest::prelude::*;
 
@@ -73,6 +72,10 @@ fn mesh(vertices: usize, faces: std::ops::Range<usize>) -> impl Strategy<Value =
     prop::collection::vec(face, faces).prop_map(move |faces| TriangleMesh::new(vertices, faces).unwrap())
 }
 
+fn touching() -> IntersectionOptions {
+    IntersectionOptions::default()
+}
+
 fn positions(vertices: usize, coordinate: impl Strategy<Value = f64>) -> impl Strategy<Value = Vec<Point>> {
     prop::collection::vec(prop::array::uniform3(coordinate), vertices)
 }
@@ -81,17 +84,16 @@ proptest! {
     #[test]
     fn intersections_are_those_of_the_definition(mesh in mesh(9, 0..8), x in positions(9, coordinate())) {
         let found = expected(&mesh, &x);
-        let all = CanCollide::all();
-        prop_assert_eq!(&intersections_by(&Sweep, &mesh, &x, &all).unwrap(), &found);
-        prop_assert_eq!(&intersections_by(&AllPairs, &mesh, &x, &all).unwrap(), &found);
-        prop_assert_eq!(intersections(&mesh, &x).unwrap(), found);
+        prop_assert_eq!(&intersections(&mesh, &x, &Sweep, &touching()).unwrap(), &found);
+        prop_assert_eq!(&intersections(&mesh, &x, &AllPairs, &touching()).unwrap(), &found);
+        prop_assert_eq!(intersections(&mesh, &x, &Bvh, &touching()).unwrap(), found);
     }
 
     /// Crossings are intersections, and any other intersection touches at the start of a step.
     #[test]
     fn crossings_and_contacts_at_rest_are_all_intersections(mesh in mesh(9, 0..6), x in positions(9, small())) {
-        let all = intersections(&mesh, &x).unwrap();
-        let found = crossings(&mesh, &x, &CanCollide::all()).unwrap();
+        let all = intersections(&mesh, &x, &Bvh, &touching()).unwrap();
+        let found = intersections(&mesh, &x, &Bvh, &touching().with_meeting(Meeting::Crossing)).unwrap();
         prop_assert!(found.iter().all(|pair| all.contains(pair)));
         let touching = step(&mesh, &x, &x).unwrap().touching;
         prop_assert_eq!(touches(&mesh, &x), !found.is_empty() || touching.total() > 0);
@@ -114,7 +116,7 @@ proptest! {
     fn the_number_of_threads_does_not_matter(mesh in mesh(30, 20..60), x in positions(30, -1.0..1.0)) {
         let on = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-            pool.install(|| intersections(&mesh, &x).unwrap())
+            pool.install(|| intersections(&mesh, &x, &Bvh, &touching()).unwrap())
         };
         let one = on(1);
         prop_assert!(one.is_sorted());
@@ -232,7 +234,7 @@ proptest! {
         let frame = Frame { mesh: mesh.clone(), positions: x.clone() };
         prop_assert_eq!(Audit::default().examine(frame).unwrap().is_some(), meet);
         // One vertex: the intersections alone are enough. Two: the contacts at rest.
-        let found = intersections(&mesh, &x).unwrap();
+        let found = intersections(&mesh, &x, &Bvh, &touching()).unwrap();
         let report = step(&mesh, &x, &x).unwrap();
         if shared == 1 {
             prop_assert_eq!(!found.is_empty(), meet);
@@ -248,13 +250,13 @@ proptest! {
         groups in prop::collection::vec(0..3u32, 9),
     ) {
         let can_collide = CanCollide::different_groups(groups.clone());
-        let found = intersections_among(&mesh, &x, &can_collide).unwrap();
+        let found = intersections(&mesh, &x, &Bvh, &touching().with_can_collide(can_collide.clone())).unwrap();
         let differ = |intersection: &Intersection| {
             let ends = mesh.edges()[intersection.edge as usize];
             let corners = mesh.faces()[intersection.face as usize];
             ends.iter().any(|&v| corners.iter().any(|&w| groups[v as usize] != groups[w as usize]))
         };
-        let mut all = intersections(&mesh, &x).unwrap();
+        let mut all = intersections(&mesh, &x, &Bvh, &touching()).unwrap();
         all.retain(differ);
         let frame = Frame { mesh: mesh.clone(), positions: x.clone() };
         let violation = Audit::default().with_can_collide(can_collide).examine(frame).unwrap();
@@ -300,7 +302,10 @@ fn an_audit_reports_an_intersection_before_a_contact() {
 fn a_loose_vertex_on_a_face_is_a_contact() {
     let positions = vec![[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, 0.0]];
     let frame = Frame::new(positions.clone(), vec![[0, 1, 2]]).unwrap();
-    assert_eq!(intersections(&frame.mesh, &positions), Ok(vec![]));
+    assert_eq!(
+        intersections(&frame.mesh, &positions, &Bvh, &touching()),
+        Ok(vec![])
+    );
     let violation = Audit::default().examine(frame).unwrap();
     assert!(
         matches!(violation, Some(Violation::Contact { frame: 0, .. })),
@@ -330,7 +335,7 @@ fn errors_do_not_count_as_frames() {
         Err(MotionError::Positions(StepError::Start(count)))
     );
     assert_eq!(
-        intersections(&broken.mesh, &broken.positions),
+        intersections(&broken.mesh, &broken.positions, &Bvh, &touching()),
         Err(IntersectionsError::Positions(count))
     );
     assert_eq!(

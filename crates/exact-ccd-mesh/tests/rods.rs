@@ -3,10 +3,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
 
-use exact_ccd::{ContactTime, EdgeEdge, Query, Separation, Thickness, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{
+    CONTACT, ContactTime, EdgeEdge, Options, Query, Separation, Thickness, VertexEdge, VertexFace,
+    VertexVertex,
+};
 use exact_ccd_mesh::{
-    Audit, Bvh, CandidateOptions, Candidates, Detector, Frame, FreeStepOptions, MinDistance, Pair, Point,
-    Step, TriangleMesh, Violation, intersections, step,
+    Audit, Bvh, CandidateOptions, Candidates, Detector, Frame, FreeStepOptions, IntersectionOptions,
+    MinDistance, Pair, Point, Step, TriangleMesh, Violation, intersections, step,
 };
 use fastrand::Rng;
 
@@ -34,9 +37,9 @@ fn a_rod_that_folds_through_its_neighbour_is_in_contact() {
     assert_eq!((report.colliding.vertex_edge, report.colliding.total()), (1, 1));
 
     let mut detector = Detector::new(mesh.clone());
-    assert_eq!(detector.is_free(&x0, &x1), Ok(false));
-    assert_eq!(detector.earliest_contact(&x0, &x1), Ok(Some(earliest)));
-    assert_eq!(detector.contacts(&x0, &x1, 1.0), Ok(vec![earliest]));
+    assert_eq!(detector.collides(&x0, &x1, CONTACT), Ok(true));
+    assert_eq!(detector.collision(&x0, &x1, CONTACT), Ok(Some(earliest)));
+    assert_eq!(detector.collisions(&x0, &x1, CONTACT), Ok(vec![earliest]));
     let taken = detector.free_step(&x0, &x1, &FreeStepOptions::default()).unwrap();
     assert!(taken.size > 0.4 && taken.size < 0.5);
 
@@ -64,11 +67,15 @@ fn a_rod_is_not_in_contact_with_its_neighbours_within_a_distance() {
         let uniform = MinDistance::uniform(Separation::new(d).unwrap());
         let thickness = MinDistance::thickness(Thickness::new(&[0.5 * d; 3]).unwrap());
         for min_distance in [uniform, thickness] {
-            let detector = Detector::new(two_edges());
-            let mut detector = detector.with_min_distance(min_distance.clone()).unwrap();
-            assert_eq!(detector.is_free(&straight, &folding(0.25)), Ok(true), "{d}");
+            let mut detector = Detector::new(two_edges());
+            let within = || Options::within(min_distance.clone());
+            assert_eq!(
+                detector.collides(&straight, &folding(0.25), within()),
+                Ok(false),
+                "{d}"
+            );
             let contact = detector
-                .earliest_contact(&folding(1.0), &folding(-1.0))
+                .collision(&folding(1.0), &folding(-1.0), within())
                 .unwrap()
                 .unwrap();
             assert_eq!(
@@ -76,13 +83,14 @@ fn a_rod_is_not_in_contact_with_its_neighbours_within_a_distance() {
                 (PAIR, 0.5, 0.0)
             );
             let (x0, x1) = (folding(1.0), folding(-1.0));
-            let taken = detector.free_step(&x0, &x1, &FreeStepOptions::default()).unwrap();
+            let options = FreeStepOptions::default().with_min_distance(min_distance.clone());
+            let taken = detector.free_step(&x0, &x1, &options).unwrap();
             assert!(taken.size > 0.4 && taken.touching.total() == 0, "{taken:?}");
 
             let step = Step::new(detector.mesh(), &x0, &x1).unwrap();
             let options = CandidateOptions::default().with_min_distance(min_distance.clone());
             let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
-            assert_eq!(candidates.contacts(step), [contact]);
+            assert_eq!(candidates.collisions(step, within()), [contact]);
 
             let mut audit = Audit::with_min_distance(min_distance);
             let frame = |x: Vec<Point>| Frame {
@@ -102,7 +110,7 @@ fn rods_meet_themselves_in_every_way_but_along_one_edge() {
     let at = |x: &[f64]| x.iter().map(|&x| [x, 0.0, 0.0]).collect::<Vec<Point>>();
     let is_free = |edges: &[[u32; 2]], x0: &[f64], x1: &[f64]| {
         let mesh = TriangleMesh::with_edges(x0.len(), Vec::new(), edges).unwrap();
-        Detector::new(mesh).is_free(&at(x0), &at(x1)).unwrap()
+        !Detector::new(mesh).collides(&at(x0), &at(x1), CONTACT).unwrap()
     };
     // A single edge that turns over by way of length 0 has no other primitive to touch.
     assert!(is_free(&line(2), &[0.0, 1.0], &[0.0, -1.0]));
@@ -216,20 +224,21 @@ fn no_pair_is_missing_and_none_counts_too_much() {
         let mut detector = Detector::new(mesh.clone());
         for d in [0.0, 0.125, 1.5] {
             let min_distance = MinDistance::uniform(Separation::new(d).unwrap());
-            detector.set_min_distance(min_distance.clone()).unwrap();
+            let within = || Options::within(min_distance.clone());
             let expected = first(&mesh, [&x0, &x1], d);
-            let found = detector.earliest_contact(&x0, &x1).unwrap();
+            let found = detector.collision(&x0, &x1, within()).unwrap();
             assert_eq!(
                 found.map(|contact| contact.impact.time.lower()),
                 expected,
                 "{mesh:?} {x0:?} {x1:?} {d}"
             );
-            assert_eq!(detector.is_free(&x0, &x1), Ok(expected.is_none()));
+            assert_eq!(detector.collides(&x0, &x1, within()), Ok(expected.is_some()));
             let step = Step::new(&mesh, &x0, &x1).unwrap();
             let options = CandidateOptions::default().with_min_distance(min_distance.clone());
             let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
-            assert_eq!(candidates.earliest_contact(step), found);
-            let taken = detector.free_step(&x0, &x1, &FreeStepOptions::default()).unwrap();
+            assert_eq!(candidates.collision(step, within()), found);
+            let options = FreeStepOptions::default().with_min_distance(min_distance.clone());
+            let taken = detector.free_step(&x0, &x1, &options).unwrap();
             match expected {
                 None => assert_eq!(taken.size, 1.0),
                 Some(_) if taken.size > 0.0 => assert_eq!(first(&mesh, [&x0, &taken.positions], d), None),
@@ -241,7 +250,8 @@ fn no_pair_is_missing_and_none_counts_too_much() {
                 mesh: mesh.clone(),
             };
             if audit.examine(frame(&x0)).unwrap().is_none() {
-                assert_eq!(intersections(&mesh, &x0).unwrap(), []);
+                let touching = IntersectionOptions::default();
+                assert_eq!(intersections(&mesh, &x0, &Bvh, &touching).unwrap(), []);
                 assert_eq!(first(&mesh, [&x0, &x0], d), None);
                 assert_eq!(audit.examine(frame(&x1)).unwrap().is_none(), expected.is_none());
             }
@@ -267,7 +277,7 @@ fn no_contact_is_reported_twice() {
     let mut count = 0;
     for _ in 0..1000 {
         let (mesh, x0, x1) = scene(&mut random);
-        let contacts = Detector::new(mesh.clone()).contacts(&x0, &x1, 1.0).unwrap();
+        let contacts = Detector::new(mesh.clone()).collisions(&x0, &x1, CONTACT).unwrap();
         for contact in contacts {
             if let Pair::VertexEdge { vertex, edge } = contact.pair {
                 let [a, b] = mesh.edges()[edge as usize];

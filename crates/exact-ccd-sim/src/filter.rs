@@ -3,8 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
-use exact_ccd::{Ccd, Exact, TimeGuarantee};
-use exact_ccd_mesh::{Candidates, Step, Tolerance, bisect};
+use exact_ccd::{Ccd, Exact, Options, TimeGuarantee};
+use exact_ccd_mesh::{Candidates, MinDistance, Step, Tolerance, bisect};
 
 /// The bound on each Newton step, by a method of continuous collision detection.
 ///
@@ -106,47 +106,48 @@ impl StepFilter {
     /// The part of a step that is free of contact, from 0 to 1, according to the method. It is 1 only if
     /// all of the step is free. `candidates` has all pairs that can touch in the step.
     ///
-    /// The exact method decides for the minimum distance of the candidates, which is the sum of the offsets
-    /// of two surfaces. Other methods decide contact, whatever the minimum distance.
+    /// The exact method decides for the minimum distance, which is the sum of the offsets of two surfaces.
+    /// Other methods decide contact, whatever the minimum distance.
     #[must_use]
-    pub fn free_part(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
+    pub fn free_part(&self, candidates: &Candidates, step: Step<'_>, min_distance: &MinDistance) -> f64 {
         self.observe(candidates, step);
         if let Search::Bisection = self.search {
-            return self.bisect(candidates, step);
+            return self.bisect(candidates, step, min_distance);
         }
         let earliest = if self.is_exact() {
-            let contact = candidates.earliest_contact(step);
+            let contact = candidates.collision(step, Options::within(min_distance.clone()));
             contact.map(|contact| contact.impact.time.lower())
         } else {
-            candidates.earliest_time_by(step, &*self.method)
+            candidates.time_of_impact_by(step, &*self.method)
         };
         match earliest {
             None => 1.0,
             Some(time) if time > 0.0 || self.is_exact() => time.min(LARGEST_BLOCKED),
             // A conservative time of 0 proves no contact at the start.
-            Some(_) => self.bisect(candidates, step),
+            Some(_) => self.bisect(candidates, step, min_distance),
         }
     }
 
     /// Returns true if a step is free of contact, as for [`free_part`](Self::free_part).
     #[must_use]
-    pub fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+    pub fn is_free(&self, candidates: &Candidates, step: Step<'_>, min_distance: &MinDistance) -> bool {
         self.observe(candidates, step);
-        self.decide(candidates, step)
+        self.decide(candidates, step, min_distance)
     }
 
-    fn decide(&self, candidates: &Candidates, step: Step<'_>) -> bool {
+    fn decide(&self, candidates: &Candidates, step: Step<'_>, min_distance: &MinDistance) -> bool {
         if self.is_exact() {
-            candidates.is_free(step)
+            !candidates.collides(step, Options::within(min_distance.clone()))
         } else {
-            candidates.is_free_by(step, &*self.method)
+            !candidates.collides_by(step, &*self.method)
         }
     }
 
-    fn bisect(&self, candidates: &Candidates, step: Step<'_>) -> f64 {
+    fn bisect(&self, candidates: &Candidates, step: Step<'_>, min_distance: &MinDistance) -> f64 {
         bisect(TOLERANCE, |part| {
             let end = step.at(part);
-            Step::new(step.mesh(), step.positions()[0], &end).is_ok_and(|step| self.decide(candidates, step))
+            let part = Step::new(step.mesh(), step.positions()[0], &end);
+            part.is_ok_and(|part| self.decide(candidates, part, min_distance))
         })
     }
 

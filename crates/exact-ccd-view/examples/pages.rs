@@ -6,7 +6,7 @@ use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use exact_ccd::{EdgeEdge, Query, Separation, VertexFace};
+use exact_ccd::{CONTACT, EdgeEdge, Query, Separation, VertexFace};
 use exact_ccd_mesh::{Aabb, Audit, Bvh, Candidates, Frame, Motion, Point, Violation};
 use exact_ccd_view::{Page, PageError};
 
@@ -66,7 +66,7 @@ fn write(file: &Path, page: &Page) -> std::io::Result<()> {
 
 fn step(title: &str, motion: &Motion, most: usize) -> Result<Page, Box<dyn Error>> {
     let step = motion.step()?;
-    let mut contacts = Candidates::new(step, &Bvh).contacts(step);
+    let mut contacts = Candidates::new(step, &Bvh).collisions(step, CONTACT);
     contacts.truncate(most);
     Ok(Page::of_step(title, step, &[], &contacts)?)
 }

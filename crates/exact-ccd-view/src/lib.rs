@@ -4,6 +4,7 @@
 //! it, with the program that draws it (`viewer/` in the repository); it loads nothing else.
 //!
 //! ```
+//! use exact_ccd::CONTACT;
 //! use exact_ccd_mesh::{Bvh, Candidates, Step, TriangleMesh};
 //! use exact_ccd_view::Page;
 //!
@@ -11,7 +12,7 @@
 //! let x0 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 1.0]];
 //! let x1 = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, -1.0]];
 //! let step = Step::new(&mesh, &x0, &x1)?;
-//! let contacts = Candidates::new(step, &Bvh).contacts(step);
+//! let contacts = Candidates::new(step, &Bvh).collisions(step, CONTACT);
 //!
 //! let mut file = Vec::new();
 //! Page::of_step("A point falls", step, &[], &contacts)?.write(&mut file)?;

@@ -2,7 +2,7 @@
 
 use std::{error::Error, sync::Arc};
 
-use exact_ccd_mesh::{Audit, Detector, Frame, FreeStepOptions, Point, TriangleMesh};
+use exact_ccd_mesh::{Audit, CONTACT, Detector, Frame, FreeStepOptions, Point, TriangleMesh};
 
 const SIDE: u32 = 16;
 const DT: f64 = 0.01;
@@ -25,7 +25,7 @@ impl Sim {
             }
         }
         v[3..].iter_mut().for_each(|v| v[2] -= DT * 9.81); // The triangle is at rest.
-        for contact in detector.contacts(x, &advanced(x, v), 1.0)? {
+        for contact in detector.collisions(x, &advanced(x, v), CONTACT)? {
             contact.pair.vertices(mesh).into_iter().flatten().for_each(|i| v[i as usize] = [0.0; 3]);
         }
         *x = detector.free_step(x, &advanced(x, v), &FreeStepOptions::default())?.positions;

@@ -21,7 +21,7 @@ use divan::Bencher;
 use divan::counter::ItemsCount;
 use exact_ccd::batch::{Instructions, Trajectories};
 use exact_ccd::{CONTACT, EdgeEdge, Kind, Point, Query, Stage, VertexFace};
-use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, StepReport, Sweep};
+use exact_ccd_mesh::{Aabb, Boxes, BroadPhase, Bvh, Detector, StepReport, Sweep};
 
 use crate::cloth::Cloth;
 
@@ -164,15 +164,19 @@ fn step_report(bencher: Bencher<'_, '_>) {
 }
 
 #[divan::bench]
-fn step_earliest_contact(bencher: Bencher<'_, '_>) {
+fn step_collision(bencher: Bencher<'_, '_>) {
+    let detector = Detector::new(LANDING.step().mesh().clone());
+    let [x0, x1] = LANDING.step().positions();
     bencher
         .counter(candidate_count(&LANDING))
-        .bench(|| black_box(LANDING.step()).earliest_contact(&Bvh));
+        .bench(|| detector.clone().collision(black_box(x0), x1, CONTACT));
 }
 
 #[divan::bench]
-fn step_is_free(bencher: Bencher<'_, '_>) {
+fn step_collides(bencher: Bencher<'_, '_>) {
+    let detector = Detector::new(FREE.step().mesh().clone());
+    let [x0, x1] = FREE.step().positions();
     bencher
         .counter(candidate_count(&FREE))
-        .bench(|| black_box(FREE.step()).is_free(&Bvh));
+        .bench(|| detector.clone().collides(black_box(x0), x1, CONTACT));
 }

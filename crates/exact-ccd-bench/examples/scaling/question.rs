@@ -2,7 +2,8 @@
 
 use std::hint::black_box;
 
-use exact_ccd_mesh::{Bvh, Step, StepReport};
+use exact_ccd::CONTACT;
+use exact_ccd_mesh::{Bvh, Detector, Step, StepReport};
 
 /// A question about a whole step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,11 +54,13 @@ impl Question {
         }
     }
 
-    pub(crate) fn answer(self, step: Step<'_>) {
+    /// Answers with a detector that has no memory of earlier steps.
+    pub(crate) fn answer(self, step: Step<'_>, mut detector: Detector) {
+        let [x0, x1] = step.positions();
         match self {
             Self::Report => drop(black_box(StepReport::new(step, &Bvh, &|_| ()))),
-            Self::Earliest => drop(black_box(step.earliest_contact(&Bvh))),
-            Self::Free => drop(black_box(step.is_free(&Bvh))),
+            Self::Earliest => drop(black_box(detector.collision(x0, x1, CONTACT))),
+            Self::Free => drop(black_box(detector.collides(x0, x1, CONTACT))),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_files::read_tet_mesh;
-use exact_ccd_mesh::{Point, intersections};
+use exact_ccd_mesh::{Bvh, IntersectionOptions, Point, intersections};
 
 use crate::data;
 
@@ -82,7 +82,12 @@ fn the_surface_encloses_the_tetrahedra_and_does_not_intersect_itself() {
 
         let (frame, _) = mesh.surface_frame();
         assert_eq!(
-            intersections(&frame.mesh, &frame.positions),
+            intersections(
+                &frame.mesh,
+                &frame.positions,
+                &Bvh,
+                &IntersectionOptions::default()
+            ),
             Ok(vec![]),
             "{}",
             file.display()

@@ -92,15 +92,14 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
             let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
                 let report = step(&motion.mesh, &motion.x0, &motion.x1).unwrap();
-                let step = motion.step().unwrap();
-                for earliest in [step.earliest_contact(&Bvh), step.earliest_contact(&Sweep)] {
-                    assert_eq!(earliest, report.earliest, "{}", scene.name());
-                }
-                assert_eq!(step.is_free(&Bvh), report.is_free(), "{}", scene.name());
                 let mut detector = Detector::new(motion.mesh.clone());
+                let mut sweep = Detector::with_broad_phase(motion.mesh.clone(), Sweep);
+                let (x0, x1) = (&motion.x0, &motion.x1);
                 for _ in 0..2 {
-                    let earliest = detector.earliest_contact(&motion.x0, &motion.x1).unwrap();
+                    let earliest = detector.collision(x0, x1, CONTACT).unwrap();
                     assert_eq!(earliest, report.earliest, "{}", scene.name());
+                    assert_eq!(sweep.collision(x0, x1, CONTACT), Ok(earliest));
+                    assert_eq!(detector.collides(x0, x1, CONTACT), Ok(!report.is_free()));
                 }
                 report
             })
@@ -115,7 +114,9 @@ fn a_step_reports_the_same_on_any_number_of_threads() {
 fn a_step_until_before_the_earliest_contact_is_free() {
     for scene in scenes() {
         let motion = scene.motion().unwrap();
-        let earliest = motion.step().unwrap().earliest_contact(&Bvh).unwrap();
+        let mut detector = Detector::new(motion.mesh.clone());
+        let earliest = detector.collision(&motion.x0, &motion.x1, CONTACT);
+        let earliest = earliest.unwrap().expect("each scene has a contact");
         let size = 0.9 * earliest.impact.time.lower();
         let direction: Vec<_> = motion
             .x0
@@ -124,9 +125,11 @@ fn a_step_until_before_the_earliest_contact_is_free() {
             .map(|(a, b)| difference(*b, *a))
             .collect();
         let end = advance(&motion.x0, &direction, size);
-        let step = Step::new(&motion.mesh, &motion.x0, &end).unwrap();
-        assert!(step.is_free(&Bvh), "{}", scene.name());
-        assert_eq!(step.earliest_contact(&Bvh), None, "{}", scene.name());
+        let (collides, collision) = (
+            detector.collides(&motion.x0, &end, CONTACT),
+            detector.collision(&motion.x0, &end, CONTACT),
+        );
+        assert_eq!((collides, collision), (Ok(false), Ok(None)), "{}", scene.name());
     }
 }
 

@@ -1,7 +1,9 @@
 //! All violations in a sequence of frames.
 
+use exact_ccd::Options;
 use exact_ccd_mesh::{
-    CanCollide, Detector, Frame, MinDistance, MotionError, StepError, Violation, intersections_among,
+    Bvh, CanCollide, Detector, Frame, IntersectionOptions, MinDistance, MotionError, StepError, Violation,
+    intersections,
 };
 
 /// Examines every frame at rest, and every step, whatever the frames before it had.
@@ -28,19 +30,21 @@ impl EveryViolation {
     /// The contacts in the step that leads to the next frame, in the order of time, then the
     /// intersections in that frame.
     pub(super) fn examine(&mut self, frame: Frame) -> Result<Vec<Violation>, MotionError> {
-        let found =
-            intersections_among(&frame.mesh, &frame.positions, &self.can_collide).map_err(StepError::from)?;
+        let among = IntersectionOptions::default().with_can_collide(self.can_collide.clone());
+        let found = intersections(&frame.mesh, &frame.positions, &Bvh, &among).map_err(StepError::from)?;
+        let options = Options::within(self.min_distance.clone());
         let (detector, contacts) = match self.last.take() {
             Some((last, mut detector)) => {
                 last.mesh.check_same(&frame.mesh)?;
-                let contacts = detector.contacts(&last.positions, &frame.positions, 1.0)?;
+                let contacts = detector.collisions(&last.positions, &frame.positions, options)?;
                 (detector, contacts)
             }
             None => {
-                let detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
-                let mut detector = detector.with_min_distance(self.min_distance.clone())?;
+                self.min_distance.check(&frame.mesh)?;
+                let detector = Detector::new(frame.mesh.clone());
+                let mut detector = detector.with_can_collide(self.can_collide.clone());
                 let contacts = if self.is_only_frame {
-                    detector.contacts(&frame.positions, &frame.positions, 1.0)?
+                    detector.collisions(&frame.positions, &frame.positions, options)?
                 } else {
                     Vec::new()
                 };

@@ -91,13 +91,20 @@ mod tests {
         for name in names {
             let filter = by_name(&name.to_uppercase(), &system).unwrap();
             assert_eq!(filter.name(), name);
-            let size = filter.free_part(&candidates, step);
+            let size = filter.free_part(&candidates, step, system.min_distance());
             assert!((0.5..=0.75).contains(&size), "{name}: {size}");
-            assert!(!filter.is_free(&candidates, step), "{name}");
+            assert!(
+                !filter.is_free(&candidates, step, system.min_distance()),
+                "{name}"
+            );
             let middle = step.at(0.5);
             let half = Step::new(&mesh, &start, &middle).unwrap();
-            assert!(filter.is_free(&candidates, half), "{name}");
-            assert_eq!(filter.free_part(&candidates, half), 1.0, "{name}");
+            assert!(filter.is_free(&candidates, half, system.min_distance()), "{name}");
+            assert_eq!(
+                filter.free_part(&candidates, half, system.min_distance()),
+                1.0,
+                "{name}"
+            );
         }
         let error = by_name("luck", &system).unwrap_err();
         assert_eq!(error.known[..2], ["exact", "bisection"]);

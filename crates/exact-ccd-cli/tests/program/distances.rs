@@ -1,6 +1,6 @@
 //! `exact-ccd step` and `exact-ccd audit` with a minimum distance.
 
-use exact_ccd::Separation;
+use exact_ccd::{Options, Separation};
 use exact_ccd_mesh::{CandidateOptions, Detector, Frame, MinDistance, Point, StepReport};
 use proptest::prelude::*;
 use serde_json::{Value, json};
@@ -274,8 +274,7 @@ proptest! {
         let options = CandidateOptions::default().with_min_distance(distance.clone());
         let report =
             StepReport::with_options(motion.step().unwrap(), &exact_ccd_mesh::Bvh, &options, &|_| ()).unwrap();
-        let mut detector = Detector::new(start.mesh).with_min_distance(distance).unwrap();
-        let earliest = detector.earliest_contact(&x0, &x1).unwrap();
+        let earliest = Detector::new(start.mesh).collision(&x0, &x1, Options::within(distance)).unwrap();
         prop_assert_eq!(earliest, report.earliest);
 
         let [outer, within] = [d, inner.unwrap_or(d)].map(|d| d.to_string());

@@ -1,6 +1,6 @@
 //! Meshes that pass through themselves, or are folded flat, at the start of a step.
 
-use exact_ccd_mesh::{CanCollide, Frame, crossings};
+use exact_ccd_mesh::{Bvh, Frame, IntersectionOptions, Meeting, intersections};
 use serde_json::{Value, json};
 
 use crate::folder::Folder;
@@ -43,12 +43,16 @@ fn moving_rod_through_box() -> Folder {
     folder
 }
 
+fn crossing() -> IntersectionOptions {
+    IntersectionOptions::default().with_meeting(Meeting::Crossing)
+}
+
 #[test]
 fn a_rod_through_a_box_is_reported_with_its_first_edge_and_face() {
     let folder = moving_rod_through_box();
     let (mesh, found) = {
         let Frame { mesh, positions } = rod_through_box(0.0);
-        let found = crossings(&mesh, &positions, &CanCollide::all()).unwrap();
+        let found = intersections(&mesh, &positions, &Bvh, &crossing()).unwrap();
         (mesh, found)
     };
     assert!(found.len() > 1);
@@ -89,7 +93,7 @@ fn the_page_of_the_step_has_the_intersections() {
     folder.run(&["step", "start.ply", "end.ply", "--view", "page.html"]);
     let page = data(&folder, "page.html");
     let Frame { mesh, positions } = rod_through_box(0.0);
-    let found = crossings(&mesh, &positions, &CanCollide::all()).unwrap();
+    let found = intersections(&mesh, &positions, &Bvh, &crossing()).unwrap();
     assert_eq!(page["contactCount"], found.len());
     let first = &page["contacts"][0];
     assert_eq!((&first["frame"], &first["time"]), (&json!(0), &json!(0.0)));

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI};
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_curved::{
     Answer, CurvedKind, End, Polynomial, Proximity, RigidMotion, RigidPoint, SearchOptions, Trajectory,
-    first_within,
+    time_of_impact,
 };
 
 use crate::{at_rest, close, timed, within};
@@ -18,7 +18,7 @@ fn search<K: CurvedKind>(
     d: f64,
     options: &SearchOptions,
 ) -> Answer {
-    first_within::<K, _>(points, within(d), options).unwrap()
+    time_of_impact::<K, _>(points, within(d), options).unwrap()
 }
 
 /// Checks a bracket of a time of contact, with a proof of contact.

@@ -3,7 +3,7 @@
 use exact_ccd::{Axis, VertexFace, VertexVertex};
 use exact_ccd_curved::{
     End, FromFunctions, Polynomial, Position, RigidMotion, RigidMotionError, SearchError, SearchOptions,
-    Trajectory, first_within,
+    Trajectory, time_of_impact,
 };
 
 use crate::{at_rest, close, timed, within};
@@ -20,7 +20,7 @@ fn along_x(x: impl Fn(f64) -> f64, error: f64, deviation: f64) -> impl Trajector
 }
 
 fn search(a: &dyn Trajectory, options: &SearchOptions) -> Result<exact_ccd_curved::Answer, SearchError> {
-    first_within::<VertexVertex, _>(&[a, &at_rest([0.0; 3])], within(1.0), options)
+    time_of_impact::<VertexVertex, _>(&[a, &at_rest([0.0; 3])], within(1.0), options)
 }
 
 #[test]
@@ -124,7 +124,7 @@ fn huge_and_tiny_coordinates_have_the_same_times() {
         let wall =
             [[0.0, 0.5, -1.0], [0.0, 0.5, 1.0], [0.0, 2.0, 0.0]].map(|p| at_rest(p.map(|x| x * scale)));
         let points: [&dyn Trajectory; 4] = [&tip, &wall[0], &wall[1], &wall[2]];
-        let answer = first_within::<VertexFace, _>(&points, within(0.0), &timed(1e-9)).unwrap();
+        let answer = time_of_impact::<VertexFace, _>(&points, within(0.0), &timed(1e-9)).unwrap();
         assert_eq!(answer.end, End::Tolerance, "{exponent} {answer:?}");
         let time = std::f64::consts::FRAC_PI_4;
         assert!(
@@ -160,7 +160,7 @@ fn no_number_causes_a_panic() {
             .with_chord_limit(20);
         for point in points {
             // Overflow is an error of the search, not of the program.
-            if let Ok(answer) = first_within::<VertexVertex, _>(&[point, &rest], d, &options) {
+            if let Ok(answer) = time_of_impact::<VertexVertex, _>(&[point, &rest], d, &options) {
                 free += usize::from(answer.is_free());
             }
         }

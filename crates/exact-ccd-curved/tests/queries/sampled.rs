@@ -1,7 +1,7 @@
 //! Random motions against the distance at many times.
 
 use exact_ccd::{CONTACT, EdgeEdge, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_curved::{Answer, CurvedKind, End, RigidMotion, SearchOptions, first_within};
+use exact_ccd_curved::{Answer, CurvedKind, End, RigidMotion, SearchOptions, time_of_impact};
 
 use crate::{points, within};
 
@@ -127,7 +127,7 @@ macro_rules! samples_of {
         fn $name() {
             agrees_with_samples::<$kind>($count, 11, |points, motion, d, options| {
                 let trajectories = std::array::from_fn(|point| motion(point).point(points[point]));
-                first_within::<$kind, _>(&trajectories, d, options).unwrap()
+                time_of_impact::<$kind, _>(&trajectories, d, options).unwrap()
             });
         }
     };

@@ -2,7 +2,7 @@
 
 use exact_ccd::{EdgeEdge, Point, Query, Separation, VertexEdge, VertexFace, VertexVertex};
 use exact_ccd_curved::{
-    CurvedKind, End, Polynomial, Proximity, RigidMotion, SearchOptions, Trajectory, first_within,
+    CurvedKind, End, Polynomial, Proximity, RigidMotion, SearchOptions, Trajectory, time_of_impact,
 };
 
 use crate::{points, within};
@@ -13,7 +13,7 @@ fn point(random: &mut fastrand::Rng) -> Point {
 }
 
 fn compare<K: CurvedKind, T: Trajectory>(trajectories: &K::Trajectories<T>, query: &Query<K>, d: Separation) {
-    let answer = first_within::<K, T>(trajectories, d, &SearchOptions::default()).unwrap();
+    let answer = time_of_impact::<K, T>(trajectories, d, &SearchOptions::default()).unwrap();
     let first = query.collision(d).map(|collision| collision.time());
     assert_eq!(answer.end == End::Free, first.is_none());
     match (answer.within, first) {

@@ -6,7 +6,7 @@ use exact_ccd::Point;
 use exact_ccd_curved::{
     CurvedStep, CurvedStepOptions, End, Instances, RigidMotion, SearchOptions, Trajectory, curved_step,
 };
-use exact_ccd_mesh::{Frame, IntersectionsError, TriangleMesh, intersections};
+use exact_ccd_mesh::{Bvh, Frame, IntersectionOptions, IntersectionsError, TriangleMesh, intersections};
 use rayon::ThreadPoolBuilder;
 
 use crate::within;
@@ -115,7 +115,13 @@ impl Gears {
             .zip(&self.instances.bodies)
             .map(place)
             .collect();
-        Ok(!intersections(&self.instances.mesh, &positions)?.is_empty())
+        Ok(!intersections(
+            &self.instances.mesh,
+            &positions,
+            &Bvh,
+            &IntersectionOptions::default(),
+        )?
+        .is_empty())
     }
 }
 

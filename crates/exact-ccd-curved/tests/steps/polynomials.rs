@@ -1,8 +1,8 @@
 //! Vertices on cubic curves, against the distance of the mesh at many times.
 
-use exact_ccd::Point;
+use exact_ccd::{Options, Point};
 use exact_ccd_curved::{CurvedStepOptions, End, Polynomial, SearchOptions, curved_step};
-use exact_ccd_mesh::{Detector, MinDistance, TriangleMesh};
+use exact_ccd_mesh::{Detector, TriangleMesh};
 
 use crate::within;
 
@@ -57,8 +57,8 @@ fn the_free_part_is_farther_than_d_and_the_end_is_near() {
 
         let is_beyond = |time: f64, d: f64| {
             let at: Vec<Point> = curves.iter().map(|curve| place(curve, time)).collect();
-            let detector = Detector::new(mesh.clone()).with_min_distance(MinDistance::uniform(within(d)));
-            detector.unwrap().is_free(&at, &at).unwrap()
+            let mut detector = Detector::new(mesh.clone());
+            !detector.collides(&at, &at, Options::within(within(d))).unwrap()
         };
         for sample in 0..SAMPLES {
             let time = step.answer.free_until * f64::from(sample) / f64::from(SAMPLES);

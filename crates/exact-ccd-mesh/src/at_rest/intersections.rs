@@ -6,7 +6,7 @@ use exact_ccd::Point;
 use exact_ccd::predicates::{EdgeFace, orient3d};
 use rayon::prelude::*;
 
-use crate::broad_phase::{Aabb, Boxes, BroadPhase, Bvh, PairCollector, TooManyPrimitives};
+use crate::broad_phase::{Aabb, Boxes, BroadPhase, PairCollector, TooManyPrimitives};
 use crate::mesh::{PositionsError, TriangleMesh, check_positions};
 use crate::pairs::CanCollide;
 use crate::steps::StepError;
@@ -43,38 +43,85 @@ impl From<IntersectionsError> for StepError {
     }
 }
 
-/// All pairs of an edge and a face that have a common point and share no vertex, sorted.
-///
-/// Exact, by [`EdgeFace::intersects`]: edges and faces are closed, and touching counts. For two faces,
-/// this and the contacts at rest of a [`Step`](crate::Step) say all:
-///
-/// - *No common vertex*: the faces meet if and only if an edge of one meets the other.
-/// - *One common vertex* v: they have a point other than v in common if and only if the side opposite
-///   to v of one of them meets the other. From v through a common point, a ray leaves one of the
-///   faces first, there is a common point too, and a face that contains v is left on the side opposite
-///   to v.
-/// - *Two common vertices* p, q, and third vertices a, b: faces with an area have a point outside of
-///   the edge p q in common if and only if the fold is closed, that is, a and b lie in one plane with p
-///   and q, on the same side of their line. There is no pair without a common vertex then, but a
-///   contact at rest: let the angle of the first face be the larger one at p. If it is so at q, then b
-///   lies in the first face; otherwise the ray from p through b leaves the first face on its side q a,
-///   before b, and the edges p b and q a cross. Without a closed fold, none of these four pairs
-///   touches.
-///
-/// So the mesh has no two faces with more in common than their vertices and edges, if there are neither
-/// intersections nor contacts at t = 0. [`Audit`](crate::Audit) examines both.
+/// The way in which an edge and a face without a common vertex meet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Meeting {
+    /// They have a common point. Exact, by [`EdgeFace::intersects`]: both are closed, and touching counts.
+    ///
+    /// For two faces, this and the contacts at rest of a [`Step`](crate::Step) say all:
+    ///
+    /// - *No common vertex*: the faces meet if and only if an edge of one meets the other.
+    /// - *One common vertex* v: they have a point other than v in common if and only if the side opposite
+    ///   to v of one of them meets the other. From v through a common point, a ray leaves one of the
+    ///   faces first, there is a common point too, and a face that contains v is left on the side opposite
+    ///   to v.
+    /// - *Two common vertices* p, q, and third vertices a, b: faces with an area have a point outside of
+    ///   the edge p q in common if and only if the fold is closed, that is, a and b lie in one plane with p
+    ///   and q, on the same side of their line. There is no pair without a common vertex then, but a
+    ///   contact at rest: let the angle of the first face be the larger one at p. If it is so at q, then b
+    ///   lies in the first face; otherwise the ray from p through b leaves the first face on its side q a,
+    ///   before b, and the edges p b and q a cross. Without a closed fold, none of these four pairs
+    ///   touches.
+    ///
+    /// So the mesh has no two faces with more in common than their vertices and edges, if there are neither
+    /// intersections nor contacts at t = 0. [`Audit`](crate::Audit) examines both.
+    #[default]
+    Touching,
+    /// The edge passes through the face: its ends are on different sides of the plane of the face, and it
+    /// meets the plane in the interior of the face.
+    ///
+    /// An edge that meets a face without passing through it has an end in the face, or a point in common with
+    /// a side of it: one end is in the plane, or the edge meets the plane in a side, or both ends are in the
+    /// plane, or the face has no area. Then a vertex touches a face, or two edges touch, and that is a
+    /// contact at t = 0 of any step that begins here. So crossings, and the contacts of a step, are all that
+    /// [`Touching`](Self::Touching) and the step find, in less time: most pairs are decided by the sides
+    /// alone.
+    Crossing,
+}
+
+/// Options of [`intersections`]: the default is all pairs that touch.
+#[derive(Clone, Debug, Default)]
+#[non_exhaustive]
+pub struct IntersectionOptions {
+    /// The way in which the pairs meet.
+    pub meeting: Meeting,
+    /// The pairs that can collide: the predicate has the ends of the edge, then the corners of the face.
+    pub can_collide: CanCollide,
+}
+
+impl IntersectionOptions {
+    /// The same options for another way to meet.
+    #[must_use]
+    pub fn with_meeting(self, meeting: Meeting) -> Self {
+        Self { meeting, ..self }
+    }
+
+    /// The same options with another predicate.
+    #[must_use]
+    pub fn with_can_collide(self, can_collide: CanCollide) -> Self {
+        Self { can_collide, ..self }
+    }
+}
+
+/// All pairs of an edge and a face that meet and share no vertex, sorted. If the broad phase ends its search
+/// early, the result is of no use.
 ///
 /// ```
-/// use exact_ccd_mesh::{Intersection, TriangleMesh, intersections};
+/// use exact_ccd_mesh::{Bvh, Intersection, IntersectionOptions, Meeting, TriangleMesh, intersections};
 ///
-/// // Two sides of the second face pass through the first face.
+/// // Two sides of the second face pass through the first face, or its tip touches it.
 /// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
 /// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
-/// let wall = |x: f64| [[x, 1.0, -1.0], [x, 1.0, 1.0], [x + 4.0, 1.0, 1.0]];
-/// let found = intersections(&mesh, &[floor, wall(1.0)].concat())?;
+/// let above = |z: f64| [floor, [[1.0, 1.0, z], [1.0, 2.0, z + 1.0], [2.0, 1.0, z + 1.0]]].concat();
+/// let touching = IntersectionOptions::default();
+/// let found = intersections(&mesh, &above(-0.5), &Bvh, &touching)?;
 /// assert_eq!(found, [Intersection { edge: 3, face: 0 }, Intersection { edge: 4, face: 0 }]);
 /// assert_eq!((mesh.edges()[3], mesh.edges()[4]), ([3, 4], [3, 5]));
-/// assert_eq!(intersections(&mesh, &[floor, wall(8.0)].concat())?, []);
+///
+/// let crossing = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+/// assert_eq!(intersections(&mesh, &above(-0.5), &Bvh, &crossing)?, found);
+/// assert_eq!(intersections(&mesh, &above(0.0), &Bvh, &touching)?, found);
+/// assert_eq!(intersections(&mesh, &above(0.0), &Bvh, &crossing)?, []);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -83,83 +130,32 @@ impl From<IntersectionsError> for StepError {
 pub fn intersections(
     mesh: &TriangleMesh,
     positions: &[Point],
-) -> Result<Vec<Intersection>, IntersectionsError> {
-    intersections_among(mesh, positions, &CanCollide::all())
-}
-
-/// The same, of the pairs that can collide: the predicate has the ends of the edge, then the corners of the
-/// face.
-///
-/// # Errors
-/// As [`intersections`].
-pub fn intersections_among(
-    mesh: &TriangleMesh,
-    positions: &[Point],
-    can_collide: &CanCollide,
-) -> Result<Vec<Intersection>, IntersectionsError> {
-    intersections_by(&Bvh, mesh, positions, can_collide)
-}
-
-/// The same, among the pairs that a broad phase finds. If it ends its search early, the result is of no use.
-///
-/// # Errors
-/// As [`intersections`].
-pub fn intersections_by(
     broad_phase: &impl BroadPhase,
-    mesh: &TriangleMesh,
-    positions: &[Point],
-    can_collide: &CanCollide,
+    options: &IntersectionOptions,
 ) -> Result<Vec<Intersection>, IntersectionsError> {
-    search(broad_phase, mesh, positions, can_collide, |edge, face| {
+    check_positions(mesh.vertex_count(), positions)?;
+    let (edges, faces) = (mesh.edges(), mesh.faces());
+    let point = |vertex: u32| positions[vertex as usize];
+    let do_meet = |ends: [Point; 2], corners: [Point; 3]| match options.meeting {
         // All positions are finite.
-        EdgeFace::new(edge, face).is_ok_and(|pair| pair.intersects())
-    })
-}
-
-/// All pairs of an edge and a face that share no vertex and can collide, if the edge passes through the
-/// face: its ends are on different sides of the plane of the face, and it meets the plane in the interior of
-/// the face.
-///
-/// An edge that meets a face without passing through it has an end in the face, or a point in common with a
-/// side of it: one end is in the plane, or the edge meets the plane in a side, or both ends are in the
-/// plane, or the face has no area. Then a vertex touches a face, or two edges touch, and that is a contact
-/// at t = 0 of any step that begins here. So crossings, and the contacts of a step, are all that
-/// [`intersections`] and the step find, in less time: most pairs are decided by the sides alone.
-///
-/// ```
-/// use exact_ccd_mesh::{CanCollide, Intersection, TriangleMesh, crossings};
-///
-/// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
-/// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
-/// let above = |z: f64| [[1.0, 1.0, z], [1.0, 2.0, z + 1.0], [2.0, 1.0, z + 1.0]];
-/// let found = crossings(&mesh, &[floor, above(-0.5)].concat(), &CanCollide::all())?;
-/// assert_eq!(found, [Intersection { edge: 3, face: 0 }, Intersection { edge: 4, face: 0 }]);
-/// // The tip touches the floor.
-/// assert_eq!(crossings(&mesh, &[floor, above(0.0)].concat(), &CanCollide::all())?, []);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-///
-/// # Errors
-/// As [`intersections`].
-pub fn crossings(
-    mesh: &TriangleMesh,
-    positions: &[Point],
-    can_collide: &CanCollide,
-) -> Result<Vec<Intersection>, IntersectionsError> {
-    crossings_by(&Bvh, mesh, positions, can_collide)
-}
-
-/// The same, among the pairs that a broad phase finds. If it ends its search early, the result is of no use.
-///
-/// # Errors
-/// As [`intersections`].
-pub fn crossings_by(
-    broad_phase: &impl BroadPhase,
-    mesh: &TriangleMesh,
-    positions: &[Point],
-    can_collide: &CanCollide,
-) -> Result<Vec<Intersection>, IntersectionsError> {
-    search(broad_phase, mesh, positions, can_collide, crosses)
+        Meeting::Touching => EdgeFace::new(ends, corners).is_ok_and(|pair| pair.intersects()),
+        Meeting::Crossing => crosses(ends, corners),
+    };
+    let meet = |&[edge, face]: &[u32; 2]| {
+        let (ends, corners) = (edges[edge as usize], faces[face as usize]);
+        ends.iter().all(|end| !corners.contains(end))
+            && options.can_collide.allows(&ends, &corners)
+            && do_meet(ends.map(point), corners.map(point))
+    };
+    let around = |vertices: &[u32]| -> [Aabb; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
+    let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
+    let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
+    let collector = PairCollector::default();
+    let _ = broad_phase.between(&Boxes::new(&edge_boxes)?, &Boxes::new(&face_boxes)?, &|pairs| {
+        collector.add(pairs.iter().copied().filter(meet))
+    });
+    let pairs = collector.into_sorted().into_iter();
+    Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
 }
 
 /// Returns true if an edge passes through the interior of a face.
@@ -178,32 +174,4 @@ fn crosses([a, b]: [Point; 2], [v1, v2, v3]: [Point; 3]) -> bool {
         let first = side([a, b, v1, v2]);
         first != Equal && side([a, b, v2, v3]) == first && side([a, b, v3, v1]) == first
     }
-}
-
-/// The pairs that can collide and meet, sorted.
-fn search(
-    broad_phase: &impl BroadPhase,
-    mesh: &TriangleMesh,
-    positions: &[Point],
-    can_collide: &CanCollide,
-    do_meet: impl Fn([Point; 2], [Point; 3]) -> bool + Sync,
-) -> Result<Vec<Intersection>, IntersectionsError> {
-    check_positions(mesh.vertex_count(), positions)?;
-    let (edges, faces) = (mesh.edges(), mesh.faces());
-    let point = |vertex: u32| positions[vertex as usize];
-    let meet = |&[edge, face]: &[u32; 2]| {
-        let (ends, corners) = (edges[edge as usize], faces[face as usize]);
-        ends.iter().all(|end| !corners.contains(end))
-            && can_collide.allows(&ends, &corners)
-            && do_meet(ends.map(point), corners.map(point))
-    };
-    let around = |vertices: &[u32]| -> [Aabb; 1] { [vertices.iter().map(|&vertex| point(vertex)).collect()] };
-    let edge_boxes: Vec<_> = edges.par_iter().map(|edge| around(edge)).collect();
-    let face_boxes: Vec<_> = faces.par_iter().map(|face| around(face)).collect();
-    let collector = PairCollector::default();
-    let _ = broad_phase.between(&Boxes::new(&edge_boxes)?, &Boxes::new(&face_boxes)?, &|pairs| {
-        collector.add(pairs.iter().copied().filter(meet))
-    });
-    let pairs = collector.into_sorted().into_iter();
-    Ok(pairs.map(|[edge, face]| Intersection { edge, face }).collect())
 }

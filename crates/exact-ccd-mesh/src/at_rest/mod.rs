@@ -4,9 +4,6 @@
 mod intersections;
 mod start_check;
 
-pub use intersections::{
-    Intersection, IntersectionsError, crossings, crossings_by, intersections, intersections_among,
-    intersections_by,
-};
+pub use intersections::{Intersection, IntersectionOptions, IntersectionsError, Meeting, intersections};
 
 pub(crate) use start_check::StartCheck;

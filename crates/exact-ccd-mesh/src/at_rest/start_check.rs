@@ -2,7 +2,7 @@
 
 use exact_ccd::Point;
 
-use super::intersections::crossings_by;
+use super::intersections::{IntersectionOptions, Meeting, intersections};
 use crate::broad_phase::BroadPhase;
 use crate::pairs::CanCollide;
 use crate::steps::{Step, StepError};
@@ -54,7 +54,9 @@ impl StartCheck {
             return Ok(());
         }
         self.passes += 1;
-        if let Some(&crossing) = crossings_by(broad_phase, mesh, x0, can_collide)?.first() {
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(can_collide.clone());
+        if let Some(&crossing) = intersections(mesh, x0, broad_phase, &options)?.first() {
             return Err(StepError::Crossing {
                 edge: crossing.edge,
                 ends: mesh.edges()[crossing.edge as usize],

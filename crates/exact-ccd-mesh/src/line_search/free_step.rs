@@ -2,24 +2,26 @@
 
 use std::fmt;
 
-use exact_ccd::Point;
+use exact_ccd::{Options, Point};
 
 use super::advance::advance;
 use super::error::LineSearchError;
 use super::watched::{Watch, Watched};
 use crate::broad_phase::BroadPhase;
 use crate::mesh::check_positions;
-use crate::pairs::PairCounts;
+use crate::pairs::{MinDistance, PairCounts};
 use crate::search::{AnyContact, Collect, Contact, CulledSearch, Detector, Earliest};
 use crate::steps::Step;
 
 /// Options of [`Detector::free_step`].
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 #[non_exhaustive]
 pub struct FreeStepOptions<'a> {
     /// The fraction of the time of impact that is kept: above 0 and at most 1. The default is 0.9.
     /// With 1, the step ends as near to the contact as rounding permits.
     pub keep: f64,
+    /// The distance at which primitives touch. The default is 0, which is contact.
+    pub min_distance: MinDistance,
     /// Called with the number of pairs examined since the last call, from any thread.
     pub progress: Option<&'a (dyn Fn(usize) + Sync)>,
     /// Called between batches of pairs, from any thread; true cancels the search.
@@ -30,6 +32,7 @@ impl Default for FreeStepOptions<'_> {
     fn default() -> Self {
         Self {
             keep: 0.9,
+            min_distance: MinDistance::default(),
             progress: None,
             cancel: None,
         }
@@ -41,6 +44,13 @@ impl<'a> FreeStepOptions<'a> {
     #[must_use]
     pub fn with_keep(self, keep: f64) -> Self {
         Self { keep, ..self }
+    }
+
+    /// The same options with another distance at which primitives touch.
+    #[must_use]
+    pub fn with_min_distance(self, min_distance: impl Into<MinDistance>) -> Self {
+        let min_distance = min_distance.into();
+        Self { min_distance, ..self }
     }
 
     /// The same options with a callback for progress.
@@ -62,13 +72,14 @@ impl fmt::Debug for FreeStepOptions<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("FreeStepOptions")
             .field("keep", &self.keep)
+            .field("min_distance", &self.min_distance)
             .field("has_progress", &self.progress.is_some())
             .field("has_cancel", &self.cancel.is_some())
             .finish()
     }
 }
 
-/// A step that is free of contact, for the minimum distance of the detector.
+/// A step that is free of contact, for the minimum distance of the options.
 ///
 /// Unless `size` is 0, the straight motion from the start to `positions` has been checked to be
 /// free of contact, exactly, for the positions as they are, rounded.
@@ -101,6 +112,7 @@ impl<B: BroadPhase> Detector<B> {
     /// size is 1: without [`with_start_check`](Self::with_start_check), this is not found.
     ///
     /// ```
+    /// use exact_ccd::CONTACT;
     /// use exact_ccd_mesh::{Detector, FreeStepOptions, TriangleMesh};
     ///
     /// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
@@ -111,7 +123,7 @@ impl<B: BroadPhase> Detector<B> {
     /// let mut detector = Detector::new(mesh);
     /// let step = detector.free_step(&x0, &x1, &FreeStepOptions::default().with_keep(0.5))?;
     /// assert_eq!((step.size, step.positions[3]), (0.25, [0.25, 0.25, 0.5]));
-    /// assert!(detector.is_free(&x0, &step.positions)?);
+    /// assert!(!detector.collides(&x0, &step.positions, CONTACT)?);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -125,7 +137,7 @@ impl<B: BroadPhase> Detector<B> {
         x1: &[Point],
         options: &FreeStepOptions<'_>,
     ) -> Result<FreeStep, LineSearchError> {
-        let mut begun = self.begin(x0, x1)?;
+        let mut begun = self.begin(x0, x1, Options::within(options.min_distance.clone()))?;
         let step = begun.step;
         let taken = free_step(begun.search, step, |size| step.at(size), options)?;
         begun.found_free(&taken.positions);
@@ -146,7 +158,7 @@ impl<B: BroadPhase> Detector<B> {
     ) -> Result<FreeStep, LineSearchError> {
         check_positions(self.mesh().vertex_count(), direction).map_err(LineSearchError::Direction)?;
         let x1 = advance(x0, direction, 1.0);
-        let mut begun = self.begin(x0, &x1)?;
+        let mut begun = self.begin(x0, &x1, Options::within(options.min_distance.clone()))?;
         let taken = free_step(
             begun.search,
             begun.step,
@@ -170,7 +182,7 @@ pub(super) fn free_step<B: BroadPhase>(
         return Err(LineSearchError::Keep(keep));
     }
     let watch = Watch::new(options.progress, options.cancel);
-    let earliest = watched(search, &step, Earliest::with_touching(), &watch)?;
+    let earliest = watched(search, &step, options, Earliest::with_touching(), &watch)?;
     let [x0, x1] = step.positions();
     let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));
     let touching = earliest.touching();
@@ -190,7 +202,7 @@ pub(super) fn free_step<B: BroadPhase>(
     while size.to_bits() > 0 {
         let positions = at(size);
         let shorter = Step::new(step.mesh(), x0, &positions)?;
-        if !watched(search, &shorter, AnyContact::new(|_| true), &watch)?.is_found() {
+        if !watched(search, &shorter, options, AnyContact::new(1.0, |_| true), &watch)?.is_found() {
             return Ok(free(size, positions));
         }
         size = f64::from_bits(first.to_bits().saturating_sub(retreat));
@@ -203,11 +215,12 @@ pub(super) fn free_step<B: BroadPhase>(
 fn watched<B: BroadPhase, C: Collect>(
     search: &mut CulledSearch<B>,
     step: &Step<'_>,
+    options: &FreeStepOptions<'_>,
     collector: C,
     watch: &Watch<'_>,
 ) -> Result<C, LineSearchError> {
     let watched = Watched { collector, watch };
-    search.run(step, &watched);
+    search.run(step, &options.min_distance, &watched);
     if watch.is_cancelled() {
         return Err(LineSearchError::Cancelled);
     }

@@ -8,7 +8,6 @@ use super::error::LineSearchError;
 use super::free_step::{FreeStepOptions, free_step};
 use crate::broad_phase::Bvh;
 use crate::mesh::{TriangleMesh, check_positions};
-use crate::pairs::{CanCollide, MinDistance};
 use crate::search::{Candidates, CulledSearch};
 use crate::steps::Step;
 
@@ -41,7 +40,7 @@ pub enum LineSearch<'a> {
 /// rounded positions are others.
 ///
 /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact, and
-/// the size is 1: [`crossings`](crate::crossings) finds such edges, and
+/// the size is 1: [`intersections`](crate::intersections) finds such edges, and
 /// [`Detector::with_start_check`](crate::Detector::with_start_check) begins every search with that test.
 ///
 /// # Errors
@@ -69,7 +68,7 @@ pub fn step_size(
     let full = Step::new(mesh, start, &end)?;
     match search {
         LineSearch::Exact => {
-            let mut search = CulledSearch::new(Bvh, CanCollide::all(), MinDistance::default());
+            let mut search = CulledSearch::new(Bvh);
             let options = FreeStepOptions::default().with_keep(1.0);
             let at = |size| advance(start, direction, size);
             Ok(free_step(&mut search, full, at, &options)?.size)
@@ -84,7 +83,7 @@ pub fn step_size(
             let candidates = Candidates::new(full, &Bvh);
             Ok(bisect(tolerance, |size| {
                 let end = advance(start, direction, size);
-                Step::new(mesh, start, &end).is_ok_and(|step| candidates.is_free_by(step, method))
+                Step::new(mesh, start, &end).is_ok_and(|step| !candidates.collides_by(step, method))
             }))
         }
     }

@@ -11,7 +11,7 @@ use crate::pairs::MinDistance;
 /// points differs by at most d there. Each point is in the box of its primitive at that time. So
 /// boxes with margins whose sum is at least d meet at that time, and no axis separates them at both
 /// ends in the same order.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Margin {
     min_distance: MinDistance,
     /// A margin of all primitives, in addition to that for their minimum distance.

@@ -46,14 +46,14 @@ pub(crate) struct StepBoxes<const T: usize> {
 /// Vertices are ordered anew when the extent of their order has grown by this factor.
 const MAX_GROWTH: f64 = 1.5;
 
-impl<const T: usize> StepBoxes<T> {
+impl<const T: usize> Default for StepBoxes<T> {
     /// No boxes yet.
-    pub(crate) fn new(margin: Margin) -> Self {
+    fn default() -> Self {
         Self {
             sets: [(); PrimitiveSet::COUNT].map(|()| Boxes::in_order(Vec::new())),
             other_ends: OtherEnds::default(),
             moving: Vec::new(),
-            margin,
+            margin: Margin::default(),
             margins: Vec::new(),
             origin: [0.0; 3],
             time: f64::NAN,
@@ -62,10 +62,16 @@ impl<const T: usize> StepBoxes<T> {
             extent: 0.0,
         }
     }
+}
 
-    /// Ends the current step. The next one is of the same mesh, with the same predicate.
-    pub(crate) fn end(&mut self) {
+impl<const T: usize> StepBoxes<T> {
+    /// Ends the current step. The next one is of the same mesh, with the same predicate, and with this margin.
+    pub(crate) fn end(&mut self, margin: &Margin) {
         self.has_begun = false;
+        if self.margin != *margin {
+            self.margin.clone_from(margin);
+            self.margins.clear();
+        }
     }
 
     /// Orders the primitives for a new step, if it has not begun; places no boxes.
@@ -80,6 +86,9 @@ impl<const T: usize> StepBoxes<T> {
             self.order(step.mesh(), x0, can_collide);
         } else {
             self.extent = self.extent.min(now);
+        }
+        if self.margin.uniform().is_none() && self.margins.len() != x0.len() {
+            self.margins = self.margin.largest(step.mesh());
         }
         // A vertex in the middle of the order is amid many others, even if some vertices are far
         // away.
@@ -112,9 +121,6 @@ impl<const T: usize> StepBoxes<T> {
 
         // In the order of `PrimitiveSet`.
         self.sets = [vertices, faces, edges, loose_vertices, ends, loose_edges].map(Boxes::in_order);
-        if self.margin.uniform().is_none() {
-            self.margins = self.margin.largest(mesh);
-        }
         self.ordered = Some(x0.len());
     }
 

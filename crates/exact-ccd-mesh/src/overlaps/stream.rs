@@ -67,7 +67,8 @@ impl<'a, const T: usize> Overlaps<'a, T> {
         let faces = around(&bare, step.mesh().faces(), &margin);
         let edges = around(&bare, step.mesh().edges(), &margin);
         let vertices = inflated(bare, &margin);
-        let mut boxes = StepBoxes::new(margin);
+        let mut boxes = StepBoxes::default();
+        boxes.end(&margin);
         boxes.place::<VertexFace>(&step, can_collide, 1.0);
         boxes.place::<EdgeEdge>(&step, can_collide, 1.0);
         boxes.place::<VertexEdge>(&step, can_collide, 1.0);

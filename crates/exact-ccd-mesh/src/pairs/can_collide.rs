@@ -9,6 +9,7 @@ use std::sync::Arc;
 /// predicate. A panic of the caller's own closure is passed on to the caller.
 ///
 /// ```
+/// use exact_ccd::CONTACT;
 /// use exact_ccd_mesh::{CanCollide, Detector, TriangleMesh};
 ///
 /// let mesh = TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]])?;
@@ -20,7 +21,7 @@ use std::sync::Arc;
 ///
 /// let is_obstacle = vec![true; 6];
 /// let mut detector = Detector::new(mesh).with_can_collide(CanCollide::not_two_obstacles(is_obstacle));
-/// assert!(detector.is_free(&at(1.0), &at(-1.0))?);
+/// assert!(!detector.collides(&at(1.0), &at(-1.0), CONTACT)?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Default)]

@@ -19,22 +19,22 @@ use crate::mesh::TriangleMesh;
 /// near each other too.
 ///
 /// ```
-/// use exact_ccd::Separation;
+/// use exact_ccd::{Options, Separation};
 /// use exact_ccd_mesh::{Detector, MinDistance, TriangleMesh};
 ///
 /// // A point falls on a triangle.
 /// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
 /// let at = |z: f64| [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0], [1.0, 1.0, z]];
 ///
-/// let d = MinDistance::uniform(Separation::new(0.5)?);
-/// let mut detector = Detector::new(mesh).with_min_distance(d.clone())?;
-/// let contact = detector.earliest_contact(&at(2.5), &at(-1.5))?.expect("the point gets through");
+/// let d = Options::within(Separation::new(0.5)?);
+/// let mut detector = Detector::new(mesh);
+/// let contact = detector.collision(&at(2.5), &at(-1.5), d)?.expect("the point gets through");
 /// assert_eq!((contact.impact.time.lower(), contact.distance.upper), (0.5, 0.5));
 /// // It starts within 0.5, but stays 0.25 away.
-/// assert!(!detector.is_free(&at(0.5), &at(0.375))?);
-/// let mut detector = detector.with_min_distance(d.with_inner(Separation::new(0.25)?))?;
-/// assert!(detector.is_free(&at(0.5), &at(0.375))?);
-/// assert!(!detector.is_free(&at(0.5), &at(0.125))?);
+/// assert!(detector.collides(&at(0.5), &at(0.375), d)?);
+/// let inner = MinDistance::from(d.separation).with_inner(Separation::new(0.25)?);
+/// assert!(!detector.collides(&at(0.5), &at(0.375), Options::within(inner.clone()))?);
+/// assert!(detector.collides(&at(0.5), &at(0.125), Options::within(inner))?);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,6 +52,12 @@ enum Outer {
 impl Default for Outer {
     fn default() -> Self {
         Self::Uniform(Separation::default())
+    }
+}
+
+impl From<Separation> for MinDistance {
+    fn from(d: Separation) -> Self {
+        Self::uniform(d)
     }
 }
 
@@ -146,7 +152,10 @@ impl MinDistance {
     }
 
     /// Checks that each vertex of a mesh has a thickness, if there are any.
-    pub(crate) fn check(&self, mesh: &TriangleMesh) -> Result<(), ThicknessCount> {
+    ///
+    /// # Errors
+    /// [`ThicknessCount`] has both numbers.
+    pub fn check(&self, mesh: &TriangleMesh) -> Result<(), ThicknessCount> {
         match &self.outer {
             Outer::Thickness(thickness) if thickness.vertex_count() != mesh.vertex_count() => {
                 Err(ThicknessCount {

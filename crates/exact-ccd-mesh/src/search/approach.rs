@@ -1,6 +1,6 @@
 //! Pairs that come within their minimum distance.
 
-use exact_ccd::{Collision, ContactTime, Kind, Separation};
+use exact_ccd::{Collision, ContactTime, Kind, Options, Separation};
 
 /// A pair of primitives that come within their minimum distance.
 pub(crate) struct Approach<'a, K> {
@@ -8,6 +8,8 @@ pub(crate) struct Approach<'a, K> {
     collision: Collision<'a, K>,
     /// The inner distance, if there is one.
     inner: Option<Separation>,
+    /// The last time that counts.
+    until: f64,
 }
 
 /// The times of an approach.
@@ -19,8 +21,13 @@ pub(crate) struct Times {
 }
 
 impl<'a, K: Kind> Approach<'a, K> {
-    pub(crate) fn new(collision: Collision<'a, K>, inner: Option<Separation>) -> Self {
-        Self { collision, inner }
+    /// The approach by a collision whose time counts.
+    pub(crate) fn new(collision: Collision<'a, K>, inner: Option<Separation>, until: f64) -> Self {
+        Self {
+            collision,
+            inner,
+            until,
+        }
     }
 
     /// The collision that counts as contact: a pair that starts within its distance may come nearer,
@@ -50,8 +57,9 @@ impl<'a, K: Kind> Approach<'a, K> {
         }
     }
 
-    /// The inner distance, if it is less than the other one.
-    fn nearer(&self) -> Option<Separation> {
-        self.inner.filter(|&inner| inner < self.collision.separation())
+    /// The contact within the inner distance, if that is less than the other one.
+    fn nearer(&self) -> Option<Options> {
+        let inner = self.inner.filter(|&inner| inner < self.collision.separation())?;
+        Some(Options::within(inner).until(self.until))
     }
 }

@@ -2,10 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use exact_ccd::{Ccd, EdgeEdge, TimeOutOfStep, VertexEdge, VertexFace, VertexVertex};
+use exact_ccd::{Ccd, EdgeEdge, Options, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
-use super::collect::{AnyContact, Collect, ContactsUntil, Earliest};
+use super::collect::{AllContacts, AnyContact, Collect, Earliest};
 use super::contact::Contact;
 use super::method;
 use super::narrow_phase::NarrowPhase;
@@ -20,17 +20,19 @@ use crate::steps::Step;
 /// same mesh from the same start to positions in between, such as [`Step::at`] returns: so one
 /// broad phase suffices for a whole line search.
 ///
-/// The exact decisions are about contact, or about the [minimum
-/// distance](CandidateOptions::min_distance) of the options. Those of other methods are about contact.
+/// [`Options`] have the distance at which primitives touch, and the last time that counts. Decisions are about
+/// all pairs of the mesh if that distance is not above the [minimum
+/// distance](CandidateOptions::min_distance) for which the candidates were found. A vertex without a thickness
+/// has the thickness 0. Other methods decide contact.
 ///
 /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
-/// [`crossings`](crate::crossings) finds such edges.
+/// [`intersections`](crate::intersections) finds such edges.
 ///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
 /// mesh does not have are no contacts.
 ///
 /// ```
-/// use exact_ccd::Exact;
+/// use exact_ccd::{CONTACT, Exact};
 /// use exact_ccd_mesh::{Bvh, Candidates, Step, TriangleMesh};
 ///
 /// let mesh = TriangleMesh::new(4, vec![[0, 1, 2]])?;
@@ -41,18 +43,16 @@ use crate::steps::Step;
 /// let step = Step::new(&mesh, &start, &end)?;
 /// let candidates = Candidates::new(step, &Bvh);
 /// assert_eq!(candidates.vertex_face(), [[3, 0]]);
-/// assert_eq!(candidates.earliest_contact(step).map(|contact| contact.impact.time.lower()), Some(0.5));
+/// let contact = candidates.collision(step, CONTACT);
+/// assert_eq!(contact.map(|contact| contact.impact.time.lower()), Some(0.5));
 ///
 /// let shorter = step.at(0.25);
-/// assert!(candidates.is_free(Step::new(&mesh, &start, &shorter)?));
-/// assert!(!candidates.is_free_by(step, &Exact));
+/// assert!(!candidates.collides(Step::new(&mesh, &start, &shorter)?, CONTACT));
+/// assert!(candidates.collides_by(step, &Exact));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Candidates {
-    pairs: ByKind<Vec<[u32; 2]>>,
-    min_distance: MinDistance,
-}
+pub struct Candidates(ByKind<Vec<[u32; 2]>>);
 
 /// The number of pairs that a thread examines exactly between two checks for the end of the search.
 const GRAIN: usize = 2048;
@@ -77,10 +77,7 @@ impl Candidates {
     ) -> Result<Self, CandidateError> {
         let collectors = ByKind::<PairCollector>::default();
         let _ = overlaps::stream(step, broad_phase, options, &collectors)?;
-        Ok(Self {
-            pairs: collectors.map(PairCollector::into_sorted),
-            min_distance: options.min_distance.clone(),
-        })
+        Ok(Self(collectors.map(PairCollector::into_sorted)))
     }
 
     /// Passes the candidates of a step on as they are found, in batches, from any thread, without
@@ -103,25 +100,25 @@ impl Candidates {
     /// Pairs of a vertex and a face that it is no corner of, sorted.
     #[must_use]
     pub fn vertex_face(&self) -> &[[u32; 2]] {
-        &self.pairs.vertex_face
+        &self.0.vertex_face
     }
 
     /// Pairs of two edges, the smaller index first, without a common vertex, sorted.
     #[must_use]
     pub fn edge_edge(&self) -> &[[u32; 2]] {
-        &self.pairs.edge_edge
+        &self.0.edge_edge
     }
 
     /// Pairs of a vertex and a loose edge that no pair of edges covers, sorted: see [`Pair`].
     #[must_use]
     pub fn vertex_edge(&self) -> &[[u32; 2]] {
-        &self.pairs.vertex_edge
+        &self.0.vertex_edge
     }
 
     /// Pairs of two loose vertices, the smaller index first, sorted.
     #[must_use]
     pub fn vertex_vertex(&self) -> &[[u32; 2]] {
-        &self.pairs.vertex_vertex
+        &self.0.vertex_vertex
     }
 
     /// All pairs, in their order.
@@ -136,7 +133,7 @@ impl Candidates {
     /// The numbers of pairs of each kind.
     #[must_use]
     pub fn counts(&self) -> PairCounts {
-        self.pairs.as_ref().map(Vec::len)
+        self.0.as_ref().map(Vec::len)
     }
 
     /// Returns true if there are no pairs.
@@ -145,67 +142,49 @@ impl Candidates {
         self.counts().total() == 0
     }
 
-    /// Returns true if none of the pairs touches in the step, exactly. Ends soon after the first
-    /// contact found.
+    /// Returns true if any of the pairs touches in the step, exactly. Ends soon after the first contact found.
     #[must_use]
-    pub fn is_free(&self, step: Step<'_>) -> bool {
-        let contact = AnyContact::new(|_| true);
-        self.examine(step, &contact);
-        !contact.is_found()
+    pub fn collides(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> bool {
+        let contact = AnyContact::new(options.until, |_| true);
+        self.examine(step, options.separation.into(), &contact);
+        contact.is_found()
     }
 
-    /// The earliest contact of the pairs in the step, exactly, or `None` if the step is free of
-    /// contact.
+    /// The earliest contact of the pairs in the step, exactly, or `None` if there is none.
     #[must_use]
-    pub fn earliest_contact(&self, step: Step<'_>) -> Option<Contact> {
-        let earliest = Earliest::new();
-        let narrow_phase = self.examine(step, &earliest);
+    pub fn collision(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> Option<Contact> {
+        let earliest = Earliest::new(options.until);
+        let narrow_phase = self.examine(step, options.separation.into(), &earliest);
         narrow_phase.contact(step.mesh(), earliest.pair()?)
     }
 
     /// All contacts of the pairs in the step, exactly, the earliest first.
     #[must_use]
-    pub fn contacts(&self, step: Step<'_>) -> Vec<Contact> {
-        self.collect(step, ContactsUntil::all())
-    }
-
-    /// The contacts whose first time is not after `time`, exactly, the earliest first.
-    ///
-    /// # Errors
-    /// [`TimeOutOfStep`], if `time` is not in [0, 1].
-    pub fn contacts_until(&self, step: Step<'_>, time: f64) -> Result<Vec<Contact>, TimeOutOfStep> {
-        Ok(self.collect(step, ContactsUntil::new(time)?))
-    }
-
-    fn collect(&self, step: Step<'_>, contacts: ContactsUntil) -> Vec<Contact> {
-        self.examine(step, &contacts);
+    pub fn collisions(&self, step: Step<'_>, options: Options<impl Into<MinDistance>>) -> Vec<Contact> {
+        let contacts = AllContacts::new(options.until);
+        self.examine(step, options.separation.into(), &contacts);
         contacts.sorted()
     }
 
-    /// Returns true if none of the pairs touches in the step, according to a method.
-    ///
-    /// This is about contact, whatever the minimum distance. A loose vertex is passed to the method
-    /// as an edge of length zero.
+    /// Returns true if any of the pairs is in contact in the step, according to a method. A loose vertex is
+    /// passed to the method as an edge of length zero.
     #[must_use]
-    pub fn is_free_by(&self, step: Step<'_>, method: &dyn Ccd) -> bool {
-        method::is_free(method, &self.pairs, &step)
+    pub fn collides_by(&self, step: Step<'_>, method: &dyn Ccd) -> bool {
+        method::collides(method, &self.0, &step)
     }
 
-    /// The earliest time of impact of the pairs in the step, according to a method, or `None` if
-    /// the step is free of contact.
-    ///
-    /// It is in \[0, 1\]. A time of the method that is not a number counts as 0. As
-    /// [`is_free_by`](Self::is_free_by), this is about contact, whatever the minimum distance.
+    /// The earliest time of impact of the pairs in the step, in \[0, 1\], according to a method, or `None` if
+    /// there is no contact. A time of the method that is not a number counts as 0.
     #[must_use]
-    pub fn earliest_time_by(&self, step: Step<'_>, method: &dyn Ccd) -> Option<f64> {
-        method::earliest_time(method, &self.pairs, &step)
+    pub fn time_of_impact_by(&self, step: Step<'_>, method: &dyn Ccd) -> Option<f64> {
+        method::time_of_impact(method, &self.0, &step)
     }
 
     /// Passes all pairs to a collector.
-    fn examine(&self, step: Step<'_>, collector: &impl Collect) -> NarrowPhase {
+    fn examine(&self, step: Step<'_>, min_distance: MinDistance, collector: &impl Collect) -> NarrowPhase {
         // All on threads of the pool: entering it from outside costs a context switch each time.
         rayon::scope(|_| {
-            let min_distance = self.min_distance.clone().extended_to(step.mesh());
+            let min_distance = min_distance.extended_to(step.mesh());
             let narrow_phase = NarrowPhase::of(&step, min_distance);
             let _ = self.examine_all(step, &narrow_phase, collector);
             narrow_phase
@@ -230,7 +209,7 @@ impl Candidates {
         narrow_phase: &NarrowPhase,
         collector: &impl Collect,
     ) -> ControlFlow<()> {
-        let pairs = K::of(&self.pairs).par_chunks(GRAIN);
+        let pairs = K::of(&self.0).par_chunks(GRAIN);
         pairs.try_for_each(|pairs| collector.examine::<K>(narrow_phase, step.mesh(), pairs))
     }
 }
@@ -251,10 +230,7 @@ impl FromIterator<Pair> for Candidates {
             pairs.dedup();
             pairs
         };
-        Self {
-            pairs: lists.map(sorted),
-            min_distance: MinDistance::default(),
-        }
+        Self(lists.map(sorted))
     }
 }
 

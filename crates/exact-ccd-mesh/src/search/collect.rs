@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use exact_ccd::{ContactTime, TimeOutOfStep};
+use exact_ccd::ContactTime;
 
 use super::contact::{Contact, earlier};
 use super::narrow_phase::NarrowPhase;
@@ -31,14 +31,16 @@ pub(crate) trait Collect: Sync {
 
 /// The existence of a contact that counts.
 pub(crate) struct AnyContact<F> {
+    until: f64,
     is_found: AtomicBool,
     /// Evaluated for pairs in contact only.
     counts: F,
 }
 
 impl<F: Fn(Pair) -> bool + Sync> AnyContact<F> {
-    pub(crate) fn new(counts: F) -> Self {
+    pub(crate) fn new(until: f64, counts: F) -> Self {
         Self {
+            until,
             is_found: AtomicBool::new(false),
             counts,
         }
@@ -53,7 +55,7 @@ impl<F: Fn(Pair) -> bool + Sync> Collect for AnyContact<F> {
     const PROFITS_FROM_SAMPLE: bool = true;
 
     fn until(&self) -> f64 {
-        1.0
+        self.until
     }
 
     fn examine<K: PairKind>(
@@ -87,19 +89,20 @@ pub(crate) struct Earliest {
 }
 
 impl Earliest {
-    pub(crate) fn new() -> Self {
+    /// The earliest contact until a time.
+    pub(crate) fn new(until: f64) -> Self {
         Self {
-            limit: AtomicU64::new(1f64.to_bits()),
+            limit: AtomicU64::new(until.to_bits()),
             contact: Mutex::new(None),
             touching: None,
         }
     }
 
-    /// The same, with the pairs that start within their distance.
+    /// The earliest contact of the step, with the pairs that start within their distance.
     pub(crate) fn with_touching() -> Self {
         Self {
             touching: Some(Mutex::default()),
-            ..Self::new()
+            ..Self::new(1.0)
         }
     }
 
@@ -186,21 +189,15 @@ impl Collect for Earliest {
 }
 
 /// All contacts until a time.
-pub(crate) struct ContactsUntil {
-    time: f64,
+pub(crate) struct AllContacts {
+    until: f64,
     contacts: Mutex<Vec<Contact>>,
 }
 
-impl ContactsUntil {
-    /// The contacts until a time of the step.
-    pub(crate) fn new(time: f64) -> Result<Self, TimeOutOfStep> {
-        TimeOutOfStep::check(time)?;
-        Ok(Self { time, ..Self::all() })
-    }
-
-    pub(crate) fn all() -> Self {
+impl AllContacts {
+    pub(crate) fn new(until: f64) -> Self {
         Self {
-            time: 1.0,
+            until,
             contacts: Mutex::default(),
         }
     }
@@ -213,11 +210,11 @@ impl ContactsUntil {
     }
 }
 
-impl Collect for ContactsUntil {
+impl Collect for AllContacts {
     const PROFITS_FROM_SAMPLE: bool = false;
 
     fn until(&self) -> f64 {
-        self.time
+        self.until
     }
 
     fn examine<K: PairKind>(
@@ -228,12 +225,8 @@ impl Collect for ContactsUntil {
     ) -> ControlFlow<()> {
         let mut found = Vec::new();
         narrow_phase.approaches::<K>(mesh, pairs, self.until(), |ids, approach| {
-            let Some(collision) = approach.contact() else {
-                return;
-            };
-            if collision.time().is_at_most(self.time) {
-                found.push(Contact::new(K::pair(ids), &collision));
-            }
+            let contact = approach.contact();
+            found.extend(contact.map(|collision| Contact::new(K::pair(ids), &collision)));
         });
         if !found.is_empty() {
             let mut contacts = self.contacts.lock().unwrap_or_else(PoisonError::into_inner);

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use exact_ccd::{EdgeEdge, Point, VertexEdge, VertexFace, VertexVertex};
 
-use super::collect::{AnyContact, Collect, Earliest};
+use super::collect::Collect;
 use super::contact::Contact;
 use super::narrow_phase::NarrowPhase;
 use crate::broad_phase::BroadPhase;
@@ -19,7 +19,7 @@ pub(crate) struct CulledSearch<B> {
     memory: Memory,
 }
 
-/// The memory of earlier steps, for one predicate and one distance.
+/// The memory of earlier steps, for one predicate.
 #[derive(Clone, Debug)]
 struct Memory {
     narrow_phase: NarrowPhase,
@@ -40,22 +40,21 @@ const SHRUNK_TIME: f64 = 0.5;
 
 impl Memory {
     /// No step yet.
-    fn new(can_collide: CanCollide, min_distance: MinDistance) -> Self {
-        let margin = Margin::new(min_distance.clone(), 0.0);
+    fn new(can_collide: CanCollide) -> Self {
         Self {
-            narrow_phase: NarrowPhase::new(can_collide, min_distance),
-            resting: StepBoxes::new(margin.clone()),
-            moving: StepBoxes::new(margin),
+            narrow_phase: NarrowPhase::new(can_collide),
+            resting: StepBoxes::default(),
+            moving: StepBoxes::default(),
         }
     }
 }
 
 impl<B: BroadPhase> CulledSearch<B> {
-    /// A search among the pairs that can collide, for those that come within a distance.
-    pub(crate) fn new(broad_phase: B, can_collide: CanCollide, min_distance: MinDistance) -> Self {
+    /// A search among all pairs.
+    pub(crate) fn new(broad_phase: B) -> Self {
         Self {
             broad_phase,
-            memory: Memory::new(can_collide, min_distance),
+            memory: Memory::new(CanCollide::all()),
         }
     }
 
@@ -69,20 +68,7 @@ impl<B: BroadPhase> CulledSearch<B> {
 
     /// Replaces the pairs that can collide, without memory of earlier steps.
     pub(crate) fn set_can_collide(&mut self, can_collide: CanCollide) {
-        let min_distance = self.memory.narrow_phase.min_distance().clone();
-        self.memory = Memory::new(can_collide, min_distance);
-    }
-
-    /// Replaces the distance, without memory of earlier steps.
-    pub(crate) fn set_min_distance(&mut self, min_distance: MinDistance) {
-        self.memory = Memory::new(self.can_collide().clone(), min_distance);
-    }
-
-    /// The earliest contact of a step of the mesh.
-    pub(crate) fn earliest_contact(&mut self, step: &Step<'_>) -> Option<Contact> {
-        let earliest = Earliest::new();
-        self.run(step, &earliest);
-        self.contact(step, earliest.pair()?)
+        self.memory = Memory::new(can_collide);
     }
 
     /// The contact of a pair in the last step.
@@ -90,16 +76,9 @@ impl<B: BroadPhase> CulledSearch<B> {
         self.memory.narrow_phase.contact(step.mesh(), pair)
     }
 
-    /// Returns true if a step of the mesh is free of contact of the pairs that count.
-    pub(crate) fn is_free(&mut self, step: &Step<'_>, counts: impl Fn(Pair) -> bool + Sync) -> bool {
-        let contact = AnyContact::new(counts);
-        self.run(step, &contact);
-        !contact.is_found()
-    }
-
-    /// Passes all candidates until the collector's time to the collector, possibly with others. The
-    /// search ends early if the collector breaks.
-    pub(crate) fn run(&mut self, step: &Step<'_>, collector: &impl Collect) {
+    /// Passes all candidates until the collector's time to the collector, possibly with others: those that
+    /// come within a distance. The search ends early if the collector breaks.
+    pub(crate) fn run(&mut self, step: &Step<'_>, min_distance: &MinDistance, collector: &impl Collect) {
         let Self { broad_phase, memory } = self;
         let Memory {
             narrow_phase,
@@ -108,9 +87,10 @@ impl<B: BroadPhase> CulledSearch<B> {
         } = memory;
         // All on threads of the pool: entering it from outside costs a context switch each time.
         let _ = rayon::scope(|_| {
-            narrow_phase.begin(step);
-            resting.end();
-            moving.end();
+            narrow_phase.begin(step, min_distance.clone());
+            let margin = Margin::new(min_distance.clone(), 0.0);
+            resting.end(&margin);
+            moving.end(&margin);
             let pass = Pass {
                 step,
                 broad_phase: &*broad_phase,
@@ -123,28 +103,6 @@ impl<B: BroadPhase> CulledSearch<B> {
             pass.examine::<VertexEdge>(resting, moving)?;
             pass.examine::<VertexVertex>(resting, moving)
         });
-    }
-}
-
-impl Step<'_> {
-    /// The earliest contact, or `None` if the step is free of contact. For many steps of one mesh,
-    /// a [`Detector`](crate::Detector) is faster.
-    ///
-    /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
-    /// [`crossings`](crate::crossings) finds such edges.
-    #[must_use]
-    pub fn earliest_contact(&self, broad_phase: &impl BroadPhase) -> Option<Contact> {
-        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).earliest_contact(self)
-    }
-
-    /// Returns true if no two primitives touch during the step. For many steps of one mesh, a
-    /// [`Detector`](crate::Detector) is faster.
-    ///
-    /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
-    /// [`crossings`](crate::crossings) finds such edges.
-    #[must_use]
-    pub fn is_free(&self, broad_phase: &impl BroadPhase) -> bool {
-        CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()).is_free(self, |_| true)
     }
 }
 

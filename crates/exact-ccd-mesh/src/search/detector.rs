@@ -2,22 +2,25 @@
 
 use std::sync::Arc;
 
-use exact_ccd::Point;
+use exact_ccd::{Options, Point, TimeOutOfStep};
 
-use super::collect::ContactsUntil;
+use super::collect::{AllContacts, AnyContact, Collect, Earliest};
 use super::contact::Contact;
 use super::culled_search::CulledSearch;
-use crate::at_rest::{Intersection, IntersectionsError, StartCheck, intersections_by};
+use crate::at_rest::StartCheck;
 use crate::broad_phase::{BroadPhase, Bvh};
 use crate::mesh::TriangleMesh;
-use crate::pairs::{CanCollide, MinDistance, Pair, ThicknessCount};
+use crate::pairs::{CanCollide, MinDistance, Pair};
 use crate::steps::{Step, StepError};
 
 /// Finds contact in successive steps of one mesh.
 ///
+/// [`Options`] have the distance at which primitives touch, a [`Separation`](exact_ccd::Separation) or a
+/// [`MinDistance`], and the last time that counts. [`CONTACT`](exact_ccd::CONTACT) is the distance 0 and the
+/// whole step. [`Pair`] says which pairs are compared, and which are never a contact.
+///
 /// An edge that passes through a face at the start of a step is no contact of the step, which may be free:
-/// see [`with_start_check`](Self::with_start_check). [`Pair`] says which pairs are compared, and which are
-/// never a contact.
+/// [`with_start_check`](Self::with_start_check) finds such edges.
 ///
 /// The detector shares the mesh and borrows nothing, so that a simulator can own both. No answer
 /// depends on earlier steps. The detector keeps the memory of boxes and trajectories from step to
@@ -26,6 +29,7 @@ use crate::steps::{Step, StepError};
 /// ```
 /// use std::sync::Arc;
 ///
+/// use exact_ccd::CONTACT;
 /// use exact_ccd_mesh::{Detector, TriangleMesh};
 ///
 /// struct Simulator {
@@ -42,8 +46,8 @@ use crate::steps::{Step, StepError};
 ///     [floor, falling].concat()
 /// };
 ///
-/// assert!(simulator.detector.is_free(&at(3.0), &at(1.0))?);
-/// let contact = simulator.detector.earliest_contact(&at(1.0), &at(-1.0))?;
+/// assert!(!simulator.detector.collides(&at(3.0), &at(1.0), CONTACT)?);
+/// let contact = simulator.detector.collision(&at(1.0), &at(-1.0), CONTACT)?;
 /// assert_eq!(contact.map(|contact| contact.impact.time.lower()), Some(0.5));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -68,7 +72,7 @@ impl<B: BroadPhase> Detector<B> {
     pub fn with_broad_phase(mesh: impl Into<Arc<TriangleMesh>>, broad_phase: B) -> Self {
         Self {
             mesh: mesh.into(),
-            search: CulledSearch::new(broad_phase, CanCollide::all(), MinDistance::default()),
+            search: CulledSearch::new(broad_phase),
             start_check: None,
         }
     }
@@ -80,27 +84,18 @@ impl<B: BroadPhase> Detector<B> {
         self
     }
 
-    /// The same detector for another minimum distance: pairs within it touch.
-    ///
-    /// # Errors
-    /// [`ThicknessCount`], if there is not one thickness for each vertex.
-    pub fn with_min_distance(mut self, min_distance: MinDistance) -> Result<Self, ThicknessCount> {
-        self.set_min_distance(min_distance)?;
-        Ok(self)
-    }
-
     /// The same detector, with or without the check of the start; without it by default.
     ///
     /// With it, an answer about a step from positions `x0` has the error [`StepError::Crossing`] if an edge
-    /// passes through a face there, as [`crossings`](crate::crossings) defines it, among the pairs that can
-    /// collide. Primitives that merely touch are contacts at t = 0, as always. The check is a pass over the
+    /// passes through a face there, as [`Meeting::Crossing`](crate::Meeting) defines it, among the pairs that
+    /// can collide. Primitives that merely touch are contacts at t = 0, as always. The check is a pass over the
     /// mesh at rest. No pass is made if `x0` is, bit for bit, the start of the step before, or the end of the
-    /// last step that [`is_free`](Self::is_free) or [`earliest_contact`](Self::earliest_contact) found free,
-    /// such as the positions of a [`free_step`](Self::free_step). With a
+    /// last step that [`collides`](Self::collides) or [`collision`](Self::collision) found free, such as the positions of a [`free_step`](Self::free_step). With a
     /// predicate of [`with_can_collide`](Self::with_can_collide), only the first holds: it may leave out the
     /// pairs through which an edge comes to cross a face.
     ///
     /// ```
+    /// use exact_ccd::CONTACT;
     /// use exact_ccd_mesh::{Detector, StepError, TriangleMesh};
     ///
     /// // An edge of the second face passes through the first face.
@@ -108,9 +103,10 @@ impl<B: BroadPhase> Detector<B> {
     /// let floor = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [0.0, 8.0, 0.0]];
     /// let x = [floor, [[1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [9.0, 1.0, 1.0]]].concat();
     /// let mut detector = Detector::new(mesh);
-    /// assert!(detector.is_free(&x, &x)?);
+    /// assert!(!detector.collides(&x, &x, CONTACT)?);
     /// let mut detector = detector.with_start_check(true);
-    /// assert!(matches!(detector.is_free(&x, &x), Err(StepError::Crossing { edge: 3, face: 0, .. })));
+    /// let crossing = detector.collides(&x, &x, CONTACT);
+    /// assert!(matches!(crossing, Err(StepError::Crossing { edge: 3, face: 0, .. })));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     #[must_use]
@@ -143,107 +139,92 @@ impl<B: BroadPhase> Detector<B> {
         }
     }
 
-    /// Replaces the minimum distance. In case of an error, the detector keeps the one it has.
-    ///
-    /// # Errors
-    /// [`ThicknessCount`], if there is not one thickness for each vertex.
-    pub fn set_min_distance(&mut self, min_distance: MinDistance) -> Result<(), ThicknessCount> {
-        min_distance.check(&self.mesh)?;
-        self.search.set_min_distance(min_distance);
-        Ok(())
-    }
-
     /// The mesh.
     #[must_use]
     pub fn mesh(&self) -> &Arc<TriangleMesh> {
         &self.mesh
     }
 
-    /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if it is
-    /// free of contact.
-    ///
-    /// A sample of the primitives is examined first. Each contact that is found bounds the time
-    /// until which the others matter; so most candidates are never examined, nor counted as
-    /// [`StepReport`](crate::StepReport) does. The answer is the same on any number of threads.
-    ///
-    /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-    /// [`with_start_check`](Self::with_start_check), this is not found.
-    ///
-    /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite, or, with the check of the
-    /// start, the edge that passes through a face.
-    pub fn earliest_contact(&mut self, x0: &[Point], x1: &[Point]) -> Result<Option<Contact>, StepError> {
-        let mut begun = self.begin(x0, x1)?;
-        let contact = begun.search.earliest_contact(&begun.step);
-        if contact.is_none() {
-            begun.found_free(x1);
-        }
-        Ok(contact)
+    /// The pairs that can collide.
+    #[must_use]
+    pub fn can_collide(&self) -> &CanCollide {
+        self.search.can_collide()
     }
 
-    /// Returns true if no two primitives touch in the step from positions `x0` to positions `x1`: no
+    /// Returns true if any two primitives touch in the step from positions `x0` to positions `x1`: a
     /// [`Pair`], which says what is never a contact. Ends soon after the first contact found.
     ///
-    /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-    /// [`with_start_check`](Self::with_start_check), this is not found.
-    ///
     /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite, or, with the check of the
-    /// start, the edge that passes through a face.
-    pub fn is_free(&mut self, x0: &[Point], x1: &[Point]) -> Result<bool, StepError> {
-        let mut begun = self.begin(x0, x1)?;
-        let is_free = begun.search.is_free(&begun.step, |_| true);
-        if is_free {
+    /// [`StepError`] names the positions that are too many, too few or not finite, the thicknesses that are
+    /// not as many as the vertices, a last time that is not in [0, 1], or, with the check of the start, the
+    /// edge that passes through a face.
+    pub fn collides(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+    ) -> Result<bool, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        let contact = begun.run(AnyContact::new(begun.until, |_| true));
+        if !contact.is_found() {
             begun.found_free(x1);
         }
-        Ok(is_free)
+        Ok(contact.is_found())
     }
 
-    /// Returns true if no pair that counts touches in the step from positions `x0` to positions `x1`.
+    /// The same for the pairs that count only.
     ///
     /// The predicate is evaluated for pairs in contact only, on many threads, and for some of them twice. So
     /// it may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
     /// and holds for all answers, and for the check of the start.
     ///
-    /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-    /// [`with_start_check`](Self::with_start_check), this is not found.
-    ///
     /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite, or, with the check of the
-    /// start, the edge that passes through a face.
-    pub fn is_free_of(
+    /// As [`collides`](Self::collides).
+    pub fn collides_if(
         &mut self,
         x0: &[Point],
         x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
         counts: impl Fn(Pair) -> bool + Sync,
     ) -> Result<bool, StepError> {
-        let begun = self.begin(x0, x1)?;
-        Ok(begun.search.is_free(&begun.step, counts))
+        let mut begun = self.begin(x0, x1, options)?;
+        Ok(begun.run(AnyContact::new(begun.until, counts)).is_found())
     }
 
-    /// The contacts in the step from positions `x0` to positions `x1` whose first time is not after
-    /// `until`, the earliest first. All contacts for `until` = 1.
+    /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if there is none.
     ///
-    /// A mesh that is pierced at `x0`, by an edge that passes through a face, may be free of contact: without
-    /// [`with_start_check`](Self::with_start_check), this is not found.
+    /// A sample of the primitives is examined first. Each contact that is found bounds the time
+    /// until which the others matter; so most candidates are never examined, nor counted as
+    /// [`StepReport`](crate::StepReport) does. The answer is the same on any number of threads.
     ///
     /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite, or a time `until` that
-    /// is not in [0, 1], or, with the check of the start, the edge that passes through a face.
-    pub fn contacts(&mut self, x0: &[Point], x1: &[Point], until: f64) -> Result<Vec<Contact>, StepError> {
-        let contacts = ContactsUntil::new(until)?;
-        let begun = self.begin(x0, x1)?;
-        begun.search.run(&begun.step, &contacts);
-        Ok(contacts.sorted())
+    /// As [`collides`](Self::collides).
+    pub fn collision(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+    ) -> Result<Option<Contact>, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        let pair = begun.run(Earliest::new(begun.until)).pair();
+        if pair.is_none() {
+            begun.found_free(x1);
+        }
+        Ok(pair.and_then(|pair| begun.search.contact(&begun.step, pair)))
     }
 
-    /// The edges and faces that can collide and have a common point at rest, sorted.
+    /// All contacts in the step from positions `x0` to positions `x1`, the earliest first.
     ///
     /// # Errors
-    /// As [`intersections`](crate::intersections).
-    pub fn intersections(&self, positions: &[Point]) -> Result<Vec<Intersection>, IntersectionsError> {
-        let (broad_phase, can_collide) = (self.search.broad_phase(), self.search.can_collide());
-        intersections_by(broad_phase, &self.mesh, positions, can_collide)
+    /// As [`collides`](Self::collides).
+    pub fn collisions(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+    ) -> Result<Vec<Contact>, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        Ok(begun.run(AllContacts::new(begun.until)).sorted())
     }
 
     /// The step from positions `x0` to positions `x1`, after the check of its start.
@@ -251,13 +232,19 @@ impl<B: BroadPhase> Detector<B> {
         &'a mut self,
         x0: &'a [Point],
         x1: &'a [Point],
+        options: Options<impl Into<MinDistance>>,
     ) -> Result<Begun<'a, B>, StepError> {
+        TimeOutOfStep::check(options.until)?;
+        let min_distance = options.separation.into();
+        min_distance.check(&self.mesh)?;
         let step = Step::new(&self.mesh, x0, x1)?;
         if let Some(start_check) = &mut self.start_check {
             start_check.examine(self.search.broad_phase(), &step, self.search.can_collide())?;
         }
         Ok(Begun {
             step,
+            min_distance,
+            until: options.until,
             search: &mut self.search,
             start_check: self.start_check.as_mut(),
         })
@@ -267,14 +254,24 @@ impl<B: BroadPhase> Detector<B> {
 /// A step after the check of its start, and the search in it.
 pub(crate) struct Begun<'a, B> {
     pub(crate) step: Step<'a>,
+    min_distance: MinDistance,
+    until: f64,
     pub(crate) search: &'a mut CulledSearch<B>,
     start_check: Option<&'a mut StartCheck>,
 }
 
 impl<B: BroadPhase> Begun<'_, B> {
+    /// The collector after the search.
+    fn run<C: Collect>(&mut self, collector: C) -> C {
+        self.search.run(&self.step, &self.min_distance, &collector);
+        collector
+    }
+
     /// Takes the positions to which no pair touches from the start of the step.
     pub(crate) fn found_free(&mut self, x1: &[Point]) {
-        if let Some(start_check) = &mut self.start_check {
+        if let Some(start_check) = &mut self.start_check
+            && self.until >= 1.0
+        {
             start_check.add_end_of_free(x1, self.search.can_collide());
         }
     }

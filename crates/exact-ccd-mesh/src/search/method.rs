@@ -7,9 +7,8 @@ use exact_ccd::batch::Trajectories;
 use exact_ccd::{Ccd, Decide, EdgeEdge, Kind, VertexEdge, VertexFace, VertexVertex};
 use rayon::prelude::*;
 
-use super::narrow_phase::NarrowPhase;
 use crate::mesh::TriangleMesh;
-use crate::pairs::{ByKind, MinDistance, PairKind};
+use crate::pairs::{ByKind, PairKind};
 use crate::steps::Step;
 
 /// The number of pairs that a thread examines between two checks for the end of the search: methods
@@ -55,20 +54,22 @@ impl Posed for VertexVertex {
     }
 }
 
-/// Returns true if none of the pairs touches in the step, according to a method.
-pub(crate) fn is_free(method: &dyn Ccd, pairs: &ByKind<Vec<[u32; 2]>>, step: &Step<'_>) -> bool {
-    let narrow_phase = NarrowPhase::of(step, MinDistance::default());
-    let (mesh, x) = (step.mesh(), narrow_phase.trajectories());
-    !has_collision::<VertexFace, _>(method, mesh, x, &pairs.vertex_face)
-        && !has_collision::<EdgeEdge, _>(method, mesh, x, &pairs.edge_edge)
-        && !has_collision::<VertexEdge, _>(method, mesh, x, &pairs.vertex_edge)
-        && !has_collision::<VertexVertex, _>(method, mesh, x, &pairs.vertex_vertex)
+/// Returns true if any of the pairs is in contact in the step, according to a method.
+pub(crate) fn collides(method: &dyn Ccd, pairs: &ByKind<Vec<[u32; 2]>>, step: &Step<'_>) -> bool {
+    let (mesh, x) = (step.mesh(), &trajectories(step));
+    has_collision::<VertexFace, _>(method, mesh, x, &pairs.vertex_face)
+        || has_collision::<EdgeEdge, _>(method, mesh, x, &pairs.edge_edge)
+        || has_collision::<VertexEdge, _>(method, mesh, x, &pairs.vertex_edge)
+        || has_collision::<VertexVertex, _>(method, mesh, x, &pairs.vertex_vertex)
 }
 
 /// The earliest time of impact of the pairs in the step, according to a method.
-pub(crate) fn earliest_time(method: &dyn Ccd, pairs: &ByKind<Vec<[u32; 2]>>, step: &Step<'_>) -> Option<f64> {
-    let narrow_phase = NarrowPhase::of(step, MinDistance::default());
-    let (mesh, x) = (step.mesh(), narrow_phase.trajectories());
+pub(crate) fn time_of_impact(
+    method: &dyn Ccd,
+    pairs: &ByKind<Vec<[u32; 2]>>,
+    step: &Step<'_>,
+) -> Option<f64> {
+    let (mesh, x) = (step.mesh(), &trajectories(step));
     let times = [
         earliest::<VertexFace, _>(method, mesh, x, &pairs.vertex_face),
         earliest::<EdgeEdge, _>(method, mesh, x, &pairs.edge_edge),
@@ -76,6 +77,11 @@ pub(crate) fn earliest_time(method: &dyn Ccd, pairs: &ByKind<Vec<[u32; 2]>>, ste
         earliest::<VertexVertex, _>(method, mesh, x, &pairs.vertex_vertex),
     ];
     times.into_iter().flatten().reduce(f64::min)
+}
+
+fn trajectories(step: &Step<'_>) -> Trajectories {
+    let [x0, x1] = step.positions();
+    Trajectories::new(x0, x1).expect("a step has as many positions at both ends, and all are finite")
 }
 
 /// Returns true if a method decides that any of the pairs collides.

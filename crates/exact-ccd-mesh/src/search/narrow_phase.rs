@@ -22,25 +22,26 @@ const CHUNK: usize = 256;
 
 impl NarrowPhase {
     /// A narrow phase without a step, for the pairs that can collide.
-    pub(crate) fn new(can_collide: CanCollide, min_distance: MinDistance) -> Self {
+    pub(crate) fn new(can_collide: CanCollide) -> Self {
         let trajectories =
             Trajectories::new(&[], &[]).expect("there are as many positions at both ends: none");
         Self {
             can_collide,
-            min_distance,
+            min_distance: MinDistance::default(),
             trajectories,
         }
     }
 
     /// The narrow phase of a step, for all pairs.
     pub(crate) fn of(step: &Step<'_>, min_distance: MinDistance) -> Self {
-        let mut narrow_phase = Self::new(CanCollide::all(), min_distance);
-        narrow_phase.begin(step);
+        let mut narrow_phase = Self::new(CanCollide::all());
+        narrow_phase.begin(step, min_distance);
         narrow_phase
     }
 
-    /// Takes the positions of another step.
-    pub(crate) fn begin(&mut self, step: &Step<'_>) {
+    /// Takes the positions of another step, and the distance at which primitives touch in it.
+    pub(crate) fn begin(&mut self, step: &Step<'_>, min_distance: MinDistance) {
+        self.min_distance = min_distance;
         let [x0, x1] = step.positions();
         self.trajectories
             .set(x0, x1)
@@ -49,14 +50,6 @@ impl NarrowPhase {
 
     pub(crate) fn can_collide(&self) -> &CanCollide {
         &self.can_collide
-    }
-
-    pub(crate) fn min_distance(&self) -> &MinDistance {
-        &self.min_distance
-    }
-
-    pub(crate) fn trajectories(&self) -> &Trajectories {
-        &self.trajectories
     }
 
     /// Calls `found` with each pair that first comes within its minimum distance at a time not after `until`.
@@ -116,7 +109,7 @@ impl NarrowPhase {
             }
             self.trajectories
                 .collisions::<K>(&queries[..count], options, |index, collision| {
-                    found(kept[index], Approach::new(collision, inner));
+                    found(kept[index], Approach::new(collision, inner, until));
                 })
                 .expect("a mesh has the vertices of its primitives, and each has a thickness");
         }
@@ -137,7 +130,7 @@ impl NarrowPhase {
         let vertices = K::vertices(mesh, ids)?;
         let query = self.trajectories.query::<K>(vertices)?;
         let collision = query.collision(self.min_distance.between::<K>(mesh, &vertices))?;
-        let collision = Approach::new(collision, self.min_distance.inner()).contact()?;
+        let collision = Approach::new(collision, self.min_distance.inner(), 1.0).contact()?;
         Some(Contact::new(K::pair(ids), &collision))
     }
 }

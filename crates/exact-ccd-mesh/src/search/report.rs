@@ -37,7 +37,7 @@ pub struct StepReport {
 /// there is one, [`Detector`](crate::Detector) is faster.
 ///
 /// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
-/// [`crossings`](crate::crossings) finds such edges.
+/// [`intersections`](crate::intersections) finds such edges.
 ///
 /// ```
 /// use exact_ccd_mesh::{Pair, TriangleMesh, step};

@@ -4,7 +4,7 @@ use exact_ccd::{EdgeEdge, Point, Query, TimeOutOfStep, VertexFace};
 
 use crate::broad_phase::{TooManyPrimitives, check_primitive_count};
 use crate::mesh::{PositionsError, TriangleMesh, check_positions};
-use crate::pairs::PairKind;
+use crate::pairs::{PairKind, ThicknessCount};
 
 /// A mesh whose vertices move in straight lines, at constant speed, from t = 0 to t = 1.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +23,7 @@ pub enum StepError {
     /// The positions at t = 1 do not fit the mesh.
     #[error("at the end, {0}")]
     End(#[source] PositionsError),
-    /// An edge passes through a face at t = 0: see [`crossings`](crate::crossings). Only a detector with
+    /// An edge passes through a face at t = 0: see [`Meeting`](crate::Meeting). Only a detector with
     /// [`Detector::with_start_check`](crate::Detector::with_start_check) has this error.
     #[error(
         "at the start, edge {edge} ({}, {}) passes through face {face} ({}, {}, {}): begin at positions \
@@ -43,6 +43,9 @@ pub enum StepError {
     /// The mesh is too large.
     #[error(transparent)]
     TooManyPrimitives(#[from] TooManyPrimitives),
+    /// The minimum distance does not fit the mesh.
+    #[error(transparent)]
+    ThicknessCount(#[from] ThicknessCount),
     /// The time until which contacts are searched is not in [0, 1].
     #[error(transparent)]
     Time(#[from] TimeOutOfStep),

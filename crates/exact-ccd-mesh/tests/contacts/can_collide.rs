@@ -1,5 +1,6 @@
 //! Every search examines only the pairs that can collide.
 
+use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
     BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Detector, Pair, StepReport, TriangleMesh,
 };
@@ -108,7 +109,7 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
                     .with_boxes(boxes)
                     .with_can_collide(can_collide.clone());
                 let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
-                assert_eq!(candidates.contacts(step), expected);
+                assert_eq!(candidates.collisions(step, CONTACT), expected);
                 let report = StepReport::with_options(step, &Bvh, &options, &|_| ()).unwrap();
                 assert_eq!(report.candidates, candidates.counts());
                 assert_eq!(report.colliding.total(), expected.len());
@@ -117,17 +118,17 @@ fn contacts_are_those_of_the_pairs_that_can_collide() {
 
             let counts = |pair: Pair| rule.is_allowed(&scene.mesh, pair);
             let mut open = Detector::new(scene.mesh.clone());
-            let is_free = open.is_free_of(&scene.x0, &scene.x1, counts).unwrap();
-            assert_eq!(is_free, !all.iter().any(|contact| counts(contact.pair)));
+            let collides = open.collides_if(&scene.x0, &scene.x1, CONTACT, counts).unwrap();
+            assert_eq!(collides, all.iter().any(|contact| counts(contact.pair)));
             let mut detector = Detector::new(scene.mesh.clone()).with_can_collide(can_collide.clone());
             for _ in 0..2 {
                 let (x0, x1) = (&scene.x0, &scene.x1);
-                assert_eq!(detector.contacts(x0, x1, 1.0).unwrap(), expected);
+                assert_eq!(detector.collisions(x0, x1, CONTACT).unwrap(), expected);
                 assert_eq!(
-                    detector.earliest_contact(x0, x1).unwrap(),
+                    detector.collision(x0, x1, CONTACT).unwrap(),
                     expected.first().copied()
                 );
-                assert_eq!(detector.is_free(x0, x1).unwrap(), expected.is_empty());
+                assert_eq!(detector.collides(x0, x1, CONTACT).unwrap(), !expected.is_empty());
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use exact_ccd::{Ccd, Decide, EdgeEdge, Exact, VertexFace};
+use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
     AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Detector, Pair, Step, StepError,
     Sweep, TriangleMesh,
@@ -22,9 +22,9 @@ fn contacts_of_candidates_are_those_of_all_pairs() {
         let step = scene.step();
         let expected = contacts(step, &scene.pairs());
         let candidates = Candidates::new(step, &Bvh);
-        assert_eq!(candidates.contacts(step), expected);
-        assert_eq!(candidates.earliest_contact(step), expected.first().copied());
-        assert_eq!(candidates.is_free(step), expected.is_empty());
+        assert_eq!(candidates.collisions(step, CONTACT), expected);
+        assert_eq!(candidates.collision(step, CONTACT), expected.first().copied());
+        assert_eq!(candidates.collides(step, CONTACT), !expected.is_empty());
         for until in [-0.0, 0.0, 0.3, 1.0]
             .into_iter()
             .chain(expected.iter().map(|contact| contact.impact.time.lower()))
@@ -38,14 +38,29 @@ fn contacts_of_candidates_are_those_of_all_pairs() {
                 .copied()
                 .collect();
             between += usize::from(!until_then.is_empty() && until_then.len() < expected.len());
-            assert_eq!(candidates.contacts_until(step, until), Ok(until_then), "{until}");
+            let options = CONTACT.until(until);
+            let mut detector = Detector::new(scene.mesh.clone());
+            let (x0, x1) = (&scene.x0, &scene.x1);
+            let (any, first) = (!until_then.is_empty(), until_then.first().copied());
+            assert_eq!(candidates.collides(step, options), any, "{until}");
+            assert_eq!(candidates.collision(step, options), first, "{until}");
+            assert_eq!(candidates.collisions(step, options), until_then, "{until}");
+            assert_eq!(detector.collides(x0, x1, options), Ok(any), "{until}");
+            assert_eq!(detector.collision(x0, x1, options), Ok(first), "{until}");
+            assert_eq!(detector.collisions(x0, x1, options), Ok(until_then), "{until}");
         }
         for time in [-5e-324, -1.0, 1.0f64.next_up(), f64::INFINITY, f64::NAN] {
-            let error = candidates.contacts_until(step, time).unwrap_err();
-            assert_eq!(error.time.to_bits(), time.to_bits());
-            let of_detector = Detector::new(scene.mesh.clone()).contacts(&scene.x0, &scene.x1, time);
+            let options = CONTACT.until(time);
+            let until_then = if time > 1.0 { &expected[..] } else { &[] };
+            assert_eq!(candidates.collisions(step, options), until_then, "{time}");
+            assert_eq!(
+                candidates.collides(step, options),
+                !until_then.is_empty(),
+                "{time}"
+            );
+            let of_detector = Detector::new(scene.mesh.clone()).collisions(&scene.x0, &scene.x1, options);
             assert!(
-                matches!(of_detector, Err(StepError::Time(_))),
+                matches!(of_detector, Err(StepError::Time(error)) if error.time.to_bits() == time.to_bits()),
                 "{time}: {of_detector:?}"
             );
         }
@@ -72,11 +87,14 @@ fn methods_decide_candidates_one_by_one() {
                 Decide::<EdgeEdge>::time_of_impact(method, &query)
             });
             let expected = faces.chain(edges).reduce(f64::min);
-            assert_eq!(candidates.earliest_time_by(step, method), expected);
-            assert_eq!(candidates.is_free_by(step, method), expected.is_none());
+            assert_eq!(candidates.time_of_impact_by(step, method), expected);
+            assert_eq!(candidates.collides_by(step, method), expected.is_some());
             free += usize::from(expected.is_none());
         }
-        assert_eq!(candidates.is_free_by(step, &Exact), candidates.is_free(step));
+        assert_eq!(
+            candidates.collides_by(step, &Exact),
+            candidates.collides(step, CONTACT)
+        );
     }
     assert!(free > 10 && free < 290, "{free}");
 }
@@ -119,8 +137,8 @@ fn the_number_of_threads_does_not_matter() {
         let [on_one, on_two, on_five] = [1, 2, 5].map(|threads| {
             on_threads(threads, || {
                 let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
-                let contacts = candidates.contacts(step);
-                assert_eq!(candidates.earliest_contact(step), contacts.first().copied());
+                let contacts = candidates.collisions(step, CONTACT);
+                assert_eq!(candidates.collision(step, CONTACT), contacts.first().copied());
                 (candidates, contacts)
             })
         });
@@ -145,10 +163,10 @@ fn pairs_that_a_mesh_does_not_have_are_no_contacts() {
         })
         .collect();
     assert_eq!(nonsense.counts().total(), 12);
-    assert!(nonsense.is_free(scene.step()));
-    assert!(nonsense.is_free_by(scene.step(), &Odd));
-    assert_eq!(nonsense.contacts(scene.step()), []);
-    assert_eq!(nonsense.earliest_time_by(scene.step(), &Exact), None);
+    assert!(!nonsense.collides(scene.step(), CONTACT));
+    assert!(!nonsense.collides_by(scene.step(), &Odd));
+    assert_eq!(nonsense.collisions(scene.step(), CONTACT), []);
+    assert_eq!(nonsense.time_of_impact_by(scene.step(), &Exact), None);
     assert!(Candidates::default().is_empty());
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
     CanCollide, Detector, FreeStep, FreeStepOptions, LineSearch, LineSearchError, Point, PositionsError,
     Step, StepError, TriangleMesh, advance, step_size,
@@ -26,7 +27,7 @@ fn check(
     at: impl Fn(f64) -> Vec<Point>,
 ) {
     let mut detector = Detector::new(mesh.clone());
-    assert_eq!(found.contact, detector.earliest_contact(x0, x1).unwrap());
+    assert_eq!(found.contact, detector.collision(x0, x1, CONTACT).unwrap());
     let Some(contact) = found.contact else {
         assert_eq!((found.size, &found.positions[..]), (1.0, x1));
         assert!(is_free(mesh, x0, x1));
@@ -43,7 +44,7 @@ fn check(
         return;
     }
     assert_eq!(found.positions, at(found.size));
-    assert!(detector.is_free(x0, &found.positions).unwrap());
+    assert_eq!(detector.collides(x0, &found.positions, CONTACT), Ok(false));
     assert!(is_free(mesh, x0, &found.positions));
 }
 

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_mesh::{
-    CanCollide, Detector, FreeStepOptions, Intersection, LineSearchError, Point, StepError, TriangleMesh,
-    intersections,
+    Bvh, CanCollide, Detector, FreeStepOptions, Intersection, IntersectionOptions, LineSearchError, Point,
+    StepError, TriangleMesh, intersections,
 };
 use fastrand::Rng;
 
@@ -20,6 +20,11 @@ fn above(z: f64) -> Vec<Point> {
 
 fn two_faces() -> TriangleMesh {
     TriangleMesh::new(6, vec![[0, 1, 2], [3, 4, 5]]).unwrap()
+}
+
+/// The edges and faces that touch.
+fn touching(mesh: &TriangleMesh, x: &[Point]) -> Vec<Intersection> {
+    intersections(mesh, x, &Bvh, &IntersectionOptions::default()).unwrap()
 }
 
 /// The first edge and face that meet without a vertex of one or a side of the other in contact.
@@ -39,17 +44,14 @@ fn crossing(mesh: &TriangleMesh, x: &[Point]) -> Option<Intersection> {
         });
         in_face || on_side
     };
-    intersections(mesh, x)
-        .unwrap()
-        .into_iter()
-        .find(|pair| !touches(pair))
+    touching(mesh, x).into_iter().find(|pair| !touches(pair))
 }
 
 #[test]
 fn every_answer_names_the_edge_and_the_face_at_a_pierced_start() {
     let (pierced, end) = (above(-1.0), above(-1.5));
     let mut off = Detector::new(two_faces());
-    assert_eq!(off.is_free(&pierced, &end), Ok(true));
+    assert_eq!(off.collides(&pierced, &end, CONTACT), Ok(false));
     let options = FreeStepOptions::default();
     assert_eq!(off.free_step(&pierced, &end, &options).unwrap().size, 1.0);
 
@@ -65,10 +67,10 @@ fn every_answer_names_the_edge_and_the_face_at_a_pierced_start() {
         "at the start, edge 3 (3, 4) passes through face 0 (0, 1, 2): begin at positions where no edge does, \
          or leave this pair out of those that can collide"
     );
-    assert_eq!(on.is_free(&pierced, &end), Err(expected));
-    assert_eq!(on.is_free_of(&pierced, &end, |_| true), Err(expected));
-    assert_eq!(on.earliest_contact(&pierced, &end), Err(expected));
-    assert_eq!(on.contacts(&pierced, &end, 1.0), Err(expected));
+    assert_eq!(on.collides(&pierced, &end, CONTACT), Err(expected));
+    assert_eq!(on.collides_if(&pierced, &end, CONTACT, |_| true), Err(expected));
+    assert_eq!(on.collision(&pierced, &end, CONTACT), Err(expected));
+    assert_eq!(on.collisions(&pierced, &end, CONTACT), Err(expected));
     let expected = LineSearchError::Step(expected);
     assert_eq!(on.free_step(&pierced, &end, &options), Err(expected));
     let direction = vec![[0.0, 0.0, -0.5]; 6];
@@ -76,7 +78,7 @@ fn every_answer_names_the_edge_and_the_face_at_a_pierced_start() {
 
     // Without the pair, nothing crosses.
     let mut apart = on.with_can_collide(CanCollide::different_groups(vec![0; 6]));
-    assert_eq!(apart.is_free(&pierced, &end), Ok(true));
+    assert_eq!(apart.collides(&pierced, &end, CONTACT), Ok(false));
 }
 
 /// A vertex in a face and an edge through a side are contacts at t = 0.
@@ -85,9 +87,9 @@ fn what_touches_at_the_start_is_contact() {
     let mut detector = Detector::new(two_faces()).with_start_check(true);
     let through_a_side = [FLOOR, [[1.0, 0.0, -1.0], [1.0, 0.0, 1.0], [1.0, -1.0, 1.0]]].concat();
     for x in [above(0.0), through_a_side] {
-        let contact = detector.earliest_contact(&x, &x).unwrap().unwrap();
+        let contact = detector.collision(&x, &x, CONTACT).unwrap().unwrap();
         assert!(contact.impact.touching_at_start());
-        assert_eq!(detector.is_free(&x, &x), Ok(false));
+        assert_eq!(detector.collides(&x, &x, CONTACT), Ok(true));
     }
 }
 
@@ -98,9 +100,9 @@ fn known_positions_need_no_pass() {
     let mut x = above(8.0);
     for _ in 0..8 {
         // Blocked, then free: both from the same start.
-        assert_eq!(detector.is_free(&x, &above(-1.0)), Ok(false));
+        assert_eq!(detector.collides(&x, &above(-1.0), CONTACT), Ok(true));
         x = detector.free_step(&x, &above(-1.0), &options).unwrap().positions;
-        assert_eq!(detector.earliest_contact(&x, &x), Ok(None));
+        assert_eq!(detector.collision(&x, &x, CONTACT), Ok(None));
     }
     assert_eq!(detector.start_passes(), 1);
     // Other bits, even of equal numbers.
@@ -108,22 +110,26 @@ fn known_positions_need_no_pass() {
         .iter()
         .map(|point| point.map(|x| if x == 0.0 { -0.0 } else { x }))
         .collect::<Vec<_>>();
-    assert_eq!(detector.is_free(&negative, &x), Ok(true));
+    assert_eq!(detector.collides(&negative, &x, CONTACT), Ok(false));
     assert_eq!(detector.start_passes(), 2);
-    // The end of a step that is not free, and of one of which some pairs do not count.
-    assert_eq!(detector.is_free(&x, &above(-1.0)), Ok(false));
-    assert_eq!(detector.is_free_of(&x, &above(-1.0), |_| false), Ok(true));
+    // The end of a step that is not free, of one of which some pairs or late contacts do not count.
+    assert_eq!(detector.collides(&x, &above(-1.0), CONTACT), Ok(true));
+    assert_eq!(
+        detector.collides_if(&x, &above(-1.0), CONTACT, |_| false),
+        Ok(false)
+    );
+    assert_eq!(detector.collides(&x, &above(-1.0), CONTACT.until(0.0)), Ok(false));
     assert!(matches!(
-        detector.is_free(&above(-1.0), &x),
+        detector.collides(&above(-1.0), &x, CONTACT),
         Err(StepError::Crossing { edge: 3, face: 0, .. })
     ));
     assert_eq!(detector.start_passes(), 3);
     // Other pairs: what was known is forgotten.
     detector.set_can_collide(CanCollide::new(|_, _| true));
-    assert_eq!(detector.is_free(&x, &above(0.5)), Ok(true));
+    assert_eq!(detector.collides(&x, &above(0.5), CONTACT), Ok(false));
     assert_eq!(detector.start_passes(), 4);
     // A predicate might leave out the vertex and the face that came into contact, but not edge and face.
-    assert_eq!(detector.is_free(&above(0.5), &x), Ok(true));
+    assert_eq!(detector.collides(&above(0.5), &x, CONTACT), Ok(false));
     assert_eq!(detector.start_passes(), 5);
 }
 
@@ -135,9 +141,9 @@ fn a_crossing_that_a_predicate_has_let_through_is_found() {
     let mut detector = Detector::new(two_faces())
         .with_can_collide(can_collide)
         .with_start_check(true);
-    assert_eq!(detector.is_free(&above(1.0), &above(-1.0)), Ok(true));
+    assert_eq!(detector.collides(&above(1.0), &above(-1.0), CONTACT), Ok(false));
     assert!(matches!(
-        detector.is_free(&above(-1.0), &above(-1.0)),
+        detector.collides(&above(-1.0), &above(-1.0), CONTACT),
         Err(StepError::Crossing { edge: 3, face: 0, .. })
     ));
 }
@@ -149,7 +155,7 @@ fn random_starts_agree_with_a_loop_over_all_edges_and_faces() {
     for _ in 0..400 {
         let scene = Scene::pieces(&mut random).0;
         let mut detector = Detector::new(scene.mesh.clone()).with_start_check(true);
-        let found = detector.earliest_contact(&scene.x0, &scene.x1);
+        let found = detector.collision(&scene.x0, &scene.x1, CONTACT);
         match crossing(&scene.mesh, &scene.x0) {
             Some(Intersection { edge: e, face: f }) => {
                 assert!(
@@ -158,9 +164,9 @@ fn random_starts_agree_with_a_loop_over_all_edges_and_faces() {
                 pierced += 1;
             }
             None => {
-                let expected = Detector::new(scene.mesh.clone()).earliest_contact(&scene.x0, &scene.x1);
+                let expected = Detector::new(scene.mesh.clone()).collision(&scene.x0, &scene.x1, CONTACT);
                 assert_eq!(found, expected);
-                touching += usize::from(!intersections(&scene.mesh, &scene.x0).unwrap().is_empty());
+                touching += usize::from(!self::touching(&scene.mesh, &scene.x0).is_empty());
                 free += usize::from(found == Ok(None));
             }
         }
@@ -187,7 +193,7 @@ fn free_steps_keep_crossings_away() {
             let taken = detector.free_step(&x, &end, &options).unwrap();
             blocked += usize::from(taken.contact.is_some());
             x = taken.positions;
-            assert_eq!(intersections(&mesh, &x).unwrap(), []);
+            assert_eq!(touching(&mesh, &x), []);
         }
         assert_eq!(detector.start_passes(), 1);
     }

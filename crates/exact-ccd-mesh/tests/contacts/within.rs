@@ -1,9 +1,9 @@
 //! Contacts within a minimum distance, compared with loops over all pairs.
 
-use exact_ccd::{Separation, Thickness};
+use exact_ccd::{CONTACT, Options, Separation, Thickness};
 use exact_ccd_mesh::{
     AllPairs, Audit, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Frame,
-    FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Point, Step, StepReport, Sweep,
+    FreeStepOptions, LineSearch, MinDistance, Pair, PairCounts, Point, Step, StepError, StepReport, Sweep,
     ThicknessCount, TriangleMesh, Violation, step_size,
 };
 use fastrand::Rng;
@@ -44,18 +44,48 @@ fn answers_are_those_of_all_pairs() {
         let (scene, scale) = Scene::mixed(&mut random);
         let (mesh, step) = (&scene.mesh, scene.step());
         let all = scene.pairs();
+        let mut detector = Detector::new(mesh.clone());
         for min_distance in min_distances(&mut random, mesh.vertex_count(), scale) {
             let expected = contacts_within(step, &all, &min_distance);
             let earliest = expected.first().copied();
             let name = format!("case {case}, {min_distance:?}");
 
-            let mut detector = Detector::new(mesh.clone())
-                .with_min_distance(min_distance.clone())
-                .unwrap();
             let (x0, x1) = (&scene.x0[..], &scene.x1[..]);
-            assert_eq!(detector.earliest_contact(x0, x1).unwrap(), earliest, "{name}");
-            assert_eq!(detector.is_free(x0, x1).unwrap(), expected.is_empty(), "{name}");
-            assert_eq!(detector.contacts(x0, x1, 1.0).unwrap(), expected, "{name}");
+            let within = || Options::within(min_distance.clone());
+            let until = random.f64();
+            let until_then: Vec<_> = expected
+                .iter()
+                .copied()
+                .filter(|contact| {
+                    let time = contact.impact.time;
+                    time.lower() < until || time.is_exact() && time.lower() == until
+                })
+                .collect();
+            // Memory of another distance does not matter.
+            assert_eq!(detector.collision(x0, x1, within()).unwrap(), earliest, "{name}");
+            assert_eq!(
+                detector.collides(x0, x1, within()),
+                Ok(!expected.is_empty()),
+                "{name}"
+            );
+            assert_eq!(detector.collisions(x0, x1, within()).unwrap(), expected, "{name}");
+            let any = !until_then.is_empty();
+            assert_eq!(
+                detector.collides(x0, x1, within().until(until)),
+                Ok(any),
+                "{name}"
+            );
+            let first = until_then.first().copied();
+            assert_eq!(
+                detector.collision(x0, x1, within().until(until)),
+                Ok(first),
+                "{name}"
+            );
+            assert_eq!(
+                detector.collisions(x0, x1, within().until(until)),
+                Ok(until_then),
+                "{name}"
+            );
 
             for boxes in [BoxKind::Swept, BoxKind::Moving] {
                 let options = CandidateOptions::default()
@@ -70,13 +100,21 @@ fn answers_are_those_of_all_pairs() {
                     Candidates::with_options(step, &AllPairs, &options).unwrap(),
                     candidates
                 );
-                assert_eq!(candidates.contacts(step), expected, "{name}");
-                assert_eq!(candidates.earliest_contact(step), earliest, "{name}");
-                assert_eq!(candidates.is_free(step), expected.is_empty(), "{name}");
+                assert_eq!(candidates.collisions(step, within()), expected, "{name}");
+                assert_eq!(candidates.collision(step, within()), earliest, "{name}");
+                assert_eq!(
+                    candidates.collides(step, within()),
+                    !expected.is_empty(),
+                    "{name}"
+                );
                 let end = step.at(random.f64());
                 let shorter = Step::new(mesh, x0, &end).unwrap();
                 let expected_before = contacts_within(shorter, &all, &min_distance);
-                assert_eq!(candidates.contacts(shorter), expected_before, "{name}");
+                assert_eq!(
+                    candidates.collisions(shorter, within()),
+                    expected_before,
+                    "{name}"
+                );
 
                 let report = StepReport::with_options(step, &Bvh, &options, &|_| ()).unwrap();
                 assert_eq!(report.candidates, candidates.counts(), "{name}");
@@ -119,9 +157,8 @@ fn a_larger_distance_has_all_contacts_of_a_smaller_one_and_no_later_ones() {
         let mut detector = Detector::new(scene.mesh.clone());
         let mut last: Option<Vec<Contact>> = None;
         for d in [0.0, 0.05, 0.125, 0.2, 0.5] {
-            let min_distance = MinDistance::uniform(separation(scale * d));
-            detector = detector.with_min_distance(min_distance).unwrap();
-            let contacts = detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap();
+            let options = Options::within(separation(scale * d));
+            let contacts = detector.collisions(&scene.x0, &scene.x1, options).unwrap();
             for before in last.iter().flatten() {
                 let now = contacts.iter().find(|now| now.pair == before.pair).unwrap();
                 assert!(now.impact.time <= before.impact.time);
@@ -140,9 +177,7 @@ fn free_steps_are_free_within_the_distance() {
     for _ in 0..20 {
         let (scene, scale) = Scene::mixed(&mut random);
         for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.2 * scale) {
-            let mut detector = Detector::new(scene.mesh.clone())
-                .with_min_distance(min_distance.clone())
-                .unwrap();
+            let mut detector = Detector::new(scene.mesh.clone());
             let mut now = Scene {
                 mesh: scene.mesh.clone(),
                 x0: scene.x0.clone(),
@@ -150,6 +185,7 @@ fn free_steps_are_free_within_the_distance() {
             };
             for keep in [1.0, 0.5, 1.0] {
                 let options = FreeStepOptions::default().with_keep(keep);
+                let options = options.with_min_distance(min_distance.clone());
                 let all = now.pairs();
                 let free = detector.free_step(&now.x0, &now.x1, &options).unwrap();
                 let expected = contacts_within(now.step(), &all, &min_distance);
@@ -194,17 +230,16 @@ fn audits_certify_the_distance() {
     for _ in 0..90 {
         let (scene, scale) = Scene::mixed(&mut random);
         for min_distance in min_distances(&mut random, scene.mesh.vertex_count(), 0.1 * scale) {
-            let detector = Detector::new(scene.mesh.clone());
-            let mut detector = detector.with_min_distance(min_distance.clone()).unwrap();
-            let free = detector
-                .free_step(&scene.x0, &scene.x1, &FreeStepOptions::default())
-                .unwrap();
+            let mut detector = Detector::new(scene.mesh.clone());
+            let options = FreeStepOptions::default().with_min_distance(min_distance.clone());
+            let free = detector.free_step(&scene.x0, &scene.x1, &options).unwrap();
             let frame = |x: &[Point]| Frame {
                 mesh: scene.mesh.clone(),
                 positions: x.to_vec(),
             };
             let mut audit = Audit::with_min_distance(min_distance.clone());
-            let at_rest = detector.earliest_contact(&scene.x0, &scene.x0).unwrap();
+            let options = Options::within(min_distance.clone());
+            let at_rest = detector.collision(&scene.x0, &scene.x0, options).unwrap();
             let first = audit.examine(frame(&scene.x0)).unwrap();
             assert!(first.is_some() || at_rest.is_none());
             if first.is_some() {
@@ -231,13 +266,11 @@ fn the_number_of_threads_does_not_matter() {
     let min_distance = MinDistance::uniform(separation(0.45)).with_inner(separation(0.01));
     let [on_one, on_two, on_five] = [1, 2, 5].map(|threads| {
         on_threads(threads, || {
-            let mut detector = Detector::new(scene.mesh.clone())
-                .with_min_distance(min_distance.clone())
-                .unwrap();
-            let contacts = detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap();
-            let free = detector
-                .free_step(&scene.x0, &scene.x1, &FreeStepOptions::default())
-                .unwrap();
+            let mut detector = Detector::new(scene.mesh.clone());
+            let options = Options::within(min_distance.clone());
+            let contacts = detector.collisions(&scene.x0, &scene.x1, options).unwrap();
+            let options = FreeStepOptions::default().with_min_distance(min_distance.clone());
+            let free = detector.free_step(&scene.x0, &scene.x1, &options).unwrap();
             let options = CandidateOptions::default().with_min_distance(min_distance.clone());
             let report = StepReport::with_options(scene.step(), &Bvh, &options, &|_| ()).unwrap();
             assert_eq!((report.touching, report.earliest), (free.touching, free.contact));
@@ -264,13 +297,13 @@ fn loose_parts_are_in_contact_for_every_search() {
         let step = scene.step();
         let expected = contacts(step, &scene.pairs());
         let candidates = Candidates::new(step, &Bvh);
-        assert_eq!(candidates.contacts(step), expected);
+        assert_eq!(candidates.collisions(step, CONTACT), expected);
         assert_eq!(
-            candidates.is_free_by(step, &exact_ccd::Exact),
-            expected.is_empty()
+            candidates.collides_by(step, &exact_ccd::Exact),
+            !expected.is_empty()
         );
         let earliest = expected.first().map(|contact| contact.impact.time.lower());
-        assert_eq!(candidates.earliest_time_by(step, &exact_ccd::Exact), earliest);
+        assert_eq!(candidates.time_of_impact_by(step, &exact_ccd::Exact), earliest);
         assert_eq!(StepReport::new(step, &Bvh, &|_| ()).time_of_impact(), earliest);
         let direction = vec![[0.0; 3]; scene.x0.len()];
         let at_rest = step_size(&scene.mesh, &scene.x0, &direction, LineSearch::Exact).unwrap();
@@ -302,7 +335,7 @@ fn vertices_of_another_mesh_have_no_thickness() {
     let thickness = MinDistance::thickness(Thickness::new(&[0.25; 4]).unwrap());
     let options = CandidateOptions::default()
         .with_distance(4.0)
-        .with_min_distance(thickness);
+        .with_min_distance(thickness.clone());
     let step = Step::new(&mesh, &start, &start).unwrap();
     let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
     assert_eq!(candidates.vertex_face(), [[3, 0]]);
@@ -312,9 +345,10 @@ fn vertices_of_another_mesh_have_no_thickness() {
     for (heights, is_free) in [([2.0, 0.25], false), ([2.0, 0.5], true)] {
         let [x0, x1] = heights.map(at);
         let step = Step::new(&other, &x0, &x1).unwrap();
-        assert_eq!(candidates.is_free(step), is_free, "{heights:?}");
-        assert_eq!(candidates.contacts(step).len(), usize::from(!is_free));
-        assert_eq!(candidates.earliest_contact(step).is_none(), is_free);
+        let within = || Options::within(thickness.clone());
+        assert_eq!(candidates.collides(step, within()), !is_free, "{heights:?}");
+        assert_eq!(candidates.collisions(step, within()).len(), usize::from(!is_free));
+        assert_eq!(candidates.collision(step, within()).is_none(), is_free);
     }
 }
 
@@ -330,14 +364,10 @@ fn a_number_of_thicknesses_that_is_not_that_of_vertices_is_an_error() {
         expected.to_string(),
         "21 thicknesses, expected one for each of the 22 vertices"
     );
-    let detector = Detector::new(scene.mesh.clone()).with_min_distance(thickness.clone());
-    assert_eq!(detector.unwrap_err(), expected);
-    // The detector keeps its distance.
-    let near = MinDistance::uniform(separation(0.5));
-    let mut detector = Detector::new(scene.mesh.clone()).with_min_distance(near).unwrap();
-    let before = detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap();
-    assert_eq!(detector.set_min_distance(thickness.clone()), Err(expected));
-    assert_eq!(detector.contacts(&scene.x0, &scene.x1, 1.0).unwrap(), before);
+    assert_eq!(thickness.check(&scene.mesh), Err(expected));
+    let mut detector = Detector::new(scene.mesh.clone());
+    let found = detector.collides(&scene.x0, &scene.x1, Options::within(thickness.clone()));
+    assert_eq!(found, Err(StepError::ThicknessCount(expected)));
     let options = CandidateOptions::default().with_min_distance(thickness);
     let candidates = Candidates::with_options(scene.step(), &Bvh, &options);
     assert_eq!(candidates.unwrap_err(), CandidateError::ThicknessCount(expected));

@@ -1,7 +1,8 @@
 //! Reports and searches against each other and against integer arithmetic, on generated motions.
 
+use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
-    AllPairs, BroadPhase, Bvh, Candidates, Detector, Motion, Step, StepError, StepReport, Sweep, step,
+    AllPairs, BroadPhase, Bvh, Candidates, Detector, Motion, StepError, StepReport, Sweep, step,
 };
 use proptest::prelude::*;
 
@@ -10,14 +11,15 @@ use crate::report;
 use crate::truth::Truth;
 
 pub(crate) fn assert_searches_agree(motion: &Motion, report: &StepReport) {
-    fn check(step: Step<'_>, broad_phase: &impl BroadPhase, report: &StepReport) {
-        assert_eq!(step.earliest_contact(broad_phase), report.earliest);
-        assert_eq!(step.is_free(broad_phase), report.is_free());
+    fn check(motion: &Motion, broad_phase: impl BroadPhase, report: &StepReport) {
+        let (x0, x1) = (&motion.x0, &motion.x1);
+        let mut detector = Detector::with_broad_phase(motion.mesh.clone(), broad_phase);
+        assert_eq!(detector.collision(x0, x1, CONTACT), Ok(report.earliest));
+        assert_eq!(detector.collides(x0, x1, CONTACT), Ok(!report.is_free()));
     }
-    let step = motion.step().unwrap();
-    check(step, &Bvh, report);
-    check(step, &Sweep, report);
-    check(step, &AllPairs, report);
+    check(motion, Bvh, report);
+    check(motion, Sweep, report);
+    check(motion, AllPairs, report);
 }
 
 proptest! {
@@ -56,9 +58,9 @@ proptest! {
     fn answers_of_a_detector_do_not_depend_on_earlier_steps((mesh, steps) in steps()) {
         let mut detector = Detector::new(mesh.clone());
         for [x0, x1] in &steps {
-            let step = Step::new(&mesh, x0, x1).unwrap();
-            prop_assert_eq!(detector.is_free(x0, x1), Ok(step.is_free(&Bvh)));
-            prop_assert_eq!(detector.earliest_contact(x0, x1), Ok(step.earliest_contact(&Bvh)));
+            let mut other = Detector::new(mesh.clone());
+            prop_assert_eq!(detector.collides(x0, x1, CONTACT), other.collides(x0, x1, CONTACT));
+            prop_assert_eq!(detector.collision(x0, x1, CONTACT), other.collision(x0, x1, CONTACT));
         }
     }
 
@@ -68,10 +70,10 @@ proptest! {
         for [x0, x1] in &steps {
             let mut broken = x1.clone();
             broken[vertex.index(x1.len())][1] = f64::NAN;
-            prop_assert!(matches!(detector.is_free(x0, &broken), Err(StepError::End(_))));
-            prop_assert!(matches!(detector.earliest_contact(&broken, x1), Err(StepError::Start(_))));
+            prop_assert!(matches!(detector.collides(x0, &broken, CONTACT), Err(StepError::End(_))));
+            prop_assert!(matches!(detector.collision(&broken, x1, CONTACT), Err(StepError::Start(_))));
             let report = step(&mesh, x0, x1).unwrap();
-            prop_assert_eq!(detector.earliest_contact(x0, x1), Ok(report.earliest));
+            prop_assert_eq!(detector.collision(x0, x1, CONTACT), Ok(report.earliest));
         }
     }
 

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use exact_ccd::Options;
 use exact_ccd_mesh::{Audit, Pair, Point, Step, TriangleMesh, Violation};
 
 use super::SimulationError;
@@ -85,7 +86,7 @@ pub(super) fn check(system: &System, state: &State) -> Result<(), SimulationErro
     let positions = &state.positions;
     let step = Step::new(&system.surface, positions, positions).map_err(|_| not_finite())?;
     let near = system.near(step, &Barrier::new(0.0));
-    let Some(contact) = near.earliest_contact(step) else {
+    let Some(contact) = near.collision(step, Options::within(system.min_distance().clone())) else {
         return Ok(());
     };
     let primitives = of_pair(&system.surface, contact.pair);

@@ -87,7 +87,9 @@ impl Newton<'_> {
         // A direction that is not finite is rejected like one into a contact.
         let step = Step::new(surface, &now.positions, &end).map_err(|_| blocked())?;
         let candidates = self.system.near(step, &self.barrier);
-        let free = self.filter.free_part(&candidates, step);
+        let free = self
+            .filter
+            .free_part(&candidates, step, self.system.min_distance());
         let free = free.min(self.system.free_of_half_spaces(step));
         if free <= 0.0 {
             return Err(blocked());
@@ -156,7 +158,7 @@ impl Newton<'_> {
 
     /// True if a step is free of contact: between surfaces by the filter, with half spaces exactly.
     fn is_free(&self, candidates: &Candidates, step: Step<'_>) -> bool {
-        let free = self.filter.is_free(candidates, step);
+        let free = self.filter.is_free(candidates, step, self.system.min_distance());
         free && self.system.first_grounded(step.positions()[1]).is_none()
     }
 

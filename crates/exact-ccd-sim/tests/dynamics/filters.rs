@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use exact_ccd::Exact;
-use exact_ccd_mesh::{Bvh, Candidates, Point, Step, TriangleMesh};
+use exact_ccd_mesh::{Bvh, Candidates, MinDistance, Point, Step, TriangleMesh};
 use exact_ccd_methods::parity::RootParity;
 use exact_ccd_sim::{
     Body, BodyKind, Checkpoint, Settings, ShellProperties, Simulation, SimulationError, StepFilter, System,
@@ -47,13 +47,23 @@ fn every_filter_stops_short_of_the_contact() {
     let candidates = Candidates::new(step, &Bvh);
     for filter in filters() {
         let name = filter.name();
-        let size = filter.free_part(&candidates, step);
+        let size = filter.free_part(&candidates, step, &MinDistance::default());
         assert!((0.5..=0.75).contains(&size), "{name}: {size}");
-        assert!(!filter.is_free(&candidates, step), "{name}");
+        assert!(
+            !filter.is_free(&candidates, step, &MinDistance::default()),
+            "{name}"
+        );
         let middle = step.at(0.5);
         let half = Step::new(&mesh, &start, &middle).unwrap();
-        assert!(filter.is_free(&candidates, half), "{name}");
-        assert_eq!(filter.free_part(&candidates, half), 1.0, "{name}");
+        assert!(
+            filter.is_free(&candidates, half, &MinDistance::default()),
+            "{name}"
+        );
+        assert_eq!(
+            filter.free_part(&candidates, half, &MinDistance::default()),
+            1.0,
+            "{name}"
+        );
     }
 }
 
@@ -62,7 +72,10 @@ fn the_exact_filter_stops_at_the_time_of_impact() {
     let (mesh, [start, end]) = falling();
     let step = Step::new(&mesh, &start, &end).unwrap();
     let candidates = Candidates::new(step, &Bvh);
-    assert_eq!(StepFilter::default().free_part(&candidates, step), 0.75);
+    assert_eq!(
+        StepFilter::default().free_part(&candidates, step, &MinDistance::default()),
+        0.75
+    );
 }
 
 /// A motion that ends in contact is not free, and its step size is below 1.
@@ -74,9 +87,13 @@ fn a_contact_at_the_end_counts() {
         let candidates = Candidates::new(step, &Bvh);
         for filter in filters() {
             let name = filter.name();
-            let is_free = filter.is_free(&candidates, step);
+            let is_free = filter.is_free(&candidates, step, &MinDistance::default());
             // Parity may miss this contact. The step size and the decision of a filter agree.
-            assert_eq!(filter.free_part(&candidates, step) == 1.0, is_free, "{name}");
+            assert_eq!(
+                filter.free_part(&candidates, step, &MinDistance::default()) == 1.0,
+                is_free,
+                "{name}"
+            );
             assert!(!is_free || name == "parity", "{name}");
         }
     }
@@ -95,8 +112,12 @@ fn a_filter_is_observed() {
             .unwrap()
             .push((candidates.counts().total(), step.positions()[1][3][2]));
     });
-    let _ = filter.free_part(&candidates, step);
-    let _ = filter.is_free(&candidates, Step::new(&mesh, &start, &start).unwrap());
+    let _ = filter.free_part(&candidates, step, &MinDistance::default());
+    let _ = filter.is_free(
+        &candidates,
+        Step::new(&mesh, &start, &start).unwrap(),
+        &MinDistance::default(),
+    );
     let count = candidates.counts().total();
     assert_eq!(*seen.lock().unwrap(), [(count, end[3][2]), (count, start[3][2])]);
 }

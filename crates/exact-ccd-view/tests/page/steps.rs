@@ -1,5 +1,6 @@
 //! Pages of steps and of sequences of frames.
 
+use exact_ccd::CONTACT;
 use exact_ccd_mesh::{Aabb, Bvh, Candidates, Contact, Intersection, Pair, Step, TriangleMesh};
 use exact_ccd_view::{Body, Chart, Curve, History, MOST_CONTACTS, Page, PageError};
 use proptest::prelude::*;
@@ -31,7 +32,7 @@ fn moved(height: f64) -> [[f64; 3]; 6] {
 fn contacts(end: &[[f64; 3]; 6]) -> Vec<Contact> {
     let mesh = mesh();
     let step = Step::new(&mesh, &START, end).unwrap();
-    Candidates::new(step, &Bvh).contacts(step)
+    Candidates::new(step, &Bvh).collisions(step, CONTACT)
 }
 
 fn page(title: &str, end: &[[f64; 3]; 6]) -> Page {

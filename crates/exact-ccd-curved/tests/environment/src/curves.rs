@@ -3,7 +3,7 @@
 use exact_ccd::{Separation, VertexVertex};
 use exact_ccd_curved::{
     CurvedStepError, CurvedStepOptions, Polynomial, SearchError, SearchOptions, Trajectory, curved_step,
-    first_within,
+    time_of_impact,
 };
 use exact_ccd_mesh::TriangleMesh;
 
@@ -32,7 +32,7 @@ pub fn step() -> Result<u64, ()> {
 /// The same for two points.
 pub fn points() -> Result<u64, ()> {
     let curves = [parabolas()[0], Polynomial::new([[0.0; 3]; 3])];
-    match first_within::<VertexVertex, _>(&curves, Separation::default(), &SearchOptions::default()) {
+    match time_of_impact::<VertexVertex, _>(&curves, Separation::default(), &SearchOptions::default()) {
         Ok(answer) => Ok(answer.free_until.to_bits()),
         Err(SearchError::Environment) => Err(()),
         Err(error) => panic!("{error}"),

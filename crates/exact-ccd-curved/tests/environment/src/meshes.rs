@@ -1,5 +1,6 @@
 //! Triangles that move: contacts by a detector, and candidates.
 
+use exact_ccd::CONTACT;
 use exact_ccd_mesh::{
     BoxKind, Bvh, CandidateOptions, Candidates, Detector, Pair, Point, Step, Sweep, TriangleMesh,
 };
@@ -68,15 +69,15 @@ impl Scene {
             (contact.pair, time.lower().to_bits(), time.upper().to_bits())
         };
         let mut detector = Detector::new(self.mesh.clone());
-        let all = detector.contacts(x0, x1, 1.0).expect("the step is valid");
-        let earliest = detector.earliest_contact(x0, x1).expect("the step is valid");
+        let all = detector.collisions(x0, x1, CONTACT).expect("the step is valid");
+        let earliest = detector.collision(x0, x1, CONTACT).expect("the step is valid");
         let mut sweep = Detector::with_broad_phase(self.mesh.clone(), Sweep);
-        let swept = sweep.contacts(x0, x1, 1.0).expect("the step is valid");
+        let swept = sweep.collisions(x0, x1, CONTACT).expect("the step is valid");
         let among = |boxes: BoxKind| {
             let step = Step::new(&self.mesh, x0, x1).expect("the step is valid");
             let options = CandidateOptions::default().with_boxes(boxes);
             let candidates = Candidates::with_options(step, &Bvh, &options).expect("the options are valid");
-            candidates.contacts(step).iter().map(key).collect()
+            candidates.collisions(step, CONTACT).iter().map(key).collect()
         };
         [
             all.iter().map(key).collect(),
