@@ -7,16 +7,17 @@ use std::time::Duration;
 
 use clap::value_parser;
 use exact_ccd::{Ccd, Decide, EdgeEdge, VertexFace};
-use exact_ccd_compare::{Comparison, Contestant, Peer, PeerError, Report, Source, Table};
+use exact_ccd_compare::{Comparison, Contestant, Peer, Report, Source, Table};
 use exact_ccd_data::DataKind;
 use exact_ccd_methods::UnknownMethod;
 
-use crate::failure::{Failure, failures};
+use crate::failure::Failure;
 use crate::inputs::check_folder;
+use crate::json::to_json;
 use crate::output::print;
 use crate::progress::{self, during};
 
-/// Methods against each other on the queries in a folder: time and wrong answers
+/// Compare methods on the queries in a folder: time and wrong answers
 ///
 /// The folder, or folders inside of it, have query files in `edge-edge` and
 /// `vertex-face`, or `frames` of a mesh with the queried pairs in `boxes` and the
@@ -39,16 +40,17 @@ use crate::progress::{self, during};
 /// budget, answers no more; the report has a note.
 ///
 /// Exit status: 0 whatever the answers, 2 error, among them a peer that failed.
-/// With --out, the report is written anew after each data set.
+/// With --output, the report is written anew after each data set.
 #[derive(clap::Args)]
 #[command(verbatim_doc_comment)]
 pub(crate) struct Arguments {
     /// The folder.
     #[arg(value_name = "DIR")]
     folder: PathBuf,
-    /// Only these methods, separated by commas, in upper or lower case [default: all]
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
-    methods: Vec<String>,
+    /// A method that takes part, in upper or lower case; may be repeated, or several with commas between
+    /// them [default: all]
+    #[arg(long, value_name = "NAME", value_delimiter = ',', alias = "methods")]
+    method: Vec<String>,
     /// The size of the random sample of each data set and kind. Half of it are queries in contact,
     /// if there are enough.
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = value_parser!(u32).range(2..))]
@@ -60,15 +62,13 @@ pub(crate) struct Arguments {
     #[arg(long = "peer", value_name = "COMMAND")]
     peers: Vec<String>,
     /// Write the report to this folder, as Markdown, CSV and JSON, with plots.
-    #[arg(long, value_name = "REPORT_DIR")]
-    out: Option<PathBuf>,
+    #[arg(long, short, value_name = "REPORT_DIR", alias = "out")]
+    output: Option<PathBuf>,
     /// Print the report as a JSON object at the end, in place of the tables. docs/reports.md has its
     /// schema.
     #[arg(long)]
     json: bool,
 }
-
-failures! { PeerError }
 
 /// The time that a peer has to start, and for an answer beyond its budget.
 const GRACE: Duration = Duration::from_secs(60);
@@ -106,7 +106,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
                     noted += 1;
                 }
                 report.tables.push(table);
-                if let Some(folder) = &arguments.out {
+                if let Some(folder) = &arguments.output {
                     report
                         .write(folder)
                         .map_err(|source| Failure::write(folder, source))?;
@@ -119,7 +119,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         return Err(no_data_set(&arguments.folder));
     }
     if arguments.json {
-        print(&serde_json::to_string(&report).map_err(std::io::Error::from)?)?;
+        print(&to_json("bench", &report))?;
     }
     comparison.finish()?;
     Ok(ExitCode::SUCCESS)
@@ -151,23 +151,23 @@ fn contestants(arguments: &Arguments) -> Result<Vec<Contestant>, Failure> {
             return Err(Failure::new(format_args!("there are two methods called {name}")));
         }
     }
-    if arguments.methods.is_empty() {
+    if arguments.method.is_empty() {
         return Ok(contestants);
     }
     let is = |name: &str, contestant: &Contestant| contestant.name().eq_ignore_ascii_case(name);
-    for name in &arguments.methods {
+    for name in &arguments.method {
         if !contestants.iter().any(|contestant| is(name, contestant)) {
             let known = contestants.iter().map(|contestant| contestant.name().to_owned());
             let (name, known) = (name.clone(), known.collect());
             return Err(UnknownMethod { name, known }.into());
         }
     }
-    contestants.retain(|contestant| arguments.methods.iter().any(|name| is(name, contestant)));
+    contestants.retain(|contestant| arguments.method.iter().any(|name| is(name, contestant)));
     Ok(contestants)
 }
 
 /// The table of a data set and kind, if there are such queries. It is a thousand steps of progress.
-fn compare<K: DataKind>(
+fn compare<K: DataKind + 'static>(
     comparison: &mut Comparison,
     source: &Source,
     sample: u32,

@@ -8,11 +8,12 @@ use exact_ccd_data::{DataKind, QueryKind, Record, Rounding, Scene};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::distances;
 use crate::failure::Failure;
 use crate::inputs::{check_folder, check_path};
-use crate::min_distance;
+use crate::json::to_json;
 use crate::notes::Notes;
-use crate::output::print;
+use crate::output::{is_dash, print};
 use crate::progress::{self, during};
 use crate::queries::kind::Kind;
 use crate::queries::query_files::{self, Records};
@@ -21,7 +22,7 @@ use crate::queries::recognise::kind_of;
 /// The number of queries that are answered in parallel.
 const BATCH: usize = 4096;
 
-/// Query files from rows to columns and back, without loss
+/// Convert query files from rows to columns and back, without loss
 ///
 /// An input is a CSV file as of `exact-ccd queries`, a file whose name ends in
 /// .parquet, or the folder of a scene of the published data sets. All queries
@@ -60,7 +61,7 @@ pub(crate) struct Arguments {
     answers: bool,
     /// With --answers, count primitives at most D apart as touching. If D is above 0, count is the
     /// number of maximal closed intervals of times within D, and toi the first such time.
-    #[arg(long, value_name = "D", default_value = "0", requires = "answers", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", default_value = "0", requires = "answers", value_parser = distances::parse, allow_hyphen_values = true)]
     min_distance: Separation,
     /// The seventh column of CSV files, read or written, is the number of contact times instead of
     /// the ground truth: 0 or more, or -1 for infinitely many.
@@ -90,7 +91,7 @@ struct Report {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
-    if arguments.json && query_files::is_dash(&arguments.output) {
+    if arguments.json && is_dash(&arguments.output) {
         return Err(Failure::new(
             "--json needs a file of --output: with -, standard output has the queries",
         ));
@@ -106,7 +107,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         Kind::Vv => convert::<VertexVertex>(arguments, no_scene, progress),
     })?;
     if arguments.json {
-        print(&serde_json::to_string(&report).map_err(std::io::Error::from)?)?;
+        print(&to_json("convert", &report))?;
     }
     Ok(ExitCode::SUCCESS)
 }

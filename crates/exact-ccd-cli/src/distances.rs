@@ -1,8 +1,8 @@
-//! The distances in the reports of steps and audits.
+//! The distances within which pairs touch: on the command line, and in reports.
 
 use std::fmt;
 
-use exact_ccd::{DistanceBounds, Separation};
+use exact_ccd::Separation;
 use exact_ccd_mesh::MinDistance;
 use serde::Serialize;
 
@@ -17,24 +17,12 @@ pub(crate) struct Distances {
     inner_distance: Option<f64>,
 }
 
-/// Bounds of the distance that a pair has reached, as a JSON object.
-#[derive(Clone, Copy, Default, Serialize)]
-pub(crate) struct Reached {
-    pub(crate) lower: f64,
-    pub(crate) upper: f64,
-}
-
 impl Distances {
     pub(crate) fn new(min_distance: Separation, inner_distance: Option<Separation>) -> Self {
         Self {
             min_distance: min_distance.get(),
             inner_distance: inner_distance.map(Separation::get),
         }
-    }
-
-    /// Returns true if pairs touch only at contact.
-    pub(crate) fn are_zero(&self) -> bool {
-        self.min_distance == 0.0
     }
 }
 
@@ -47,33 +35,47 @@ pub(crate) fn kept(min_distance: Separation, inner_distance: Option<Separation>)
     }
 }
 
-impl From<DistanceBounds> for Reached {
-    fn from(DistanceBounds { lower, upper }: DistanceBounds) -> Self {
-        Self { lower, upper }
-    }
+/// The minimum distance that is the f64 nearest to a decimal number.
+///
+/// # Errors
+/// The reason, if the text is no number, or if the number is negative, infinite or NaN.
+pub(crate) fn parse(text: &str) -> Result<Separation, String> {
+    let d: f64 = text.parse().map_err(|_| "expected a number".to_owned())?;
+    Separation::new(d).map_err(|error| error.to_string())
 }
 
-/// A line of text.
+/// A line of text; empty for contact.
 impl fmt::Display for Distances {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "minimum distance: {}", shortest(self.min_distance))?;
-        match self.inner_distance {
-            Some(inner) => write!(f, ", and {} for pairs that start within it", shortest(inner)),
-            None => Ok(()),
+        if self.min_distance == 0.0 {
+            return Ok(());
         }
+        write!(f, "minimum distance: {}", shortest(self.min_distance))?;
+        if let Some(inner) = self.inner_distance {
+            write!(f, ", and {} for pairs that start within it", shortest(inner))?;
+        }
+        writeln!(f)
     }
 }
 
-/// The end of the text of a pair; empty for contact.
-impl fmt::Display for Reached {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [lower, upper] = [self.lower, self.upper].map(shortest);
-        if self.upper == 0.0 {
-            Ok(())
-        } else if self.lower == self.upper {
-            write!(f, ", {lower} apart")
-        } else {
-            write!(f, ", between {lower} and {upper} apart")
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn finite_numbers_of_at_least_0_are_distances() {
+        for (text, d) in [
+            ("0", 0.0),
+            ("-0", 0.0),
+            ("1e-3", 1e-3),
+            ("5e-324", 5e-324),
+            ("0.1", 0.1),
+            ("1.7976931348623157e308", f64::MAX),
+        ] {
+            assert_eq!(parse(text).unwrap().get().to_bits(), d.to_bits(), "{text}");
+        }
+        for text in ["-1", "-5e-324", "inf", "-inf", "NaN", "1e309", "", "1mm", "1,5"] {
+            assert!(parse(text).is_err(), "{text}");
         }
     }
 }

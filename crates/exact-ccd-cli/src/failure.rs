@@ -1,5 +1,6 @@
 //! Errors of the program.
 
+use std::error::Error;
 use std::fmt::Display;
 use std::io;
 use std::path::Path;
@@ -13,50 +14,24 @@ pub(crate) struct Failure {
     is_closed_pipe: bool,
 }
 
-/// Failures with the messages of other errors.
-macro_rules! failures {
-    ($($error:ty),* $(,)?) => {
-        $(impl From<$error> for $crate::failure::Failure {
-            fn from(error: $error) -> Self {
-                Self::new(error)
-            }
-        })*
-    };
-}
-#[cfg(feature = "queries")]
-pub(crate) use failures;
-
-failures! {
-    exact_ccd_files::ReadMotionError,
-    exact_ccd_mesh::CandidateError,
-    exact_ccd_mesh::StepError,
-    exact_ccd_mesh::ThicknessCount,
-    exact_ccd_view::PageError,
-}
-
-/// The limit on the size of a file is an option of the program.
-impl From<ReadError> for Failure {
-    fn from(error: ReadError) -> Self {
-        match &error {
-            ReadError::Parse { path, source } => match source.fault {
-                Fault::Size { limit } => Self::of(
-                    path,
-                    format_args!("more than {limit} bytes, the size that --max-size allows"),
-                ),
-                _ => Self::new(error),
-            },
-            _ => Self::new(error),
+/// The message of another error. The limit on the size of a file is an option of the program, and an error of
+/// input or output without a file is that of standard output.
+impl<E: Error + 'static> From<E> for Failure {
+    fn from(error: E) -> Self {
+        let any: &dyn Error = &error;
+        if let Some(source) = any.downcast_ref::<io::Error>() {
+            return Self {
+                is_closed_pipe: source.kind() == io::ErrorKind::BrokenPipe,
+                ..Self::new(format_args!("cannot write the answer: {source}"))
+            };
         }
-    }
-}
-
-/// An error of standard output.
-impl From<io::Error> for Failure {
-    fn from(source: io::Error) -> Self {
-        Self {
-            is_closed_pipe: source.kind() == io::ErrorKind::BrokenPipe,
-            ..Self::new(format_args!("cannot write the answer: {source}"))
+        if let Some(ReadError::Parse { path, source }) = any.downcast_ref()
+            && let Fault::Size { limit } = source.fault
+        {
+            let reason = format_args!("more than {limit} bytes, the size that --max-size allows");
+            return Self::of(path, reason);
         }
+        Self::new(error)
     }
 }
 

@@ -8,7 +8,8 @@ use exact_ccd_mesh::{Frame, HalfSpace, Motion, Point};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::contacts::{ContactRecord, HalfSpaceContact};
+use crate::contacts::{Bounds, ContactRecord, RecordKind, unsigned_zero};
+use crate::shortest::numbers;
 
 /// The option `--half-space`.
 #[derive(clap::Args)]
@@ -27,9 +28,7 @@ impl FromStr for HalfSpaceArgument {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let words = text.split([' ', ',']).filter(|word| !word.is_empty());
-        let numbers: Result<Vec<f64>, _> = words.map(str::parse).collect();
-        let Ok(&[x, y, z, nx, ny, nz]) = numbers.as_deref() else {
+        let Some([x, y, z, nx, ny, nz]) = numbers(text) else {
             return Err("expected six numbers: a point of the boundary, then the outward normal".to_owned());
         };
         let (point, normal) = ([x, y, z], [nx, ny, nz]);
@@ -85,10 +84,6 @@ impl HalfSpaceOption {
 }
 
 impl HalfSpaces {
-    pub(crate) fn is_empty(&self) -> bool {
-        self.half_spaces.is_empty()
-    }
-
     /// The half spaces, in the order of their numbers.
     pub(crate) fn all(&self) -> &[HalfSpace] {
         &self.half_spaces
@@ -103,10 +98,7 @@ impl HalfSpaces {
         self.pairs(|pair| {
             let position = frame.positions[pair.vertex as usize];
             let is_apart = pair.half_space.is_apart(position, self.min_distance);
-            (!is_apart).then(|| {
-                let record = pair.contact([position; 2], [0.0; 2], self.min_distance);
-                record.in_frame(index)
-            })
+            (!is_apart).then(|| pair.contact(index, [position; 2], [0.0; 2], self.min_distance))
         })
     }
 
@@ -126,7 +118,7 @@ impl HalfSpaces {
             let is_free = is_apart(start, distance) && is_apart(end, distance);
             (starts_within || !is_free).then(|| {
                 let time = pair.half_space.first_contact([start, end], distance);
-                let contact = time.map(|time| pair.contact([start, end], time, distance));
+                let contact = time.map(|time| pair.contact(0, [start, end], time, distance));
                 (starts_within, contact)
             })
         });
@@ -168,18 +160,31 @@ struct VertexHalfSpace<'a> {
 }
 
 impl VertexHalfSpace<'_> {
-    /// The record of the contact in the motion between two positions, which has its first time between two
-    /// f64, within a distance.
-    fn contact(&self, [start, end]: [Point; 2], time: [f64; 2], distance: f64) -> ContactRecord {
-        let [t, _] = time;
-        ContactRecord::of_half_space(HalfSpaceContact {
-            vertex: self.vertex,
-            half_space: self.number,
-            time,
-            point: [0, 1, 2].map(|axis| (1.0 - t) * start[axis] + t * end[axis]),
-            normal: self.half_space.unit_normal(),
+    /// The record of the contact, in a frame or in the step that begins at it, between two positions. It has
+    /// its first time between two f64, within a distance.
+    fn contact(
+        &self,
+        frame: usize,
+        [start, end]: [Point; 2],
+        [t, upper]: [f64; 2],
+        distance: f64,
+    ) -> ContactRecord {
+        let point = [0, 1, 2].map(|axis| (1.0 - t) * start[axis] + t * end[axis]);
+        ContactRecord {
+            frame,
+            kind: RecordKind::Vh,
+            ids: [Some(self.vertex), Some(self.number)],
+            vertices: [vec![self.vertex], Vec::new()],
+            mesh_vertices: [vec![self.vertex], Vec::new()],
+            time: Bounds { lower: t, upper },
+            point: Some(point.map(unsigned_zero)),
+            normal: Some(self.half_space.unit_normal().map(unsigned_zero)),
+            parameters: None,
             // A vertex that starts beyond the distance has it exactly at the first time.
-            distance: [if time == [0.0; 2] { 0.0 } else { distance }, distance],
-        })
+            distance: Bounds {
+                lower: if upper == 0.0 { 0.0 } else { distance },
+                upper: distance,
+            },
+        }
     }
 }

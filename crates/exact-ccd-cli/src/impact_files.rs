@@ -1,7 +1,5 @@
-//! The folder of `--out`: the mesh at the time of impact, and the contacts, for ParaView.
+//! The folder of `--paraview`: the mesh at the time of impact, and the contacts, for ParaView.
 
-use std::fs;
-use std::io;
 use std::path::Path;
 
 use exact_ccd_files::{FileIds, PointArray, UnstructuredGrid, write_vtp, write_vtu};
@@ -9,7 +7,7 @@ use exact_ccd_mesh::Step;
 
 use crate::contacts::ContactList;
 use crate::failure::Failure;
-use crate::output::{make_folder, write_file};
+use crate::output::{make_folder, remove_file, write_file};
 
 /// Writes `impact.vtu`, the mesh at the time of the first contact, and `contacts.vtp`, the places of the
 /// contacts with their times, normals and ids. Without a contact, there is no `impact.vtu`.
@@ -30,12 +28,7 @@ pub(crate) fn write(folder: &Path, step: Step<'_>, ids: &FileIds, list: &Contact
             write_file(&impact, |writer| write_vtu(writer, grid))?;
         }
         // The file of an earlier run would contradict this report.
-        None => match fs::remove_file(&impact) {
-            Err(source) if source.kind() != io::ErrorKind::NotFound => {
-                return Err(Failure::write(&impact, source));
-            }
-            _ => {}
-        },
+        None => remove_file(&impact)?,
     }
     let places = list.places();
     let arrays = [

@@ -1,6 +1,5 @@
 //! `exact-ccd import`: scenes of other programs as TOML files.
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -8,8 +7,8 @@ use exact_ccd_scene::{Imported, SceneError, import};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;
-use crate::output::{print, write_file};
-use crate::simulate::note;
+use crate::notes::Notes;
+use crate::output::Output;
 
 /// Convert a scene of another program to a scene of `exact-ccd simulate`
 ///
@@ -26,9 +25,8 @@ use crate::simulate::note;
 pub(crate) struct Arguments {
     /// The scene of another program.
     scene: PathBuf,
-    /// The TOML file to write [default: standard output]
-    #[arg(long, short, value_name = "FILE")]
-    output: Option<PathBuf>,
+    #[command(flatten)]
+    output: Output,
     /// The folder of the mesh files, by default that of the scene, and the folders above it.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
@@ -43,20 +41,23 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             "expected a scene of IPC, whose name ends in .txt or .ipc, or of PolyFEM, in .json",
         ));
     };
-    let Imported { toml, meshes, notes } = imported;
-    notes.iter().for_each(|text| note(text));
-    let Some(output) = &arguments.output else {
-        print(toml.trim_end())?;
-        return Ok(ExitCode::SUCCESS);
-    };
-    write_file(output, |file| file.write_all(toml.as_bytes()))?;
-    if output.parent() != Some(&meshes) {
+    let Imported {
+        toml,
+        meshes,
+        notes: facts,
+    } = imported;
+    let mut notes = Notes::default();
+    facts.iter().for_each(|text| notes.note(text.to_string()));
+    arguments.output.write(&toml)?;
+    if let Some(output) = arguments.output.file()
+        && output.parent() != Some(&meshes)
+    {
         let folder = if meshes.as_os_str().is_empty() {
             Path::new(".")
         } else {
             &meshes
         };
-        note(&format!(
+        notes.note(format!(
             "the meshes are in the folder {0}: simulate with `--meshes {0}`",
             folder.display()
         ));

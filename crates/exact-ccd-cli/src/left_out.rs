@@ -9,28 +9,29 @@ type Optional = (&'static str, &'static str, &'static str);
 
 const QUERIES: &str = "queries";
 const SIMULATE: &str = "simulate";
+const FULL: &str = "full";
 
 /// All commands that have a feature.
-const OPTIONAL: [Optional; 6] = [
+const OPTIONAL: [Optional; 8] = [
     (
         "queries",
         QUERIES,
-        "The contacts of the queries in files, by the exact method or another one",
+        "Decide the queries in files, by the exact method or another one",
     ),
     (
         "round",
         QUERIES,
-        "Queries or meshes shifted and rounded, so that differences of coordinates are exact",
+        "Shift and round queries or meshes, so that differences of coordinates are exact",
     ),
     (
         "convert",
         QUERIES,
-        "Query files from rows to columns and back, without loss",
+        "Convert query files from rows to columns and back, without loss",
     ),
     (
         "bench",
         QUERIES,
-        "Methods against each other on the queries in a folder: time and wrong answers",
+        "Compare methods on the queries in a folder: time and wrong answers",
     ),
     (
         "simulate",
@@ -42,12 +43,21 @@ const OPTIONAL: [Optional; 6] = [
         SIMULATE,
         "Convert a scene of another program to a scene of `exact-ccd simulate`",
     ),
+    (
+        "completions",
+        FULL,
+        "Print the completions of commands and options for a shell",
+    ),
+    ("man", FULL, "Print the manual page of the program"),
 ];
 
 /// The commands that this build leaves out.
 fn left_out() -> impl Iterator<Item = Optional> {
-    let [queries, simulate] = [cfg!(feature = "queries"), cfg!(feature = "simulate")];
-    let is_in = move |feature: &str| if feature == QUERIES { queries } else { simulate };
+    let is_in = |feature: &str| match feature {
+        QUERIES => cfg!(feature = "queries"),
+        SIMULATE => cfg!(feature = "simulate"),
+        _ => cfg!(feature = "full"),
+    };
     OPTIONAL
         .into_iter()
         .filter(move |(_, feature, _)| !is_in(feature))

@@ -10,22 +10,27 @@ mod contacts;
 #[cfg(feature = "queries")]
 mod convert;
 mod distances;
+#[cfg(feature = "full")]
+mod documents;
 mod failure;
 mod half_spaces;
 mod impact_files;
 #[cfg(feature = "simulate")]
 mod import;
 mod inputs;
+mod json;
 mod left_out;
-mod min_distance;
+mod mesh_arguments;
 mod notes;
 mod output;
 mod progress;
 #[cfg(feature = "queries")]
 mod queries;
+mod report;
 #[cfg(feature = "queries")]
 mod round;
 mod scene;
+mod seconds;
 mod shortest;
 #[cfg(feature = "simulate")]
 mod simulate;
@@ -42,7 +47,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand, value_parser};
 use failure::Failure;
 pub use scene::{FrameOrder, Missing};
 
-/// Exact continuous collision detection: do moving triangles touch, and when first?
+/// Detect the collisions of moving triangle meshes, exactly: if they touch, and when first.
 #[derive(Parser)]
 #[command(name = "exact-ccd", version, max_term_width = 100)]
 struct Program {
@@ -69,6 +74,10 @@ enum Command {
     Simulate(simulate::Arguments),
     #[cfg(feature = "simulate")]
     Import(import::Arguments),
+    #[cfg(feature = "full")]
+    Completions(documents::Completions),
+    #[cfg(feature = "full")]
+    Man(documents::Manual),
 }
 
 /// Runs the program with these arguments, of which the first is its name.
@@ -130,5 +139,9 @@ fn run(program: &Program, command: Option<&[OsString]>) -> Result<ExitCode, Fail
         Command::Simulate(arguments) => simulate::run(arguments, command),
         #[cfg(feature = "simulate")]
         Command::Import(arguments) => import::run(arguments),
+        #[cfg(feature = "full")]
+        Command::Completions(arguments) => documents::complete(arguments, Program::command()),
+        #[cfg(feature = "full")]
+        Command::Man(arguments) => documents::manual(arguments, Program::command()),
     })
 }

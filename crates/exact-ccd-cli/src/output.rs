@@ -3,10 +3,56 @@
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process;
 
 use crate::failure::Failure;
+
+/// The option `--output` of commands with an answer in text.
+#[derive(clap::Args)]
+pub(crate) struct Output {
+    /// Write the answer to this file, which is replaced; - is standard output.
+    #[arg(long, short, value_name = "FILE", default_value = "-")]
+    output: PathBuf,
+}
+
+impl Output {
+    /// The file, unless it is standard output.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        Some(&*self.output).filter(|file| !is_dash(file))
+    }
+
+    /// Writes the answer, with a line break at its end.
+    pub(crate) fn write(&self, text: &str) -> Result<(), Failure> {
+        match self.file() {
+            Some(file) => write_file(file, |writer| writeln!(writer, "{}", text.trim_end())),
+            None => print(text.trim_end()),
+        }
+    }
+
+    /// Writes the answer as it is computed. What is complete before an error is on standard output; a file is
+    /// unchanged then.
+    #[cfg(feature = "queries")]
+    pub(crate) fn stream<T>(
+        &self,
+        write: impl FnOnce(&mut dyn Write) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        if let Some(file) = self.file() {
+            return replace_file(file, |writer| write(writer));
+        }
+        let mut writer = BufWriter::new(io::stdout().lock());
+        let written = write(&mut writer);
+        let flushed = writer.flush();
+        let written = written?;
+        flushed?;
+        Ok(written)
+    }
+}
+
+/// Returns true for the name of standard input or output, `-`.
+pub(crate) fn is_dash(file: &Path) -> bool {
+    file == Path::new("-")
+}
 
 /// Prints the answer. A closed pipe is not a failure.
 pub(crate) fn print(text: &str) -> Result<(), Failure> {
@@ -35,6 +81,14 @@ pub(crate) fn check_folder_place(folder: &Path) -> Result<(), Failure> {
         return Err(Failure::write(folder, io::ErrorKind::NotADirectory.into()));
     }
     Ok(())
+}
+
+/// Removes a file, if there is one.
+pub(crate) fn remove_file(file: &Path) -> Result<(), Failure> {
+    match fs::remove_file(file) {
+        Err(source) if source.kind() != io::ErrorKind::NotFound => Err(Failure::write(file, source)),
+        _ => Ok(()),
+    }
 }
 
 /// Makes a folder, with those around it.
@@ -69,18 +123,18 @@ pub(crate) fn write_file_soon(
 ///
 /// The contents are written to a draft, which is synced and then renamed. A crash leaves the draft
 /// in the folder, whose name is that of the file between a point and a number.
-pub(crate) fn replace_file(
+pub(crate) fn replace_file<T>(
     file: &Path,
-    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+    write: impl FnOnce(&mut BufWriter<File>) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     replace(file, true, write)
 }
 
-fn replace(
+fn replace<T>(
     file: &Path,
     is_synced: bool,
-    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), Failure>,
-) -> Result<(), Failure> {
+    write: impl FnOnce(&mut BufWriter<File>) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     // A special file such as /dev/stdout cannot be replaced.
     let is_plain = fs::metadata(file).map_or(true, |metadata| metadata.is_file());
     let target = fs::canonicalize(file).unwrap_or_else(|_| file.to_owned());
@@ -98,17 +152,18 @@ fn replace(
     };
     let failed = |source| Failure::write(file, source);
     let mut writer = BufWriter::new(created.map_err(failed)?);
-    let written = write(&mut writer)
-        .and_then(|()| writer.flush().map_err(failed))
-        .and_then(|()| {
-            let Some(draft) = &draft else { return Ok(()) };
+    let written = write(&mut writer).and_then(|written| {
+        writer.flush().map_err(failed)?;
+        if let Some(draft) = &draft {
             let synced = if is_synced {
                 writer.get_ref().sync_all()
             } else {
                 Ok(())
             };
-            synced.and_then(|()| fs::rename(draft, &target)).map_err(failed)
-        });
+            synced.and_then(|()| fs::rename(draft, &target)).map_err(failed)?;
+        }
+        Ok(written)
+    });
     if let (Err(_), Some(draft)) = (&written, &draft) {
         // An error of the removal is ignored: the first error is the one to report.
         let _ = fs::remove_file(draft);

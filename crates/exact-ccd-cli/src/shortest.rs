@@ -11,6 +11,13 @@ pub(crate) fn shortest(value: f64) -> String {
     }
 }
 
+/// The numbers in a text, with commas or blanks between them, if there are N.
+pub(crate) fn numbers<const N: usize>(text: &str) -> Option<[f64; N]> {
+    let words = text.split([' ', ',']).filter(|word| !word.is_empty());
+    let numbers: Vec<f64> = words.map(|word| word.parse().ok()).collect::<Option<_>>()?;
+    numbers.try_into().ok()
+}
+
 #[cfg(test)]
 mod tests {
     use super::shortest;

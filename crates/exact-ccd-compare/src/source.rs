@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_data::{ColumnReader, DataError, DataKind, QueryReader, Rounding, Sample, Scene, list};
+use exact_ccd_data::{DataError, DataKind, Rounding, Sample, Scene, Seventh, is_parquet, list, open};
 use exact_ccd_mesh::{Bvh, Candidates};
 use exact_ccd_methods::parity::Rounded;
 
@@ -69,20 +69,21 @@ impl Source {
     ///
     /// # Errors
     /// If a file is missing or wrong.
-    pub fn read<K: DataKind>(&self, most: usize) -> Result<Subjects<K>, DataError> {
+    pub fn read<K: DataKind + 'static>(&self, most: usize) -> Result<Subjects<K>, DataError> {
         let mut subjects = Subjects::new(most);
         match &self.queries {
             Queries::Files { folders, rounded } => {
                 for folder in folders.iter().map(|folder| folder.join(K::FOLDER)) {
                     for file in query_files(&folder)? {
-                        read_file(&file, |Sample { query, truth }| {
+                        for record in open::<K>(&file, Rounding::Refuse, Seventh::Contact)? {
+                            let Sample { query, truth } = record?.sample;
                             if !rounded {
                                 subjects.add(Subject::new(query, truth));
                             } else if let Ok(rounded) = Rounded::shift(&query) {
                                 // A query that cannot be rounded is left out.
                                 subjects.add(Subject::new(*rounded.query(), None));
                             }
-                        })?;
+                        }
                     }
                 }
             }
@@ -167,22 +168,8 @@ fn query_files(folder: &Path) -> Result<Vec<PathBuf>, DataError> {
         return Ok(Vec::new());
     }
     let mut files = list(folder)?;
-    files.retain(|file| is_columns(file) || file.extension().is_some_and(|extension| extension == "csv"));
+    files.retain(|file| is_parquet(file) || file.extension().is_some_and(|extension| extension == "csv"));
     Ok(files)
-}
-
-fn is_columns(file: &Path) -> bool {
-    file.extension().is_some_and(|extension| extension == "parquet")
-}
-
-fn read_file<K: DataKind>(file: &Path, mut take: impl FnMut(Sample<K>)) -> Result<(), DataError> {
-    if is_columns(file) {
-        ColumnReader::open(file)?
-            .records()
-            .try_for_each(|record| record.map(|record| take(record.sample)))
-    } else {
-        QueryReader::open(file, Rounding::Refuse)?.try_for_each(|sample| sample.map(&mut take))
-    }
 }
 
 fn name_of(folder: &Path) -> String {

@@ -2,8 +2,8 @@
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
+use exact_ccd_files::excerpt;
 
-use crate::excerpt::excerpt;
 use crate::rational::{self, CoordinateError, Rounding};
 
 /// The value of a coordinate in one field, as a finite f64:

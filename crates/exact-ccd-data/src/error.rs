@@ -3,10 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use exact_ccd::NonFinite;
 use exact_ccd_files::ReadMotionError;
-use parquet::errors::ParquetError;
 
+#[cfg(feature = "parquet")]
+use crate::columns::{ColumnProblem, RecordProblem};
 use crate::rational::CoordinateError;
 
 /// A data file that cannot be read.
@@ -35,6 +35,7 @@ pub enum DataError {
         problem: Problem,
     },
     /// A Parquet file is wrong.
+    #[cfg(feature = "parquet")]
     #[error("{}: expected a Parquet file of queries: {problem}", file.display())]
     Columns {
         /// The file.
@@ -43,6 +44,7 @@ pub enum DataError {
         problem: ColumnProblem,
     },
     /// A row of a Parquet file is wrong.
+    #[cfg(feature = "parquet")]
     #[error("{}, query {query}: {problem}", file.display())]
     Record {
         /// The file.
@@ -51,6 +53,12 @@ pub enum DataError {
         query: usize,
         /// The problem.
         problem: RecordProblem,
+    },
+    /// A Parquet file, which this build cannot read.
+    #[error("{}: this build reads no Parquet files: it lacks the feature `parquet` of exact-ccd-data", file.display())]
+    NoParquet {
+        /// The file.
+        file: PathBuf,
     },
     /// A JSON file has another shape than expected; the source names line and column.
     #[error("{}: expected {expected}: {source}", file.display())]
@@ -173,81 +181,8 @@ pub enum Problem {
     },
 }
 
-/// A problem with a Parquet file.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ColumnProblem {
-    /// The file is damaged, or not a Parquet file.
-    #[error("{0}")]
-    Parquet(String),
-    /// A column is missing or has another type.
-    #[error("column {column} should have {expected}, found {found}")]
-    Column {
-        /// The name of the column.
-        column: &'static str,
-        /// The expected type.
-        expected: &'static str,
-        /// The contents found.
-        found: String,
-    },
-    /// The compression is not supported.
-    #[error("columns should be plain or compressed with GZIP or SNAPPY, found {0}")]
-    Compression(String),
-}
-
-/// A problem with a row of a Parquet file.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RecordProblem {
-    /// A field has another value than expected.
-    #[error("expected {expected} as {column}, found {found}")]
-    Field {
-        /// The name of the column.
-        column: &'static str,
-        /// The expected contents.
-        expected: &'static str,
-        /// The contents found.
-        found: String,
-    },
-    /// The list of coordinates is missing or has another length than expected.
-    #[error("expected {expected} coordinates as points, found null or another number")]
-    Points {
-        /// The number of coordinates of a query.
-        expected: usize,
-    },
-    /// A coordinate is infinite or not a number.
-    #[error(transparent)]
-    NonFinite(#[from] NonFinite),
-}
-
-impl ColumnProblem {
-    pub(crate) fn parquet(problem: impl Into<String>) -> Self {
-        Self::Parquet(problem.into())
-    }
-}
-
-impl From<ParquetError> for ColumnProblem {
-    fn from(error: ParquetError) -> Self {
-        Self::Parquet(match error {
-            ParquetError::General(text) | ParquetError::EOF(text) | ParquetError::NYI(text) => text,
-            ParquetError::External(source) => source.to_string(),
-            error => error.to_string(),
-        })
-    }
-}
-
-impl RecordProblem {
-    pub(crate) fn field(column: &'static str, expected: &'static str, found: impl ToString) -> Self {
-        let found = found.to_string();
-        Self::Field {
-            column,
-            expected,
-            found,
-        }
-    }
-}
-
 impl DataError {
+    #[cfg(feature = "parquet")]
     pub(crate) fn columns(file: &Path, problem: ColumnProblem) -> Self {
         Self::Columns {
             file: file.to_owned(),

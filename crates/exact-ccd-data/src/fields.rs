@@ -4,8 +4,9 @@ use std::fs::File;
 use std::path::Path;
 use std::str::FromStr;
 
+use exact_ccd_files::excerpt;
+
 use crate::error::{DataError, Problem};
-use crate::excerpt::excerpt;
 use crate::lines::Lines;
 
 /// All rows of a file after its header, which `parse` converts. Each must have five fields.

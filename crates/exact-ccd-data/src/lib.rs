@@ -3,7 +3,8 @@
 //! | files | types |
 //! |---|---|
 //! | query files: CSV, a row for each point at t = 0 and at t = 1 | [`QueryReader`], [`QueryWriter`], [`write_query`] |
-//! | Parquet files, a row a query, with all fields of a [`Record`] | [`ColumnReader`], [`ColumnWriter`] |
+//! | Parquet files, a row a query, with all fields of a [`Record`]: the feature `parquet` | `ColumnReader`, `ColumnWriter` |
+//! | either of both, by the name of the file | [`open()`] |
 //! | scenes: two meshes of a recorded time step, the queried pairs, and verdicts | [`Scene`] |
 //! | root files: the contact times of the queries of a scene | [`read_roots`] |
 //! | queries with the times within a distance | [`SeparationFile`] |
@@ -26,18 +27,19 @@
 //! # Ok::<(), exact_ccd_data::DataError>(())
 //! ```
 
+#[cfg(feature = "parquet")]
 mod columns;
 mod coordinate;
 mod data_folder;
 mod error;
-mod excerpt;
 mod fields;
-#[cfg(test)]
+#[cfg(all(test, feature = "parquet"))]
 mod hostile;
 mod json;
 mod kind;
 mod lines;
 mod list;
+mod open;
 mod queries;
 mod query_kind;
 mod rational;
@@ -48,11 +50,13 @@ mod scene;
 mod separation;
 mod write;
 
-pub use columns::{ColumnReader, ColumnWriter};
+#[cfg(feature = "parquet")]
+pub use columns::{ColumnProblem, ColumnReader, ColumnWriter, RecordProblem, TableColumn, write_table};
 pub use data_folder::DataFolder;
-pub use error::{ColumnProblem, DataError, Problem, RecordProblem};
+pub use error::{DataError, Problem};
 pub use kind::DataKind;
 pub use list::list;
+pub use open::{Records, is_parquet, open};
 pub use queries::QueryReader;
 pub use query_kind::QueryKind;
 pub use rational::{CoordinateError, Rounding};

@@ -2,8 +2,7 @@
 
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
-
-use crate::excerpt::excerpt;
+use exact_ccd_files::excerpt;
 
 /// The most digits of a number in exact arithmetic, whose time grows with the square of this number.
 /// Numerator and denominator of a finite f64 have at most 324 digits when the fraction is in lowest terms.

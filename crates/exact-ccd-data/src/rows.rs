@@ -3,10 +3,10 @@
 use std::io::Read;
 
 use exact_ccd::Point;
+use exact_ccd_files::excerpt;
 
 use crate::coordinate;
 use crate::error::{DataError, Problem};
-use crate::excerpt::excerpt;
 use crate::lines::Lines;
 use crate::rational::{self, Rounding};
 

@@ -218,8 +218,14 @@ fn list(numbers: &[usize]) -> String {
     }
 }
 
-/// A piece of a file, shortened and escaped for a message of one line.
+/// An [`excerpt`] in quotes.
 pub(crate) fn quoted(piece: &[u8]) -> String {
+    format!("`{}`", excerpt(piece))
+}
+
+/// A piece of a file, shortened and escaped for a message of one line.
+#[must_use]
+pub fn excerpt(piece: &[u8]) -> String {
     const LONGEST: usize = 40;
     let mut text: String = String::from_utf8_lossy(&piece[..piece.len().min(4 * LONGEST)])
         .chars()
@@ -229,5 +235,5 @@ pub(crate) fn quoted(piece: &[u8]) -> String {
         text.truncate(end);
         text.push('…');
     }
-    format!("`{text}`")
+    text
 }

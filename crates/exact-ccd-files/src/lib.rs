@@ -55,7 +55,7 @@ mod unsupported;
 mod write;
 
 pub use contents::Contents;
-pub use error::{Fault, ParseError, Place, ReadError};
+pub use error::{Fault, ParseError, Place, ReadError, excerpt};
 pub use file_ids::FileIds;
 pub use format::Format;
 pub use named_part::NamedPart;

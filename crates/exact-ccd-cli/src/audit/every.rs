@@ -33,37 +33,35 @@ impl EveryViolation {
         let among = IntersectionOptions::default().with_can_collide(self.can_collide.clone());
         let found = intersections(&frame.mesh, &frame.positions, &Bvh, &among).map_err(StepError::from)?;
         let options = Options::within(self.min_distance.clone());
-        let mut violations = Vec::new();
-        if let Some((last, detector)) = &mut self.last {
-            last.mesh.check_same(&frame.mesh)?;
-            let contacts = detector.collisions(&last.positions, &frame.positions, options)?;
-            let frame_before = self.frames - 1;
-            violations.extend(contacts.into_iter().map(|contact| Violation::Contact {
-                frame: frame_before,
-                contact,
-            }));
-            *last = frame;
-        } else {
-            self.min_distance.check(&frame.mesh)?;
-            let mut detector = Detector::new(frame.mesh.clone()).with_can_collide(self.can_collide.clone());
-            if self.is_only_frame {
-                let contacts = detector.collisions(&frame.positions, &frame.positions, options)?;
-                violations.extend(
-                    contacts
-                        .into_iter()
-                        .map(|contact| Violation::Contact { frame: 0, contact }),
-                );
+        let (detector, contacts) = match self.last.take() {
+            Some((last, mut detector)) => {
+                last.mesh.check_same(&frame.mesh)?;
+                let contacts = detector.collisions(&last.positions, &frame.positions, options)?;
+                (detector, contacts)
             }
-            self.last = Some((frame, detector));
-        }
+            None => {
+                self.min_distance.check(&frame.mesh)?;
+                let detector = Detector::new(frame.mesh.clone());
+                let mut detector = detector.with_can_collide(self.can_collide.clone());
+                let contacts = if self.is_only_frame {
+                    detector.collisions(&frame.positions, &frame.positions, options)?
+                } else {
+                    Vec::new()
+                };
+                (detector, contacts)
+            }
+        };
+        self.last = Some((frame, detector));
         let frame = self.frames;
-        violations.extend(
-            found
-                .into_iter()
-                .map(|intersection| Violation::Intersection { frame, intersection }),
-        );
         self.frames += 1;
-        Ok(violations)
+        let in_step = contacts.into_iter().map(|contact| Violation::Contact {
+            frame: frame.saturating_sub(1),
+            contact,
+        });
+        let at_rest = found
+            .into_iter()
+            .map(|intersection| Violation::Intersection { frame, intersection });
+        Ok(in_step.chain(at_rest).collect())
     }
 
     pub(super) fn last(&self) -> Option<&Frame> {

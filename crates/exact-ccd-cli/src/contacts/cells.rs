@@ -3,14 +3,6 @@
 use super::record::ContactRecord;
 use crate::shortest::shortest;
 
-/// The type of a column.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Type {
-    Text,
-    Integer,
-    Real,
-}
-
 /// A value in a column; an absent one is empty or null.
 pub(super) enum Cell {
     Text(&'static str),
@@ -18,29 +10,29 @@ pub(super) enum Cell {
     Real(Option<f64>),
 }
 
-/// The names and types of the columns.
-pub(super) const COLUMNS: [(&str, Type); 21] = [
-    ("frame", Type::Integer),
-    ("kind", Type::Text),
-    ("id_a", Type::Integer),
-    ("id_b", Type::Integer),
-    ("v0", Type::Integer),
-    ("v1", Type::Integer),
-    ("v2", Type::Integer),
-    ("v3", Type::Integer),
-    ("v4", Type::Integer),
-    ("time_lower", Type::Real),
-    ("time_upper", Type::Real),
-    ("x", Type::Real),
-    ("y", Type::Real),
-    ("z", Type::Real),
-    ("nx", Type::Real),
-    ("ny", Type::Real),
-    ("nz", Type::Real),
-    ("u", Type::Real),
-    ("v", Type::Real),
-    ("distance_lower", Type::Real),
-    ("distance_upper", Type::Real),
+/// The names of the columns.
+pub(super) const COLUMNS: [&str; 21] = [
+    "frame",
+    "kind",
+    "id_a",
+    "id_b",
+    "v0",
+    "v1",
+    "v2",
+    "v3",
+    "v4",
+    "time_lower",
+    "time_upper",
+    "x",
+    "y",
+    "z",
+    "nx",
+    "ny",
+    "nz",
+    "u",
+    "v",
+    "distance_lower",
+    "distance_upper",
 ];
 
 /// A row: the values of a record in the order of the columns.
@@ -68,7 +60,7 @@ pub(super) fn row(record: &ContactRecord) -> [Cell; 21] {
     let direction = |axis: usize| Cell::Real(normal.map(|normal| normal[axis]));
     let parameter = |index: usize| Cell::Real(parameters.map(|parameters| parameters[index]));
     [
-        Cell::Integer(record.frame.map(|frame| frame as i64)),
+        Cell::Integer(Some(record.frame as i64)),
         Cell::Text(record.kind.name()),
         integer(ids[0]),
         integer(ids[1]),

@@ -4,9 +4,12 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::cells::{COLUMNS, row};
 #[cfg(feature = "queries")]
-use super::parquet;
+use exact_ccd_data::TableColumn;
+
+#[cfg(feature = "queries")]
+use super::cells::Cell;
+use super::cells::{COLUMNS, row};
 use super::record::ContactRecord;
 use crate::failure::Failure;
 #[cfg(not(feature = "queries"))]
@@ -64,16 +67,40 @@ impl ContactList {
             Format::Csv => self.csv(writer),
             Format::JsonLines => self.json_lines(writer),
             #[cfg(feature = "queries")]
-            Format::Parquet => parquet::write(writer, &self.0),
+            Format::Parquet => self.parquet(writer),
         })
     }
 
     fn csv(&self, writer: &mut BufWriter<impl Write>) -> io::Result<()> {
-        writeln!(writer, "{}", COLUMNS.map(|(name, _)| name).join(","))?;
+        writeln!(writer, "{}", COLUMNS.join(","))?;
         for record in &self.0 {
             writeln!(writer, "{}", row(record).map(|cell| cell.to_string()).join(","))?;
         }
         Ok(())
+    }
+
+    #[cfg(feature = "queries")]
+    fn parquet(&self, writer: impl Write + Send) -> io::Result<()> {
+        let rows: Vec<_> = self.0.iter().map(row).collect();
+        // The columns of a list without rows have no types but these.
+        let mut columns = COLUMNS.map(|name| match name {
+            "kind" => (name, TableColumn::Text(Vec::new())),
+            "frame" | "id_a" | "id_b" | "v0" | "v1" | "v2" | "v3" | "v4" => {
+                (name, TableColumn::Integers(Vec::new()))
+            }
+            _ => (name, TableColumn::Reals(Vec::new())),
+        });
+        for row in rows {
+            for ((_, column), cell) in columns.iter_mut().zip(row) {
+                match (column, cell) {
+                    (TableColumn::Text(values), Cell::Text(text)) => values.push(Some(text)),
+                    (TableColumn::Integers(values), Cell::Integer(value)) => values.push(value),
+                    (TableColumn::Reals(values), Cell::Real(value)) => values.push(value),
+                    _ => {}
+                }
+            }
+        }
+        exact_ccd_data::write_table(writer, &columns)
     }
 
     fn json_lines(&self, writer: &mut BufWriter<impl Write>) -> io::Result<()> {

@@ -2,10 +2,8 @@
 
 mod cells;
 mod list;
-#[cfg(feature = "queries")]
-mod parquet;
 mod places;
 mod record;
 
 pub(crate) use list::{ContactList, ListFile};
-pub(crate) use record::{ContactRecord, HalfSpaceContact};
+pub(crate) use record::{Bounds, ContactRecord, RecordKind, unsigned_zero};

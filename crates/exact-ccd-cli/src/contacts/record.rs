@@ -8,32 +8,30 @@ use exact_ccd_files::FileIds;
 use exact_ccd_mesh::{Contact, Intersection, Pair, TriangleMesh, contact_points};
 use serde::Serialize;
 
-use crate::distances::Reached;
 use crate::shortest::shortest;
 
 /// Two primitives that touch, in the shape of the JSON object. All ids are those in the
 /// files, counted from 0.
 #[derive(Clone, Serialize)]
 pub(crate) struct ContactRecord {
-    /// The number of the frame at which the step begins, in a sequence of frames.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) frame: Option<usize>,
-    pub(super) kind: RecordKind,
+    /// The number of the frame, or of that at which the step begins.
+    pub(crate) frame: usize,
+    pub(crate) kind: RecordKind,
     /// The ids of the two primitives; none for a face that has no id in its file.
-    pub(super) ids: [Option<u32>; 2],
+    pub(crate) ids: [Option<u32>; 2],
     /// The ids of their vertices.
-    pub(super) vertices: [Vec<u32>; 2],
+    pub(crate) vertices: [Vec<u32>; 2],
     /// Their vertices in the mesh, which may have other ids in the file.
     #[serde(skip)]
-    pub(super) mesh_vertices: [Vec<u32>; 2],
-    /// Bounds of the first time of contact.
-    pub(super) time: TimeBounds,
+    pub(crate) mesh_vertices: [Vec<u32>; 2],
+    /// The first time of contact.
+    pub(crate) time: Bounds,
     /// The place on the first primitive.
-    pub(super) point: Option<Point>,
-    pub(super) normal: Option<Point>,
-    pub(super) parameters: Option<[f64; 2]>,
+    pub(crate) point: Option<Point>,
+    pub(crate) normal: Option<Point>,
+    pub(crate) parameters: Option<[f64; 2]>,
     /// The distance of the pair then.
-    pub(super) distance: Reached,
+    pub(crate) distance: Bounds,
 }
 
 /// The kinds of pairs, with those of an edge and a face, which intersect at rest, and of a vertex in a
@@ -49,26 +47,11 @@ pub(crate) enum RecordKind {
     Vh,
 }
 
-/// A vertex that touches a half space.
-pub(crate) struct HalfSpaceContact {
-    pub(crate) vertex: u32,
-    /// The number of the half space.
-    pub(crate) half_space: u32,
-    /// The adjacent f64 between which the first time lies, or the same one twice.
-    pub(crate) time: [f64; 2],
-    /// The place of the vertex then.
-    pub(crate) point: Point,
-    /// The unit normal of the half space.
-    pub(crate) normal: Point,
-    /// Bounds of the distance then.
-    pub(crate) distance: [f64; 2],
-}
-
-/// The adjacent f64 between which a time lies, or the same one twice.
-#[derive(Clone, Copy, Serialize)]
-pub(crate) struct TimeBounds {
-    pub(super) lower: f64,
-    pub(super) upper: f64,
+/// Bounds of a time, adjacent f64, or of a distance; the same number twice if it is an f64.
+#[derive(Clone, Copy, Default, Serialize)]
+pub(crate) struct Bounds {
+    pub(crate) lower: f64,
+    pub(crate) upper: f64,
 }
 
 impl RecordKind {
@@ -97,14 +80,19 @@ impl RecordKind {
 }
 
 impl ContactRecord {
-    /// A contact in a step between positions.
-    pub(crate) fn of_contact(mesh: &TriangleMesh, positions: [&[Point]; 2], contact: &Contact) -> Self {
+    /// A contact in the step between positions that begins at a frame.
+    pub(crate) fn of_contact(
+        frame: usize,
+        mesh: &TriangleMesh,
+        positions: [&[Point]; 2],
+        contact: &Contact,
+    ) -> Self {
         let vertices = contact.pair.vertices(mesh).expect("the pair is one of the mesh");
         let (first, second) = vertices.split_at(contact.pair.first_len());
         let impact = &contact.impact;
         let points = contact_points([first, second], positions, impact);
         Self {
-            frame: None,
+            frame,
             kind: match contact.pair {
                 Pair::VertexFace { .. } => RecordKind::Vf,
                 Pair::EdgeEdge { .. } => RecordKind::Ee,
@@ -112,21 +100,25 @@ impl ContactRecord {
                 Pair::VertexVertex { .. } => RecordKind::Vv,
             },
             ids: contact.pair.ids().map(Some),
-            time: TimeBounds {
+            time: Bounds {
                 lower: impact.time.lower(),
                 upper: impact.time.upper(),
             },
             point: points.map(|[point, _]| point.map(unsigned_zero)),
             normal: impact.normal.map(|normal| normal.map(unsigned_zero)),
             parameters: Some(impact.parameters.map(unsigned_zero)),
-            distance: contact.distance.into(),
+            distance: Bounds {
+                lower: contact.distance.lower,
+                upper: contact.distance.upper,
+            },
             vertices: [first.to_vec(), second.to_vec()],
             mesh_vertices: [first.to_vec(), second.to_vec()],
         }
     }
 
-    /// An edge that meets a face at rest.
+    /// An edge that meets a face at rest, in a frame.
     pub(crate) fn of_intersection(
+        frame: usize,
         mesh: &TriangleMesh,
         positions: &[Point],
         intersection: Intersection,
@@ -139,40 +131,16 @@ impl ContactRecord {
         let ends = mesh.edges()[edge as usize].map(|vertex| positions[vertex as usize]);
         let corners = mesh.faces()[face as usize].map(|vertex| positions[vertex as usize]);
         Self {
-            frame: None,
+            frame,
             kind: RecordKind::Ef,
             ids: [Some(edge), Some(face)],
             mesh_vertices: vertices.clone(),
             vertices,
-            time: TimeBounds {
-                lower: 0.0,
-                upper: 0.0,
-            },
+            time: Bounds::default(),
             point: first_common_point(ends, corners).map(|point| point.map(unsigned_zero)),
             normal: None,
             parameters: None,
-            distance: Reached::default(),
-        }
-    }
-
-    /// A vertex that touches a half space.
-    pub(crate) fn of_half_space(contact: HalfSpaceContact) -> Self {
-        let vertex = contact.vertex;
-        let ([lower, upper], [least, most]) = (contact.time, contact.distance);
-        Self {
-            frame: None,
-            kind: RecordKind::Vh,
-            ids: [Some(vertex), Some(contact.half_space)],
-            mesh_vertices: [vec![vertex], Vec::new()],
-            vertices: [vec![vertex], Vec::new()],
-            time: TimeBounds { lower, upper },
-            point: Some(contact.point.map(unsigned_zero)),
-            normal: Some(contact.normal.map(unsigned_zero)),
-            parameters: None,
-            distance: Reached {
-                lower: least,
-                upper: most,
-            },
+            distance: Bounds::default(),
         }
     }
 
@@ -207,16 +175,6 @@ impl ContactRecord {
         self
     }
 
-    /// The same record in a frame of a sequence.
-    pub(crate) fn in_frame(self, frame: usize) -> Self {
-        let frame = Some(frame);
-        Self { frame, ..self }
-    }
-
-    pub(crate) fn frame(&self) -> Option<usize> {
-        self.frame
-    }
-
     /// The first time of contact, rounded down.
     pub(crate) fn toi(&self) -> f64 {
         self.time.lower
@@ -233,33 +191,32 @@ impl ContactRecord {
         self.kind == RecordKind::Ef
     }
 
-    /// The place of the contact, its normal and its parameters, as a line of text.
+    /// The place of the contact, its normal and its parameters, as a further line of text.
     pub(crate) fn place(&self) -> String {
-        let [Some(point), normal] = [self.point, self.normal] else {
+        let Some(point) = self.point else {
             return String::new();
         };
         let list = |numbers: &[f64]| {
             numbers
                 .iter()
-                .copied()
-                .map(shortest)
+                .map(|&x| shortest(x))
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        let mut text = format!("  at ({})", list(&point));
-        if let Some(normal) = normal {
+        let mut text = format!("\n  at ({})", list(&point));
+        if let Some(normal) = self.normal {
             text += &format!(", normal ({})", list(&normal));
         }
         if let Some(parameters) = self.parameters {
             text += &format!(", parameters {}", list(&parameters));
         }
-        text + "; ids count from 0\n"
+        text + "; ids count from 0"
     }
 }
 
-/// A number without the sign of a zero, which means nothing in a place or a direction.
-fn unsigned_zero(x: f64) -> f64 {
-    if x == 0.0 { 0.0 } else { x }
+/// A number without the sign of a zero, which means nothing in a place, a direction or an energy.
+pub(crate) fn unsigned_zero(x: f64) -> f64 {
+    x + 0.0
 }
 
 /// The first point of an edge, from its first end on, that a face contains, rounded: the place of a vertex
@@ -271,7 +228,7 @@ fn first_common_point([start, end]: [Point; 2], [a, b, c]: [Point; 3]) -> Option
     points.map(|[point, _]| point)
 }
 
-/// The two primitives, with their vertices.
+/// The two primitives, with their vertices, and their distance if it is not 0.
 impl fmt::Display for ContactRecord {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (side, name) in self.kind.names().into_iter().enumerate() {
@@ -285,6 +242,14 @@ impl fmt::Display for ContactRecord {
                 write!(f, " (vertices {})", vertices.join(", "))?;
             }
         }
-        self.distance.fmt(f)
+        let Bounds { lower, upper } = self.distance;
+        let [least, most] = [lower, upper].map(shortest);
+        if upper == 0.0 {
+            Ok(())
+        } else if lower == upper {
+            write!(f, ", {least} apart")
+        } else {
+            write!(f, ", between {least} and {most} apart")
+        }
     }
 }

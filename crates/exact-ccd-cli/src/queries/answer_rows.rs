@@ -6,6 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 
 use super::method::Answer;
+use crate::json::to_json;
 
 /// A writer of answers.
 pub(crate) struct AnswerRows<W> {
@@ -42,11 +43,6 @@ impl<W: Write> AnswerRows<W> {
             count: answer.json_count(),
             toi: answer.toi,
         };
-        serde_json::to_writer(&mut self.output, &row)?;
-        writeln!(self.output)
-    }
-
-    pub(crate) fn flush(&mut self) -> io::Result<()> {
-        self.output.flush()
+        writeln!(self.output, "{}", to_json("queries", &row))
     }
 }

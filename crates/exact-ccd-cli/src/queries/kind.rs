@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use clap::ValueEnum;
+
 /// `vf`, `ee`, `ve` or `vv`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Kind {
     // Without documentation: clap would show it as help.
     Vf,
@@ -15,11 +16,7 @@ pub(crate) enum Kind {
 
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Vf => "vf",
-            Self::Ee => "ee",
-            Self::Ve => "ve",
-            Self::Vv => "vv",
-        })
+        self.to_possible_value()
+            .map_or(Ok(()), |value| f.write_str(value.get_name()))
     }
 }

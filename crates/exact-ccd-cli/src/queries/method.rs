@@ -10,10 +10,8 @@ use exact_ccd_methods::{UnknownMethod, by_name};
 use serde_json::Value;
 
 use super::kind::Kind as AnyKind;
-use crate::failure::{Failure, failures};
+use crate::failure::Failure;
 use crate::shortest::shortest;
-
-failures! { UnknownMethod }
 
 /// A registered method, or the parity in integers. Those that count contacts are apart.
 #[derive(Clone)]

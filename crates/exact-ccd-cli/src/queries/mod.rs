@@ -7,7 +7,7 @@ pub(crate) mod query_files;
 pub(crate) mod recognise;
 mod tally;
 
-use std::io::{self, BufWriter, IsTerminal, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -18,10 +18,11 @@ use exact_ccd_view::PageKind;
 use indicatif::ProgressBar;
 use rayon::prelude::*;
 
+use crate::distances;
 use crate::failure::Failure;
 use crate::inputs::check_file;
-use crate::min_distance;
 use crate::notes::Notes;
+use crate::output::Output;
 use crate::progress::{self, during};
 use crate::view::{ChosenQuery, QueryView};
 use answer_rows::AnswerRows;
@@ -34,7 +35,7 @@ use tally::Tally;
 /// The number of queries that are read before they are answered in parallel.
 const BATCH: usize = 4096;
 
-/// The contacts of the queries in files, by the exact method or another one
+/// Decide the queries in files, by the exact method or another one
 ///
 /// A query is a row for each of its points at t = 0, then the same at t = 1.
 /// The points are, by the kind of the queries,
@@ -92,7 +93,7 @@ pub(crate) struct Arguments {
     #[arg(long)]
     kind: Option<Kind>,
     /// Count primitives at most D apart as touching, in the unit of the coordinates.
-    #[arg(long, value_name = "D", default_value = "0", value_parser = min_distance::parse, allow_hyphen_values = true)]
+    #[arg(long, value_name = "D", default_value = "0", value_parser = distances::parse, allow_hyphen_values = true)]
     min_distance: Separation,
     /// The method, in upper or lower case: exact, parity, parity-rational, or one of `exact-ccd bench`.
     #[arg(long, default_value = "exact")]
@@ -103,6 +104,8 @@ pub(crate) struct Arguments {
     /// Print JSON lines in place of CSV. docs/reports.md has their schema.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    output: Output,
     #[command(flatten)]
     view: QueryView,
     /// The files; - is standard input.
@@ -123,11 +126,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     })?;
     let kind = kind_of(arguments.kind, &arguments.files, &mut Notes::default())?;
     method.check(kind, d)?;
-    let tally = during(bar, |progress| match kind {
-        Kind::Vf => answer_all::<VertexFace>(arguments, &|query| method.answer(query, d), progress),
-        Kind::Ee => answer_all::<EdgeEdge>(arguments, &|query| method.answer(query, d), progress),
-        Kind::Ve => answer_all::<VertexEdge>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
-        Kind::Vv => answer_all::<VertexVertex>(arguments, &|query| Ok(Answer::exact(query, d)), progress),
+    let tally = during(bar, |progress| {
+        arguments.output.stream(|output| {
+            let mut run = Run {
+                arguments,
+                output: AnswerRows::new(output, arguments.json)?,
+                tally: Tally::default(),
+                progress,
+            };
+            match kind {
+                Kind::Vf => run.answer_all::<VertexFace>(&|query| method.answer(query, d)),
+                Kind::Ee => run.answer_all::<EdgeEdge>(&|query| method.answer(query, d)),
+                Kind::Ve => run.answer_all::<VertexEdge>(&|query| Ok(Answer::exact(query, d))),
+                Kind::Vv => run.answer_all::<VertexVertex>(&|query| Ok(Answer::exact(query, d))),
+            }?;
+            Ok(run.tally)
+        })
     });
     match tally {
         Ok(tally) if tally.queries() == 0 => return Err(no_queries()),
@@ -140,64 +154,57 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
 /// The decision of one query.
 type Decision<'a, K> = &'a (dyn Fn(&Query<K>) -> Result<Answer, RoundingError> + Sync);
 
-fn answer_all<K: QueryKind + PageKind + 'static>(
-    arguments: &Arguments,
-    decide: Decision<'_, K>,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<Tally, Failure> {
-    let rounding = if arguments.round_input {
-        Rounding::ToNearest
-    } else {
-        Rounding::Refuse
-    };
-    let mut output = AnswerRows::new(BufWriter::new(io::stdout().lock()), arguments.json)?;
-    let mut tally = Tally::default();
-    let mut choice = arguments.view.choice();
-    let answered = arguments.files.iter().try_for_each(|file| {
-        let samples = query_files::open::<K>(file, rounding)?;
-        answer(
-            file,
-            samples,
-            decide,
-            &mut tally,
-            &mut choice,
-            &mut output,
-            progress,
-        )
-    });
-    let flushed = output.flush();
-    answered?;
-    flushed?;
-    choice.finish(arguments.min_distance)?;
-    Ok(tally)
+/// The answers so far.
+struct Run<'a, W> {
+    arguments: &'a Arguments,
+    output: AnswerRows<W>,
+    tally: Tally,
+    progress: &'a (dyn Fn(usize) + Sync),
 }
 
-fn answer<K: QueryKind + PageKind>(
-    file: &Path,
-    mut samples: Samples<K>,
-    decide: Decision<'_, K>,
-    tally: &mut Tally,
-    choice: &mut ChosenQuery<K>,
-    output: &mut AnswerRows<impl Write>,
-    progress: &(dyn Fn(usize) + Sync),
-) -> Result<(), Failure> {
-    let first = tally.queries();
-    loop {
-        let mut read = Ok(());
-        let or_stop = |sample: Result<_, _>| sample.map_err(|error| read = Err(error)).ok();
-        let batch: Vec<Sample<K>> = samples.by_ref().take(BATCH).map_while(or_stop).collect();
-        let answers: Vec<_> = batch.par_iter().map(|sample| decide(&sample.query)).collect();
-        for (sample, answer) in batch.iter().zip(answers) {
-            let query = tally.queries();
-            let answer = answer.map_err(|source| query_files::failed(file, query - first, source))?;
-            output.write(query, &answer)?;
-            tally.add(answer.collides, sample.truth);
-            choice.see(query_files::name(file), query, &sample.query, answer.collides);
+impl<W: Write> Run<'_, W> {
+    fn answer_all<K: QueryKind + PageKind + 'static>(
+        &mut self,
+        decide: Decision<'_, K>,
+    ) -> Result<(), Failure> {
+        let rounding = if self.arguments.round_input {
+            Rounding::ToNearest
+        } else {
+            Rounding::Refuse
+        };
+        let mut choice = self.arguments.view.choice();
+        for file in &self.arguments.files {
+            let samples = query_files::open::<K>(file, rounding)?;
+            self.answer(query_files::name(file), samples, decide, &mut choice)?;
         }
-        progress(batch.len());
-        read?;
-        if batch.len() < BATCH {
-            return Ok(());
+        choice.finish(self.arguments.min_distance)
+    }
+
+    fn answer<K: QueryKind + PageKind>(
+        &mut self,
+        file: &Path,
+        mut samples: Samples<K>,
+        decide: Decision<'_, K>,
+        choice: &mut ChosenQuery<K>,
+    ) -> Result<(), Failure> {
+        let first = self.tally.queries();
+        loop {
+            let mut read = Ok(());
+            let or_stop = |sample: Result<_, _>| sample.map_err(|error| read = Err(error)).ok();
+            let batch: Vec<Sample<K>> = samples.by_ref().take(BATCH).map_while(or_stop).collect();
+            let answers: Vec<_> = batch.par_iter().map(|sample| decide(&sample.query)).collect();
+            for (sample, answer) in batch.iter().zip(answers) {
+                let query = self.tally.queries();
+                let answer = answer.map_err(|source| query_files::failed(file, query - first, source))?;
+                self.output.write(query, &answer)?;
+                self.tally.add(answer.collides, sample.truth);
+                choice.see(file, query, &sample.query, answer.collides);
+            }
+            (self.progress)(batch.len());
+            read?;
+            if batch.len() < BATCH {
+                return Ok(());
+            }
         }
     }
 }

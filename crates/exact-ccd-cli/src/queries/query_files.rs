@@ -4,15 +4,12 @@ use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use exact_ccd_data::{
-    ColumnReader, ColumnWriter, DataError, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample,
-    Seventh,
+    ColumnWriter, QueryKind, QueryReader, QueryWriter, Record, Rounding, Sample, Seventh, is_parquet,
 };
 use exact_ccd_methods::parity::RoundingError;
 
-use crate::failure::{Failure, failures};
-use crate::output::replace_file;
-
-failures! { DataError, RoundingError }
+use crate::failure::Failure;
+use crate::output::{is_dash, replace_file};
 
 /// The queries of a file, read one after the other.
 pub(crate) type Samples<K> = Box<dyn Iterator<Item = Result<Sample<K>, Failure>>>;
@@ -45,21 +42,13 @@ pub(crate) fn records<K: QueryKind + 'static>(
     rounding: Rounding,
     seventh: Seventh,
 ) -> Result<Records<K>, Failure> {
-    Ok(if is_parquet(file) {
-        failing(ColumnReader::open(file)?.records())
-    } else if is_dash(file) {
+    let records: exact_ccd_data::Records<K> = if is_dash(file) {
         let reader = QueryReader::new(name(file), io::stdin().lock(), rounding);
-        failing(reader.with_seventh(seventh).records())
+        Box::new(reader.with_seventh(seventh).records())
     } else {
-        let reader = QueryReader::open(file, rounding)?;
-        failing(reader.with_seventh(seventh).records())
-    })
-}
-
-fn failing<K: QueryKind + 'static>(
-    records: impl Iterator<Item = Result<Record<K>, DataError>> + 'static,
-) -> Records<K> {
-    Box::new(records.map(|record| record.map_err(Failure::from)))
+        exact_ccd_data::open(file, rounding, seventh)?
+    };
+    Ok(Box::new(records.map(|record| record.map_err(Failure::from))))
 }
 
 /// Writes queries to a file, which is replaced; - is standard output.
@@ -112,13 +101,4 @@ pub(crate) fn name(file: &Path) -> &Path {
     } else {
         file
     }
-}
-
-pub(crate) fn is_dash(file: &Path) -> bool {
-    file == Path::new("-")
-}
-
-pub(crate) fn is_parquet(file: &Path) -> bool {
-    file.extension()
-        .is_some_and(|extension| extension.eq_ignore_ascii_case("parquet"))
 }

@@ -5,12 +5,12 @@ use std::io::{self, BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexEdge, VertexFace, VertexVertex};
-use exact_ccd_data::{ColumnReader, DataError, QueryKind};
+use exact_ccd_data::{ColumnReader, DataError, QueryKind, is_parquet};
 
 use super::kind::Kind;
-use super::query_files::{is_dash, is_parquet};
 use crate::failure::Failure;
 use crate::notes::Notes;
+use crate::output::is_dash;
 
 /// The given kind, or that of all files. A kind that follows from the number of rows is noted: a file that
 /// ends too early may have the rows of another one.

@@ -3,6 +3,9 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
 /// The length of the longest bar.
 const WIDTH: usize = 50;
 
@@ -38,6 +41,24 @@ impl Histogram {
     /// The largest error.
     pub(super) fn largest(&self) -> f64 {
         self.largest
+    }
+}
+
+/// The number of errors from 10ᵏ up to below 10ᵏ⁺¹, as JSON; k is null for the number of zeros.
+#[derive(Serialize)]
+struct Decade {
+    decade: Option<i32>,
+    count: usize,
+}
+
+impl Serialize for Histogram {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let decades = self.counts().map(|(decade, count)| Decade { decade, count });
+        let mut object = serializer.serialize_struct("Histogram", 3)?;
+        object.serialize_field("coordinates", &self.total())?;
+        object.serialize_field("largest_error", &self.largest)?;
+        object.serialize_field("errors", &decades.collect::<Vec<_>>())?;
+        object.end()
     }
 }
 

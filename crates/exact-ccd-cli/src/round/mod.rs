@@ -16,11 +16,12 @@ use exact_ccd_methods::parity::{Displacement, RoundingError};
 
 use crate::failure::Failure;
 use crate::inputs::check_file;
+use crate::json::to_json;
 use crate::output::{print, write_file};
 use crate::progress::{self, during};
 use crate::queries::query_files;
 
-/// Queries or meshes shifted and rounded, so that differences of coordinates are exact
+/// Shift and round queries or meshes, so that differences of coordinates are exact
 ///
 /// The parity of the number of contacts is counted on differences of
 /// coordinates, which must be exact f64. Section 4.2 of the paper "Fast and
@@ -50,7 +51,7 @@ pub(crate) struct Arguments {
     /// to PLY files of the same names in this folder. The ground truth of the queries is left out,
     /// because rounding can change it. A query file whose name ends in .parquet has the columns of
     /// `exact-ccd convert`.
-    #[arg(long, value_name = "PATH")]
+    #[arg(long, short, value_name = "PATH")]
     output: Option<PathBuf>,
     /// Write the number of contact times of each rounded query, -1 for an interval, as the seventh
     /// column of the query file, in place of the ground truth.
@@ -89,7 +90,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         write_file(file, |writer| writer.write_all(drawing.as_bytes()))?;
     }
     let text = if arguments.json {
-        report.to_json()
+        to_json("round", &report)
     } else {
         report.to_string()
     };

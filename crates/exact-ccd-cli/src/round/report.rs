@@ -9,24 +9,22 @@ use serde::Serialize;
 use super::histogram::Histogram;
 use crate::shortest::shortest;
 
-/// The displacements and the rounding errors of the coordinates.
+/// The displacements and the rounding errors of the coordinates, in the shape of the JSON object.
+#[derive(Serialize)]
 pub(super) struct Report {
-    displacements: Displacements,
+    /// That of all points, or the largest along each axis of those of the queries.
+    displacement: Point,
+    per_query: bool,
+    #[serde(flatten)]
     pub(super) errors: Histogram,
-}
-
-/// The displacements of the coordinates.
-enum Displacements {
-    Shared(Point),
-    /// The largest along each axis.
-    PerQuery(Point),
 }
 
 impl Report {
     /// A report of no points yet, with one displacement for all.
     pub(super) fn shared(displacement: Displacement) -> Self {
         Self {
-            displacements: Displacements::Shared(displacement.along_axes()),
+            displacement: displacement.along_axes(),
+            per_query: false,
             errors: Histogram::default(),
         }
     }
@@ -34,16 +32,17 @@ impl Report {
     /// A report of no points yet, with a displacement for each query.
     pub(super) fn per_query() -> Self {
         Self {
-            displacements: Displacements::PerQuery([0.0; 3]),
+            displacement: [0.0; 3],
+            per_query: true,
             errors: Histogram::default(),
         }
     }
 
     /// Adds points that were moved by this displacement and rounded.
     pub(super) fn add(&mut self, displacement: Displacement, points: &[Point]) {
-        if let Displacements::PerQuery(largest) = &mut self.displacements {
+        if self.per_query {
             let moved = displacement.along_axes();
-            *largest = [0, 1, 2].map(|axis: usize| largest[axis].max(moved[axis]));
+            self.displacement = [0, 1, 2].map(|axis: usize| self.displacement[axis].max(moved[axis]));
         }
         for &point in points {
             for error in displacement.error(point) {
@@ -53,52 +52,14 @@ impl Report {
     }
 }
 
-/// The report in the shape of the JSON object.
-#[derive(Serialize)]
-struct JsonReport {
-    /// That of all points, or the largest of those of the queries.
-    displacement: Point,
-    per_query: bool,
-    coordinates: usize,
-    largest_error: f64,
-    errors: Vec<Decade>,
-}
-
-/// The number of errors from 10ᵏ up to below 10ᵏ⁺¹; k is null for the number of zeros.
-#[derive(Serialize)]
-struct Decade {
-    decade: Option<i32>,
-    count: usize,
-}
-
-impl Report {
-    pub(super) fn to_json(&self) -> String {
-        let (per_query, displacement) = match self.displacements {
-            Displacements::Shared(displacement) => (false, displacement),
-            Displacements::PerQuery(largest) => (true, largest),
-        };
-        let errors = self
-            .errors
-            .counts()
-            .map(|(decade, count)| Decade { decade, count });
-        let report = JsonReport {
-            displacement,
-            per_query,
-            coordinates: self.errors.total(),
-            largest_error: self.errors.largest(),
-            errors: errors.collect(),
-        };
-        serde_json::to_string(&report).expect("numbers only")
-    }
-}
-
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (name, displacement) = match self.displacements {
-            Displacements::Shared(displacement) => ("displacement", displacement),
-            Displacements::PerQuery(largest) => ("largest displacements", largest),
+        let name = if self.per_query {
+            "largest displacements"
+        } else {
+            "displacement"
         };
-        let [x, y, z] = displacement.map(shortest);
+        let [x, y, z] = self.displacement.map(shortest);
         writeln!(f, "{name} along x, y, z: {x}, {y}, {z}")?;
         let (count, largest) = (self.errors.total(), shortest(self.errors.largest()));
         write!(

@@ -147,6 +147,10 @@ impl Scene {
         }
     }
 
+    pub(crate) fn mesh(&self) -> &TriangleMesh {
+        &self.mesh
+    }
+
     /// The pairs that can collide.
     pub(crate) fn can_collide(&self) -> CanCollide {
         self.can_collide.clone()

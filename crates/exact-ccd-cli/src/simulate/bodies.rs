@@ -5,8 +5,8 @@ use std::path::Path;
 use exact_ccd_sim::System;
 use serde::Serialize;
 
+use super::log::write_rows;
 use crate::failure::Failure;
-use crate::output::write_file;
 
 /// A body, or a half space, which has no vertices.
 #[derive(Serialize)]
@@ -44,9 +44,5 @@ pub(super) fn write(file: &Path, system: &System) -> Result<(), Failure> {
             vertex_count: 0,
         });
     }
-    write_file(file, |writer| {
-        let mut writer = csv::Writer::from_writer(writer);
-        rows.iter().try_for_each(|row| writer.serialize(row))?;
-        writer.flush()
-    })
+    write_rows(file, &rows)
 }

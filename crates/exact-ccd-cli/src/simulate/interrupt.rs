@@ -27,8 +27,8 @@ pub(super) fn flag() -> Arc<AtomicBool> {
 /// The message after an interruption, with the command that continues the run. `command` is the program with
 /// its arguments.
 pub(super) fn message(step: u64, arguments: &Arguments, command: &[OsString]) -> String {
-    if arguments.out.is_none() {
-        return format!("interrupted after time step {step}; without --out, nothing was saved");
+    if arguments.output.is_none() {
+        return format!("interrupted after time step {step}; without --output, nothing was saved");
     }
     let words = command.iter().map(|word| word.to_string_lossy());
     let kept = words.filter(|word| word != "--overwrite" && word != "--resume");

@@ -2,9 +2,10 @@
 
 use exact_ccd_sim::{Simulation, Statistics};
 use serde::Serialize;
+use serde_json::{Map, Value};
 
-use super::queries::Counts;
 use super::statistics::Row;
+use crate::json::to_json;
 
 /// The scene, before the first time step. Names end with units.
 #[derive(Serialize)]
@@ -24,51 +25,45 @@ struct Scene {
 /// The line for a scene, simulated up to a time step.
 pub(super) fn of_scene(simulation: &Simulation, steps: u64) -> String {
     let (system, settings) = (simulation.system(), simulation.settings());
-    to_json(&Scene {
-        vertices: system.start().len(),
-        faces: system.surface().faces().len(),
-        rod_edges: system.surface().loose_edges().len(),
-        particles: system.particles().len(),
-        size_m: system.size(),
-        contact_distance_m: settings.contact_distance.meters(system.size()),
-        time_step_s: settings.time_step,
-        done: simulation.state().step,
-        steps,
-    })
+    to_json(
+        "simulate",
+        &Scene {
+            vertices: system.start().len(),
+            faces: system.surface().faces().len(),
+            rod_edges: system.surface().loose_edges().len(),
+            particles: system.particles().len(),
+            size_m: system.size(),
+            contact_distance_m: settings.contact_distance.meters(system.size()),
+            time_step_s: settings.time_step,
+            done: simulation.state().step,
+            steps,
+        },
+    )
 }
 
-/// The line for a time step: the columns of `statistics.csv`.
-pub(super) fn of(statistics: &Statistics) -> String {
-    to_json(&Row::from(statistics))
-}
-
-/// The numbers of queries of one kind.
+/// A time step: the columns of `statistics.csv`, with the durations apart.
 #[derive(Serialize)]
-struct Numbers {
-    total: usize,
-    in_contact: usize,
-    kept: usize,
+struct TimeStep {
+    #[serde(flatten)]
+    columns: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    seconds: Map<String, Value>,
 }
 
-#[derive(Serialize)]
-struct Queries {
-    vertex_face: Numbers,
-    edge_edge: Numbers,
-}
-
-/// The line for the queries of all time steps.
-pub(super) fn of_queries(counts: &Counts<[usize; 3]>) -> String {
-    let numbers = |[total, in_contact, kept]: [usize; 3]| Numbers {
-        total,
-        in_contact,
-        kept,
+/// The line for a time step.
+pub(super) fn of(statistics: &Statistics, no_seconds: bool) -> String {
+    let row = serde_json::to_value(Row::from(statistics)).expect("numbers only");
+    let columns = row.as_object().into_iter().flatten();
+    let mut step = TimeStep {
+        columns: Map::new(),
+        seconds: Map::new(),
     };
-    to_json(&Queries {
-        vertex_face: numbers(counts.vertex_face),
-        edge_edge: numbers(counts.edge_edge),
-    })
-}
-
-fn to_json(object: &impl Serialize) -> String {
-    serde_json::to_string(object).expect("numbers and names only")
+    for (name, value) in columns {
+        match name.strip_suffix("_s").filter(|_| name != "time_s") {
+            Some(phase) if !no_seconds => step.seconds.insert(phase.to_owned(), value.clone()),
+            Some(_) => None,
+            None => step.columns.insert(name.clone(), value.clone()),
+        };
+    }
+    to_json("simulate", &step)
 }

@@ -1,7 +1,6 @@
 //! The files and subfolders of the output folder of a simulation.
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 use exact_ccd_files::read_pvd;
@@ -10,6 +9,7 @@ use super::removal::{draft_of, remove_files};
 use super::statistics::Row;
 use super::steps;
 use crate::failure::Failure;
+use crate::output::remove_file;
 
 pub(super) const CHECKPOINT: &str = "checkpoint.json";
 pub(super) const STATISTICS: &str = "statistics.csv";
@@ -41,15 +41,7 @@ pub(super) const PICTURES: &str = "pictures";
 
 /// Removes the files of an earlier run. They refer to files in the subfolders, which are removed later.
 pub(super) fn remove_index_files(folder: &Path) -> Result<(), Failure> {
-    for file in FILES.map(|name| folder.join(name)) {
-        match fs::remove_file(&file) {
-            Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                return Err(Failure::write(&file, error));
-            }
-            _ => {}
-        }
-    }
-    Ok(())
+    FILES.iter().try_for_each(|name| remove_file(&folder.join(name)))
 }
 
 /// The time steps with files that the collection in a folder lists, up to the last one. If there is no

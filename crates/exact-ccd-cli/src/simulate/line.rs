@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use exact_ccd_sim::{Simulation, Statistics, System};
 
-use super::queries::Counts;
+use super::queries::{Counts, Numbers};
 use super::significant::significant;
 
 /// The line for a scene, simulated up to a time step. Its lengths help to notice wrong units.
@@ -19,7 +19,7 @@ pub(super) fn of_scene(simulation: &Simulation, steps: u64, is_saved: bool) -> S
         time_steps(simulation, steps)
     );
     if !is_saved {
-        line += "; without --out, nothing is saved";
+        line += "; without --output, nothing is saved";
     }
     line
 }
@@ -82,7 +82,7 @@ fn rods_and_particles(system: &System) -> String {
 }
 
 /// The line for a time step.
-pub(super) fn of(statistics: &Statistics) -> String {
+pub(super) fn of(statistics: &Statistics, no_seconds: bool) -> String {
     let Statistics {
         step,
         time,
@@ -108,6 +108,9 @@ pub(super) fn of(statistics: &Statistics) -> String {
     if !statistics.converged {
         line += ", not converged";
     }
+    if no_seconds {
+        return line;
+    }
     let _ = write!(
         line,
         "; {:.2} s (assembly {:.2}, solve {:.2}, ccd {:.2}, line search {:.2})",
@@ -117,13 +120,15 @@ pub(super) fn of(statistics: &Statistics) -> String {
 }
 
 /// The line for the queries of all time steps.
-pub(super) fn of_queries(counts: &Counts<[usize; 3]>) -> String {
-    let text = |name: &str, [total, in_contact, kept]: [usize; 3]| {
+pub(super) fn of_queries(counts: &Counts) -> String {
+    let text = |name: &str, numbers: &Numbers| {
+        let Numbers {
+            total,
+            in_contact,
+            kept,
+        } = numbers;
         format!("{kept} of {total} {name} queries, {in_contact} in contact")
     };
-    format!(
-        "kept {}; {}",
-        text("vertex-face", counts.vertex_face),
-        text("edge-edge", counts.edge_edge)
-    )
+    let vertex_face = text("vertex-face", &counts.vertex_face);
+    format!("kept {vertex_face}; {}", text("edge-edge", &counts.edge_edge))
 }

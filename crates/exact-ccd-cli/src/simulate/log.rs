@@ -37,11 +37,7 @@ impl<R: Row> Log<R> {
     }
 
     fn with(file: PathBuf, rows: &[R]) -> Result<Self, Failure> {
-        write_file(&file, |writer| {
-            let mut writer = csv::Writer::from_writer(writer);
-            rows.iter().try_for_each(|row| writer.serialize(row))?;
-            writer.flush()
-        })?;
+        write_rows(&file, rows)?;
         Ok(Self {
             file,
             is_empty: rows.is_empty(),
@@ -78,6 +74,15 @@ impl<R: Row> Log<R> {
     pub(super) fn rows(&self) -> Result<Vec<R>, Failure> {
         read(&self.file, u64::MAX)
     }
+}
+
+/// Writes a table with these rows, and replaces an existing one.
+pub(super) fn write_rows(file: &Path, rows: &[impl Serialize]) -> Result<(), Failure> {
+    write_file(file, |writer| {
+        let mut writer = csv::Writer::from_writer(writer);
+        rows.iter().try_for_each(|row| writer.serialize(row))?;
+        writer.flush()
+    })
 }
 
 /// The rows of a file up to a time step. Empty if there is no file. A last line without a line break is

@@ -22,17 +22,18 @@ mod statistics;
 mod steps;
 
 use std::ffi::OsString;
-use std::fmt::Display;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::value_parser;
-use exact_ccd_scene::{Scene, SceneError};
+use exact_ccd_scene::Scene;
 use exact_ccd_sim::{Simulation, SimulationError, System};
 
-use crate::failure::{Failure, failures};
+use crate::failure::Failure;
 use crate::inputs::check_file;
+use crate::json::to_json;
+use crate::notes::Notes;
 use crate::output::print;
 use crate::progress::{self, during};
 use crate::view::View;
@@ -47,7 +48,7 @@ use queries::QueryFolder;
 /// `settings.ccd` selects the method of continuous collision detection (CCD). The
 /// command prints one line for the scene and one for each time step.
 ///
-/// With --out, the command writes for each time step N
+/// With --output, the command writes for each time step N
 ///   DIR/frames/N.ply     the surface
 ///   DIR/vtu/N.vtu        tetrahedra, triangles, rods, particles, velocities, bodies;
 ///                        DIR/motion.pvd opens all time steps in ParaView
@@ -60,7 +61,7 @@ use queries::QueryFolder;
 /// An interrupted run continues with --resume from the last checkpoint, at most about a
 /// second of work earlier. On the same machine, its results are identical to those of an
 /// uninterrupted run. The results of an earlier run in DIR are an error without --resume
-/// or --overwrite. Without --out, nothing is saved.
+/// or --overwrite. Without --output, nothing is saved.
 ///
 /// Ctrl-C ends the run after the last complete time step, which is saved, and prints the
 /// command that continues it; a second Ctrl-C ends the process at once.
@@ -72,14 +73,14 @@ use queries::QueryFolder;
 pub(crate) struct Arguments {
     /// The scene, a .toml file or one of another program.
     scene: PathBuf,
-    /// The output folder.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
+    /// Write the results to this folder.
+    #[arg(long, short, value_name = "DIR", alias = "out")]
+    output: Option<PathBuf>,
     /// The folder of the mesh files, by default that of the scene file.
     #[arg(long, value_name = "DIR")]
     meshes: Option<PathBuf>,
-    #[arg(long, value_name = "NAME", help = ccd_help())]
-    ccd: Option<String>,
+    #[arg(long, value_name = "NAME", alias = "ccd", help = method_help())]
+    method: Option<String>,
     /// The number of the last time step, in place of the scene's duration. It counts from the start, also
     /// with --resume.
     #[arg(long, value_name = "N")]
@@ -87,12 +88,12 @@ pub(crate) struct Arguments {
     /// Write the surface after each Newton step, as `path/STEP-INCREMENT.ply`. These increments are free of
     /// contact, and `exact-ccd audit DIR/path` certifies it. The straight motion from one time step to the
     /// next may have contacts.
-    #[arg(long, requires = "out")]
+    #[arg(long, requires = "output")]
     path: bool,
     /// Draw each time step as `pictures/N.png`, and at the end all as the animations `motion.png` and
     /// `motion.gif`; plot `energies.svg` and `minimal-distance.svg`. With --resume, earlier time steps are
     /// included. The table `[render]` of the scene has the settings.
-    #[arg(long, requires = "out")]
+    #[arg(long, requires = "output")]
     render: bool,
     /// Write the CCD queries as a data set for `exact-ccd bench` and `exact-ccd queries`. For each time step
     /// N, the folder gets `vertex-face/N.csv` and `edge-edge/N.csv`, with the exact answer in the last
@@ -110,14 +111,14 @@ pub(crate) struct Arguments {
         value_parser = value_parser!(u32).range(1..)
     )]
     dump_most: u32,
-    /// Continue from the checkpoint in the folder of --out, which must belong to this scene.
-    #[arg(long, requires = "out", conflicts_with = "overwrite")]
+    /// Continue from the checkpoint in the folder of --output, which must belong to this scene.
+    #[arg(long, requires = "output", conflicts_with = "overwrite")]
     resume: bool,
-    /// Replace the results of an earlier run in the folder of --out.
-    #[arg(long, requires = "out")]
+    /// Replace the results of an earlier run in the folder of --output.
+    #[arg(long, requires = "output")]
     overwrite: bool,
     /// Write files for every Nth time step only, and for the last one. `statistics.csv` has all time steps.
-    #[arg(long, value_name = "N", requires = "out", default_value_t = 1, value_parser = value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", requires = "output", default_value_t = 1, value_parser = value_parser!(u64).range(1..))]
     every: u64,
     /// End with an error after a time step in which Newton's method did not converge.
     #[arg(long)]
@@ -125,16 +126,17 @@ pub(crate) struct Arguments {
     /// Print a JSON object in place of each line of text. docs/reports.md has its schema.
     #[arg(long)]
     json: bool,
+    /// Leave the durations out, so that the lines have the same bytes each time.
+    #[arg(long)]
+    no_seconds: bool,
     #[command(flatten)]
     view: View,
 }
 
-fn ccd_help() -> String {
+fn method_help() -> String {
     let names = filters::names().join(", ");
-    format!("The CCD method, in place of that of the scene, one of: {names}")
+    format!("The method, in upper or lower case, in place of that of the scene: {names}")
 }
-
-failures! { SceneError, SimulationError }
 
 /// The end of the time steps.
 enum Ended {
@@ -147,16 +149,17 @@ enum Ended {
 /// Ctrl-C can be handled.
 pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result<ExitCode, Failure> {
     check_file(&arguments.scene, "a scene in TOML, or one of IPC or of PolyFEM")?;
-    if let Some(name) = &arguments.ccd {
+    if let Some(name) = &arguments.method {
         filters::check(name)?;
     }
     let by_name = |name: &str, system: &System| {
-        let name = arguments.ccd.as_deref().unwrap_or(name);
+        let name = arguments.method.as_deref().unwrap_or(name);
         filters::by_name(name, system).map_err(|error| error.to_string())
     };
     let scene = Scene::read(&arguments.scene, arguments.meshes.as_deref(), &by_name)?;
-    scene.notes.iter().for_each(|text| note(text));
-    let (simulation, mut folder) = match &arguments.out {
+    let mut notes = Notes::default();
+    scene.notes.iter().for_each(|text| notes.note(text.to_string()));
+    let (simulation, mut folder) = match &arguments.output {
         None => (scene.simulation()?, None),
         Some(folder) => {
             let (simulation, folder) = open(folder, &scene, arguments)?;
@@ -174,7 +177,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
 
     let steps = arguments.steps.unwrap_or(scene.steps);
     let remaining = steps.saturating_sub(simulation.state().step);
-    let scene_line = line::of_scene(&simulation, steps, arguments.out.is_some());
+    let scene_line = line::of_scene(&simulation, steps, arguments.output.is_some());
     if arguments.json {
         print(&json::of_scene(&simulation, steps))?;
     } else {
@@ -185,7 +188,7 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         let warnings = simulation.warnings();
         warnings
             .iter()
-            .for_each(|warning| warn(&warning.with_names(system)));
+            .for_each(|warning| notes.warn(warning.with_names(system)));
     }
     let text_of_page = format!(
         "{}\n{}",
@@ -234,9 +237,9 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
                 }
             }
             let line = if arguments.json {
-                json::of(&statistics)
+                json::of(&statistics, arguments.no_seconds)
             } else {
-                line::of(&statistics)
+                line::of(&statistics, arguments.no_seconds)
             };
             // The progress bar is hidden while the line is printed.
             lines.suspend(|| print(&line))?;
@@ -267,12 +270,12 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
     let verdict = line::of_convergence(&unconverged, remaining);
     recording.finish(&verdict, &text_of_page, distance)?;
     if let Some(warning) = line::of_unconverged(&unconverged, remaining) {
-        warn(&warning);
+        notes.warn(warning);
     }
     if let Some(queries) = &queries {
         let counts = queries.total();
         print(&if arguments.json {
-            json::of_queries(counts)
+            to_json("simulate", counts)
         } else {
             line::of_queries(counts)
         })?;
@@ -283,16 +286,6 @@ pub(crate) fn run(arguments: &Arguments, command: Option<&[OsString]>) -> Result
         pictures.finish(folder)?;
     }
     Ok(ExitCode::SUCCESS)
-}
-
-/// Writes a warning to standard error. An error of this is ignored.
-fn warn(warning: &dyn Display) {
-    let _ = writeln!(std::io::stderr(), "exact-ccd: warning: {warning}");
-}
-
-/// Writes a note to standard error. An error of this is ignored.
-pub(crate) fn note(note: &dyn Display) {
-    let _ = writeln!(std::io::stderr(), "exact-ccd: note: {note}");
 }
 
 /// A simulation from its start or from the checkpoint in a folder, with the opened folder.

@@ -20,14 +20,30 @@ pub(super) struct QueryFolder {
     folder: PathBuf,
     recording: Recording,
     log: Log<Row>,
-    total: Counts<[usize; 3]>,
+    total: Counts,
 }
 
-/// For each kind: the numbers of queries, of queries in contact, and of queries written.
-#[derive(Default)]
-pub(super) struct Counts<T> {
-    pub(super) vertex_face: T,
-    pub(super) edge_edge: T,
+/// The numbers of queries of each kind, in the shape of the JSON object.
+#[derive(Default, Serialize)]
+pub(super) struct Counts {
+    pub(super) vertex_face: Numbers,
+    pub(super) edge_edge: Numbers,
+}
+
+/// The numbers of queries of a kind: of all, of those in contact, and of those written.
+#[derive(Default, Serialize)]
+pub(super) struct Numbers {
+    pub(super) total: usize,
+    pub(super) in_contact: usize,
+    pub(super) kept: usize,
+}
+
+impl Numbers {
+    fn add(&mut self, other: &Self) {
+        self.total += other.total;
+        self.in_contact += other.in_contact;
+        self.kept += other.kept;
+    }
 }
 
 /// A row of `counts.csv`: the queries of a time step, and those of them that were written.
@@ -74,35 +90,26 @@ impl QueryFolder {
     /// Writes the queries of a time step.
     pub(super) fn add(&mut self, step: u64) -> Result<(), Failure> {
         let samples = self.recording.take();
-        let counts = Counts {
-            vertex_face: self.write(step, &samples.vertex_face)?,
-            edge_edge: self.write(step, &samples.edge_edge)?,
-        };
-        for (total, counts) in [
-            (&mut self.total.vertex_face, counts.vertex_face),
-            (&mut self.total.edge_edge, counts.edge_edge),
-        ] {
-            total
-                .iter_mut()
-                .zip(counts)
-                .for_each(|(total, count)| *total += count);
-        }
-        let [vertex_face, vertex_face_in_contact, vertex_face_kept] = counts.vertex_face;
-        let [edge_edge, edge_edge_in_contact, edge_edge_kept] = counts.edge_edge;
+        let [vertex_face, edge_edge] = [
+            self.write(step, &samples.vertex_face)?,
+            self.write(step, &samples.edge_edge)?,
+        ];
         self.log.add(&Row {
             step,
-            vertex_face,
-            vertex_face_in_contact,
-            vertex_face_kept,
-            edge_edge,
-            edge_edge_in_contact,
-            edge_edge_kept,
+            vertex_face: vertex_face.total,
+            vertex_face_in_contact: vertex_face.in_contact,
+            vertex_face_kept: vertex_face.kept,
+            edge_edge: edge_edge.total,
+            edge_edge_in_contact: edge_edge.in_contact,
+            edge_edge_kept: edge_edge.kept,
         })?;
+        self.total.vertex_face.add(&vertex_face);
+        self.total.edge_edge.add(&edge_edge);
         self.log.sync()
     }
 
     /// Writes a sample unless it is empty, and returns the counts.
-    fn write<K: DataKind>(&self, step: u64, sample: &Subjects<K>) -> Result<[usize; 3], Failure> {
+    fn write<K: DataKind>(&self, step: u64, sample: &Subjects<K>) -> Result<Numbers, Failure> {
         let [free, colliding] = sample.population();
         let kept = sample.sample();
         if !kept.is_empty() {
@@ -115,11 +122,15 @@ impl QueryFolder {
             });
             query_files::write(&file, Seventh::Contact, records)?;
         }
-        Ok([free + colliding, colliding, kept.len()])
+        Ok(Numbers {
+            total: free + colliding,
+            in_contact: colliding,
+            kept: kept.len(),
+        })
     }
 
     /// The numbers of queries of all time steps.
-    pub(super) fn total(&self) -> &Counts<[usize; 3]> {
+    pub(super) fn total(&self) -> &Counts {
         &self.total
     }
 }

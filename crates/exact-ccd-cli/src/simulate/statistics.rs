@@ -4,6 +4,7 @@ use exact_ccd_sim::Statistics;
 use serde::{Deserialize, Serialize};
 
 use super::log;
+use crate::contacts::unsigned_zero;
 
 /// A row of `statistics.csv`. The names of the columns end with their units.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -77,11 +78,11 @@ impl From<&Statistics> for Row {
             minimal_distance: statistics.minimal_distance,
             stiffness: statistics.stiffness,
             script_lag: statistics.script_lag,
-            kinetic: positive_zero(energies.kinetic),
-            elastic: positive_zero(energies.elastic),
-            barrier: positive_zero(energies.barrier),
-            friction: positive_zero(energies.friction),
-            gravity: positive_zero(energies.gravity),
+            kinetic: unsigned_zero(energies.kinetic),
+            elastic: unsigned_zero(energies.elastic),
+            barrier: unsigned_zero(energies.barrier),
+            friction: unsigned_zero(energies.friction),
+            gravity: unsigned_zero(energies.gravity),
             assembly: seconds.assembly,
             solve: seconds.solve,
             ccd: seconds.ccd,
@@ -89,9 +90,4 @@ impl From<&Statistics> for Row {
             total: seconds.total,
         }
     }
-}
-
-/// The same number, with −0.0 (which is the value of an empty sum) replaced by 0.0.
-fn positive_zero(number: f64) -> f64 {
-    number + 0.0
 }

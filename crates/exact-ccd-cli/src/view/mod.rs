@@ -6,7 +6,6 @@ mod recording;
 mod setup;
 #[cfg(feature = "simulate")]
 mod simulation;
-mod step;
 mod up;
 
 use std::io::Write;
@@ -22,7 +21,6 @@ use crate::scene::Scene;
 pub(crate) use query::{ChosenQuery, QueryView};
 use recording::Recording;
 use setup::Setup;
-pub(crate) use step::ShownStep;
 use up::Up;
 
 /// The options `--view` and `--view-up`.
@@ -43,23 +41,6 @@ impl View {
         self.view.as_deref()
     }
 
-    /// Writes the page of a step, if there is to be one, with the answer that is printed, of which one
-    /// line is the verdict.
-    pub(crate) fn step(
-        &self,
-        files: &[PathBuf],
-        scene: &Scene,
-        step: &ShownStep<'_>,
-        (verdict, answer): (&str, &str),
-    ) -> Result<(), Failure> {
-        let Some(file) = &self.view else { return Ok(()) };
-        let setup = Setup::of_scene(scene, step.half_spaces.to_vec()).with_up(self.up());
-        write(
-            file,
-            &with_answer(step.page(title(files), setup)?, verdict, answer),
-        )
-    }
-
     /// The recording of frames from files, which does nothing if there is to be no page of them.
     pub(crate) fn recording(&self, files: &[PathBuf], scene: &Scene, half_spaces: &[HalfSpace]) -> Recording {
         let setup = || Setup::of_scene(scene, half_spaces.to_vec()).with_up(self.up());
@@ -69,12 +50,6 @@ impl View {
     fn up(&self) -> Option<Point> {
         self.view_up.map(|Up(up)| up)
     }
-}
-
-/// The page with the answer that was printed, of which one line is the verdict.
-fn with_answer(page: Page, verdict: &str, answer: &str) -> Page {
-    let others = lines(answer).filter(|line| line != verdict);
-    page.with_summary(others).with_verdict(verdict)
 }
 
 fn write(file: &Path, page: &Page) -> Result<(), Failure> {
@@ -94,15 +69,16 @@ fn title(files: &[PathBuf]) -> String {
 }
 
 /// The last part of a path.
-fn name(path: &Path) -> String {
+pub(crate) fn name(path: &Path) -> String {
     let name = path.file_name().unwrap_or(path.as_os_str());
     name.to_string_lossy().into_owned()
 }
 
-/// The lines of an answer, without those that the page has elsewhere (the contents of the mesh, the place of
-/// the contact) and that of the durations.
-fn lines(answer: &str) -> impl Iterator<Item = String> {
-    let left_out = ["read: ", "  at ", "seconds: "];
-    let is_kept = move |line: &&str| !left_out.iter().any(|start| line.starts_with(start));
-    answer.lines().filter(is_kept).map(str::to_owned)
+/// The page with the answer that was printed, of which one line is the verdict, without the lines that the
+/// page has elsewhere: the contents of the mesh, and the place of the contact.
+fn with_answer(page: Page, verdict: &str, answer: &str) -> Page {
+    let is_shown =
+        |line: &&str| *line != verdict && !line.starts_with("read: ") && !line.starts_with("  at ");
+    page.with_summary(answer.lines().filter(is_shown).map(str::to_owned))
+        .with_verdict(verdict)
 }

@@ -1,11 +1,13 @@
 //! The page of a motion whose frames come one after the other.
 
-use std::path::{Path, PathBuf};
+#[cfg(feature = "simulate")]
+use std::path::Path;
+use std::path::PathBuf;
 
-use exact_ccd_mesh::{Frame, Violation};
+use exact_ccd_mesh::{Aabb, Contact, Intersection, Point, TriangleMesh};
 #[cfg(feature = "simulate")]
 use exact_ccd_view::History;
-use exact_ccd_view::Page;
+use exact_ccd_view::{Page, PageError};
 
 use super::setup::Setup;
 use crate::failure::Failure;
@@ -45,36 +47,42 @@ impl Recording {
         }
     }
 
-    /// Adds the next frame, from a file.
-    pub(crate) fn add(&mut self, name: &str, frame: &Frame) -> Result<(), Failure> {
-        if self.file.is_none() {
-            return Ok(());
+    /// Begins the page, unless it has begun, for frames of a mesh in a box.
+    pub(crate) fn begin(&mut self, mesh: &TriangleMesh, bounds: impl FnOnce() -> Aabb) {
+        if self.file.is_some() && self.page.is_none() {
+            let setup = std::mem::take(&mut self.setup);
+            self.page = Some(setup.page(&self.title, mesh.clone(), &bounds()));
         }
-        self.push(&super::name(Path::new(name)), frame)
     }
 
-    pub(super) fn push(&mut self, label: &str, frame: &Frame) -> Result<(), Failure> {
-        let page = match &mut self.page {
-            Some(page) => page,
-            none => none.insert(std::mem::take(&mut self.setup).page(&self.title, frame)),
-        };
-        Ok(page.add_frame(label, &frame.positions)?)
+    /// Adds the next frame. All further methods do nothing if the page has not begun.
+    pub(crate) fn add(&mut self, label: &str, positions: &[Point]) -> Result<(), Failure> {
+        self.change(|page| page.add_frame(label, positions))
     }
 
-    /// Adds a violation in the last frame, or in the step that leads to it.
-    pub(crate) fn violation(&mut self, violation: &Violation) -> Result<(), Failure> {
-        let Some(page) = &mut self.page else { return Ok(()) };
-        let added = match violation {
-            Violation::Intersection { intersection, .. } => page.add_intersection(*intersection),
-            Violation::Contact { contact, .. } => page.add_contact(contact),
-        };
-        Ok(added?)
+    /// Adds an intersection in the last frame.
+    pub(crate) fn intersection(&mut self, intersection: Intersection) -> Result<(), Failure> {
+        self.change(|page| page.add_intersection(intersection))
     }
 
-    /// Adds a vertex that is not apart from the half space of this number in the last frame.
-    pub(crate) fn half_space_contact(&mut self, vertex: u32, half_space: u32) -> Result<(), Failure> {
-        let Some(page) = &mut self.page else { return Ok(()) };
-        Ok(page.add_half_space_contact(vertex, half_space, None)?)
+    /// Adds a contact in the step that leads to the last frame.
+    pub(crate) fn contact(&mut self, contact: &Contact) -> Result<(), Failure> {
+        self.change(|page| page.add_contact(contact))
+    }
+
+    /// Adds the contact of a vertex and the half space of this number: at a time in the step that leads to
+    /// the last frame, or in that frame at rest.
+    pub(crate) fn half_space_contact(
+        &mut self,
+        vertex: u32,
+        half_space: u32,
+        time: Option<f64>,
+    ) -> Result<(), Failure> {
+        self.change(|page| page.add_half_space_contact(vertex, half_space, time))
+    }
+
+    fn change(&mut self, change: impl FnOnce(&mut Page) -> Result<(), PageError>) -> Result<(), Failure> {
+        self.page.as_mut().map_or(Ok(()), |page| Ok(change(page)?))
     }
 
     /// Writes the page, with the answer that was printed, of which one line is the verdict.

@@ -1,7 +1,7 @@
 //! The contents of a page before its first frame.
 
 use exact_ccd_files::FileIds;
-use exact_ccd_mesh::{Frame, HalfSpace, Point};
+use exact_ccd_mesh::{Aabb, HalfSpace, Point, TriangleMesh};
 use exact_ccd_view::{Body, Page};
 
 use crate::scene::Scene;
@@ -34,14 +34,9 @@ impl Setup {
         Self { up, ..self }
     }
 
-    /// The page with its contents, for frames of the same mesh as the first one.
-    pub(super) fn page(self, title: &str, first: &Frame) -> Page {
-        let page = Page::new(title, first.mesh.clone(), &first.bounds());
-        self.add_to(page)
-    }
-
-    /// A page with these contents.
-    pub(super) fn add_to(self, page: Page) -> Page {
+    /// A page with these contents, for frames of a mesh in a box.
+    pub(super) fn page(self, title: &str, mesh: TriangleMesh, bounds: &Aabb) -> Page {
+        let page = Page::new(title, mesh, bounds);
         let mut page = page.with_bodies(self.bodies).with_radii(&self.radii);
         for HalfSpace { name, point, normal } in self.half_spaces {
             page = page.with_half_space(name, point, normal);

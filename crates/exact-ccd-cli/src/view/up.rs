@@ -4,6 +4,8 @@ use std::str::FromStr;
 
 use exact_ccd_mesh::Point;
 
+use crate::shortest::numbers;
+
 /// A direction: an axis, with or without a sign, or three numbers.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Up(pub(super) Point);
@@ -22,15 +24,9 @@ impl FromStr for Up {
             "z" => return Ok(Self([0.0, 0.0, sign])),
             _ => {}
         }
-        let words = text.split([' ', ',']).filter(|word| !word.is_empty());
-        let numbers: Result<Vec<f64>, _> = words.map(str::parse).collect();
-        match numbers.as_deref() {
-            Ok(&[x, y, z])
-                if [x, y, z].iter().all(|x| x.is_finite()) && [x, y, z].iter().any(|&x| x != 0.0) =>
-            {
-                Ok(Self([x, y, z]))
-            }
-            _ => Err("expected x, y, z, -x, -y, -z, or three numbers, finite and not all zero".to_owned()),
-        }
+        let up = numbers(text).filter(|up: &Point| up.iter().all(|x| x.is_finite()) && *up != [0.0; 3]);
+        up.map(Self).ok_or_else(|| {
+            "expected x, y, z, -x, -y, -z, or three numbers, finite and not all zero".to_owned()
+        })
     }
 }

@@ -135,26 +135,22 @@ fn json_names_the_violation() {
         }
         (run.status, report)
     };
-    let free =
-        json!({"min_distance": 0.0, "collision_free": true, "frames": 2, "examined": 2, "violation": null});
+    let free = json!({"version": 1, "command": "audit", "min_distance": 0.0, "collision_free": true, "frames": 2, "examined": 2,
+        "intersection": null, "contact": null, "toi": null});
     assert_eq!(report(&["0.ply", "1.ply"]), (0, free));
     let zero = json!({"lower": 0.0, "upper": 0.0});
-    let contact = json!({"min_distance": 0.0, "collision_free": false, "frames": 3, "examined": 3, "violation": {
-        "frame": 1, "file": "1.ply", "next": "2.ply",
-        "contact": {
-            "frame": 1, "kind": "vf", "ids": [4, 1], "vertices": [[4], [2, 1, 3]],
+    let contact = json!({"version": 1, "command": "audit", "min_distance": 0.0, "collision_free": false, "frames": 3,
+        "examined": 3, "intersection": null, "toi": 0.3333333333333333, "contact": {
+            "frame": 1, "files": ["1.ply", "2.ply"], "kind": "vf", "ids": [4, 1], "vertices": [[4], [2, 1, 3]],
             "time": {"lower": 0.3333333333333333, "upper": 0.33333333333333337},
             "point": [0.75, 0.5, 1.1102230246251565e-16], "normal": [0.0, 0.0, 1.0], "parameters": [0.5, 0.25],
             "distance": zero,
-        },
     }});
     assert_eq!(report(&["0.ply", "1.ply", "2.ply"]), (1, contact));
-    let intersection = json!({"min_distance": 0.0, "collision_free": false, "frames": 1, "examined": 1, "violation": {
-        "frame": 0, "file": "3.ply", "next": null,
-        "contact": {
-            "frame": 0, "kind": "ef", "ids": [5, 1], "vertices": [[4, 5], [2, 1, 3]], "time": zero,
+    let intersection = json!({"version": 1, "command": "audit", "min_distance": 0.0, "collision_free": false,
+        "frames": 1, "examined": 1, "contact": null, "toi": null, "intersection": {
+            "frame": 0, "files": ["3.ply"], "kind": "ef", "ids": [5, 1], "vertices": [[4, 5], [2, 1, 3]], "time": zero,
             "point": [0.75 + 0.25 / 2.0, 0.5, 0.0], "normal": null, "parameters": null, "distance": zero,
-        },
     }});
     assert_eq!(report(&["3.ply"]), (1, intersection));
 }
@@ -375,13 +371,13 @@ fn half_spaces_are_not_entered() {
     let first = |height: &str| {
         let run = run(height, &["--json", "--out", "out"]);
         let report: Value = serde_json::from_str(&run.stdout).unwrap();
-        report["violation"]["contact"].clone()
+        report["contact"].clone()
     };
     assert_eq!(first("0.24999999999999997"), Value::Null);
     assert_eq!(
         first("0.25"),
         json!({
-            "frame": 2, "kind": "vh", "ids": [0, 0], "vertices": [[0], []], "time": {"lower": 0.0, "upper": 0.0},
+            "frame": 2, "files": ["tip2.ply"], "kind": "vh", "ids": [0, 0], "vertices": [[0], []], "time": {"lower": 0.0, "upper": 0.0},
             "point": [0.25, 0.25, 0.25], "normal": [0.0, 0.0, 1.0], "parameters": null,
             "distance": {"lower": 0.0, "upper": 0.0},
         })

@@ -197,7 +197,7 @@ fn an_audit_certifies_the_distance() {
     let report = json_of(&audit_within("0.275", &["--json", "2.ply"]));
     assert_eq!(report["min_distance"], 0.275);
     assert_eq!(
-        report["violation"]["contact"]["distance"],
+        report["contact"]["distance"],
         json!({"lower": 0.25, "upper": 0.25})
     );
 }

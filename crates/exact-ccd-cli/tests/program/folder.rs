@@ -39,6 +39,8 @@ impl Folder {
     pub(crate) fn program(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_exact-ccd"));
         command.args(arguments).current_dir(&self.0).stdin(Stdio::null());
+        // The width of the help.
+        command.env("COLUMNS", "100");
         command
     }
 

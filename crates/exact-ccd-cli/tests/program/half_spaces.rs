@@ -27,7 +27,7 @@ fn step(folder: &Folder, options: &[&str]) -> Run {
 fn report(folder: &Folder, options: &[&str]) -> Value {
     let run = step(folder, &[options, &["--json"]].concat());
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
-    Schema::of_reports().assert("step", &report);
+    Schema::of_reports().assert("motion", &report);
     assert_eq!(run.status, i32::from(report["collision_free"] == false));
     report
 }
@@ -98,7 +98,7 @@ fn every_form_of_the_answer_has_the_half_spaces() {
         "{run:?}"
     );
     assert!(
-        run.stdout.contains(" half spaces, ") && run.status == 1,
+        run.stdout.contains(" half_spaces, ") && run.status == 1,
         "{run:?}"
     );
     let run = step(&folder, &[&half_space[..], &["--any"]].concat());

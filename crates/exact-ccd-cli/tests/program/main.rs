@@ -22,6 +22,7 @@ mod queries_errors;
 mod queries_separation;
 mod query_rows;
 mod recognised;
+mod repeatable;
 mod reports;
 mod round_errors;
 mod round_meshes;

@@ -432,11 +432,8 @@ fn several_series_are_parts_of_one_audit() {
     }
     let scene = ["audit", "cloth", "--with", "body"];
     let report = json_of(&folder.run(&[&scene[..], &["--json"]].concat()));
-    assert_eq!(report["violation"]["frame"], json!(1));
-    assert_eq!(
-        report["violation"]["contact"]["time"],
-        json!({"lower": 0.25, "upper": 0.25})
-    );
+    assert_eq!(report["contact"]["frame"], json!(1));
+    assert_eq!(report["contact"]["time"], json!({"lower": 0.25, "upper": 0.25}));
     assert_eq!(report["parts"][1]["name"], json!("body"));
     assert_eq!(report["parts"][1]["is_obstacle"], json!(false));
     let run = folder.run(&[&scene[..], &["--ignore", "cloth:body"]].concat());
@@ -476,7 +473,7 @@ fn groups_of_a_file_are_left_out_by_name() {
             {"part": "start", "name": "roof", "vertex_count": 3},
         ])
     );
-    Schema::of_reports().assert("step", &report);
+    Schema::of_reports().assert("motion", &report);
     let toi = |rules: &[&str]| json_of(&run(rules))["toi"].clone();
     assert_eq!(toi(&["--ignore", "roof:ground"]), Value::Null);
     assert_eq!(toi(&["--ignore", "start/roof:start/ground"]), Value::Null);

@@ -353,7 +353,7 @@ fn a_run_without_a_folder_is_not_saved() {
     let run = folder.run(&["simulate", "scene.toml", "--steps", "1"]);
     let line = run.stdout.lines().next().unwrap();
     assert!(
-        line.ends_with("; 1 time step of 0.02 s; without --out, nothing is saved"),
+        line.ends_with("; 1 time step of 0.02 s; without --output, nothing is saved"),
         "{run:?}"
     );
 }

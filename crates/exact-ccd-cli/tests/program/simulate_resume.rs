@@ -228,7 +228,7 @@ fn an_interrupted_simulation_says_how_to_continue() {
     };
     let nothing = interrupt(&[]);
     assert!(
-        nothing.ends_with("; without --out, nothing was saved\n"),
+        nothing.ends_with("; without --output, nothing was saved\n"),
         "{nothing}"
     );
 

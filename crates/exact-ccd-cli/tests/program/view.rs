@@ -394,10 +394,7 @@ fn an_intersection_at_the_start_is_the_verdict() {
     assert_eq!(run.status, 1);
     let page = data(&folder, "page.html");
     let verdict = page["verdict"].as_str().unwrap();
-    assert!(
-        verdict.starts_with("the mesh passes through itself at t = 0: "),
-        "{verdict}"
-    );
+    assert!(verdict.starts_with("intersection at t = 0: "), "{verdict}");
     assert_eq!(run.stdout.lines().nth(1), Some(verdict));
 }
 

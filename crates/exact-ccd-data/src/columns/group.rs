@@ -7,8 +7,8 @@ use parquet::file::metadata::{ParquetMetaData, RowGroupMetaData};
 
 use super::guard::GuardedFile;
 use super::leaf::{Column, Expected, Leaf};
+use super::problem::ColumnProblem;
 use super::row::Row;
-use crate::error::ColumnProblem;
 
 /// The largest number of rows of a row group; usual writers make smaller ones.
 const GROUP: usize = 1 << 20;

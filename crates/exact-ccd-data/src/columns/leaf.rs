@@ -10,7 +10,7 @@ use parquet::file::serialized_reader::SerializedPageReader;
 use parquet::schema::types::ColumnDescriptor;
 
 use super::guard::{GuardedFile, GuardedPages, catch};
-use crate::error::ColumnProblem;
+use super::problem::ColumnProblem;
 
 /// The place and the name of a column.
 #[derive(Clone, Copy)]

@@ -10,14 +10,18 @@ mod group;
 mod guard;
 mod header;
 mod leaf;
+mod problem;
 mod read;
 mod row;
+mod table;
 mod thrift;
 mod write;
 
 use crate::query_kind::QueryKind;
 
+pub use problem::{ColumnProblem, RecordProblem};
 pub use read::ColumnReader;
+pub use table::{TableColumn, write_table};
 pub use write::ColumnWriter;
 
 /// The columns, as [`ColumnWriter`] writes them. [`ColumnReader`] finds them by their names and

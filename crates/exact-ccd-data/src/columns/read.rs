@@ -13,7 +13,8 @@ use super::coordinates;
 use super::footer;
 use super::group::{Group, Leaves};
 use super::guard::{GuardedFile, catch, check_size};
-use crate::error::{ColumnProblem, DataError};
+use super::problem::ColumnProblem;
+use crate::error::DataError;
 use crate::query_kind::QueryKind;
 use crate::record::{Record, Sample};
 

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use exact_ccd_files::excerpt;
 use parquet::data_type::ByteArray;
 
 use super::coordinates;
-use crate::error::RecordProblem;
-use crate::excerpt::excerpt;
+use super::problem::RecordProblem;
 use crate::query_kind::{self, QueryKind};
 use crate::record::{Record, Sample};
 

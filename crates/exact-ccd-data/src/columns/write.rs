@@ -134,7 +134,7 @@ fn write_group<K: QueryKind, W: Write + Send>(
     nullable::<Int64Type, _, _>(group, records, id(1))
 }
 
-fn nullable<T: DataType, R, W: Write + Send>(
+pub(super) fn nullable<T: DataType, R, W: Write + Send>(
     group: &mut SerializedRowGroupWriter<'_, W>,
     records: &[R],
     value: impl Fn(&R) -> Option<T::T>,
@@ -156,7 +156,7 @@ fn column<T: DataType, W: Write + Send>(
     column.close()
 }
 
-fn other(error: ParquetError) -> io::Error {
+pub(super) fn other(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(source) => match source.downcast() {
             Ok(error) => *error,

@@ -71,7 +71,8 @@ impl SimulationRecording {
             Some(step) => self.steps.push(step.clone()),
             None => self.start = time,
         }
-        self.frames.push(&format!("{time} s"), &frame)
+        self.frames.begin(&frame.mesh, || frame.bounds());
+        self.frames.add(&format!("{time} s"), &frame.positions)
     }
 
     /// Writes the page, with charts of the time steps: a verdict about all of them, and lines about the

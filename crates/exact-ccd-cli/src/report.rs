@@ -1,0 +1,272 @@
+//! The report of a motion: that of one step, or of a sequence of frames.
+
+use std::fmt;
+
+use exact_ccd_mesh::{PairCounts, StepReport};
+use serde::Serialize;
+
+use crate::contacts::{ContactList, ContactRecord};
+use crate::distances::Distances;
+use crate::half_spaces::HalfSpaceCounts;
+use crate::json::to_json;
+use crate::notes::Notes;
+use crate::scene::{Scene, Summary};
+use crate::seconds::Seconds;
+use crate::shortest::shortest;
+
+/// The answer, what was read, and the distances within which pairs touch, in the shape of the JSON object.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    #[serde(skip)]
+    command: &'static str,
+    #[serde(flatten)]
+    summary: Summary,
+    #[serde(skip_serializing_if = "Notes::is_empty")]
+    pub(crate) notes: Notes,
+    #[serde(flatten)]
+    distances: Distances,
+    pub(crate) collision_free: bool,
+    /// True for a contact, also if the first one is not searched for.
+    #[serde(skip)]
+    touches: bool,
+    /// The number of frames: 2 of a step.
+    frames: usize,
+    /// The number of frames examined, until the first intersection or contact unless all are searched for.
+    pub(crate) examined: usize,
+    /// The first edge that meets a face in a frame at rest.
+    intersection: Option<Finding>,
+    /// The first time of the contact in its step, rounded down.
+    toi: Option<f64>,
+    /// The first contact; none either if the question is only if there is one.
+    contact: Option<Finding>,
+    #[serde(flatten)]
+    pub(crate) counts: Counts,
+    /// The durations of the phases, unless they are left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) seconds: Option<Seconds>,
+}
+
+/// An intersection or a contact, and the files of its frame, and of the next one unless it is at rest.
+#[derive(Serialize)]
+pub(crate) struct Finding {
+    #[serde(flatten)]
+    record: ContactRecord,
+    files: Vec<String>,
+}
+
+/// The numbers of intersections and contacts, as far as they are known.
+#[derive(Default, Serialize)]
+pub(crate) struct Counts {
+    /// The intersections at t = 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) intersections: Option<usize>,
+    #[serde(flatten)]
+    pub(crate) pairs: Option<Pairs>,
+    /// The vertices that touch half spaces, if there are half spaces.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) half_spaces: Option<HalfSpaceCounts>,
+    /// Those of the list of all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) violations: Option<Violations>,
+}
+
+/// The pairs of a step whose candidates have all been examined.
+#[derive(Serialize)]
+pub(crate) struct Pairs {
+    touching_at_start: usize,
+    candidates: OfKinds,
+    colliding: OfKinds,
+}
+
+/// A number for each kind of pair.
+#[derive(Serialize)]
+struct OfKinds {
+    vf: usize,
+    ee: usize,
+    ve: usize,
+    vv: usize,
+}
+
+/// The number of intersections and contacts, and of the frames that have them or at which their steps begin.
+#[derive(Serialize)]
+pub(crate) struct Violations {
+    count: usize,
+    frames: usize,
+}
+
+impl Report {
+    /// The report of a motion in which nothing has been found yet.
+    pub(crate) fn new(command: &'static str, scene: &Scene, notes: Notes, distances: Distances) -> Self {
+        Self {
+            command,
+            summary: scene.summary(),
+            notes,
+            distances,
+            collision_free: true,
+            touches: false,
+            frames: scene.frame_count(),
+            examined: scene.frame_count(),
+            intersection: None,
+            toi: None,
+            contact: None,
+            counts: Counts::default(),
+            seconds: None,
+        }
+    }
+
+    /// Adds an intersection or a contact, unless there is an earlier one. A contact in motion is in the step
+    /// that leads to frame `index`.
+    pub(crate) fn add(&mut self, scene: &Scene, index: usize, record: &ContactRecord) {
+        let first = if record.is_intersection() {
+            &mut self.intersection
+        } else {
+            self.touches = true;
+            &mut self.contact
+        };
+        if first.is_none() {
+            let is_at_rest = record.is_intersection();
+            let last = if is_at_rest { record.frame } else { index };
+            let files = (record.frame..=last).map(|frame| scene.frame_name(frame));
+            *first = Some(Finding {
+                record: record.clone(),
+                files: files.collect(),
+            });
+        }
+        self.toi = self.contact.as_ref().map(|contact| contact.record.toi());
+        self.collision_free = false;
+    }
+
+    /// Adds a contact that is not known.
+    pub(crate) fn touch(&mut self) {
+        (self.collision_free, self.touches) = (false, true);
+    }
+
+    pub(crate) fn to_json(&self) -> String {
+        to_json(self.command, self)
+    }
+
+    /// The line of the text that has the answer.
+    pub(crate) fn verdict(&self) -> String {
+        let first = self.findings().first().map(|finding| self.headline(finding));
+        first.unwrap_or_else(|| self.decision().to_owned())
+    }
+
+    /// The line of the text about a contact that is not known, or that is absent.
+    fn decision(&self) -> &'static str {
+        if self.collision_free {
+            "free of contact"
+        } else if self.touches {
+            "contact"
+        } else {
+            "no contact of a vertex and a face, or of two edges, in the step"
+        }
+    }
+
+    /// The intersection and the contact, in the order of their frames.
+    fn findings(&self) -> Vec<&Finding> {
+        let mut findings: Vec<_> = self.intersection.iter().chain(&self.contact).collect();
+        findings.sort_by_key(|finding| finding.record.frame);
+        findings
+    }
+
+    /// The kind, the frames of an audit, the time unless it is at rest there, and the pair.
+    fn headline(&self, Finding { record, files }: &Finding) -> String {
+        let kind = if record.is_intersection() {
+            "intersection"
+        } else {
+            "contact"
+        };
+        let frame = record.frame;
+        let at = match &files[..] {
+            _ if self.command == "step" => format!("at t = {}", shortest(record.toi())),
+            [file, next] => {
+                let (after, t) = (frame + 1, shortest(record.toi()));
+                format!("between frame {frame} ({file}) and frame {after} ({next}) at t = {t}")
+            }
+            files => format!("in frame {frame} ({})", files.concat()),
+        };
+        format!("{kind} {at}: {record}")
+    }
+}
+
+impl From<&StepReport> for Pairs {
+    fn from(report: &StepReport) -> Self {
+        let of_kinds = |counts: PairCounts| OfKinds {
+            vf: counts.vertex_face,
+            ee: counts.edge_edge,
+            ve: counts.vertex_edge,
+            vv: counts.vertex_vertex,
+        };
+        Self {
+            touching_at_start: report.touching.total(),
+            candidates: of_kinds(report.candidates),
+            colliding: of_kinds(report.colliding),
+        }
+    }
+}
+
+impl From<&ContactList> for Violations {
+    fn from(ContactList(records): &ContactList) -> Self {
+        Self {
+            count: records.len(),
+            frames: records.chunk_by(|a, b| a.frame == b.frame).count(),
+        }
+    }
+}
+
+/// The text on a terminal.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.summary, self.distances)?;
+        for finding in self.findings() {
+            writeln!(f, "{}{}", self.headline(finding), finding.record.place())?;
+        }
+        if self.contact.is_none() && (self.collision_free || self.command == "step") {
+            writeln!(f, "{}", self.decision())?;
+        }
+        self.counts.fmt(f)?;
+        if self.command == "audit" {
+            writeln!(f, "frames: {} of {} examined", self.examined, self.frames)?;
+        }
+        self.seconds.iter().try_for_each(|seconds| seconds.fmt(f))
+    }
+}
+
+/// A line of text for each count.
+impl fmt::Display for Counts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(count) = self.intersections.filter(|count| *count > 0) {
+            writeln!(f, "intersections at t = 0: {count} pairs")?;
+        }
+        if let Some(pairs) = &self.pairs {
+            writeln!(f, "candidates: {}", pairs.candidates)?;
+            writeln!(f, "touching at t = 0: {} pairs", pairs.touching_at_start)?;
+        }
+        if let Some(vertices) = &self.half_spaces {
+            let (colliding, touching) = (vertices.colliding, vertices.touching_at_start);
+            writeln!(
+                f,
+                "half spaces: {colliding} vertices in contact, {touching} touching at t = 0"
+            )?;
+        }
+        match self.violations {
+            Some(Violations { count, frames }) if count > 0 => writeln!(
+                f,
+                "violations: {count}, in {frames} of the frames or in the steps after them"
+            ),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for OfKinds {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} vertex-face pairs, {} edge-edge pairs", self.vf, self.ee)?;
+        // A mesh of faces alone has none of these.
+        if self.ve + self.vv > 0 {
+            let (ve, vv) = (self.ve, self.vv);
+            write!(f, ", {ve} vertex-edge pairs, {vv} vertex-vertex pairs")?;
+        }
+        Ok(())
+    }
+}

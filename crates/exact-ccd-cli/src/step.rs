@@ -1,0 +1,319 @@
+//! `exact-ccd step`: the contacts of a mesh over one time step.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::value_parser;
+use exact_ccd::{Options, Separation};
+use exact_ccd_files::FileIds;
+use exact_ccd_mesh::{
+    Bvh, CanCollide, CandidateOptions, Contact, Detector, Intersection, IntersectionOptions, Meeting,
+    MinDistance, Motion, StepError, StepReport, intersections,
+};
+
+use crate::contacts::{ContactList, ContactRecord};
+use crate::distances::{self, Distances, kept};
+use crate::failure::Failure;
+use crate::half_spaces::HalfSpaces;
+use crate::impact_files;
+use crate::mesh_arguments::MeshArguments;
+use crate::notes::Notes;
+use crate::progress::{self, during};
+use crate::report::{Counts, Pairs, Report, Violations};
+use crate::scene::{Scene, note_split_vertices};
+use crate::seconds::Seconds;
+use crate::timed::Timed;
+
+/// Find the contacts of a mesh in the step from one file to another.
+///
+/// Every vertex moves in a straight line, at constant speed, from where it is in START at t = 0 to
+/// where it is in END at t = 1. Contact is a common point of a vertex and a face, or of two edges,
+/// that have no vertex in common. Vertices and edges without a face take part too: loose vertices, of
+/// no edge, are compared with loose edges and with each other.
+///
+/// A mesh that passes through itself at t = 0 is reported as well: the first pair of an edge and a
+/// face that meet.
+///
+/// With --min-distance D, primitives at most D apart are in contact. The pairs are the same.
+///
+/// With --half-space, a vertex is in contact with a half space when it is in it, or at most D outside.
+///
+/// The time of impact is the earliest contact time, rounded down to f64: until then the step is
+/// free of contact for certain. All ids count from 0. Exit status: 0 free, 1 contact or intersection
+/// at the start, 2 error.
+#[derive(clap::Args)]
+pub(crate) struct Arguments {
+    /// Pairs of mesh files, START END: a mesh at the start of the step, and at its end, with the same
+    /// faces. Each pair is a part; parts are compared with each other, too. Or one file with two
+    /// frames. docs/files.md lists the formats.
+    #[arg(required = true, value_name = "START END")]
+    files: Vec<PathBuf>,
+    #[command(flatten)]
+    mesh: MeshArguments,
+    /// Do not search for places where the mesh passes through itself at t = 0.
+    #[arg(long)]
+    no_start_check: bool,
+    /// Find the earliest contact only: contacts that are found cull the rest, and nothing is
+    /// counted.
+    #[arg(long, conflicts_with = "any")]
+    toi: bool,
+    /// Only decide if there is contact: the search ends at the first contact found.
+    #[arg(long)]
+    any: bool,
+    /// Count pairs that start within the minimum distance as touching only if they come within D, a
+    /// smaller distance, which may be 0. A line search that starts there can move on so. For all
+    /// other pairs, the minimum distance holds.
+    #[arg(
+        long,
+        value_name = "D",
+        requires = "min_distance",
+        value_parser = distances::parse,
+        allow_hyphen_values = true
+    )]
+    inner_distance: Option<Separation>,
+    /// Repeat the computation N times, for measurements, and report the run of median duration.
+    /// With --toi or --any, memory and the order of the primitives are kept from run to run, as in
+    /// a simulation.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = value_parser!(u32).range(1..))]
+    repeat: u32,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let Arguments { mesh, .. } = arguments;
+    mesh.check_places()?;
+    let mut certificate = mesh.certificate.begin(&arguments.files, mesh.min_distance)?;
+    if certificate.is_wanted() && (arguments.files.len() != 2 || arguments.inner_distance.is_some()) {
+        return Err(Failure::new(
+            "a certificate is about one pair of files, without --inner-distance",
+        ));
+    }
+    let mut clock = Seconds::begin();
+    let mut notes = Notes::default();
+    let (scene, motion) = during(progress::stage("reading"), |_| arguments.read(&mut notes))?;
+    let (min_distance, inner_distance) = (mesh.min_distance, arguments.inner_distance);
+    let vertices = scene.moving_vertices();
+    let problem = Problem {
+        can_collide: scene.can_collide(),
+        distance: kept(min_distance, inner_distance),
+        half_spaces: mesh.half_spaces.around(vertices, min_distance, inner_distance),
+        broad_phase: Timed::new(Bvh),
+        ids: scene.ids().clone(),
+        motion,
+    };
+    let mut detector = problem.detector();
+    clock.end("read");
+
+    let start = arguments.start(&problem)?;
+    let at_start = start.iter().map(|&found| problem.record_of_start(found));
+    let mut records: Vec<_> = at_start.collect();
+    clock.end("start");
+
+    let (in_half_spaces, half_spaces) = problem.half_spaces.in_step(&problem.motion);
+    let in_half_spaces = in_half_spaces
+        .into_iter()
+        .map(|record| record.in_file(&problem.ids));
+    let in_half_spaces: Vec<_> = in_half_spaces.collect();
+    let half_spaces = mesh.half_spaces.is_given().then_some(half_spaces);
+    if half_spaces.is_some() {
+        clock.end("half_spaces");
+    }
+
+    let mut runs = Vec::new();
+    for _ in 0..arguments.repeat {
+        let answer = arguments.answer(&problem, &mut detector)?;
+        runs.push((clock.lap(), problem.broad_phase.take_time_in_sinks(), answer));
+    }
+    runs.sort_by_key(|(duration, ..)| *duration);
+    let (search, narrow, answer) = runs.swap_remove(runs.len() / 2);
+    clock.add("broad", search.saturating_sub(narrow));
+    clock.add("narrow", narrow.min(search));
+
+    // Of contacts at the same time, those of the mesh are first.
+    let earliest = answer.earliest.map(|contact| problem.record(&contact));
+    let earliest = earliest.into_iter().chain(in_half_spaces.first().cloned());
+    let earliest = earliest.min_by(ContactRecord::compare_times);
+    let is_split = |record: &&ContactRecord| record.toi() == 0.0;
+    let at_start = records
+        .first()
+        .or(earliest.as_ref().filter(|_| !arguments.any).filter(is_split));
+    let mut report = Report::new(
+        "step",
+        &scene,
+        notes,
+        Distances::new(min_distance, inner_distance),
+    );
+    if let Some(first) = at_start {
+        let Motion { x0, x1, .. } = &problem.motion;
+        note_split_vertices(first, &[x0, x1], &mesh.scene, &mut report.notes);
+    }
+    records
+        .first()
+        .into_iter()
+        .for_each(|record| report.add(&scene, 1, record));
+    match earliest {
+        Some(_) if arguments.any => report.touch(),
+        Some(record) => report.add(&scene, 1, &record),
+        None if answer.touches => report.touch(),
+        None => {}
+    }
+    report.counts = Counts {
+        intersections: (!arguments.no_start_check).then_some(start.len()),
+        pairs: answer.pairs,
+        half_spaces,
+        violations: None,
+    };
+    if mesh.has_files() {
+        let contacts = during(progress::stage("listing all contacts"), |_| {
+            let Motion { x0, x1, .. } = &problem.motion;
+            detector.collisions(x0, x1, problem.options())
+        })?;
+        clock.end("list");
+        records.extend(contacts.iter().map(|contact| problem.record(contact)));
+        records.extend(in_half_spaces);
+        records.sort_by(ContactRecord::compare_times);
+        let list = ContactList(records);
+        report.counts.violations = mesh.all.as_ref().map(|_| Violations::from(&list));
+        arguments.write((&scene, &problem), &start, &contacts, &list, &report)?;
+        clock.end("write");
+    }
+    if certificate.is_wanted() {
+        let Motion { x0, x1, .. } = &problem.motion;
+        let earliest = detector.collision(x0, x1, problem.options())?;
+        let starts_apart = (!arguments.no_start_check).then_some(start.is_empty());
+        certificate.add_step(&problem.motion, earliest.as_ref(), starts_apart)?;
+        clock.end("certificate");
+    }
+    report.seconds = Some(clock);
+    let status = mesh.finish(report)?;
+    Ok(certificate.finish()?.unwrap_or(status))
+}
+
+/// The answer to one of the questions of the command line about the mesh.
+#[derive(Default)]
+struct Answer {
+    touches: bool,
+    earliest: Option<Contact>,
+    pairs: Option<Pairs>,
+}
+
+/// A motion, the ids of its vertices and faces, and the meaning of contact in it.
+struct Problem {
+    motion: Motion,
+    ids: FileIds,
+    can_collide: CanCollide,
+    distance: MinDistance,
+    half_spaces: HalfSpaces,
+    broad_phase: Timed<Bvh>,
+}
+
+impl Problem {
+    fn detector(&self) -> Detector<&Timed<Bvh>> {
+        let detector = Detector::with_broad_phase(self.motion.mesh.clone(), &self.broad_phase);
+        detector.with_can_collide(self.can_collide.clone())
+    }
+
+    fn options(&self) -> Options<MinDistance> {
+        Options::within(self.distance.clone())
+    }
+
+    fn record_of_start(&self, found: Intersection) -> ContactRecord {
+        let Motion { mesh, x0, .. } = &self.motion;
+        ContactRecord::of_intersection(0, mesh, x0, found).in_file(&self.ids)
+    }
+
+    fn record(&self, contact: &Contact) -> ContactRecord {
+        let Motion { mesh, x0, x1 } = &self.motion;
+        ContactRecord::of_contact(0, mesh, [x0, x1], contact).in_file(&self.ids)
+    }
+}
+
+impl Arguments {
+    fn read(&self, notes: &mut Notes) -> Result<(Scene, Motion), Failure> {
+        let mut scene = Scene::of_pairs(&self.files, &self.mesh.scene, notes)?;
+        self.mesh.check(&scene)?;
+        let (start, end) = (scene.read(0)?, scene.read(1)?);
+        let motion = Motion::new(start, end).map_err(|error| scene.mismatch(1, error))?;
+        Ok((scene, motion))
+    }
+
+    /// The intersections at the start, unless they are not searched for.
+    fn start(&self, problem: &Problem) -> Result<Vec<Intersection>, Failure> {
+        if self.no_start_check {
+            return Ok(Vec::new());
+        }
+        let Motion { mesh, x0, .. } = &problem.motion;
+        let stage = progress::stage("examining the start");
+        let options = IntersectionOptions::default().with_meeting(Meeting::Crossing);
+        let options = options.with_can_collide(problem.can_collide.clone());
+        let found = during(stage, |_| intersections(mesh, x0, &Bvh, &options));
+        Ok(found.map_err(StepError::from)?)
+    }
+
+    fn answer(&self, problem: &Problem, detector: &mut Detector<&Timed<Bvh>>) -> Result<Answer, Failure> {
+        let Motion { x0, x1, .. } = &problem.motion;
+        let stage = progress::stage("searching for contact");
+        if self.any {
+            let touches = during(stage, |_| detector.collides(x0, x1, problem.options()))?;
+            return Ok(Answer {
+                touches,
+                ..Answer::default()
+            });
+        }
+        if self.toi {
+            let earliest = during(stage, |_| detector.collision(x0, x1, problem.options()))?;
+            return Ok(Answer {
+                earliest,
+                ..Answer::default()
+            });
+        }
+        let options = CandidateOptions::default()
+            .with_min_distance(problem.distance.clone())
+            .with_can_collide(problem.can_collide.clone());
+        let report = during(progress::count("pairs"), |progress| {
+            let step = problem.motion.step()?;
+            let report = StepReport::with_options(step, &problem.broad_phase, &options, progress);
+            report.map_err(Failure::from)
+        })?;
+        let pairs = Some(Pairs::from(&report));
+        Ok(Answer {
+            earliest: report.earliest,
+            pairs,
+            ..Answer::default()
+        })
+    }
+
+    /// Writes the files that have all contacts.
+    fn write(
+        &self,
+        (scene, problem): (&Scene, &Problem),
+        start: &[Intersection],
+        contacts: &[Contact],
+        list: &ContactList,
+        report: &Report,
+    ) -> Result<(), Failure> {
+        let Problem { motion, ids, .. } = problem;
+        if let Some(file) = &self.mesh.all {
+            list.write(file)?;
+        }
+        if let Some(folder) = &self.mesh.paraview {
+            impact_files::write(folder, motion.step()?, ids, list)?;
+        }
+        let half_spaces = problem.half_spaces.all();
+        let mut page = self.mesh.view.recording(&self.files, scene, half_spaces);
+        let Motion { mesh, x0, x1 } = motion;
+        page.begin(mesh, || x0.iter().chain(x1).copied().collect());
+        page.add("t = 0", x0)?;
+        for &intersection in start {
+            page.intersection(intersection)?;
+        }
+        page.add("t = 1", x1)?;
+        let mut contacts = contacts.iter();
+        for record in list.0.iter().filter(|record| !record.is_intersection()) {
+            match record.in_half_space() {
+                Some((vertex, number)) => page.half_space_contact(vertex, number, Some(record.toi()))?,
+                None => contacts.next().map_or(Ok(()), |contact| page.contact(contact))?,
+            }
+        }
+        page.finish(&report.verdict(), &report.to_string())
+    }
+}
