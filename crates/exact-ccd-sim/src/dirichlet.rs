@@ -3,8 +3,8 @@
 use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
+use crate::anchor::Anchor;
 use crate::scripted::Axes;
-use crate::solver::Spring;
 use crate::system::System;
 
 /// The scripted vertices that move in this time step, with their targets.
@@ -130,12 +130,13 @@ impl Dirichlet {
     }
 
     /// The springs that act now.
-    pub(crate) fn springs(&self) -> Vec<Spring> {
+    pub(crate) fn penalties(&self) -> Vec<Anchor> {
         let along = |is_held| if is_held { self.stiffness } else { 0.0 };
-        let spring = |target: &Target| Spring {
+        let spring = |target: &Target| Anchor {
             vertex: target.vertex,
             target: target.at,
             stiffness: target.held.map(along).into(),
+            force: Vector3::zeros(),
         };
         if self.has_springs() {
             self.targets.iter().map(spring).collect()

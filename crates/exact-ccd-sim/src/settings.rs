@@ -95,6 +95,48 @@ impl Settings {
     }
 }
 
+impl Settings {
+    /// The names and the values of all settings, for their comparison. The case of a method's name does not
+    /// matter.
+    pub(crate) fn values(&self) -> [(&'static str, String); 14] {
+        let Self {
+            time_step,
+            gravity,
+            integrator,
+            damping,
+            contact_distance,
+            formulation,
+            friction,
+            tolerance,
+            max_iterations,
+            max_substeps,
+            ccd,
+        } = self;
+        let Friction {
+            coefficient,
+            pairs,
+            static_velocity,
+            lags,
+        } = friction;
+        [
+            ("time-step", format!("{time_step:?}")),
+            ("gravity", format!("{gravity:?}")),
+            ("integrator", format!("{integrator:?}")),
+            ("damping", format!("{damping:?}")),
+            ("contact-distance", format!("{contact_distance:?}")),
+            ("formulation", format!("{formulation:?}")),
+            ("friction.coefficient", format!("{coefficient:?}")),
+            ("friction.pair", format!("{pairs:?}")),
+            ("friction.static-velocity", format!("{static_velocity:?}")),
+            ("friction.lags", format!("{lags:?}")),
+            ("tolerance", format!("{tolerance:?}")),
+            ("max-iterations", format!("{max_iterations:?}")),
+            ("max-substeps", format!("{max_substeps:?}")),
+            ("ccd", ccd.to_lowercase()),
+        ]
+    }
+}
+
 /// The sum of barriers that repels surfaces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]

@@ -6,13 +6,14 @@ use exact_ccd_mesh::{Point, Step};
 use nalgebra::Vector3;
 
 use super::{Simulation, SimulationError};
+use crate::anchor::Anchor;
 use crate::contact::{Collision, Collisions, StiffnessRange};
 use crate::dirichlet::Dirichlet;
+use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
-use crate::gather::gather_some;
-use crate::integrator::{Acceleration, Scheme};
+use crate::integrator::Scheme;
 use crate::scripted::Axes;
-use crate::solver::{Iterate, Newton, Potential};
+use crate::solver::{Form, Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Seconds, Statistics};
 
@@ -134,13 +135,9 @@ impl Simulation {
             converged: true,
             ..Statistics::default()
         };
-        let loads = system.accelerations(&self.state.positions, moment);
-        let acceleration = Acceleration {
-            gravity: settings.gravity,
-            loads: loads.as_deref(),
-            damping: settings.damping,
-        };
-        let scheme = settings.integrator.scheme(&self.state, time_step, &acceleration);
+        let scheme = settings
+            .integrator
+            .scheme(&self.state, time_step, settings.damping);
         let smoothing = Smoothing {
             threshold: settings.friction.static_velocity.meters(system.size()) * scheme.duration,
         };
@@ -159,12 +156,18 @@ impl Simulation {
         );
         let mut lagged = self.kept_stiffness(&scheme);
         let held = system.held(moment);
+        let loads = system.accelerations(&self.state.positions, moment);
+        let acceleration = |vertex: usize| {
+            let load = loads.as_ref().map_or_else(Vector3::zeros, |loads| loads[vertex]);
+            Vector3::from(settings.gravity) + load
+        };
+        let inertia = scheme.inertia(&system.masses, &held, acceleration);
         let origins = system.origins(&self.state.origins, &positions, end(part - 1), [before, moment]);
         let target = |vertex: usize| {
             system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
         };
         let mut now = Iterate {
-            stiffness: self.stiffness(&scheme, &collisions, &range, &held),
+            stiffness: self.stiffness(&scheme, &inertia, &collisions, &range, &held),
             dirichlet: Dirichlet::new(&held, &positions, target),
             positions,
             collisions,
@@ -173,14 +176,14 @@ impl Simulation {
         let Self { system, settings, .. } = &*self;
         let mut friction = Vec::new();
         for _ in 0..settings.friction.lags.max(1) {
-            friction = self.friction(&now, lagged.unwrap_or(now.stiffness));
+            friction = self.friction(&now, lagged.unwrap_or(now.stiffness), &scheme, smoothing);
             let newton = Newton {
                 system,
-                scheme: &scheme,
+                duration: scheme.duration,
+                inertia: &inertia,
                 held: &held,
                 interrupt: &self.interrupt,
                 friction: &friction,
-                smoothing,
                 barrier: self.barrier,
                 range,
                 filter: &self.filter,
@@ -201,12 +204,11 @@ impl Simulation {
         let velocities = scheme.velocities(&now.positions);
         let potential = Potential {
             system,
-            scheme: &scheme,
+            duration: scheme.duration,
             stiffness: now.stiffness,
+            inertia: &inertia,
             friction: &friction,
-            smoothing,
-            springs: &[],
-            held: &held,
+            penalties: &[],
         };
         statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
@@ -240,6 +242,7 @@ impl Simulation {
     fn stiffness(
         &self,
         scheme: &Scheme,
+        inertia: &[Anchor],
         collisions: &Collisions,
         range: &StiffnessRange,
         held: &[Axes],
@@ -250,16 +253,15 @@ impl Simulation {
         }
         let potential = Potential {
             system: &self.system,
-            scheme,
+            duration: scheme.duration,
             stiffness: before,
+            inertia,
             friction: &[],
-            smoothing: Smoothing { threshold: 1.0 },
-            springs: &[],
-            held,
+            penalties: &[],
         };
         let positions = &self.state.positions;
-        let mut energy = potential.smooth_gradient(positions);
-        let mut barriers = collisions.gradient(positions);
+        let mut energy = potential.gradient(positions, &[]);
+        let mut barriers = Form::of(collisions.as_slice(), 1.0).gradient(positions);
         for (place, _) in held
             .as_flattened()
             .iter()
@@ -278,7 +280,13 @@ impl Simulation {
         energy.map(|stiffness| stiffness * scheme.duration * scheme.duration)
     }
 
-    fn friction(&self, now: &Iterate, stiffness: f64) -> Vec<FrictionContact> {
+    fn friction(
+        &self,
+        now: &Iterate,
+        stiffness: f64,
+        scheme: &Scheme,
+        smoothing: Smoothing,
+    ) -> Vec<FrictionContact> {
         if !self.settings.friction.acts() {
             return Vec::new();
         }
@@ -287,11 +295,16 @@ impl Simulation {
             if coefficient == 0.0 {
                 return None;
             }
-            let corners = gather_some(&now.positions, collision.vertices());
-            let force = stiffness * collision.normal_force(&corners, &self.barrier);
-            let separation = collision.separation(&corners);
-            let vertices = collision.vertices().clone();
-            Some(FrictionContact::new(vertices, &separation, coefficient * force))
+            let bound = coefficient * stiffness * collision.normal_force(&now.positions);
+            let vertices = collision.vertices().iter().copied().collect();
+            let separation = collision.separation(&now.positions);
+            Some(FrictionContact::new(
+                vertices,
+                &scheme.origin,
+                &separation,
+                bound,
+                smoothing,
+            ))
         };
         now.collisions.as_slice().iter().filter_map(contact).collect()
     }
@@ -306,17 +319,22 @@ fn energies(
 ) -> Energies {
     let masses = || potential.system.masses.iter();
     // The incremental potential is the energy times duration².
-    let scale = potential.scheme.duration.powi(-2);
+    let scale = potential.duration.powi(-2);
+    let friction: f64 = potential
+        .friction
+        .iter()
+        .map(|contact| contact.work(&now.positions))
+        .sum();
     let gravity = Vector3::from(gravity);
     Energies {
         kinetic: masses()
             .zip(velocities)
             .map(|(m, v)| 0.5 * m * Vector3::from(*v).norm_squared())
             .sum(),
-        elastic: potential.elastic(&now.positions),
-        barrier: scale * now.stiffness * now.collisions.value(&now.positions),
+        elastic: potential.elasticity(1.0).value(&now.positions),
+        barrier: scale * Form::of(now.collisions.as_slice(), now.stiffness).value(&now.positions),
         // Slips are velocities times the effective time step, which is shorter than the time step for BDF2.
-        friction: scale * potential.friction_work(&now.positions) * time_step / potential.scheme.duration,
+        friction: scale * friction * time_step / potential.duration,
         gravity: masses()
             .zip(&now.positions)
             .map(|(m, x)| -m * gravity.dot(&Vector3::from(*x)))

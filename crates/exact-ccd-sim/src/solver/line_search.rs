@@ -53,7 +53,7 @@ impl Newton<'_> {
                 continue;
             }
             let collisions = self.collisions(&candidates, &end);
-            if potential.value(&end, &collisions).is_finite() {
+            if potential.value(&end, collisions.as_slice()).is_finite() {
                 now.positions = end;
                 now.collisions = collisions;
                 now.dirichlet.reached();
@@ -94,7 +94,7 @@ impl Newton<'_> {
         }
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
 
-        let before = potential.value(&now.positions, &now.collisions);
+        let before = potential.value(&now.positions, now.collisions.as_slice());
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         for _ in 0..HALVINGS {
             let clock = Instant::now();
@@ -104,7 +104,7 @@ impl Newton<'_> {
                 break;
             }
             let collisions = self.collisions(&candidates, &positions);
-            let after = potential.value(&positions, &collisions);
+            let after = potential.value(&positions, collisions.as_slice());
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
             let falls = after <= before
                 || after <= before + potential.noise(before)
@@ -150,8 +150,8 @@ impl Newton<'_> {
                 .map(|(gradient, direction)| gradient.dot(direction))
                 .sum()
         };
-        let before = slope(potential.gradient(&now.positions, &now.collisions));
-        slope(potential.gradient(positions, collisions)) <= -0.8 * before
+        let before = slope(potential.gradient(&now.positions, now.collisions.as_slice()));
+        slope(potential.gradient(positions, collisions.as_slice())) <= -0.8 * before
     }
 
     /// True if a step is free of contact: between surfaces by the filter, with half spaces exactly.

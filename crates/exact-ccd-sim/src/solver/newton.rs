@@ -9,11 +9,11 @@ use nalgebra::Vector3;
 use super::linear::LinearSolver;
 use super::potential::Potential;
 use super::unknowns::Unknowns;
+use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
 use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
-use crate::friction::{FrictionContact, Smoothing};
-use crate::integrator::Scheme;
+use crate::friction::FrictionContact;
 use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::simulation::SimulationError;
@@ -23,12 +23,13 @@ use crate::system::System;
 /// The data of a minimisation that stay constant.
 pub(crate) struct Newton<'a> {
     pub(crate) system: &'a System,
-    pub(crate) scheme: &'a Scheme,
+    /// The effective time step, in s.
+    pub(crate) duration: f64,
+    pub(crate) inertia: &'a [Anchor],
     /// The coordinates of each vertex that are not free.
     pub(crate) held: &'a [Axes],
     pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
-    pub(crate) smoothing: Smoothing,
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
@@ -67,15 +68,14 @@ impl Newton<'_> {
                 return Err(SimulationError::Interrupted { step });
             }
             let clock = Instant::now();
-            let springs = now.dirichlet.springs();
+            let penalties = now.dirichlet.penalties();
             let potential = Potential {
                 system: self.system,
-                scheme: self.scheme,
+                duration: self.duration,
                 stiffness: now.stiffness,
+                inertia: self.inertia,
                 friction: self.friction,
-                smoothing: self.smoothing,
-                springs: &springs,
-                held: self.held,
+                penalties: &penalties,
             };
             let unknowns = Unknowns::new(&now.dirichlet.known(self.held));
             if plan.as_ref().is_none_or(|(before, _)| *before != unknowns) {
@@ -85,7 +85,13 @@ impl Newton<'_> {
             let Some((unknowns, keys)) = &plan else { continue };
 
             let prescribed = now.dirichlet.displacements(&now.positions);
-            let quadratic = potential.quadratic(&now.positions, &now.collisions, unknowns, keys, &prescribed);
+            let quadratic = potential.quadratic(
+                &now.positions,
+                now.collisions.as_slice(),
+                unknowns,
+                keys,
+                &prescribed,
+            );
             let right = quadratic.right(unknowns);
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();
 
@@ -112,7 +118,7 @@ impl Newton<'_> {
             // release much energy. The step counts as small only if this energy is at most the kinetic
             // energy of all free masses at the tolerance.
             let decrease: f64 = right.iter().zip(&solution).map(|(a, b)| a * b).sum();
-            let length = self.tolerance * self.scheme.duration;
+            let length = self.tolerance * self.duration;
             let is_small = size <= length && decrease <= mass * length * length;
             let stiffness = now.stiffness;
             let moved = self.search(now, &direction, size, &potential, statistics)?;

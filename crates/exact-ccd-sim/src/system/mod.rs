@@ -11,6 +11,7 @@ mod origins;
 mod parts;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
@@ -21,7 +22,7 @@ use nalgebra::Vector3;
 
 use crate::body::Body;
 use crate::contact::{Barrier, Part, Surface, Weights};
-use crate::elasticity::{Elastic, VertexBend};
+use crate::energy::Energy;
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
 use crate::scripted::{Coordinates, Scripted, Timed};
@@ -38,11 +39,11 @@ pub struct System {
     pub(crate) start: Vec<Point>,
     pub(crate) velocities: Vec<Point>,
     pub(crate) masses: Vec<f64>,
-    pub(crate) elements: Vec<Elastic>,
+    /// The elastic energies.
+    pub(crate) elements: Vec<Arc<dyn Energy>>,
+    tetrahedra: Vec<[u32; 4]>,
     /// The hash of the materials, for the fingerprint.
     materials: String,
-    /// The bending of shells about vertices.
-    pub(crate) bends: Vec<VertexBend>,
     /// The scripts of each vertex.
     pub(crate) scripts: Vec<Coordinates>,
     /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
@@ -150,8 +151,8 @@ impl System {
             velocities: parts.velocities,
             masses: parts.masses,
             elements: parts.elements,
+            tetrahedra: parts.tetrahedra,
             materials: Fingerprint::materials(bodies),
-            bends: parts.bends,
             scripts: parts.scripts,
             rigidity: parts.rigidity,
             loads: Vec::new(),
@@ -231,11 +232,9 @@ impl System {
     }
 
     /// The corners of all tetrahedra, ordered so that the volume at the start is positive.
-    pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
-        self.elements.iter().filter_map(|element| match element {
-            Elastic::Tetrahedron(tetrahedron) => Some(tetrahedron.vertices()),
-            _ => None,
-        })
+    #[must_use]
+    pub fn tetrahedra(&self) -> &[[u32; 4]] {
+        &self.tetrahedra
     }
 
     /// The surface, for these positions of all vertices of the system: faces, rods and particles. It has no

@@ -110,7 +110,7 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
             None => "none".to_owned(),
             Some(SimulationError::OtherSetting { what, there, here }) => {
                 assert_ne!(there, here);
-                what
+                what.to_owned()
             }
             Some(SimulationError::OtherSystem { what }) => what.to_owned(),
             Some(other) => panic!("{other}"),
