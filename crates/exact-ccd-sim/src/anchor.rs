@@ -6,12 +6,12 @@ use nalgebra::{DMatrix, DVector, Vector3};
 use crate::energy::{Energy, Projection};
 
 /// The energy ½ Σ k (x − target)² − force · (x − target) of a vertex, with a sum over the axes: the inertia
-/// of a vertex, and the penalty of a scripted one.
+/// of a vertex, and the constant forces on it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Anchor {
     pub(crate) vertex: u32,
     pub(crate) target: Point,
-    /// k for each axis, in kg: 0 for coordinates that are free.
+    /// k for each axis, in kg.
     pub(crate) stiffness: Vector3<f64>,
     /// In kg m.
     pub(crate) force: Vector3<f64>,

@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 use super::{Simulation, SimulationError};
 use crate::anchor::Anchor;
 use crate::contact::{Collision, Collisions, StiffnessRange};
-use crate::dirichlet::Dirichlet;
+use crate::dirichlet::{Dirichlet, Motion};
 use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
 use crate::integrator::Scheme;
@@ -123,6 +123,7 @@ impl Simulation {
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<Statistics, SimulationError> {
         let clock = Instant::now();
+        let mut solver = std::mem::take(&mut self.solver);
         let Self { system, settings, .. } = &*self;
         let step = self.state.step + 1;
         let time_step = settings.time_step / parts as f64;
@@ -163,16 +164,25 @@ impl Simulation {
         };
         let inertia = scheme.inertia(&system.masses, &held, acceleration);
         let origins = system.origins(&self.state.origins, &positions, end(part - 1), [before, moment]);
-        let target = |vertex: usize| {
+        let start = end(part - 1);
+        let behind = &self.state.behind;
+        let path = |vertex: usize, fraction: f64| {
+            let late = behind
+                .get(&(system.body_of(vertex as u32) as u32))
+                .unwrap_or(&0.0);
+            let time = time - (1.0 - fraction) * (time - (start - late));
             system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
         };
+        let bodies = (0..).zip(system.body_vertices());
+        let motions = bodies
+            .filter_map(|(body, vertices)| Motion::new(body, vertices.clone(), &held, &positions, &path));
+        let motions = motions.collect();
         let mut now = Iterate {
             stiffness: self.stiffness(&scheme, &inertia, &collisions, &range, &held),
-            dirichlet: Dirichlet::new(&held, &positions, target),
+            dirichlet: Dirichlet::new(motions, &path),
             positions,
             collisions,
         };
-        let mut solver = std::mem::take(&mut self.solver);
         let Self { system, settings, .. } = &*self;
         let mut friction = Vec::new();
         for _ in 0..settings.friction.lags.max(1) {
@@ -201,6 +211,11 @@ impl Simulation {
         statistics.contacts = now.collisions.count();
         statistics.minimal_distance = Some(now.collisions.minimal_distance()).filter(|d| d.is_finite());
         statistics.script_lag = now.dirichlet.lag(&now.positions);
+        let late = |motion: &Motion| {
+            let late = (1.0 - motion.fraction) * (time - start + behind.get(&motion.body).unwrap_or(&0.0));
+            (late > 0.0).then_some((motion.body, late))
+        };
+        let behind = now.dirichlet.motions().iter().filter_map(late).collect();
         let velocities = scheme.velocities(&now.positions);
         let potential = Potential {
             system,
@@ -208,12 +223,12 @@ impl Simulation {
             stiffness: now.stiffness,
             inertia: &inertia,
             friction: &friction,
-            penalties: &[],
         };
         statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
         statistics.stiffness = touched.then_some(now.stiffness);
 
+        let positions = now.positions;
         self.solver = solver;
         // Parts of a time step do not count.
         let step = self.state.step;
@@ -221,13 +236,14 @@ impl Simulation {
             &mut self.state,
             State {
                 step,
-                positions: now.positions,
+                positions,
                 velocities,
                 earlier: None,
                 stiffness: statistics
                     .stiffness
                     .map(|stiffness| stiffness * scheme.duration.powi(-2)),
                 origins,
+                behind,
             },
         );
         self.state.earlier = Some(Earlier {
@@ -257,7 +273,6 @@ impl Simulation {
             stiffness: before,
             inertia,
             friction: &[],
-            penalties: &[],
         };
         let positions = &self.state.positions;
         let mut energy = potential.gradient(positions, &[]);
@@ -282,7 +297,7 @@ impl Simulation {
 
     fn friction(
         &self,
-        now: &Iterate,
+        now: &Iterate<'_>,
         stiffness: f64,
         scheme: &Scheme,
         smoothing: Smoothing,
@@ -314,7 +329,7 @@ fn energies(
     potential: &Potential<'_>,
     gravity: Point,
     time_step: f64,
-    now: &Iterate,
+    now: &Iterate<'_>,
     velocities: &[Point],
 ) -> Energies {
     let masses = || potential.system.masses.iter();

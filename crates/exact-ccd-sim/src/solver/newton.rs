@@ -40,12 +40,12 @@ pub(crate) struct Newton<'a> {
 }
 
 /// An iterate of Newton's method.
-pub(crate) struct Iterate {
+pub(crate) struct Iterate<'a> {
     pub(crate) positions: Vec<Point>,
     pub(crate) collisions: Collisions,
     /// κ.
     pub(crate) stiffness: f64,
-    pub(crate) dirichlet: Dirichlet,
+    pub(crate) dirichlet: Dirichlet<'a>,
 }
 
 impl Newton<'_> {
@@ -56,34 +56,27 @@ impl Newton<'_> {
     pub(crate) fn minimise(
         &self,
         solver: &mut LinearSolver,
-        now: &mut Iterate,
+        now: &mut Iterate<'_>,
         statistics: &mut Statistics,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<bool, SimulationError> {
         let mass = self.system.free_mass();
-        let mut plan: Option<(Unknowns, Vec<u64>)> = None;
+        let unknowns = &Unknowns::new(self.held);
+        let mut keys: Option<Vec<u64>> = None;
         for _ in 0..self.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
                 let step = statistics.step;
                 return Err(SimulationError::Interrupted { step });
             }
             let clock = Instant::now();
-            let penalties = now.dirichlet.penalties();
             let potential = Potential {
                 system: self.system,
                 duration: self.duration,
                 stiffness: now.stiffness,
                 inertia: self.inertia,
                 friction: self.friction,
-                penalties: &penalties,
             };
-            let unknowns = Unknowns::new(&now.dirichlet.known(self.held));
-            if plan.as_ref().is_none_or(|(before, _)| *before != unknowns) {
-                let keys = potential.elastic_keys(&unknowns);
-                plan = Some((unknowns, keys));
-            }
-            let Some((unknowns, keys)) = &plan else { continue };
-
+            let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
             let prescribed = now.dirichlet.displacements(&now.positions);
             let quadratic = potential.quadratic(
                 &now.positions,
@@ -127,9 +120,7 @@ impl Newton<'_> {
             }
             // After an increase of κ, the iterate is not a minimum of the new potential.
             let is_done = !moved || is_small && now.stiffness == stiffness;
-            if is_done && now.dirichlet.has_springs() {
-                now.dirichlet.prescribe();
-            } else if is_done {
+            if is_done && !now.dirichlet.resume() {
                 return Ok(is_small);
             }
         }

@@ -10,7 +10,7 @@ use crate::energy::Energy;
 use crate::friction::FrictionContact;
 use crate::system::System;
 
-/// Inertia + h² Ψ(x) + κ Σ b + friction + the penalties of scripts, in kg m².
+/// Inertia + h² Ψ(x) + κ Σ b + friction, in kg m².
 pub(crate) struct Potential<'a> {
     pub(crate) system: &'a System,
     /// The effective time step h, in s.
@@ -19,16 +19,13 @@ pub(crate) struct Potential<'a> {
     pub(crate) stiffness: f64,
     pub(crate) inertia: &'a [Anchor],
     pub(crate) friction: &'a [FrictionContact],
-    /// The penalties that draw scripted vertices to their Dirichlet targets.
-    pub(crate) penalties: &'a [Anchor],
 }
 
 impl<'a> Potential<'a> {
     /// All terms.
-    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 5] {
+    pub(super) fn forms<'b>(&'b self, collisions: &'b [Collision]) -> [Form<'b>; 4] {
         [
             Form::of(self.inertia, 1.0),
-            Form::of(self.penalties, 1.0),
             self.elasticity(self.duration * self.duration),
             Form::of(collisions, self.stiffness),
             Form::of(self.friction, 1.0),

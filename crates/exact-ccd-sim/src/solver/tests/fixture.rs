@@ -21,9 +21,6 @@ const DISTANCE: f64 = 0.2;
 
 const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
 
-/// The vertex with a spring.
-const SPRING_VERTEX: u32 = 9;
-
 /// A cloth between a floor and a box, with a rod and particles above: elements of all kinds, on vertices of
 /// all bodies.
 pub(super) struct Fixture {
@@ -33,7 +30,6 @@ pub(super) struct Fixture {
     pub(super) points: Vec<Point>,
     pub(super) barrier: Barrier,
     pub(super) friction: Vec<FrictionContact>,
-    penalties: Vec<Anchor>,
 }
 
 impl Fixture {
@@ -66,12 +62,6 @@ impl Fixture {
             force: Vector3::new(0.1, -0.2, 0.3) * system.masses[vertex],
         });
         let inertia = inertia.collect();
-        let penalty = Anchor {
-            vertex: SPRING_VERTEX,
-            target: [1.0, 2.0, 3.0],
-            stiffness: Vector3::new(50.0, 0.0, 70.0),
-            force: Vector3::new(3.0, 0.0, -2.0),
-        };
         let mut fixture = Self {
             system,
             duration,
@@ -79,7 +69,6 @@ impl Fixture {
             points,
             barrier: Barrier::new(DISTANCE),
             friction: Vec::new(),
-            penalties: vec![penalty],
         };
         let collisions = fixture.collisions(&fixture.points);
         let friction = collisions.as_slice().iter().map(|collision| {
@@ -98,7 +87,6 @@ impl Fixture {
             stiffness: 1e7,
             inertia: &self.inertia,
             friction: &self.friction,
-            penalties: &self.penalties,
         }
     }
 
@@ -189,10 +177,7 @@ impl Fixture {
             .iter()
             .for_each(|collision| add(collision, 1e7));
         self.friction.iter().for_each(|contact| add(contact, 1.0));
-        self.inertia
-            .iter()
-            .chain(&self.penalties)
-            .for_each(|anchor| add(anchor, 1.0));
+        self.inertia.iter().for_each(|anchor| add(anchor, 1.0));
         dense
     }
 }
