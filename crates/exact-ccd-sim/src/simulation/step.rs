@@ -1,5 +1,6 @@
 //! One time step.
 
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 use exact_ccd_mesh::{Point, Step};
@@ -11,7 +12,7 @@ use crate::contact::{Collision, Collisions, StiffnessRange};
 use crate::dirichlet::{Dirichlet, Motion};
 use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
-use crate::integrator::Scheme;
+use crate::integrator::{Integrator, Scheme};
 use crate::scripted::Axes;
 use crate::solver::{Form, Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
@@ -36,9 +37,10 @@ impl Simulation {
     /// The filter applies to these increments, in which all vertices move in straight lines. The straight
     /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
-    /// If Newton's method does not converge, the time step is repeated in twice as many parts of equal
-    /// duration, up to [`max_substeps`](crate::Settings::max_substeps). Only the increments of the last
-    /// attempt are visited.
+    /// If Newton's method does not converge or fails, the time step is repeated in twice as many parts of equal
+    /// duration, up to [`max_substeps`](crate::Settings::max_substeps). A time step of BDF2 in which bodies
+    /// begin or cease to touch is repeated as one of implicit Euler. Only the increments of the last attempt
+    /// are visited, when it ends.
     ///
     /// # Errors
     /// As [`Simulation::step`].
@@ -52,29 +54,49 @@ impl Simulation {
     }
 
     fn attempts(&mut self, visit: &mut dyn FnMut(&[Point])) -> Result<Statistics, SimulationError> {
-        let most = self.settings.max_substeps;
-        let (mut parts, mut seconds) = (1, Seconds::default());
+        let start = self.state.clone();
+        let touching = (self.settings.integrator == Integrator::Bdf2).then(|| self.touching());
+        let (mut parts, mut seconds, mut is_impact) = (1, Seconds::default(), false);
         loop {
-            if 2 * parts > most {
-                let statistics = self.substeps(parts, false, visit)?;
-                return Ok(Statistics {
-                    seconds: seconds.plus(&statistics.seconds),
-                    ..statistics
-                });
-            }
-            let start = self.state.clone();
+            let is_last = 2 * parts > self.settings.max_substeps;
             let mut increments = Vec::new();
             let mut visit_later = |positions: &[Point]| increments.push(positions.to_vec());
-            let mut statistics = self.substeps(parts, true, &mut visit_later)?;
-            seconds = seconds.plus(&statistics.seconds);
-            if statistics.converged {
-                increments.iter().for_each(|positions| visit(positions));
-                statistics.seconds = seconds;
-                return Ok(statistics);
+            let found = match self.substeps(parts, !is_last, &mut visit_later) {
+                Err(SimulationError::Singular { .. } | SimulationError::Blocked { .. }) if !is_last => None,
+                Err(error) => {
+                    self.state = start;
+                    return Err(error);
+                }
+                Ok(statistics) => {
+                    seconds = seconds.plus(&statistics.seconds);
+                    (statistics.converged || is_last).then_some(statistics)
+                }
+            };
+            let is_smooth = || touching.as_ref().is_none_or(|before| *before == self.touching());
+            match found {
+                None => parts *= 2,
+                Some(statistics) if is_impact || is_smooth() => {
+                    if is_impact {
+                        self.state.earlier = None;
+                    }
+                    increments.iter().for_each(|positions| visit(positions));
+                    return Ok(Statistics {
+                        seconds,
+                        ..statistics
+                    });
+                }
+                Some(_) => is_impact = true,
             }
-            self.state = start;
-            parts *= 2;
+            self.state = start.clone();
+            if is_impact {
+                self.state.earlier = None;
+            }
         }
+    }
+
+    /// The pairs of bodies and half spaces in contact.
+    fn touching(&self) -> BTreeSet<[usize; 2]> {
+        self.contacts().iter().map(|contact| contact.bodies).collect()
     }
 
     /// Takes one time step in parts of equal duration. If `convergent`, ends after a part that does not

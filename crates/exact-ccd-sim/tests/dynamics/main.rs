@@ -4,11 +4,13 @@
 
 mod conservation;
 mod contacts;
+mod damping;
 mod decisions;
 mod filters;
 mod friction;
 mod friction_pairs;
 mod half_space;
+mod impact;
 mod lengths;
 mod loads;
 mod measure;

@@ -55,7 +55,7 @@ fn the_script_lag_is_the_distance_to_an_unreachable_target() {
 }
 
 /// A plate that presses a stiff block on a floor, faster than the block can yield.
-fn press(steps: usize) -> Simulation {
+fn press(steps: u32) -> Simulation {
     let block = shapes::solid_box([2, 2, 2], [0.4; 3]).placed(|[x, y, z]| [x + 0.3, y + 0.003, z + 0.3]);
     let plate = shapes::floor([3, 3], [1.0, 1.0]).placed(|[x, _, z]| [x, 0.41, z]);
     let floor = shapes::floor([1, 1], [1.0, 1.0]);
