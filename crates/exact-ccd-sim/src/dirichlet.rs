@@ -4,173 +4,188 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
 use crate::scripted::Axes;
-use crate::solver::Spring;
-use crate::system::System;
 
-/// The scripted vertices that move in this time step, with their targets.
-///
-/// The vertices are set to their targets at once, if the line search accepts that step. Otherwise they
-/// become unknowns, and springs of increasing stiffness draw them towards their targets, as in section 4.4
-/// of *Incremental Potential Contact*, until the step is accepted.
+/// The scripts of a body in one time step, which all vertices follow by one fraction, from 0 to 1: a body
+/// that is moved as a whole stays rigid, also where an obstruction stops it.
 #[derive(Clone, Debug)]
-pub(crate) struct Dirichlet {
+pub(crate) struct Motion {
+    /// The body, by its place in the list of bodies.
+    pub(crate) body: u32,
+    /// The fraction that the vertices have reached.
+    pub(crate) fraction: f64,
     targets: Vec<Target>,
-    mode: Mode,
-    /// The stiffness of the springs, in kg.
-    stiffness: f64,
 }
 
-/// The target of a vertex of which a held coordinate moves.
+/// A vertex of which a held coordinate moves.
 #[derive(Clone, Copy, Debug)]
 struct Target {
-    vertex: u32,
-    /// The target of the held coordinates.
-    at: Point,
+    vertex: usize,
     held: Axes,
+    /// The vector from the scripted position at the fraction 0 to the position at the start.
+    apart: Vector3<f64>,
 }
 
-impl Target {
-    /// The vector to the target from the positions, along the held axes.
-    fn offset(&self, points: &[Point]) -> Vector3<f64> {
-        let point = points[self.vertex as usize];
-        Vector3::from_fn(|axis, _| {
-            if self.held[axis] {
-                self.at[axis] - point[axis]
-            } else {
-                0.0
-            }
+/// The scripted position of a vertex at a fraction.
+pub(crate) type Path<'a> = dyn Fn(usize, f64) -> Point + Sync + 'a;
+
+impl Motion {
+    /// The motion of the vertices of a body that are at `points` before the step. `held` are the coordinates
+    /// that are not free in this time step. `None` if no held coordinate moves.
+    pub(crate) fn new(
+        body: u32,
+        vertices: std::ops::Range<u32>,
+        held: &[Axes],
+        points: &[Point],
+        path: &Path<'_>,
+    ) -> Option<Self> {
+        let target = |vertex: u32| {
+            let vertex = vertex as usize;
+            let point = Vector3::from(points[vertex]);
+            let end = Vector3::from(path(vertex, 1.0));
+            let moves = (0..3).any(|axis| held[vertex][axis] && end[axis] != point[axis]);
+            moves.then(|| Target {
+                vertex,
+                held: held[vertex],
+                apart: point - Vector3::from(path(vertex, 0.0)),
+            })
+        };
+        let targets: Vec<Target> = vertices.filter_map(target).collect();
+        (!targets.is_empty()).then_some(Self {
+            body,
+            fraction: 0.0,
+            targets,
         })
     }
+
+    /// The fraction after a part of the rest.
+    pub(crate) fn after(&self, part: f64) -> f64 {
+        if part < 1.0 {
+            self.fraction + part * (1.0 - self.fraction)
+        } else {
+            1.0
+        }
+    }
+
+    /// Sets the held coordinates of the vertices to those at a fraction.
+    pub(crate) fn set(&self, points: &mut [Point], path: &Path<'_>, fraction: f64) {
+        for target in &self.targets {
+            let at = Vector3::from(path(target.vertex, fraction)) + target.apart * (1.0 - fraction);
+            for axis in (0..3).filter(|&axis| target.held[axis]) {
+                points[target.vertex][axis] = at[axis];
+            }
+        }
+    }
+}
+
+/// The motions that scripts prescribe in one time step.
+pub(crate) struct Dirichlet<'a> {
+    path: &'a Path<'a>,
+    motions: Vec<Motion>,
+    mode: Mode,
+    /// The number of times that the motions may still be repeated.
+    attempts: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Mode {
-    /// The next step sets the vertices to their targets.
+    /// The next step moves the bodies.
     Prescribed,
-    /// Springs act on the vertices.
-    Springs,
-    /// The vertices stay: they are at their targets, or the springs have reached their greatest stiffness.
+    /// The bodies rest until Newton's method has converged.
+    Waiting,
+    /// The bodies rest: they are at their targets, or an obstruction stops them.
     Fixed,
 }
 
-/// The initial and the greatest stiffness of the springs, in mean masses of a vertex.
-const STIFFNESS: [f64; 2] = [1e3, 1e9];
+/// The greatest number of times that obstructed motions are repeated.
+const ATTEMPTS: usize = 20;
 
-/// The factor by which the stiffness increases when the targets cannot be reached.
-const STIFFENING: f64 = 10.0;
+/// The least part of a motion that counts as progress.
+const PROGRESS: f64 = 1e-2;
 
-impl Dirichlet {
-    /// The targets of a system's scripts for vertices that are at `points` before the step. `held` are the
-    /// coordinates that are not free in this time step, and `target` is the position of a vertex at its end.
-    pub(crate) fn new(held: &[Axes], points: &[Point], target: impl Fn(usize) -> Point) -> Self {
-        let moving = |(vertex, &held): (usize, &Axes)| {
-            if held == [false; 3] {
-                return None;
-            }
-            let target = Target {
-                vertex: vertex as u32,
-                at: target(vertex),
-                held,
-            };
-            (target.offset(points) != Vector3::zeros()).then_some(target)
-        };
-        let targets: Vec<Target> = held.iter().enumerate().filter_map(moving).collect();
-        let mode = if targets.is_empty() {
+impl<'a> Dirichlet<'a> {
+    /// The motions along paths.
+    pub(crate) fn new(motions: Vec<Motion>, path: &'a Path<'a>) -> Self {
+        let mode = if motions.is_empty() {
             Mode::Fixed
         } else {
             Mode::Prescribed
         };
         Self {
-            targets,
+            path,
+            motions,
             mode,
-            stiffness: 0.0,
+            attempts: ATTEMPTS,
         }
     }
 
-    /// True if the next step sets the vertices to their targets.
+    /// True if the next step moves the bodies.
     pub(crate) fn is_prescribed(&self) -> bool {
         self.mode == Mode::Prescribed
     }
 
-    /// True if springs act on the vertices, which are unknowns then.
-    pub(crate) fn has_springs(&self) -> bool {
-        self.mode == Mode::Springs
+    /// The motions.
+    pub(crate) fn motions(&self) -> &[Motion] {
+        &self.motions
     }
 
-    /// The coordinates of each vertex that are not unknown now: the held ones, except those with springs.
-    pub(crate) fn known(&self, held: &[Axes]) -> Vec<Axes> {
-        let mut known = held.to_vec();
-        if self.has_springs() {
-            for target in &self.targets {
-                known[target.vertex as usize] = [false; 3];
-            }
-        }
-        known
-    }
-
-    /// Sets the held coordinates of the moving vertices to their targets.
-    pub(crate) fn set(&self, points: &mut [Point]) {
-        for target in &self.targets {
-            for axis in (0..3).filter(|&axis| target.held[axis]) {
-                points[target.vertex as usize][axis] = target.at[axis];
-            }
+    /// Sets the held coordinates to those after a part of the rest of some motions, by their places.
+    pub(crate) fn set(&self, points: &mut [Point], places: &[usize], part: f64) {
+        for motion in places.iter().map(|&place| &self.motions[place]) {
+            motion.set(points, self.path, motion.after(part));
         }
     }
 
     /// The displacements from these positions to the targets: zero for all coordinates without a target, and
-    /// if the next step does not set the vertices to their targets.
+    /// if the next step does not move the bodies.
     pub(crate) fn displacements(&self, points: &[Point]) -> Vec<Vector3<f64>> {
-        let mut displacements = vec![Vector3::zeros(); points.len()];
+        let mut ends = points.to_vec();
         if self.is_prescribed() {
-            for target in &self.targets {
-                displacements[target.vertex as usize] = target.offset(points);
-            }
+            self.motions
+                .iter()
+                .for_each(|motion| motion.set(&mut ends, self.path, 1.0));
         }
-        displacements
+        let pairs = ends.iter().zip(points);
+        pairs
+            .map(|(end, point)| Vector3::from(*end) - Vector3::from(*point))
+            .collect()
     }
 
-    /// The springs that act now.
-    pub(crate) fn springs(&self) -> Vec<Spring> {
-        let along = |is_held| if is_held { self.stiffness } else { 0.0 };
-        let spring = |target: &Target| Spring {
-            vertex: target.vertex,
-            target: target.at,
-            stiffness: target.held.map(along).into(),
-        };
-        if self.has_springs() {
-            self.targets.iter().map(spring).collect()
-        } else {
-            Vec::new()
+    /// Moves the fractions of some motions, by their places, by a part of the rest.
+    pub(crate) fn advance(&mut self, places: &[usize], part: f64) {
+        for &place in places {
+            self.motions[place].fraction = self.motions[place].after(part);
         }
     }
 
-    /// Ends the motion: the vertices are at their targets.
-    pub(crate) fn reached(&mut self) {
-        self.mode = Mode::Fixed;
-    }
-
-    /// Replaces a rejected step to the targets by springs, or stiffens the springs. Beyond the greatest
-    /// stiffness, the vertices stay where they are.
-    pub(crate) fn stiffen(&mut self, system: &System) {
-        let mass = system.mean_mass();
-        let [first, last] = STIFFNESS.map(|masses| masses * mass);
-        let stiffer = STIFFENING * self.stiffness;
-        self.mode = if stiffer > last {
+    /// Ends a step that moved bodies by these parts of their motions: the next one moves them again, or
+    /// follows after Newton's method has converged. Without progress, bodies stay.
+    pub(crate) fn moved(&mut self, progress: f64) {
+        self.attempts = self.attempts.saturating_sub(1);
+        let is_done = self.motions.iter().all(|motion| motion.fraction == 1.0);
+        self.mode = if is_done || self.attempts == 0 || progress < PROGRESS {
             Mode::Fixed
         } else {
-            Mode::Springs
+            Mode::Waiting
         };
-        self.stiffness = stiffer.max(first);
     }
 
-    /// Makes the next step set the vertices to their targets again, after Newton has converged with springs.
-    pub(crate) fn prescribe(&mut self) {
-        self.mode = Mode::Prescribed;
+    /// Makes the next step move the bodies again, after Newton's method has converged. False if they stay.
+    pub(crate) fn resume(&mut self) -> bool {
+        let waits = self.mode == Mode::Waiting;
+        if waits {
+            self.mode = Mode::Prescribed;
+        }
+        waits
     }
 
     /// The greatest distance of a vertex from its target, in m.
     pub(crate) fn lag(&self, points: &[Point]) -> f64 {
-        let lags = self.targets.iter().map(|target| target.offset(points).norm());
+        let mut ends = points.to_vec();
+        self.motions
+            .iter()
+            .for_each(|motion| motion.set(&mut ends, self.path, 1.0));
+        let pairs = ends.iter().zip(points);
+        let lags = pairs.map(|(end, point)| (Vector3::from(*end) - Vector3::from(*point)).norm());
         lags.fold(0.0, f64::max)
     }
 }

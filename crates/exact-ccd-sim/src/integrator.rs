@@ -4,13 +4,16 @@ use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
+use crate::anchor::Anchor;
+use crate::scripted::Axes;
 use crate::state::State;
 
 /// The time integration method.
 ///
 /// Neither method conserves energy. In smooth motion both dissipate it numerically, the more so the larger
-/// the time step. The order of BDF2 holds for smooth motion only: with contact, its energy jumps between
-/// the bounces of a body. [`Energies::friction`](crate::Energies::friction) does not include numerical
+/// the time step. The angular velocity ω of a free body decays under implicit Euler, by dω/dt ≈ −ω³ h for
+/// the time step h. The order of BDF2 holds for smooth motion only: a time step in which bodies begin or
+/// cease to touch, and the next one, are steps of implicit Euler. [`Energies::friction`](crate::Energies::friction) does not include numerical
 /// dissipation; no other energy does either.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -27,42 +30,27 @@ pub enum Integrator {
     QuasiStatic,
 }
 
-/// The equations of one time step: v = (x − origin) / duration, and x = predicted in the absence of forces.
+/// The equations of one time step: v = (x − origin) / duration, and the inertia of each vertex.
 ///
-/// Both integrators solve M (x − predicted) = duration² f(x), which is stationarity of an incremental
-/// potential.
+/// Both integrators solve M (v − v₀) / duration = f(x) − α M v, with the velocity v₀ after a step without
+/// forces and the rate of damping α. With v = (x − origin) / duration, this is
+/// (1 + α duration) M (x − predicted) = duration² f(x) with predicted = origin + duration v₀ / (1 + α
+/// duration): stationarity of an incremental potential.
 #[derive(Clone, Debug)]
 pub(crate) struct Scheme {
     /// The effective time step, in s: the time step for implicit Euler, two thirds of it for BDF2.
     pub(crate) duration: f64,
     /// The positions at zero velocity.
     pub(crate) origin: Vec<Point>,
-    /// The positions x̂ under inertia and gravity alone.
-    pub(crate) predicted: Vec<Point>,
-}
-
-/// The accelerations of a time step that do not depend on its end.
-pub(crate) struct Acceleration<'a> {
-    /// That of gravity, in m/s².
-    pub(crate) gravity: Point,
-    /// Those of the vertices by loads, in m/s².
-    pub(crate) loads: Option<&'a [Vector3<f64>]>,
-    /// The rate at which velocities decay, in 1/s.
-    pub(crate) damping: f64,
+    /// The positions in the absence of forces.
+    predicted: Vec<Point>,
+    /// The factor of the masses: 1 + α duration, or 1 from rest.
+    inertia: f64,
 }
 
 impl Integrator {
-    /// The equations of the next time step.
-    pub(crate) fn scheme(
-        self,
-        state: &State,
-        time_step: f64,
-        Acceleration {
-            gravity,
-            loads,
-            damping,
-        }: &Acceleration<'_>,
-    ) -> Scheme {
+    /// The equations of the next time step, with the rate `damping` at which velocities decay, in 1/s.
+    pub(crate) fn scheme(self, state: &State, time_step: f64, damping: f64) -> Scheme {
         let earlier = state.earlier.as_ref().filter(|_| self == Self::Bdf2);
         let (duration, origin, drift) = match earlier {
             None => (time_step, state.positions.clone(), state.velocities.clone()),
@@ -72,27 +60,43 @@ impl Integrator {
                 extrapolated(&state.velocities, &earlier.velocities),
             ),
         };
-        // The velocity that is left, with the damping at the end of the step.
-        let left = match self {
-            Self::ImplicitEuler | Self::Bdf2 => (1.0 + duration * damping).recip(),
-            Self::QuasiStatic => 0.0,
+        let (inertia, left) = match self {
+            Self::ImplicitEuler | Self::Bdf2 => {
+                let inertia = 1.0 + duration * damping;
+                (inertia, duration / inertia)
+            }
+            Self::QuasiStatic => (1.0, 0.0),
         };
-        let ahead = |(vertex, (x, v)): (usize, (&Point, &Point))| {
-            let load = loads.map_or([0.0; 3], |loads| loads[vertex].into());
-            core::array::from_fn(|axis| {
-                x[axis] + duration * (left * v[axis] + duration * (gravity[axis] + load[axis]))
-            })
-        };
-        let predicted = origin.iter().zip(&drift).enumerate().map(ahead).collect();
+        let ahead = |(x, v): (&Point, &Point)| core::array::from_fn(|axis| x[axis] + left * v[axis]);
+        let predicted = origin.iter().zip(&drift).map(ahead).collect();
         Scheme {
             duration,
             origin,
             predicted,
+            inertia,
         }
     }
 }
 
 impl Scheme {
+    /// The inertia of the vertices with a free coordinate, and the constant accelerations on them in m/s². It
+    /// acts on the held coordinates of these vertices too, where it is a constant.
+    pub(crate) fn inertia(
+        &self,
+        masses: &[f64],
+        held: &[Axes],
+        accelerations: impl Fn(usize) -> Vector3<f64>,
+    ) -> Vec<Anchor> {
+        let free = (0..masses.len()).filter(|&vertex| held[vertex] != [true; 3]);
+        let anchor = |vertex: usize| Anchor {
+            vertex: vertex as u32,
+            target: self.predicted[vertex],
+            stiffness: Vector3::repeat(self.inertia * masses[vertex]),
+            force: accelerations(vertex) * (masses[vertex] * self.duration * self.duration),
+        };
+        free.map(anchor).collect()
+    }
+
     /// The velocities at the end of the step, if it ends at these positions.
     pub(crate) fn velocities(&self, positions: &[Point]) -> Vec<Point> {
         let velocity = |(x, origin): (&Point, &Point)| {

@@ -4,8 +4,8 @@
 //! The method is that of M. Li, Z. Ferguson, T. Schneider, T. Langlois, D. Zorin, D. Panozzo, C. Jiang,
 //! D. Kaufman, *Incremental Potential Contact: Intersection- and Inversion-free Large-Deformation
 //! Dynamics*, ACM Transactions on Graphics 39(4), 2020. Each time step minimises the sum of an inertia
-//! term, [`elasticity`], a barrier over the distances of nearby primitives ([`contact`], [`distance`])
-//! and lagged [`friction`], by projected Newton. A [`StepFilter`] bounds each Newton step: by the exact
+//! term, elasticity, a barrier over the distances of nearby primitives and lagged friction, by projected
+//! Newton. A [`StepFilter`] bounds each Newton step: by the exact
 //! method or, for comparison, by any other [`Ccd`](exact_ccd::Ccd).
 //!
 //! - A [`Body`] is a mesh with its material. Bodies and [`Scripted`] vertices form a [`System`]. The vertices
@@ -13,7 +13,7 @@
 //! - A [`Simulation`] takes the time steps of a system. Each step returns [`Statistics`].
 //! - A [`Checkpoint`] is saved and loaded to resume a simulation of the same system and settings.
 //!
-//! See [`Integrator`] for what the integrators conserve, and [`elasticity`] for the limits of the elements.
+//! See [`Integrator`] for what the integrators conserve, and [`BodyKind`] for the limits of the elements.
 //!
 //! ```
 //! use exact_ccd_sim::{Settings, Simulation, System, shapes};
@@ -34,18 +34,18 @@
 //! Lengths are in m, masses in kg, times in s. No result depends on the number of threads. Results may
 //! differ between processors, because the sparse solver selects vector instructions at run time.
 
+mod anchor;
 mod bends;
 mod body;
 mod checkpoint;
-pub mod contact;
+mod contact;
 mod digest;
 mod dirichlet;
-pub mod distance;
-pub mod elasticity;
-mod element;
+mod distance;
+mod elasticity;
+mod energy;
 mod filter;
-pub mod friction;
-mod gather;
+mod friction;
 mod half_space;
 mod hinges;
 mod integrator;
@@ -61,10 +61,12 @@ mod solver;
 mod state;
 mod statistics;
 mod system;
+#[cfg(test)]
+mod tests;
 
 pub use body::{Body, BodyKind, ParticleProperties, Region, RodProperties, ShellProperties, SolidProperties};
 pub use checkpoint::Checkpoint;
-pub use element::{Element, Matrix12, Vector12};
+pub use elasticity::{ElasticModuli, SolidMaterial};
 pub use filter::StepFilter;
 pub use half_space::{HalfSpace, HalfSpaceError, Plane};
 pub use integrator::Integrator;

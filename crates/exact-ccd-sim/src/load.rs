@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 use crate::digest::{Digest, Hash};
-use crate::gather::gather;
+use crate::energy::gather;
 use crate::range::{OutOfRange, check, check_finite};
 
 /// A force on some vertices, from one time to another.

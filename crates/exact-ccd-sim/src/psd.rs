@@ -10,9 +10,9 @@ const SWEEPS: usize = 1000;
 /// the projected Newton method (J. Teran, E. Sifakis, G. Irving, R. Fedkiw, *Robust quasistatic finite
 /// elements and flesh simulation*, 2005).
 ///
-/// If the eigenvalue solver fails, the result is the diagonal matrix of the absolute row sums, which is an
-/// upper bound of the matrix. A matrix with a non-finite entry is returned unchanged.
-#[must_use]
+/// If the eigenvalue solver fails or its result is not finite, the result is the diagonal matrix of the
+/// absolute row sums, which is an upper bound of the matrix. A matrix with a non-finite entry is returned
+/// unchanged.
 pub(crate) fn project<D>(matrix: OMatrix<f64, D, D>) -> OMatrix<f64, D, D>
 where
     D: DimName + DimSub<U1>,
@@ -21,7 +21,10 @@ where
     if !matrix.iter().all(|entry| entry.is_finite()) || Cholesky::new(matrix.clone()).is_some() {
         return matrix;
     }
-    let Some(eigen) = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS) else {
+    // The solver divides by zero where off-diagonal entries underflow.
+    let eigen = SymmetricEigen::try_new(matrix.clone(), f64::EPSILON, SWEEPS);
+    let is_finite = |eigen: &SymmetricEigen<f64, D>| eigen.eigenvectors.iter().all(|entry| entry.is_finite());
+    let Some(eigen) = eigen.filter(is_finite) else {
         let sums = matrix.column_iter().map(|column| column.lp_norm(1));
         return OMatrix::from_diagonal(&OVector::<f64, D>::from_iterator(sums));
     };

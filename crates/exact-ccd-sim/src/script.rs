@@ -120,6 +120,15 @@ impl Script {
         }
     }
 
+    /// True if it turns vertices, so that it is rigid along all axes together only.
+    pub(crate) fn turns(&self) -> bool {
+        match self {
+            Self::Fixed | Self::Moving { .. } => false,
+            Self::Twisting { rate, .. } => *rate != 0.0,
+            Self::KeyFrames { frames, .. } => frames.iter().any(|frame| frame.degrees != 0.0),
+        }
+    }
+
     /// The position at a time of a vertex that is at `origin` when the script begins, at the time `from`,
     /// both in s.
     #[must_use]

@@ -133,6 +133,12 @@ impl Coordinates {
         self.0.iter().all(held)
     }
 
+    /// True if vertices with these scripts keep their distances.
+    pub(crate) fn are_rigid(&self) -> bool {
+        let [x, y, z] = &self.0;
+        x == y && y == z || !self.0.iter().flatten().any(|script| script.script.turns())
+    }
+
     /// True if no script moves a coordinate at any time.
     pub(crate) fn are_fixed(&self) -> bool {
         self.0

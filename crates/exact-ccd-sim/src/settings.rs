@@ -38,7 +38,7 @@ pub struct Settings {
     /// The maximal number of Newton iterations for each friction lag.
     pub max_iterations: usize,
     /// The maximal number of equal parts in which a time step is repeated if Newton's method does not
-    /// converge: 1, 2, 4 and so on, up to this number. With 1, time steps are never repeated.
+    /// converge or fails: 1, 2, 4 and so on, up to this number. With 1, time steps are never repeated.
     pub max_substeps: usize,
     /// The name of the CCD method. A simulation starts with `exact`, and takes the name of the filter that
     /// is passed to [`Simulation::with_filter`](crate::Simulation::with_filter).
@@ -95,12 +95,54 @@ impl Settings {
     }
 }
 
+impl Settings {
+    /// The names and the values of all settings, for their comparison. The case of a method's name does not
+    /// matter.
+    pub(crate) fn values(&self) -> [(&'static str, String); 14] {
+        let Self {
+            time_step,
+            gravity,
+            integrator,
+            damping,
+            contact_distance,
+            formulation,
+            friction,
+            tolerance,
+            max_iterations,
+            max_substeps,
+            ccd,
+        } = self;
+        let Friction {
+            coefficient,
+            pairs,
+            static_velocity,
+            lags,
+        } = friction;
+        [
+            ("time-step", format!("{time_step:?}")),
+            ("gravity", format!("{gravity:?}")),
+            ("integrator", format!("{integrator:?}")),
+            ("damping", format!("{damping:?}")),
+            ("contact-distance", format!("{contact_distance:?}")),
+            ("formulation", format!("{formulation:?}")),
+            ("friction.coefficient", format!("{coefficient:?}")),
+            ("friction.pair", format!("{pairs:?}")),
+            ("friction.static-velocity", format!("{static_velocity:?}")),
+            ("friction.lags", format!("{lags:?}")),
+            ("tolerance", format!("{tolerance:?}")),
+            ("max-iterations", format!("{max_iterations:?}")),
+            ("max-substeps", format!("{max_substeps:?}")),
+            ("ccd", ccd.to_lowercase()),
+        ]
+    }
+}
+
 /// The sum of barriers that repels surfaces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Formulation {
-    /// An integral over the surface of the barrier of the distance, see
-    /// [`Weights`](crate::contact::Weights): a body at rest on a plane of triangles does not drift.
+    /// An integral over the surface of the barrier of the distance: a body at rest on a plane of triangles does
+    /// not drift.
     #[default]
     Convergent,
     /// The sum over all pairs of primitives, as in *Incremental Potential Contact*. Near edges of a plane of
@@ -178,7 +220,7 @@ impl Default for Settings {
             friction: Friction::default(),
             tolerance: Length::Relative(1e-2),
             max_iterations: 100,
-            max_substeps: 1,
+            max_substeps: 8,
             ccd: "exact".to_owned(),
         }
     }

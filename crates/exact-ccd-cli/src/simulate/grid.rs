@@ -20,7 +20,7 @@ pub(super) struct Grid {
 
 impl Grid {
     pub(super) fn new(system: &System) -> Self {
-        let tetrahedra: Vec<_> = system.tetrahedra().collect();
+        let tetrahedra = system.tetrahedra().to_vec();
         let mut is_solid = vec![false; system.start().len()];
         for &corner in tetrahedra.as_flattened() {
             is_solid[corner as usize] = true;

@@ -15,7 +15,7 @@
 /// that is as (2 ξ d̂)² for ξ ≫ d̂. With the factor, the barrier is d̂⁴ times a function of D/D̂ ≈ (d −
 /// ξ)/d̂, and one stiffness serves pairs of any thickness.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Barrier {
+pub(crate) struct Barrier {
     /// d̂, in m.
     activation_distance: f64,
     /// ξ², in m².
@@ -28,8 +28,7 @@ pub struct Barrier {
 
 impl Barrier {
     /// The barrier of surfaces without thickness, with this activation distance, in m.
-    #[must_use]
-    pub fn new(activation_distance: f64) -> Self {
+    pub(crate) fn new(activation_distance: f64) -> Self {
         Self {
             activation_distance,
             thickness_squared: 0.0,
@@ -39,8 +38,7 @@ impl Barrier {
     }
 
     /// The barrier with the same activation distance and another thickness, in m.
-    #[must_use]
-    pub fn with_thickness(self, thickness: f64) -> Self {
+    pub(crate) fn with_thickness(self, thickness: f64) -> Self {
         let plain = Self::new(self.activation_distance);
         let range = plain.range + 2.0 * thickness * plain.activation_distance;
         Self {
@@ -52,20 +50,17 @@ impl Barrier {
     }
 
     /// d̂: the distance between the surfaces, beyond the thickness, at which the barrier ends, in m.
-    #[must_use]
-    pub fn activation_distance(&self) -> f64 {
+    pub(crate) fn activation_distance(&self) -> f64 {
         self.activation_distance
     }
 
     /// True if the barrier is positive at a squared distance d².
-    #[must_use]
-    pub fn is_active(&self, squared: f64) -> bool {
+    pub(crate) fn is_active(&self, squared: f64) -> bool {
         self.reduced(squared) < self.range
     }
 
     /// The distance between the surfaces, d − ξ, in m. Without cancellation, it is D / (d + ξ).
-    #[must_use]
-    pub fn gap(&self, squared: f64) -> f64 {
+    pub(crate) fn gap(&self, squared: f64) -> f64 {
         let distance = squared.sqrt();
         if self.thickness_squared == 0.0 {
             distance
@@ -75,8 +70,7 @@ impl Barrier {
     }
 
     /// The value at a squared distance d², in m⁴. Infinite for d ≤ ξ.
-    #[must_use]
-    pub fn value(&self, squared: f64) -> f64 {
+    pub(crate) fn value(&self, squared: f64) -> f64 {
         let reduced = self.reduced(squared);
         if reduced >= self.range {
             0.0
@@ -89,8 +83,7 @@ impl Barrier {
     }
 
     /// The first derivative by the squared distance, in m².
-    #[must_use]
-    pub fn slope(&self, squared: f64) -> f64 {
+    pub(crate) fn slope(&self, squared: f64) -> f64 {
         let reduced = self.reduced(squared);
         if reduced >= self.range {
             return 0.0;
@@ -100,8 +93,7 @@ impl Barrier {
     }
 
     /// The second derivative by the squared distance.
-    #[must_use]
-    pub fn curvature(&self, squared: f64) -> f64 {
+    pub(crate) fn curvature(&self, squared: f64) -> f64 {
         let reduced = self.reduced(squared);
         if reduced >= self.range {
             return 0.0;

@@ -1,22 +1,22 @@
 //! Two features within the activation distance of the barrier, or a vertex and a half space.
 
 use arrayvec::ArrayVec;
-use nalgebra::{SMatrix, SVector, Vector3};
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, DVector, SMatrix, SVector, Vector3};
 
 use super::barrier::Barrier;
-use crate::distance::{Factors, Feature, FeatureKind, Mollifier, Separation};
-use crate::element::{Element, Vector12};
+use crate::distance::{Factors, Feature, FeatureKind, Matrix12, Mollifier, Separation, Vector12};
+use crate::energy::{Energy, Projection, first_blocks, first_rows, gather_some};
 use crate::half_space::Plane;
-use crate::psd;
 
 /// Two features within the activation distance of the barrier, or a vertex and a half space.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Collision {
+pub(crate) struct Collision {
     vertices: ArrayVec<u32, 4>,
     between: Between,
     mollifier: Option<Mollifier>,
-    /// ξ: the sum of the offsets of both surfaces, in m.
-    thickness: f64,
+    /// The barrier of both surfaces, with their thickness.
+    barrier: Barrier,
     /// The sum of the weights of all terms that share these features. It can be negative.
     multiplicity: f64,
     /// The sum of their absolute values.
@@ -75,8 +75,8 @@ impl Between {
 impl Collision {
     /// The collision of two features of these vertices, in canonical form. It has only the vertices on which
     /// the distance depends, in an order that does not depend on the primitives that share the features.
-    #[must_use]
-    pub fn new(vertices: [u32; 4], feature: Feature) -> Self {
+    /// The vertices of the first feature, whose weights are positive, precede those of the second.
+    pub(crate) fn new(vertices: [u32; 4], feature: Feature, barrier: Barrier) -> Self {
         let used = (0..4)
             .filter(|&place| feature.uses(place))
             .map(|place| vertices[place]);
@@ -96,43 +96,50 @@ impl Collision {
             }
             FeatureKind::PointPlane | FeatureKind::LineLine => feature,
         };
-        Self {
-            vertices,
-            between: Between::Features(feature),
-            mollifier: None,
-            thickness: 0.0,
-            multiplicity: 1.0,
-            total: 1.0,
-            fixed: [false; 4],
-        }
+        Self::between(vertices, Between::Features(feature), barrier)
     }
 
     /// The collision of a vertex and a half space, by its number.
-    #[must_use]
-    pub fn with_half_space(vertex: u32, half_space: u32, plane: Plane) -> Self {
+    pub(crate) fn with_half_space(vertex: u32, half_space: u32, plane: Plane, barrier: Barrier) -> Self {
+        let vertices = [vertex].into_iter().collect();
+        Self::between(vertices, Between::VertexAndPlane { plane, half_space }, barrier)
+    }
+
+    /// The collision of two edges that are nearly parallel, in canonical form: the closest point of the first
+    /// two vertices has the positive weights.
+    pub(crate) fn mollified(
+        mut vertices: [u32; 4],
+        mut feature: Feature,
+        mollifier: Mollifier,
+        barrier: Barrier,
+    ) -> Self {
+        if feature.point() >= 2 {
+            vertices.rotate_left(2);
+            feature = feature.swapped();
+        }
         Self {
-            vertices: [vertex].into_iter().collect(),
-            between: Between::VertexAndPlane { plane, half_space },
+            mollifier: Some(mollifier),
+            ..Self::between(vertices.into(), Between::Features(feature), barrier)
+        }
+    }
+
+    fn between(vertices: ArrayVec<u32, 4>, between: Between, barrier: Barrier) -> Self {
+        Self {
+            vertices,
+            between,
             mollifier: None,
-            thickness: 0.0,
+            barrier,
             multiplicity: 1.0,
             total: 1.0,
             fixed: [false; 4],
         }
-    }
-
-    /// The same collision of surfaces with a thickness ξ, in m.
-    #[must_use]
-    pub fn with_thickness(self, thickness: f64) -> Self {
-        Self { thickness, ..self }
     }
 
     /// The same collision with second derivatives by those vertices only for which `is_fixed` is false.
     ///
     /// The projection of the full Hessian would add stiffness along the plane of a triangle that does not
     /// move, and with it forces along the plane wherever Newton's method stops.
-    #[must_use]
-    pub fn with_fixed(mut self, is_fixed: impl Fn(u32) -> bool) -> Self {
+    pub(crate) fn with_fixed(mut self, is_fixed: impl Fn(u32) -> bool) -> Self {
         for (fixed, &vertex) in self.fixed.iter_mut().zip(&self.vertices) {
             *fixed = is_fixed(vertex);
         }
@@ -140,8 +147,7 @@ impl Collision {
     }
 
     /// The same collision with all of its terms multiplied by a weight, which may be negative.
-    #[must_use]
-    pub fn weighted(self, weight: f64) -> Self {
+    pub(crate) fn weighted(self, weight: f64) -> Self {
         Self {
             multiplicity: weight * self.multiplicity,
             total: weight.abs() * self.total,
@@ -150,40 +156,17 @@ impl Collision {
     }
 
     /// True if its terms cancel, up to rounding.
-    #[must_use]
-    pub fn is_cancelled(&self) -> bool {
+    pub(crate) fn is_cancelled(&self) -> bool {
         self.multiplicity.abs() <= CANCELLED * self.total
     }
 
     /// True if its terms repel the features from each other, and do not correct the sum of others.
-    #[must_use]
-    pub fn is_repulsive(&self) -> bool {
+    pub(crate) fn is_repulsive(&self) -> bool {
         self.multiplicity > 0.0
     }
 
-    /// The collision of two edges that are nearly parallel.
-    #[must_use]
-    pub fn mollified(vertices: [u32; 4], feature: Feature, mollifier: Mollifier) -> Self {
-        Self {
-            vertices: ArrayVec::from(vertices),
-            between: Between::Features(feature),
-            mollifier: Some(mollifier),
-            thickness: 0.0,
-            multiplicity: 1.0,
-            total: 1.0,
-            fixed: [false; 4],
-        }
-    }
-
-    /// The vertices on which the barrier depends.
-    #[must_use]
-    pub fn vertices(&self) -> &ArrayVec<u32, 4> {
-        &self.vertices
-    }
-
     /// The number of the half space, if it is with one.
-    #[must_use]
-    pub fn half_space(&self) -> Option<u32> {
+    pub(crate) fn half_space(&self) -> Option<u32> {
         match self.between {
             Between::Features(_) => None,
             Between::VertexAndPlane { half_space, .. } => Some(half_space),
@@ -191,118 +174,133 @@ impl Collision {
     }
 
     /// True if two collisions are between the same features.
-    #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
+    pub(crate) fn is_same(&self, other: &Self) -> bool {
         self.vertices == other.vertices
             && self.between == other.between
             && self.mollifier == other.mollifier
-            && self.thickness == other.thickness
+            && self.barrier == other.barrier
     }
 
     /// Adds the terms of another collision between the same features.
-    pub fn merge(&mut self, other: &Self) {
+    pub(crate) fn merge(&mut self, other: &Self) {
         self.multiplicity += other.multiplicity;
         self.total += other.total;
     }
 
-    /// The closest points of the features, for these positions of the vertices.
-    #[must_use]
-    pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
-        self.between.separation(points)
+    /// The closest points of the features.
+    pub(crate) fn separation(&self, points: &[Point]) -> Separation {
+        self.between.separation(&gather_some(points, &self.vertices))
     }
 
     /// The distance between the surfaces, in m: that of the features minus the thickness.
-    #[must_use]
-    pub fn gap(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
-        let barrier = barrier.with_thickness(self.thickness);
-        barrier.gap(self.separation(points).squared())
-    }
-
-    /// The value of the barrier, in m⁴. `barrier` is that of surfaces without thickness, here and below.
-    #[must_use]
-    pub fn value(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
-        let barrier = barrier.with_thickness(self.thickness);
-        let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
-        let value = barrier.value(self.separation(points).squared());
-        // Parallel edges have no barrier, even if they touch: this avoids 0 · ∞.
-        if fade == 0.0 {
-            0.0
-        } else {
-            self.multiplicity * fade * value
-        }
+    pub(crate) fn gap(&self, points: &[Point]) -> f64 {
+        self.barrier.gap(self.separation(points).squared())
     }
 
     /// The magnitude of the normal force for κ = 1: minus the derivative of the barrier by the distance.
-    #[must_use]
-    pub fn normal_force(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> f64 {
-        let barrier = barrier.with_thickness(self.thickness);
-        let fade = self.mollifier.map_or(1.0, |mollifier| mollifier.value(points));
+    pub(crate) fn normal_force(&self, points: &[Point]) -> f64 {
         let squared = self.separation(points).squared();
-        -2.0 * self.multiplicity * fade * barrier.slope(squared) * squared.sqrt()
+        match self.fade(points) {
+            0.0 => 0.0,
+            fade => -2.0 * self.multiplicity * fade * self.barrier.slope(squared) * squared.sqrt(),
+        }
     }
 
-    /// The gradient of the barrier.
-    #[must_use]
-    pub fn gradient(&self, points: &[Vector3<f64>; 4], barrier: &Barrier) -> Vector12 {
-        let barrier = barrier.with_thickness(self.thickness);
+    /// The factor of the barrier, between 0 and 1. Where it is 0, value, gradient and force are 0, even if the
+    /// barrier is infinite: parallel edges have no barrier.
+    fn fade(&self, points: &[Point]) -> f64 {
+        let corners = gather_some(points, &self.vertices);
+        self.mollifier.map_or(1.0, |mollifier| mollifier.value(&corners))
+    }
+
+    /// The Hessian of a mollified barrier m b, m ∇²b + ∇m ∇bᵀ + ∇b ∇mᵀ + b ∇²m, of which the last term is
+    /// left where m = 0. It counts as zero where b is infinite.
+    fn mollified_hessian(
+        &self,
+        mollifier: Mollifier,
+        corners: &[Vector3<f64>; 4],
+        [value, fade]: [f64; 2],
+        gradient: &Vector12,
+        hessian: &Matrix12,
+    ) -> Matrix12 {
+        let (fade1, fade2) = mollifier.derivatives(corners);
+        if fade == 0.0 {
+            return if value.is_finite() {
+                fade2 * value
+            } else {
+                Matrix12::zeros()
+            };
+        }
+        let mixed = fade1 * gradient.transpose();
+        hessian * fade + mixed + mixed.transpose() + fade2 * value
+    }
+}
+
+impl Energy for Collision {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    /// The value of the barrier, in m⁴.
+    fn value(&self, points: &[Point]) -> f64 {
+        match self.fade(points) {
+            0.0 => 0.0,
+            fade => self.multiplicity * fade * self.barrier.value(self.separation(points).squared()),
+        }
+    }
+
+    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+        let count = self.vertices.len();
+        let fade = self.fade(points);
+        if fade == 0.0 {
+            return DVector::zeros(3 * count);
+        }
         let separation = self.separation(points);
         let squared = separation.squared();
-        let distance = Vector12::from_fn(|row, _| {
-            2.0 * separation.weights[row / 3] * separation.vector[row % 3] * barrier.slope(squared)
+        let slope = 2.0 * self.barrier.slope(squared);
+        let mut gradient = Vector12::from_fn(|row, _| {
+            separation.weights[row / 3] * separation.vector[row % 3] * slope * fade
         });
-        let gradient = match self.mollifier {
-            None => distance,
-            Some(mollifier) => {
-                let (fade, _) = mollifier.derivatives(points);
-                distance * mollifier.value(points) + fade * barrier.value(squared)
-            }
-        };
-        gradient * self.multiplicity
+        if let Some(mollifier) = self.mollifier {
+            let corners = gather_some(points, &self.vertices);
+            gradient += mollifier.derivatives(&corners).0 * self.barrier.value(squared);
+        }
+        first_rows(&(gradient * self.multiplicity), count)
     }
 
-    /// The gradient of the barrier, and its Hessian by the vertices that are not fixed. If `projected`, the
-    /// Hessian is positive semi-definite.
-    #[must_use]
-    pub fn derivatives(&self, points: &[Vector3<f64>; 4], barrier: &Barrier, projected: bool) -> Element {
-        let barrier = barrier.with_thickness(self.thickness);
-        let squared = self.separation(points).squared();
-        let (slope, curvature) = (barrier.slope(squared), barrier.curvature(squared));
+    /// The Hessian by the vertices that are not fixed.
+    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+        let corners = gather_some(points, &self.vertices);
+        let squared = self.between.separation(&corners).squared();
+        let (slope, curvature) = (self.barrier.slope(squared), self.barrier.curvature(squared));
         let Factors {
             mut change,
             first,
             second,
-        } = self.between.factors(points);
-        let mut gradient = change * first * slope;
+        } = self.between.factors(&corners);
+        let gradient = change * first * slope;
         let fixed = || (0..4).filter(|&place| self.fixed[place]);
         fixed().for_each(|place| change.fixed_rows_mut::<3>(3 * place).fill(0.0));
         // The Hessian of a negative term is projected with its sign.
         let (sign, size) = (self.multiplicity.signum(), self.multiplicity.abs());
-        let second = (first * first.transpose() * curvature + second * slope) * sign;
-        let mut hessian = if projected && self.mollifier.is_none() {
-            // The projection acts in an orthonormal basis of the five directions of the factors.
-            let (basis, factor) = change.qr().unpack();
-            basis * psd::project(factor * second * factor.transpose()) * basis.transpose()
-        } else {
-            change * second * change.transpose()
+        let second = first * first.transpose() * curvature + second * slope;
+        let hessian = match self.mollifier {
+            None => {
+                // The projection acts in an orthonormal basis of the five directions of the factors.
+                let (basis, factor) = change.qr().unpack();
+                basis * projection.of(factor * second * factor.transpose() * sign) * basis.transpose()
+            }
+            Some(mollifier) => {
+                let terms = [self.barrier.value(squared), mollifier.value(&corners)];
+                let hessian = change * second * change.transpose();
+                let mut hessian = self.mollified_hessian(mollifier, &corners, terms, &gradient, &hessian);
+                for place in fixed() {
+                    hessian.fixed_rows_mut::<3>(3 * place).fill(0.0);
+                    hessian.fixed_columns_mut::<3>(3 * place).fill(0.0);
+                }
+                projection.of(hessian * sign)
+            }
         };
-        if let Some(mollifier) = self.mollifier {
-            let (fade, value) = (mollifier.value(points), barrier.value(squared));
-            let (fade1, fade2) = mollifier.derivatives(points);
-            let mixed = fade1 * gradient.transpose();
-            hessian = hessian * fade + (mixed + mixed.transpose() + fade2 * value) * sign;
-            gradient = gradient * fade + fade1 * value;
-            for place in fixed() {
-                hessian.fixed_rows_mut::<3>(3 * place).fill(0.0);
-                hessian.fixed_columns_mut::<3>(3 * place).fill(0.0);
-            }
-            if projected {
-                hessian = psd::project(hessian);
-            }
-        }
-        Element {
-            vertices: self.vertices.clone(),
-            gradient: gradient * self.multiplicity,
-            hessian: hessian * size,
-        }
+        first_blocks(&(hessian * size), self.vertices.len())
     }
 }

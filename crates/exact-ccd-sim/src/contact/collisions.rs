@@ -12,13 +12,12 @@ use super::collision::Collision;
 use super::surface::Surface;
 use super::weights::Corrections;
 use crate::distance::{Feature, Mollifier, edge_edge, point_edge, point_triangle};
-use crate::gather::{gather, gather_some};
+use crate::energy::{Energy, gather};
 use crate::half_space::Plane;
 
 /// The constraint set of one configuration: all pairs of features within the activation distance.
 #[derive(Clone, Debug)]
-pub struct Collisions {
-    barrier: Barrier,
+pub(crate) struct Collisions {
     collisions: Vec<Collision>,
     minimum: f64,
 }
@@ -35,8 +34,12 @@ impl Collisions {
     ///
     /// # Panics
     /// If a vertex of a pair has no position.
-    #[must_use]
-    pub fn new(surface: Surface<'_>, candidates: &Candidates, points: &[Point], barrier: Barrier) -> Self {
+    pub(crate) fn new(
+        surface: Surface<'_>,
+        candidates: &Candidates,
+        points: &[Point],
+        barrier: Barrier,
+    ) -> Self {
         let all = near(surface, candidates, points, barrier);
         let minimum = all.iter().fold(f64::INFINITY, |least, (gap, _)| least.min(*gap));
         let mut collisions: Vec<Collision> = all.into_iter().map(|(_, collision)| collision).collect();
@@ -50,17 +53,12 @@ impl Collisions {
             same
         });
         collisions.retain(|collision| !collision.is_cancelled());
-        Self {
-            barrier,
-            collisions,
-            minimum,
-        }
+        Self { collisions, minimum }
     }
 
     /// The collision with the least distance between two surfaces, and that distance in m. `None` if there is
     /// none. The arguments are those of [`Collisions::new`].
-    #[must_use]
-    pub fn nearest(
+    pub(crate) fn nearest(
         surface: Surface<'_>,
         candidates: &Candidates,
         points: &[Point],
@@ -71,14 +69,12 @@ impl Collisions {
     }
 
     /// The distinct collisions, sorted by their vertices.
-    #[must_use]
-    pub fn as_slice(&self) -> &[Collision] {
+    pub(crate) fn as_slice(&self) -> &[Collision] {
         &self.collisions
     }
 
     /// The number of collisions, without those that only correct the sum of others.
-    #[must_use]
-    pub fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         let repulsive = self
             .collisions
             .iter()
@@ -88,39 +84,8 @@ impl Collisions {
 
     /// The least distance between two surfaces, in m: the distance of primitives minus their thickness.
     /// Infinite if there is no collision.
-    #[must_use]
-    pub fn minimal_distance(&self) -> f64 {
+    pub(crate) fn minimal_distance(&self) -> f64 {
         self.minimum
-    }
-
-    /// The sum of the barriers, in m⁴.
-    #[must_use]
-    pub fn value(&self, points: &[Point]) -> f64 {
-        let values: Vec<f64> = self
-            .collisions
-            .par_iter()
-            .map(|collision| collision.value(&gather_some(points, collision.vertices()), &self.barrier))
-            .collect();
-        values.iter().sum()
-    }
-
-    /// The gradient of the sum of the barriers, with one entry for each vertex.
-    #[must_use]
-    pub fn gradient(&self, points: &[Point]) -> Vec<Vector3<f64>> {
-        let mut gradient = vec![Vector3::zeros(); points.len()];
-        for collision in &self.collisions {
-            let forces = collision.gradient(&gather_some(points, collision.vertices()), &self.barrier);
-            for (place, &vertex) in collision.vertices().iter().enumerate() {
-                gradient[vertex as usize] += forces.fixed_rows::<3>(3 * place);
-            }
-        }
-        gradient
-    }
-
-    /// The barrier function.
-    #[must_use]
-    pub fn barrier(&self) -> &Barrier {
-        &self.barrier
     }
 }
 
@@ -222,10 +187,9 @@ impl Near<'_> {
                 .map(|mollifier| mollifier())
                 .filter(|mollifier| mollifier.is_active(&corners));
             let collision = match mollifier {
-                Some(mollifier) => Collision::mollified(vertices, feature, mollifier),
-                None => Collision::new(vertices, feature),
+                Some(mollifier) => Collision::mollified(vertices, feature, mollifier, barrier),
+                None => Collision::new(vertices, feature, barrier),
             };
-            let collision = collision.with_thickness(thickness);
             (
                 barrier.gap(squared),
                 collision.with_fixed(|vertex| self.surface.is_fixed(vertex)),
@@ -285,8 +249,8 @@ impl Near<'_> {
         let squared = height * height;
         barrier.is_active(squared).then(|| {
             let weight = self.surface.weight_of_vertex(vertex).unwrap_or(1.0);
-            let collision = Collision::with_half_space(vertex, half_space, plane).weighted(weight);
-            (barrier.gap(squared), collision.with_thickness(thickness))
+            let collision = Collision::with_half_space(vertex, half_space, plane, barrier);
+            (barrier.gap(squared), collision.weighted(weight))
         })
     }
 

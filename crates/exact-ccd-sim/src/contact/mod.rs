@@ -7,9 +7,9 @@ mod stiffness;
 mod surface;
 mod weights;
 
-pub use barrier::Barrier;
-pub use collision::Collision;
-pub use collisions::Collisions;
-pub use stiffness::StiffnessRange;
-pub use surface::Surface;
-pub use weights::{Part, Weights};
+pub(crate) use barrier::Barrier;
+pub(crate) use collision::Collision;
+pub(crate) use collisions::Collisions;
+pub(crate) use stiffness::StiffnessRange;
+pub(crate) use surface::Surface;
+pub(crate) use weights::{Part, Weights};

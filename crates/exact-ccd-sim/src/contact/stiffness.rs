@@ -8,11 +8,11 @@ use super::barrier::Barrier;
 ///
 /// Source: *Incremental Potential Contact*, section 4.3, and section 3 of its supplement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StiffnessRange {
+pub(crate) struct StiffnessRange {
     /// The least κ.
-    pub least: f64,
+    pub(crate) least: f64,
     /// The greatest κ.
-    pub greatest: f64,
+    pub(crate) greatest: f64,
     /// The distance in m below which the barrier counts as too soft.
     critical: f64,
 }
@@ -24,8 +24,7 @@ const LEAST_SCALE: f64 = 1e11;
 impl StiffnessRange {
     /// The range for a scene. `barrier` is that of surfaces without thickness. `size` is the diagonal of
     /// its bounding box in m, `mean_mass` the mean mass of its vertices in kg.
-    #[must_use]
-    pub fn new(size: f64, mean_mass: f64, barrier: &Barrier) -> Self {
+    pub(crate) fn new(size: f64, mean_mass: f64, barrier: &Barrier) -> Self {
         let near = (1e-16 * size * size).min(0.25 * barrier.activation_distance().powi(2));
         let least = LEAST_SCALE * mean_mass / (4.0 * near * barrier.curvature(near));
         Self {
@@ -36,15 +35,13 @@ impl StiffnessRange {
     }
 
     /// True if the range is positive and finite.
-    #[must_use]
-    pub fn is_valid(&self) -> bool {
+    pub(crate) fn is_valid(&self) -> bool {
         self.least > 0.0 && self.greatest.is_finite()
     }
 
     /// The κ in the range that minimises the norm of `energy` + κ `barriers`, which are the gradients of
     /// the energy without contact and of the barriers.
-    #[must_use]
-    pub fn balance(&self, energy: &[Vector3<f64>], barriers: &[Vector3<f64>]) -> f64 {
+    pub(crate) fn balance(&self, energy: &[Vector3<f64>], barriers: &[Vector3<f64>]) -> f64 {
         let pairs = energy.iter().zip(barriers);
         let (along, squared) = pairs.fold((0.0, 0.0), |(along, squared), (energy, barrier)| {
             (along + energy.dot(barrier), squared + barrier.norm_squared())
@@ -55,8 +52,7 @@ impl StiffnessRange {
 
     /// κ after an iteration that changed the least distance from `before` to `after`. It doubles if both
     /// distances are critical and the distance decreases.
-    #[must_use]
-    pub fn adapt(&self, stiffness: f64, before: f64, after: f64) -> f64 {
+    pub(crate) fn adapt(&self, stiffness: f64, before: f64, after: f64) -> f64 {
         if before < self.critical && after < self.critical && after < before {
             (2.0 * stiffness).min(self.greatest).max(stiffness)
         } else {

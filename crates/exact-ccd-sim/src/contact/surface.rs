@@ -7,27 +7,27 @@ use crate::half_space::Plane;
 
 /// The mesh of all surfaces, with the data on which their barriers depend.
 #[derive(Clone, Copy, Debug)]
-pub struct Surface<'a> {
+pub(crate) struct Surface<'a> {
     /// The connectivity.
-    pub mesh: &'a TriangleMesh,
+    pub(crate) mesh: &'a TriangleMesh,
     /// The positions at rest, in m, from which mollifiers take the lengths of edges.
-    pub rest: &'a [Point],
+    pub(crate) rest: &'a [Point],
     /// The offsets of the contact surface from the mesh, in m. Vertices without an entry have none.
-    pub offsets: &'a [f64],
+    pub(crate) offsets: &'a [f64],
     /// The boundaries of half spaces.
-    pub half_spaces: &'a [Plane],
+    pub(crate) half_spaces: &'a [Plane],
     /// The vertices for which half spaces are obstacles.
-    pub grounded: &'a [u32],
+    pub(crate) grounded: &'a [u32],
     /// True for the vertices that never move. Vertices without an entry may move.
-    pub fixed: &'a [bool],
+    pub(crate) fixed: &'a [bool],
     /// The weights of the convergent formulation; `None` for the sum over all pairs of primitives.
-    pub weights: Option<&'a Weights>,
+    pub(crate) weights: Option<&'a Weights>,
 }
 
 impl<'a> Surface<'a> {
     /// The surface of a mesh with these positions at rest, without offsets, half spaces and weights.
-    #[must_use]
-    pub fn new(mesh: &'a TriangleMesh, rest: &'a [Point]) -> Self {
+    #[cfg(test)]
+    pub(crate) fn new(mesh: &'a TriangleMesh, rest: &'a [Point]) -> Self {
         Self {
             mesh,
             rest,

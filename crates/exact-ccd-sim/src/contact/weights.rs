@@ -3,7 +3,7 @@
 use exact_ccd_mesh::{Point, TriangleMesh};
 use nalgebra::Vector3;
 
-use crate::gather::gather;
+use crate::energy::gather;
 
 /// The sine of the angle between two faces up to which they count as coplanar.
 const COPLANAR: f64 = 1e-9;
@@ -29,7 +29,7 @@ const COPLANAR: f64 = 1e-9;
 /// There, terms are also subtracted from the sum over pairs of edges. Here they are not: where edges are
 /// shorter than the contact distance, that sum could become negative.
 #[derive(Clone, Debug, Default)]
-pub struct Weights {
+pub(crate) struct Weights {
     /// The weight of each vertex.
     vertices: Vec<f64>,
     /// The weight of each edge.
@@ -44,7 +44,7 @@ pub struct Weights {
 
 /// The part of a vertex in a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub(crate) enum Part {
     /// It belongs to a body with mass.
     Body,
     /// It belongs to an obstacle that moves as a whole.
@@ -55,8 +55,7 @@ pub enum Part {
 
 impl Weights {
     /// The weights of a surface, from its positions at rest and the part of each vertex.
-    #[must_use]
-    pub fn new(mesh: &TriangleMesh, rest: &[Point], parts: &[Part]) -> Self {
+    pub(crate) fn new(mesh: &TriangleMesh, rest: &[Point], parts: &[Part]) -> Self {
         let face_edge_count = mesh.edges().len() - mesh.loose_edges().len();
         let mut vertices = vec![0.0; mesh.vertex_count()];
         let mut edges = vec![0.0; mesh.edges().len()];

@@ -9,8 +9,7 @@ use super::point_edge::point_edge;
 ///
 /// The features are the two lines, if their closest points lie inside both edges. Otherwise, and for
 /// parallel edges, they are the closest of the four pairs of an end and the other edge.
-#[must_use]
-pub fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
+pub(crate) fn edge_edge(points: &[Vector3<f64>; 4]) -> Feature {
     let [a, b, c, d] = *points;
     let (u, v, w) = (b - a, d - c, a - c);
     let (uu, uv, vv) = (u.norm_squared(), u.dot(&v), v.norm_squared());

@@ -2,11 +2,9 @@
 
 use nalgebra::{Matrix2, Matrix2x3, SMatrix, SVector, Vector2, Vector3};
 
-use crate::element::{Matrix12, Vector12};
-
 /// The kind of a pair of features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum FeatureKind {
+pub(crate) enum FeatureKind {
     /// Two points.
     PointPoint,
     /// A point and the line of an edge.
@@ -20,7 +18,7 @@ pub enum FeatureKind {
 /// A pair of features of four points. The vector r between two points of the features is the combination
 /// of the four points with the weights w + λ₁ d₁ + λ₂ d₂.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Feature {
+pub(crate) struct Feature {
     kind: FeatureKind,
     /// w.
     weights: [f64; 4],
@@ -30,38 +28,36 @@ pub struct Feature {
 
 /// The shortest vector between two features.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Separation {
+pub(crate) struct Separation {
     /// The weights of the four points in the vector.
-    pub weights: [f64; 4],
+    pub(crate) weights: [f64; 4],
     /// The vector between the closest points.
-    pub vector: Vector3<f64>,
+    pub(crate) vector: Vector3<f64>,
 }
 
 /// The gradient C g and the Hessian C H Cᵀ of a squared distance, in factored form: it depends on the
 /// twelve coordinates by five linear combinations only.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Factors {
+pub(crate) struct Factors {
     /// C: the derivatives by the four points of the vector between the closest points (three columns) and of
     /// half the derivatives of its square by λ₁ and λ₂ (two columns).
-    pub change: SMatrix<f64, 12, 5>,
+    pub(crate) change: SMatrix<f64, 12, 5>,
     /// g.
-    pub first: SVector<f64, 5>,
+    pub(crate) first: SVector<f64, 5>,
     /// H.
-    pub second: SMatrix<f64, 5, 5>,
+    pub(crate) second: SMatrix<f64, 5, 5>,
 }
 
 impl Separation {
     /// The squared distance.
-    #[must_use]
-    pub fn squared(&self) -> f64 {
+    pub(crate) fn squared(&self) -> f64 {
         self.vector.norm_squared()
     }
 }
 
 impl Feature {
     /// Two points, given by their indices among the four.
-    #[must_use]
-    pub fn point_point(a: usize, b: usize) -> Self {
+    pub(crate) fn point_point(a: usize, b: usize) -> Self {
         Self {
             kind: FeatureKind::PointPoint,
             weights: weights(&[(a, 1.0), (b, -1.0)]),
@@ -70,8 +66,7 @@ impl Feature {
     }
 
     /// A point and the line through two others.
-    #[must_use]
-    pub fn point_line(point: usize, a: usize, b: usize) -> Self {
+    pub(crate) fn point_line(point: usize, a: usize, b: usize) -> Self {
         Self {
             kind: FeatureKind::PointLine,
             weights: weights(&[(point, 1.0), (a, -1.0)]),
@@ -80,8 +75,7 @@ impl Feature {
     }
 
     /// The first point and the plane through the others.
-    #[must_use]
-    pub fn point_plane() -> Self {
+    pub(crate) fn point_plane() -> Self {
         Self {
             kind: FeatureKind::PointPlane,
             weights: [1.0, -1.0, 0.0, 0.0],
@@ -90,8 +84,7 @@ impl Feature {
     }
 
     /// The line through the first two points and the line through the last two.
-    #[must_use]
-    pub fn line_line() -> Self {
+    pub(crate) fn line_line() -> Self {
         Self {
             kind: FeatureKind::LineLine,
             weights: [1.0, 0.0, -1.0, 0.0],
@@ -99,29 +92,32 @@ impl Feature {
         }
     }
 
+    /// The same pair of features of points in another order: the last two before the first two.
+    pub(crate) fn swapped(mut self) -> Self {
+        self.weights.rotate_left(2);
+        self.along.iter_mut().for_each(|along| along.rotate_left(2));
+        self
+    }
+
     /// The kind of the pair.
-    #[must_use]
-    pub fn kind(&self) -> FeatureKind {
+    pub(crate) fn kind(&self) -> FeatureKind {
         self.kind
     }
 
     /// The index of the point in a pair of a point and another feature. Its weight is always 1.
-    #[must_use]
-    pub fn point(&self) -> usize {
+    pub(crate) fn point(&self) -> usize {
         let is_point = |&place: &usize| self.weights[place] == 1.0 && self.along[0][place] == 0.0;
         (0..4).find(is_point).unwrap_or(0)
     }
 
     /// True if the distance depends on the point with this index.
-    #[must_use]
-    pub fn uses(&self, point: usize) -> bool {
+    pub(crate) fn uses(&self, point: usize) -> bool {
         self.weights[point] != 0.0 || self.along.iter().any(|along| along[point] != 0.0)
     }
 
     /// The vector between the closest points. If a line or a plane is degenerate, the closest points are
     /// not unique, and the vector joins one such pair.
-    #[must_use]
-    pub fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
+    pub(crate) fn separation(&self, points: &[Vector3<f64>; 4]) -> Separation {
         let (parameters, ..) = self.closest(points);
         let mut weights = self.weights;
         for (along, parameter) in self.along.iter().zip(parameters.iter()) {
@@ -133,20 +129,8 @@ impl Feature {
         Separation { weights, vector }
     }
 
-    /// The gradient and the Hessian of the squared distance.
-    #[must_use]
-    pub fn derivatives(&self, points: &[Vector3<f64>; 4]) -> (Vector12, Matrix12) {
-        let Factors {
-            change,
-            first,
-            second,
-        } = self.factors(points);
-        (change * first, change * second * change.transpose())
-    }
-
     /// The gradient and the Hessian of the squared distance, in factored form.
-    #[must_use]
-    pub fn factors(&self, points: &[Vector3<f64>; 4]) -> Factors {
+    pub(crate) fn factors(&self, points: &[Vector3<f64>; 4]) -> Factors {
         let (_, inverse, tangents) = self.closest(points);
         let Separation { weights, vector } = self.separation(points);
         let change = SMatrix::<f64, 12, 5>::from_fn(|row, column| {

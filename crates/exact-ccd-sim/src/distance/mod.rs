@@ -11,8 +11,14 @@ mod mollifier;
 mod point_edge;
 mod point_triangle;
 
-pub use edge_edge::edge_edge;
-pub use feature::{Factors, Feature, FeatureKind, Separation};
-pub use mollifier::Mollifier;
-pub use point_edge::point_edge;
-pub use point_triangle::point_triangle;
+pub(crate) use edge_edge::edge_edge;
+pub(crate) use feature::{Factors, Feature, FeatureKind, Separation};
+pub(crate) use mollifier::Mollifier;
+pub(crate) use point_edge::point_edge;
+pub(crate) use point_triangle::point_triangle;
+
+/// A vector with three coordinates for each of four points.
+pub(crate) type Vector12 = nalgebra::SVector<f64, 12>;
+
+/// A matrix with a 3 × 3 block for each pair of four points.
+pub(crate) type Matrix12 = nalgebra::SMatrix<f64, 12, 12>;

@@ -2,41 +2,37 @@
 
 use nalgebra::{Matrix3, SMatrix, Vector3};
 
-use crate::element::{Matrix12, Vector12};
+use super::{Matrix12, Vector12};
 
 /// The mollifier m(c) = (2 − c/ε) c/ε for c = |e₁ × e₂|² < ε, else 1. As a factor of the barrier of two
 /// edges, it removes the barrier of parallel edges, whose distance is not differentiable.
 ///
 /// Source: *Incremental Potential Contact*, section 3.3, equation 24.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mollifier {
+pub(crate) struct Mollifier {
     threshold: f64,
 }
 
 impl Mollifier {
     /// The mollifier with ε = 10⁻³ |e₁|² |e₂|², from the squared lengths of the edges at rest.
-    #[must_use]
-    pub fn new(squared_lengths: [f64; 2]) -> Self {
+    pub(crate) fn new(squared_lengths: [f64; 2]) -> Self {
         let threshold = 1e-3 * squared_lengths[0] * squared_lengths[1];
         Self { threshold }
     }
 
     /// True if m < 1, for these positions of the edges' ends.
-    #[must_use]
-    pub fn is_active(&self, points: &[Vector3<f64>; 4]) -> bool {
+    pub(crate) fn is_active(&self, points: &[Vector3<f64>; 4]) -> bool {
         cross(points).norm_squared() < self.threshold
     }
 
     /// The value of m.
-    #[must_use]
-    pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
+    pub(crate) fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
         let ratio = cross(points).norm_squared() / self.threshold;
         if ratio < 1.0 { (2.0 - ratio) * ratio } else { 1.0 }
     }
 
     /// The gradient and the Hessian of m.
-    #[must_use]
-    pub fn derivatives(&self, points: &[Vector3<f64>; 4]) -> (Vector12, Matrix12) {
+    pub(crate) fn derivatives(&self, points: &[Vector3<f64>; 4]) -> (Vector12, Matrix12) {
         let [u, v] = edges(points);
         let normal = u.cross(&v);
         let ratio = normal.norm_squared() / self.threshold;

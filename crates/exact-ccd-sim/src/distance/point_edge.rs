@@ -8,8 +8,7 @@ use super::feature::Feature;
 ///
 /// The features are the point and the line of the edge, if the closest point lies inside the edge, or else
 /// the point and the closer end.
-#[must_use]
-pub fn point_edge(points: &[Vector3<f64>; 4], point: usize, from: usize, to: usize) -> Feature {
+pub(crate) fn point_edge(points: &[Vector3<f64>; 4], point: usize, from: usize, to: usize) -> Feature {
     let edge = points[to] - points[from];
     let foot = edge.dot(&(points[point] - points[from]));
     if foot <= 0.0 {

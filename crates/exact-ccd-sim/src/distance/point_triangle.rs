@@ -8,8 +8,7 @@ use super::feature::Feature;
 ///
 /// The classification of the triangle's regions is that of C. Ericson, *Real-Time Collision Detection*,
 /// section 5.1.5.
-#[must_use]
-pub fn point_triangle(points: &[Vector3<f64>; 4]) -> Feature {
+pub(crate) fn point_triangle(points: &[Vector3<f64>; 4]) -> Feature {
     let [p, a, b, c] = *points;
     let (ab, ac, ap) = (b - a, c - a, p - a);
     let (d1, d2) = (ab.dot(&ap), ac.dot(&ap));

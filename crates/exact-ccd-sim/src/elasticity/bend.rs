@@ -1,9 +1,9 @@
 //! Bending of rods.
 
-use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector3};
 
-use crate::element::{Element, Matrix12, Vector12};
-use crate::psd;
+use crate::energy::{Energy, Projection, first_blocks, first_rows, gather};
 
 /// A vertex of a rod between two edges, with the energy (E I / M) (κ − κ₀)² of the curvature κ = 2
 /// tan(φ/2). φ is the angle by which the second edge deviates from the direction of the first, κ₀ the
@@ -16,8 +16,11 @@ use crate::psd;
 /// κ / (M/2): ½ E I κ² / (M/2) is the energy of a beam. The rods here do not resist twist. Then the
 /// cross sections of a rod that is curved at rest turn until the energy is least, and the energy depends only
 /// on the lengths of the curvatures, not on their directions.
-#[derive(Clone, Debug)]
-pub struct Bend {
+///
+/// The energy is infinite if an edge has no length, or if the second edge returns along the first; the
+/// derivatives are zero there.
+#[derive(Debug)]
+pub(crate) struct Bend {
     vertices: [u32; 3],
     /// E I / M, in J.
     stiffness: f64,
@@ -25,56 +28,21 @@ pub struct Bend {
 }
 
 impl Bend {
-    /// The bending at the second of three vertices, with the rest shape and the flexural rigidity E I in N
-    /// m². `None` if an edge has no length at rest, or if the second edge returns along the first.
-    #[must_use]
-    pub fn new(vertices: [u32; 3], rest: &[Vector3<f64>; 3], rigidity: f64) -> Option<Self> {
-        let lengths = (rest[1] - rest[0]).norm() + (rest[2] - rest[1]).norm();
-        let squared = Shape::new(rest)?.squared();
+    /// The bending at the second of three vertices, with the positions of all vertices at rest and the flexural
+    /// rigidity E I in N m². `None` if an edge has no length at rest, or if the second edge returns along the
+    /// first.
+    pub(crate) fn new(vertices: [u32; 3], rest: &[Point], rigidity: f64) -> Option<Self> {
+        let shape = Shape::new(&gather(rest, &vertices))?;
+        let squared = shape.squared();
         squared.is_finite().then(|| Self {
             vertices,
-            stiffness: rigidity / lengths,
+            stiffness: rigidity / (shape.lengths[0] + shape.lengths[1]),
             rest: squared.sqrt(),
         })
     }
 
-    /// The vertices.
-    #[must_use]
-    pub fn vertices(&self) -> [u32; 3] {
-        self.vertices
-    }
-
-    /// The energy in J, for these positions of the vertices. Infinite if an edge has no length, or if the
-    /// second edge returns along the first.
-    #[must_use]
-    pub fn value(&self, points: &[Vector3<f64>; 3]) -> f64 {
-        let squared = Shape::new(points).map_or(f64::INFINITY, |shape| shape.squared());
-        self.stiffness * (squared.sqrt() - self.rest).powi(2)
-    }
-
-    /// The gradient of the energy. Zero where the energy is infinite.
-    #[must_use]
-    pub fn gradient(&self, points: &[Vector3<f64>; 3]) -> Vector12 {
-        let slope = |shape: Shape| by_points(&(shape.gradient() * self.slopes(&shape)[0]));
-        Shape::new(points).map_or_else(Vector12::zeros, slope)
-    }
-
-    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
-    #[must_use]
-    pub fn derivatives(&self, points: &[Vector3<f64>; 3], projected: bool) -> Element {
-        let hessian = |shape: Shape| {
-            let [first, second] = self.slopes(&shape);
-            let gradient = shape.gradient();
-            let hessian = shape.hessian() * first + gradient * gradient.transpose() * second;
-            let hessian = if projected { psd::project(hessian) } else { hessian };
-            let ends = ends();
-            ends.tr_mul(&(hessian * ends))
-        };
-        Element {
-            vertices: self.vertices.into_iter().collect(),
-            gradient: self.gradient(points),
-            hessian: Shape::new(points).map_or_else(Matrix12::zeros, hessian),
-        }
+    fn shape(&self, points: &[Point]) -> Option<Shape> {
+        Shape::new(&gather(points, &self.vertices))
     }
 
     /// The first and the second derivative of the energy by c = cos φ.
@@ -104,6 +72,36 @@ impl Bend {
         } else {
             [0.0; 2]
         }
+    }
+}
+
+impl Energy for Bend {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    fn value(&self, points: &[Point]) -> f64 {
+        let squared = self.shape(points).map_or(f64::INFINITY, |shape| shape.squared());
+        self.stiffness * (squared.sqrt() - self.rest).powi(2)
+    }
+
+    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+        let Some(shape) = self.shape(points) else {
+            return DVector::zeros(9);
+        };
+        let gradient = shape.gradient() * self.slopes(&shape)[0];
+        first_rows(&ends().tr_mul(&gradient), 3)
+    }
+
+    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+        let Some(shape) = self.shape(points) else {
+            return DMatrix::zeros(9, 9);
+        };
+        let [first, second] = self.slopes(&shape);
+        let gradient = shape.gradient();
+        let hessian = shape.hessian() * first + gradient * gradient.transpose() * second;
+        let ends = ends();
+        first_blocks(&ends.tr_mul(&(projection.of(hessian) * ends)), 3)
     }
 }
 
@@ -174,13 +172,8 @@ impl Shape {
     }
 }
 
-/// A gradient by both edges as one by the three points.
-fn by_points(gradient: &SVector<f64, 6>) -> Vector12 {
-    ends().tr_mul(gradient)
-}
-
 /// The derivative of both edges by the points.
-fn ends() -> SMatrix<f64, 6, 12> {
+fn ends() -> SMatrix<f64, 6, 9> {
     SMatrix::from_fn(
         |row, column| match (row % 3 == column % 3, (column / 3).checked_sub(row / 3)) {
             (true, Some(0)) => -1.0,

@@ -1,10 +1,12 @@
 //! Bending of thin shells.
 
-use arrayvec::ArrayVec;
-use nalgebra::{Matrix3, RowSVector, SMatrix, Vector3};
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, DVector, Matrix3, RowSVector, SMatrix, SVector, Vector3};
 
-use crate::element::{Element, Matrix12, Vector12};
-use crate::psd;
+use crate::energy::{Energy, Projection, first_blocks, first_rows, gather};
+
+type Vector12 = SVector<f64, 12>;
+type Matrix12 = SMatrix<f64, 12, 12>;
 
 /// The bending energy ½ k (θ − θ₀)² of two triangles that share an edge. θ is the angle between their
 /// normals, θ₀ that angle at rest, and k = D |e|² / A with the flexural rigidity D, the length |e| of the
@@ -16,8 +18,8 @@ use crate::psd;
 /// such an edge have A = w |e| and θ = κ w, so that ½ k θ² = ½ D κ² A. For equilateral triangles, it is exact
 /// for any direction of the cylinder. For a grid of squares that is rolled along a diagonal, the energy is
 /// 1.5 times as large with alternating diagonals, and once or three times as large with parallel ones.
-#[derive(Clone, Debug)]
-pub struct Hinge {
+#[derive(Debug)]
+pub(crate) struct Hinge {
     vertices: [u32; 4],
     stiffness: f64,
     rest: f64,
@@ -26,10 +28,10 @@ pub struct Hinge {
 impl Hinge {
     /// The hinge of an edge (the first two vertices) between two triangles, whose opposite corners are the
     /// third and the fourth vertex. For a viewer at whom the normals point, the third vertex lies to the left
-    /// of the edge and the fourth to its right. `None` if a triangle has no area.
-    #[must_use]
-    pub fn new(vertices: [u32; 4], rest: &[Vector3<f64>; 4], rigidity: f64) -> Option<Self> {
-        let shape = Fold::new(rest);
+    /// of the edge and the fourth to its right. `rest` has the positions of all vertices at rest. `None` if a
+    /// triangle has no area.
+    pub(crate) fn new(vertices: [u32; 4], rest: &[Point], rigidity: f64) -> Option<Self> {
+        let shape = Fold::of(rest, &vertices);
         let area = 0.5 * (shape.normals[0].norm() + shape.normals[1].norm());
         let degenerate = shape.normals.iter().any(|normal| normal.norm_squared() == 0.0);
         (!degenerate).then(|| Self {
@@ -39,44 +41,33 @@ impl Hinge {
         })
     }
 
-    /// The vertices.
-    #[must_use]
-    pub fn vertices(&self) -> [u32; 4] {
-        self.vertices
-    }
-
-    /// The energy in J, for these positions of the vertices.
-    #[must_use]
-    pub fn value(&self, points: &[Vector3<f64>; 4]) -> f64 {
-        let bend = self.bend(&Fold::new(points));
-        0.5 * self.stiffness * bend * bend
-    }
-
-    /// The gradient of the energy.
-    #[must_use]
-    pub fn gradient(&self, points: &[Vector3<f64>; 4]) -> Vector12 {
-        let shape = Fold::new(points);
-        shape.gradient() * (self.stiffness * self.bend(&shape))
-    }
-
-    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
-    #[must_use]
-    pub fn derivatives(&self, points: &[Vector3<f64>; 4], projected: bool) -> Element {
-        let shape = Fold::new(points);
-        let bend = self.bend(&shape);
-        let (gradient, second) = shape.derivatives();
-        let hessian = (gradient * gradient.transpose() + second * bend) * self.stiffness;
-        Element {
-            vertices: ArrayVec::from(self.vertices),
-            gradient: gradient * (self.stiffness * bend),
-            hessian: if projected { psd::project(hessian) } else { hessian },
-        }
-    }
-
     /// θ − θ₀. Both angles are in [−π, π]. θ is discontinuous only where the faces touch, which no
     /// intersection-free motion reaches.
     fn bend(&self, shape: &Fold) -> f64 {
         shape.angle() - self.rest
+    }
+}
+
+impl Energy for Hinge {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    fn value(&self, points: &[Point]) -> f64 {
+        let bend = self.bend(&Fold::of(points, &self.vertices));
+        0.5 * self.stiffness * bend * bend
+    }
+
+    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+        let shape = Fold::of(points, &self.vertices);
+        first_rows(&(shape.gradient() * (self.stiffness * self.bend(&shape))), 4)
+    }
+
+    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
+        let shape = Fold::of(points, &self.vertices);
+        let gradient = shape.gradient();
+        let hessian = gradient * gradient.transpose() + shape.hessian() * self.bend(&shape);
+        first_blocks(&projection.of(hessian * self.stiffness), 4)
     }
 }
 
@@ -88,9 +79,11 @@ pub(super) struct Fold {
 }
 
 impl Fold {
-    pub(super) fn new(points: &[Vector3<f64>; 4]) -> Self {
-        let edge = points[1] - points[0];
-        let sides = [points[2] - points[0], points[3] - points[0]];
+    /// The fold of four vertices.
+    pub(super) fn of(points: &[Point], vertices: &[u32; 4]) -> Self {
+        let [a, b, c, d] = gather(points, vertices);
+        let edge = b - a;
+        let sides = [c - a, d - a];
         let normals = [edge.cross(&sides[0]), sides[1].cross(&edge)];
         Self { edge, sides, normals }
     }
@@ -120,8 +113,8 @@ impl Fold {
         gradient
     }
 
-    /// The gradient and the Hessian of the angle, which follows by the product rule.
-    fn derivatives(&self) -> (Vector12, Matrix12) {
+    /// The Hessian of the angle, by the product rule.
+    fn hessian(&self) -> Matrix12 {
         let edge = self.edge;
         let (squared, length) = (edge.norm_squared(), edge.norm());
         let edge_change = difference(1);
@@ -150,7 +143,7 @@ impl Fold {
                 rows += turn_change * share + turn * foot_change * change;
             }
         }
-        (self.gradient(), (hessian + hessian.transpose()) * 0.5)
+        (hessian + hessian.transpose()) * 0.5
     }
 }
 

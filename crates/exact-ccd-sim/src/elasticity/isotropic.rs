@@ -1,12 +1,14 @@
 //! Isotropic hyperelasticity: energy densities that depend on the singular values of the deformation
 //! gradient F.
 
+use std::fmt::Debug;
+
 use nalgebra::{Matrix3, Vector3};
 
-use crate::psd;
+use crate::energy::Projection;
 
 /// An isotropic energy density Ψ(F), in J/m³.
-pub(crate) trait Isotropic {
+pub(crate) trait Isotropic: Debug + Send + Sync {
     /// Ψ(F). Infinite for deformations that the material excludes.
     fn value(&self, deformation: &Matrix3<f64>) -> f64;
 
@@ -52,16 +54,13 @@ pub(crate) struct Curvature {
 }
 
 impl Curvature {
-    /// The Hessian at a deformation gradient. If `projected`, its negative eigenvalues are set to zero.
-    #[must_use]
-    pub(crate) fn new(energy: &impl Isotropic, deformation: &Matrix3<f64>, projected: bool) -> Self {
+    /// The Hessian at a deformation gradient. Its eigenvalues are projected.
+    pub(crate) fn new(energy: &impl Isotropic, deformation: &Matrix3<f64>, projection: Projection) -> Self {
         let (u, stretches, v) = rotation_variant(deformation);
         let mut principal = energy.principal(&stretches);
-        if projected {
-            principal.stretch = psd::project(principal.stretch);
-            principal.twist = principal.twist.map(|value| value.max(0.0));
-            principal.flip = principal.flip.map(|value| value.max(0.0));
-        }
+        principal.stretch = projection.of(principal.stretch);
+        principal.twist = principal.twist.map(|value| projection.of_value(value));
+        principal.flip = principal.flip.map(|value| projection.of_value(value));
         let (mut own, mut crossed) = (
             Matrix3::from_diagonal(&principal.stretch.diagonal()),
             Matrix3::zeros(),

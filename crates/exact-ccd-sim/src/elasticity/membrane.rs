@@ -1,16 +1,15 @@
 //! In-plane deformation of thin shells.
 
-use arrayvec::ArrayVec;
-use nalgebra::{Matrix2, Matrix3x2, SMatrix, Vector3};
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3x2, SMatrix};
 
 use super::lame::ElasticModuli;
-use crate::element::{Element, Matrix12, Vector12};
-use crate::psd;
+use crate::energy::{Energy, Projection, first_blocks, gather};
 
 /// A triangle of a thin shell under plane stress, with the Saint Venant-Kirchhoff energy
 /// h A (μ |E|² + λ/2 tr² E) of the strain E = ½ (FᵀF − 1) in the plane of the triangle.
-#[derive(Clone, Debug)]
-pub struct Membrane {
+#[derive(Debug)]
+pub(crate) struct Membrane {
     vertices: [u32; 3],
     /// Row i is the gradient of vertex i's barycentric coordinate, in coordinates of the plane at rest.
     shape: SMatrix<f64, 3, 2>,
@@ -21,15 +20,16 @@ pub struct Membrane {
 }
 
 impl Membrane {
-    /// The triangle of these vertices, with its rest shape. `None` if it has no area at rest.
-    #[must_use]
-    pub fn new(
+    /// The triangle of these vertices, with the positions of all vertices at rest. `None` if it has no area
+    /// at rest.
+    pub(crate) fn new(
         vertices: [u32; 3],
-        rest: &[Vector3<f64>; 3],
+        rest: &[Point],
         thickness: f64,
         moduli: ElasticModuli,
     ) -> Option<Self> {
-        let (a, b) = (rest[1] - rest[0], rest[2] - rest[0]);
+        let [origin, a, b] = gather(rest, &vertices);
+        let (a, b) = (a - origin, b - origin);
         let area = 0.5 * a.cross(&b).norm();
         let along = a.try_normalize(0.0)?;
         let across = (b - along * along.dot(&b)).try_normalize(0.0)?;
@@ -48,39 +48,40 @@ impl Membrane {
         })
     }
 
-    /// The vertices.
-    #[must_use]
-    pub fn vertices(&self) -> [u32; 3] {
-        self.vertices
-    }
-
     /// The volume at rest, in m³.
-    #[must_use]
-    pub fn volume(&self) -> f64 {
+    pub(crate) fn volume(&self) -> f64 {
         self.area * self.thickness
     }
 
-    /// The energy in J, for these positions of the vertices.
-    #[must_use]
-    pub fn value(&self, points: &[Vector3<f64>; 3]) -> f64 {
+    fn deformation(&self, points: &[Point]) -> Matrix3x2<f64> {
+        let [origin, a, b] = gather(points, &self.vertices);
+        Matrix3x2::from_columns(&[a - origin, b - origin]) * self.shape.fixed_view::<2, 2>(1, 0)
+    }
+
+    /// The second Piola-Kirchhoff stress 2 μ E + λ tr E.
+    fn stress(&self, strain: &Matrix2<f64>) -> Matrix2<f64> {
+        strain * (2.0 * self.mu) + Matrix2::identity() * (self.lambda * strain.trace())
+    }
+}
+
+impl Energy for Membrane {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    fn value(&self, points: &[Point]) -> f64 {
         let strain = strain(&self.deformation(points));
         let trace = strain.trace();
         self.volume() * (self.mu * strain.norm_squared() + 0.5 * self.lambda * trace * trace)
     }
 
-    /// The gradient of the energy.
-    #[must_use]
-    pub fn gradient(&self, points: &[Vector3<f64>; 3]) -> Vector12 {
+    fn gradient(&self, points: &[Point]) -> DVector<f64> {
         let f = self.deformation(points);
         let forces = f * self.stress(&strain(&f)) * self.shape.transpose() * self.volume();
-        let mut gradient = Vector12::zeros();
-        gradient.fixed_rows_mut::<9>(0).copy_from_slice(forces.as_slice());
-        gradient
+        DVector::from_column_slice(forces.as_slice())
     }
 
-    /// The gradient and the Hessian of the energy. If `projected`, the Hessian is positive semi-definite.
-    #[must_use]
-    pub fn derivatives(&self, points: &[Vector3<f64>; 3], projected: bool) -> Element {
+    fn hessian(&self, points: &[Point], projection: Projection) -> DMatrix<f64> {
         let f = self.deformation(points);
         let stress = self.stress(&strain(&f));
 
@@ -94,9 +95,6 @@ impl Membrane {
             let dp = change * stress + f * dstress;
             second.set_column(column, &SMatrix::<f64, 6, 1>::from_column_slice(dp.as_slice()));
         }
-        if projected {
-            second = psd::project(second);
-        }
         let map = SMatrix::<f64, 6, 9>::from_fn(|row, column| {
             if row % 3 == column % 3 {
                 self.shape[(column / 3, row / 3)]
@@ -104,24 +102,7 @@ impl Membrane {
                 0.0
             }
         });
-        let mut hessian = Matrix12::zeros();
-        let block = map.tr_mul(&(second * map)) * self.volume();
-        hessian.fixed_view_mut::<9, 9>(0, 0).copy_from(&block);
-        Element {
-            vertices: self.vertices.into_iter().collect::<ArrayVec<u32, 4>>(),
-            gradient: self.gradient(points),
-            hessian,
-        }
-    }
-
-    fn deformation(&self, points: &[Vector3<f64>; 3]) -> Matrix3x2<f64> {
-        let edges = Matrix3x2::from_columns(&[points[1] - points[0], points[2] - points[0]]);
-        edges * self.shape.fixed_view::<2, 2>(1, 0)
-    }
-
-    /// The second Piola-Kirchhoff stress 2 μ E + λ tr E.
-    fn stress(&self, strain: &Matrix2<f64>) -> Matrix2<f64> {
-        strain * (2.0 * self.mu) + Matrix2::identity() * (self.lambda * strain.trace())
+        first_blocks(&(map.tr_mul(&(projection.of(second) * map)) * self.volume()), 3)
     }
 }
 

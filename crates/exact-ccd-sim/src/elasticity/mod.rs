@@ -5,7 +5,6 @@
 //! Nearly incompressible materials (Poisson's ratio near ½) lock in volume as well.
 
 mod bend;
-mod elastic;
 mod hinge;
 mod isotropic;
 mod lame;
@@ -16,11 +15,12 @@ mod stretch;
 mod tetrahedron;
 mod vertex_bend;
 
-pub use bend::Bend;
-pub(crate) use elastic::Elastic;
-pub use hinge::Hinge;
+pub(crate) use bend::Bend;
+#[cfg(test)]
+pub(crate) use hinge::Hinge;
 pub use lame::ElasticModuli;
-pub use membrane::Membrane;
-pub use stretch::Stretch;
-pub use tetrahedron::{SolidMaterial, Tetrahedron};
-pub(crate) use vertex_bend::{VertexBend, bending};
+pub(crate) use membrane::Membrane;
+pub(crate) use stretch::Stretch;
+pub use tetrahedron::SolidMaterial;
+pub(crate) use tetrahedron::tetrahedron;
+pub(crate) use vertex_bend::bending;

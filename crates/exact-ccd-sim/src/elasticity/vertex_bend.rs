@@ -1,14 +1,14 @@
 //! Bending of thin shells, averaged about vertices.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use exact_ccd_mesh::Point;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::hinge::{Fold, Hinge};
-use crate::element::Patch;
-use crate::gather::gather;
-use crate::hinges::Side;
+use crate::energy::{Energy, Projection, gather};
+use crate::hinges::{Side, hinges};
 
 /// The part of the bending energy that hinges have on their own, see [`VertexBend`].
 const OWN: f64 = 0.2;
@@ -28,7 +28,7 @@ const OWN: f64 = 0.2;
 /// is a mixed finite element of the Hessian with lumped masses, as that of O. Stein, E. Grinspun, M.
 /// Wardetzky, A. Jacobson, *Natural boundary conditions for smoothing in geometry processing*, 2018, with
 /// terms of the vertices on the boundary too.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(crate) struct VertexBend {
     vertices: Vec<u32>,
     /// The vertices of each hinge, by their places in `vertices`.
@@ -40,41 +40,9 @@ pub(crate) struct VertexBend {
 }
 
 impl VertexBend {
-    /// The energy in J, for these positions of all vertices of the system.
-    #[must_use]
-    pub(crate) fn value(&self, points: &[Point]) -> f64 {
-        let bends = self.bends(&self.shapes(points));
-        0.5 * bends.dot(&(&self.stiffness * &bends))
-    }
-
-    /// The gradient by the vertices of the element, three coordinates each.
-    #[must_use]
-    pub(crate) fn gradient(&self, points: &[Point]) -> DVector<f64> {
-        let shapes = self.shapes(points);
-        self.changes(&shapes) * (&self.stiffness * self.bends(&shapes))
-    }
-
-    /// The gradient, and the Hessian without second derivatives of angles, which is positive semi-definite.
-    #[must_use]
-    pub(crate) fn derivatives(&self, points: &[Point]) -> Patch {
-        let shapes = self.shapes(points);
-        let changes = self.changes(&shapes);
-        Patch {
-            vertices: self.vertices.clone(),
-            gradient: &changes * (&self.stiffness * self.bends(&shapes)),
-            hessian: &changes * &self.stiffness * changes.transpose(),
-        }
-    }
-
-    /// The vertices.
-    #[must_use]
-    pub(crate) fn vertices(&self) -> &[u32] {
-        &self.vertices
-    }
-
     fn shapes(&self, points: &[Point]) -> Vec<Fold> {
-        let corners = |fold: &[usize; 4]| gather(points, &fold.map(|place| self.vertices[place]));
-        self.folds.iter().map(|fold| Fold::new(&corners(fold))).collect()
+        let fold = |fold: &[usize; 4]| Fold::of(points, &fold.map(|place| self.vertices[place]));
+        self.folds.iter().map(fold).collect()
     }
 
     /// The changes of the angles since rest.
@@ -100,6 +68,28 @@ impl VertexBend {
     }
 }
 
+impl Energy for VertexBend {
+    fn vertices(&self) -> &[u32] {
+        &self.vertices
+    }
+
+    fn value(&self, points: &[Point]) -> f64 {
+        let bends = self.bends(&self.shapes(points));
+        0.5 * bends.dot(&(&self.stiffness * &bends))
+    }
+
+    fn gradient(&self, points: &[Point]) -> DVector<f64> {
+        let shapes = self.shapes(points);
+        self.changes(&shapes) * (&self.stiffness * self.bends(&shapes))
+    }
+
+    /// The Hessian without second derivatives of angles, which is positive semi-definite.
+    fn hessian(&self, points: &[Point], _: Projection) -> DMatrix<f64> {
+        let changes = self.changes(&self.shapes(points));
+        &changes * &self.stiffness * changes.transpose()
+    }
+}
+
 /// The faces and hinges about a vertex.
 #[derive(Default)]
 struct Star {
@@ -110,14 +100,14 @@ struct Star {
     is_twisted: bool,
 }
 
-/// The bending elements of a shell with these faces and interior edges.
+/// The bending energies of a shell with these faces.
 pub(crate) fn bending(
     points: &[Point],
     faces: &[[u32; 3]],
-    sides: &[Side],
     rigidity: f64,
     poisson: f64,
-) -> (Vec<Hinge>, Vec<VertexBend>) {
+) -> Vec<Arc<dyn Energy>> {
+    let sides = hinges(faces);
     let mut stars = BTreeMap::<u32, Star>::new();
     for face in faces {
         let [a, b, c] = gather(points, face);
@@ -135,18 +125,21 @@ pub(crate) fn bending(
             star.is_twisted |= !side.is_oriented;
         }
     }
-    let hinges = sides.iter().filter_map(|side| {
+    let mut elements: Vec<Arc<dyn Energy>> = Vec::new();
+    for side in &sides {
         let ends = side.vertices[..2].iter().filter_map(|end| stars.get(end));
         let twisted = ends.filter(|star| star.is_twisted).count();
         let share = OWN + (1.0 - OWN) * 0.5 * twisted as f64;
-        Hinge::new(side.vertices, &gather(points, &side.vertices), share * rigidity)
-    });
-    let hinges = hinges.collect();
+        let hinge = Hinge::new(side.vertices, points, share * rigidity);
+        elements.extend(hinge.map(|hinge| Arc::new(hinge) as Arc<dyn Energy>));
+    }
     let whole = stars
         .values()
         .filter(|star| !star.is_twisted && !star.sides.is_empty());
-    let bends = whole.map(|star| vertex_bend(points, star, sides, rigidity, poisson));
-    (hinges, bends.collect())
+    for star in whole {
+        elements.push(Arc::new(vertex_bend(points, star, &sides, rigidity, poisson)));
+    }
+    elements
 }
 
 fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poisson: f64) -> VertexBend {
@@ -156,9 +149,7 @@ fn vertex_bend(points: &[Point], star: &Star, sides: &[Side], rigidity: f64, poi
     vertices.dedup();
     let place = |vertex: u32| vertices.partition_point(|&other| other < vertex);
     let folds = corners.iter().map(|corners| corners.map(place)).collect();
-    let rest = corners
-        .iter()
-        .map(|corners| Fold::new(&gather(points, corners)).angle());
+    let rest = corners.iter().map(|corners| Fold::of(points, corners).angle());
     let normal = star.normal.try_normalize(0.0).unwrap_or_else(Vector3::zeros);
     // The edges at rest, with their lengths, in the tangent plane.
     let edges: Vec<Vector3<f64>> = corners

@@ -5,5 +5,5 @@ mod contact;
 mod smooth;
 
 pub(crate) use coefficients::Coefficients;
-pub use contact::FrictionContact;
-pub use smooth::Smoothing;
+pub(crate) use contact::FrictionContact;
+pub(crate) use smooth::Smoothing;

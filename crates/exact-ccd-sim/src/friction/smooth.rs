@@ -5,15 +5,14 @@
 ///
 /// Source: *Incremental Potential Contact*, section 5.2 and supplement.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Smoothing {
+pub(crate) struct Smoothing {
     /// The slip, in m, below which friction counts as static: ε_v h of the paper.
-    pub threshold: f64,
+    pub(crate) threshold: f64,
 }
 
 impl Smoothing {
     /// f₀, in m: the integral of f₁.
-    #[must_use]
-    pub fn potential(&self, slip: f64) -> f64 {
+    pub(crate) fn potential(&self, slip: f64) -> f64 {
         let e = self.threshold;
         if slip < e {
             slip * slip / e * (1.0 - slip / (3.0 * e)) + e / 3.0
@@ -23,8 +22,7 @@ impl Smoothing {
     }
 
     /// f₁(y) / y, in 1/m.
-    #[must_use]
-    pub fn force_over_slip(&self, slip: f64) -> f64 {
+    pub(crate) fn force_over_slip(&self, slip: f64) -> f64 {
         let e = self.threshold;
         if slip < e {
             (2.0 - slip / e) / e
@@ -34,8 +32,7 @@ impl Smoothing {
     }
 
     /// f₁′(y), in 1/m.
-    #[must_use]
-    pub fn stiffness(&self, slip: f64) -> f64 {
+    pub(crate) fn stiffness(&self, slip: f64) -> f64 {
         let e = self.threshold;
         if slip < e { 2.0 * (1.0 - slip / e) / e } else { 0.0 }
     }

@@ -31,7 +31,7 @@ pub const CLOTH: ShellProperties = ShellProperties {
 /// A box of [`RUBBER`] with a corner at the origin. It has `cells` cells along the axes, at least one each.
 /// Each cell is cut into six tetrahedra.
 ///
-/// Boxes that are one cell thick are much too stiff in bending: see [`elasticity`](crate::elasticity).
+/// Boxes that are one cell thick are much too stiff in bending: see [`BodyKind::Solid`].
 #[must_use]
 pub fn solid_box(cells: [u8; 3], size: Point) -> Body {
     let [nx, ny, nz] = cells.map(|n| u32::from(n.max(1)));

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::Simulation;
 use crate::contact::{Collision, Collisions};
-use crate::gather::gather_some;
+use crate::energy::{Energy, gather_some};
 
 /// Two features (vertices, edges, faces) within the contact distance, or a vertex and a half space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +43,7 @@ impl Simulation {
 
     fn contact(&self, collision: &Collision) -> Contact {
         let corners = gather_some(&self.state.positions, collision.vertices());
-        let separation = collision.separation(&corners);
+        let separation = collision.separation(&self.state.positions);
         // The weights of the first feature are positive, those of the second negative.
         let weighted = corners
             .iter()
@@ -55,11 +55,11 @@ impl Simulation {
             .try_normalize(0.0)
             .unwrap_or_else(Vector3::zeros);
         let stiffness = self.state.stiffness.unwrap_or(0.0);
-        let force = direction * (stiffness * collision.normal_force(&corners, &self.barrier));
+        let force = direction * (stiffness * collision.normal_force(&self.state.positions));
         Contact {
             bodies: self.system.bodies_of(collision),
             points: [first, first - separation.vector].map(Point::from),
-            distance: collision.gap(&corners, &self.barrier),
+            distance: collision.gap(&self.state.positions),
             force: force.into(),
         }
     }

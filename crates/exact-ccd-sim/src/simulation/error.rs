@@ -51,10 +51,10 @@ pub enum SimulationError {
     OtherSetting {
         /// The name of the setting: the path of fields in [`Settings`](crate::Settings) with dots, and
         /// hyphens for underscores.
-        what: String,
-        /// Its value in the checkpoint, as JSON.
+        what: &'static str,
+        /// Its value in the checkpoint.
         there: String,
-        /// Its value in the settings, as JSON.
+        /// Its value in the settings.
         here: String,
     },
     /// The checkpoint identifies its system by hashes of another definition.

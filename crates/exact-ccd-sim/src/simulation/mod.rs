@@ -67,6 +67,7 @@ impl Simulation {
             earlier: None,
             stiffness: None,
             origins: BTreeMap::new(),
+            behind: BTreeMap::new(),
         };
         Self::resume(system, settings, state)
     }
@@ -218,6 +219,8 @@ fn check_numbers(state: &State) -> Result<(), OutOfRange> {
     for origins in state.origins.values() {
         finite("origins", origins)?;
     }
+    let mut times = state.behind.values();
+    times.try_for_each(|&time| check_not_negative("behind", time))?;
     check_not_negative("stiffness", state.stiffness.unwrap_or(0.0))
 }
 

@@ -1,7 +1,5 @@
 //! Simulations from checkpoints.
 
-use serde_json::Value;
-
 use super::{Simulation, SimulationError};
 use crate::checkpoint::Checkpoint;
 use crate::filter::StepFilter;
@@ -40,31 +38,7 @@ impl Checkpoint {
 
 /// The first setting that differs.
 fn different_setting(there: &Settings, here: &Settings) -> Option<SimulationError> {
-    let [there, here] = [there, here].map(|settings| {
-        // The case of a method's name does not matter.
-        let ccd = settings.ccd.to_lowercase();
-        let settings = Settings {
-            ccd,
-            ..settings.clone()
-        };
-        // Settings always serialise.
-        serde_json::to_value(settings).unwrap_or_default()
-    });
-    difference("", &there, &here)
-}
-
-fn difference(name: &str, there: &Value, here: &Value) -> Option<SimulationError> {
-    match (there, here) {
-        _ if there == here => None,
-        (Value::Object(there), Value::Object(here)) if there.keys().eq(here.keys()) => {
-            let dot = if name.is_empty() { "" } else { "." };
-            let mut pairs = there.iter().zip(here.values());
-            pairs.find_map(|((key, there), here)| difference(&format!("{name}{dot}{key}"), there, here))
-        }
-        _ => Some(SimulationError::OtherSetting {
-            what: name.to_owned(),
-            there: there.to_string(),
-            here: here.to_string(),
-        }),
-    }
+    let mut pairs = there.values().into_iter().zip(here.values());
+    let ((what, there), (_, here)) = pairs.find(|((_, there), (_, here))| there != here)?;
+    Some(SimulationError::OtherSetting { what, there, here })
 }

@@ -1,18 +1,20 @@
 //! One time step.
 
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 use exact_ccd_mesh::{Point, Step};
 use nalgebra::Vector3;
 
 use super::{Simulation, SimulationError};
+use crate::anchor::Anchor;
 use crate::contact::{Collision, Collisions, StiffnessRange};
-use crate::dirichlet::Dirichlet;
+use crate::dirichlet::{Dirichlet, Motion};
+use crate::energy::Energy;
 use crate::friction::{FrictionContact, Smoothing};
-use crate::gather::gather_some;
-use crate::integrator::{Acceleration, Scheme};
+use crate::integrator::{Integrator, Scheme};
 use crate::scripted::Axes;
-use crate::solver::{Iterate, Newton, Potential};
+use crate::solver::{Form, Iterate, Newton, Potential};
 use crate::state::{Earlier, State};
 use crate::statistics::{Energies, Seconds, Statistics};
 
@@ -35,9 +37,10 @@ impl Simulation {
     /// The filter applies to these increments, in which all vertices move in straight lines. The straight
     /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
-    /// If Newton's method does not converge, the time step is repeated in twice as many parts of equal
-    /// duration, up to [`max_substeps`](crate::Settings::max_substeps). Only the increments of the last
-    /// attempt are visited.
+    /// If Newton's method does not converge or fails, the time step is repeated in twice as many parts of equal
+    /// duration, up to [`max_substeps`](crate::Settings::max_substeps). A time step of BDF2 in which bodies
+    /// begin or cease to touch is repeated as one of implicit Euler. Only the increments of the last attempt
+    /// are visited, when it ends.
     ///
     /// # Errors
     /// As [`Simulation::step`].
@@ -51,29 +54,49 @@ impl Simulation {
     }
 
     fn attempts(&mut self, visit: &mut dyn FnMut(&[Point])) -> Result<Statistics, SimulationError> {
-        let most = self.settings.max_substeps;
-        let (mut parts, mut seconds) = (1, Seconds::default());
+        let start = self.state.clone();
+        let touching = (self.settings.integrator == Integrator::Bdf2).then(|| self.touching());
+        let (mut parts, mut seconds, mut is_impact) = (1, Seconds::default(), false);
         loop {
-            if 2 * parts > most {
-                let statistics = self.substeps(parts, false, visit)?;
-                return Ok(Statistics {
-                    seconds: seconds.plus(&statistics.seconds),
-                    ..statistics
-                });
-            }
-            let start = self.state.clone();
+            let is_last = 2 * parts > self.settings.max_substeps;
             let mut increments = Vec::new();
             let mut visit_later = |positions: &[Point]| increments.push(positions.to_vec());
-            let mut statistics = self.substeps(parts, true, &mut visit_later)?;
-            seconds = seconds.plus(&statistics.seconds);
-            if statistics.converged {
-                increments.iter().for_each(|positions| visit(positions));
-                statistics.seconds = seconds;
-                return Ok(statistics);
+            let found = match self.substeps(parts, !is_last, &mut visit_later) {
+                Err(SimulationError::Singular { .. } | SimulationError::Blocked { .. }) if !is_last => None,
+                Err(error) => {
+                    self.state = start;
+                    return Err(error);
+                }
+                Ok(statistics) => {
+                    seconds = seconds.plus(&statistics.seconds);
+                    (statistics.converged || is_last).then_some(statistics)
+                }
+            };
+            let is_smooth = || touching.as_ref().is_none_or(|before| *before == self.touching());
+            match found {
+                None => parts *= 2,
+                Some(statistics) if is_impact || is_smooth() => {
+                    if is_impact {
+                        self.state.earlier = None;
+                    }
+                    increments.iter().for_each(|positions| visit(positions));
+                    return Ok(Statistics {
+                        seconds,
+                        ..statistics
+                    });
+                }
+                Some(_) => is_impact = true,
             }
-            self.state = start;
-            parts *= 2;
+            self.state = start.clone();
+            if is_impact {
+                self.state.earlier = None;
+            }
         }
+    }
+
+    /// The pairs of bodies and half spaces in contact.
+    fn touching(&self) -> BTreeSet<[usize; 2]> {
+        self.contacts().iter().map(|contact| contact.bodies).collect()
     }
 
     /// Takes one time step in parts of equal duration. If `convergent`, ends after a part that does not
@@ -122,6 +145,7 @@ impl Simulation {
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<Statistics, SimulationError> {
         let clock = Instant::now();
+        let mut solver = std::mem::take(&mut self.solver);
         let Self { system, settings, .. } = &*self;
         let step = self.state.step + 1;
         let time_step = settings.time_step / parts as f64;
@@ -134,13 +158,9 @@ impl Simulation {
             converged: true,
             ..Statistics::default()
         };
-        let loads = system.accelerations(&self.state.positions, moment);
-        let acceleration = Acceleration {
-            gravity: settings.gravity,
-            loads: loads.as_deref(),
-            damping: settings.damping,
-        };
-        let scheme = settings.integrator.scheme(&self.state, time_step, &acceleration);
+        let scheme = settings
+            .integrator
+            .scheme(&self.state, time_step, settings.damping);
         let smoothing = Smoothing {
             threshold: settings.friction.static_velocity.meters(system.size()) * scheme.duration,
         };
@@ -159,28 +179,43 @@ impl Simulation {
         );
         let mut lagged = self.kept_stiffness(&scheme);
         let held = system.held(moment);
+        let loads = system.accelerations(&self.state.positions, moment);
+        let acceleration = |vertex: usize| {
+            let load = loads.as_ref().map_or_else(Vector3::zeros, |loads| loads[vertex]);
+            Vector3::from(settings.gravity) + load
+        };
+        let inertia = scheme.inertia(&system.masses, &held, acceleration);
         let origins = system.origins(&self.state.origins, &positions, end(part - 1), [before, moment]);
-        let target = |vertex: usize| {
+        let start = end(part - 1);
+        let behind = &self.state.behind;
+        let path = |vertex: usize, fraction: f64| {
+            let late = behind
+                .get(&(system.body_of(vertex as u32) as u32))
+                .unwrap_or(&0.0);
+            let time = time - (1.0 - fraction) * (time - (start - late));
             system.scripts[vertex].position(&system.origins_of(&origins, vertex), moment, time)
         };
+        let bodies = (0..).zip(system.body_vertices());
+        let motions = bodies
+            .filter_map(|(body, vertices)| Motion::new(body, vertices.clone(), &held, &positions, &path));
+        let motions = motions.collect();
         let mut now = Iterate {
-            stiffness: self.stiffness(&scheme, &collisions, &range, &held),
-            dirichlet: Dirichlet::new(&held, &positions, target),
+            stiffness: self.stiffness(&scheme, &inertia, &collisions, &range, &held),
+            dirichlet: Dirichlet::new(motions, &path),
             positions,
             collisions,
         };
-        let mut solver = std::mem::take(&mut self.solver);
         let Self { system, settings, .. } = &*self;
         let mut friction = Vec::new();
         for _ in 0..settings.friction.lags.max(1) {
-            friction = self.friction(&now, lagged.unwrap_or(now.stiffness));
+            friction = self.friction(&now, lagged.unwrap_or(now.stiffness), &scheme, smoothing);
             let newton = Newton {
                 system,
-                scheme: &scheme,
+                duration: scheme.duration,
+                inertia: &inertia,
                 held: &held,
                 interrupt: &self.interrupt,
                 friction: &friction,
-                smoothing,
                 barrier: self.barrier,
                 range,
                 filter: &self.filter,
@@ -198,20 +233,24 @@ impl Simulation {
         statistics.contacts = now.collisions.count();
         statistics.minimal_distance = Some(now.collisions.minimal_distance()).filter(|d| d.is_finite());
         statistics.script_lag = now.dirichlet.lag(&now.positions);
+        let late = |motion: &Motion| {
+            let late = (1.0 - motion.fraction) * (time - start + behind.get(&motion.body).unwrap_or(&0.0));
+            (late > 0.0).then_some((motion.body, late))
+        };
+        let behind = now.dirichlet.motions().iter().filter_map(late).collect();
         let velocities = scheme.velocities(&now.positions);
         let potential = Potential {
             system,
-            scheme: &scheme,
+            duration: scheme.duration,
             stiffness: now.stiffness,
+            inertia: &inertia,
             friction: &friction,
-            smoothing,
-            springs: &[],
-            held: &held,
         };
         statistics.energies = energies(&potential, settings.gravity, time_step, &now, &velocities);
         let touched = self.state.stiffness.is_some() || statistics.contacts > 0;
         statistics.stiffness = touched.then_some(now.stiffness);
 
+        let positions = now.positions;
         self.solver = solver;
         // Parts of a time step do not count.
         let step = self.state.step;
@@ -219,13 +258,14 @@ impl Simulation {
             &mut self.state,
             State {
                 step,
-                positions: now.positions,
+                positions,
                 velocities,
                 earlier: None,
                 stiffness: statistics
                     .stiffness
                     .map(|stiffness| stiffness * scheme.duration.powi(-2)),
                 origins,
+                behind,
             },
         );
         self.state.earlier = Some(Earlier {
@@ -240,6 +280,7 @@ impl Simulation {
     fn stiffness(
         &self,
         scheme: &Scheme,
+        inertia: &[Anchor],
         collisions: &Collisions,
         range: &StiffnessRange,
         held: &[Axes],
@@ -250,16 +291,14 @@ impl Simulation {
         }
         let potential = Potential {
             system: &self.system,
-            scheme,
+            duration: scheme.duration,
             stiffness: before,
+            inertia,
             friction: &[],
-            smoothing: Smoothing { threshold: 1.0 },
-            springs: &[],
-            held,
         };
         let positions = &self.state.positions;
-        let mut energy = potential.smooth_gradient(positions);
-        let mut barriers = collisions.gradient(positions);
+        let mut energy = potential.gradient(positions, &[]);
+        let mut barriers = Form::of(collisions.as_slice(), 1.0).gradient(positions);
         for (place, _) in held
             .as_flattened()
             .iter()
@@ -278,7 +317,13 @@ impl Simulation {
         energy.map(|stiffness| stiffness * scheme.duration * scheme.duration)
     }
 
-    fn friction(&self, now: &Iterate, stiffness: f64) -> Vec<FrictionContact> {
+    fn friction(
+        &self,
+        now: &Iterate<'_>,
+        stiffness: f64,
+        scheme: &Scheme,
+        smoothing: Smoothing,
+    ) -> Vec<FrictionContact> {
         if !self.settings.friction.acts() {
             return Vec::new();
         }
@@ -287,11 +332,16 @@ impl Simulation {
             if coefficient == 0.0 {
                 return None;
             }
-            let corners = gather_some(&now.positions, collision.vertices());
-            let force = stiffness * collision.normal_force(&corners, &self.barrier);
-            let separation = collision.separation(&corners);
-            let vertices = collision.vertices().clone();
-            Some(FrictionContact::new(vertices, &separation, coefficient * force))
+            let bound = coefficient * stiffness * collision.normal_force(&now.positions);
+            let vertices = collision.vertices().iter().copied().collect();
+            let separation = collision.separation(&now.positions);
+            Some(FrictionContact::new(
+                vertices,
+                &scheme.origin,
+                &separation,
+                bound,
+                smoothing,
+            ))
         };
         now.collisions.as_slice().iter().filter_map(contact).collect()
     }
@@ -301,22 +351,27 @@ fn energies(
     potential: &Potential<'_>,
     gravity: Point,
     time_step: f64,
-    now: &Iterate,
+    now: &Iterate<'_>,
     velocities: &[Point],
 ) -> Energies {
     let masses = || potential.system.masses.iter();
     // The incremental potential is the energy times duration².
-    let scale = potential.scheme.duration.powi(-2);
+    let scale = potential.duration.powi(-2);
+    let friction: f64 = potential
+        .friction
+        .iter()
+        .map(|contact| contact.work(&now.positions))
+        .sum();
     let gravity = Vector3::from(gravity);
     Energies {
         kinetic: masses()
             .zip(velocities)
             .map(|(m, v)| 0.5 * m * Vector3::from(*v).norm_squared())
             .sum(),
-        elastic: potential.elastic(&now.positions),
-        barrier: scale * now.stiffness * now.collisions.value(&now.positions),
+        elastic: potential.elasticity(1.0).value(&now.positions),
+        barrier: scale * Form::of(now.collisions.as_slice(), now.stiffness).value(&now.positions),
         // Slips are velocities times the effective time step, which is shorter than the time step for BDF2.
-        friction: scale * potential.friction_work(&now.positions) * time_step / potential.scheme.duration,
+        friction: scale * friction * time_step / potential.duration,
         gravity: masses()
             .zip(&now.positions)
             .map(|(m, x)| -m * gravity.dot(&Vector3::from(*x)))

@@ -21,56 +21,96 @@ const HALVINGS: usize = 60;
 /// would sweep over too many pairs, and is far from the minimum.
 const FARTHEST: f64 = 0.25;
 
+/// The number of parts of a motion that are tried.
+const SHORTER: usize = 8;
+
+/// The part of all motions together below which each body is moved alone.
+const TOGETHER: f64 = 0.1;
+
 impl Newton<'_> {
-    /// Moves the scripted vertices to their targets: together with the Newton direction of all others, or
-    /// alone. If neither step is free of contact, springs replace the targets. Returns true if the targets
-    /// are reached.
+    /// Moves the bodies with scripts: all of them together with the Newton direction of all other vertices,
+    /// or else alone, or else each body alone, by the parts of their motions that are free. Returns true if
+    /// a body moves.
     pub(super) fn prescribe(
         &self,
-        now: &mut Iterate,
+        now: &mut Iterate<'_>,
         direction: &[Vector3<f64>],
         potential: &Potential<'_>,
         statistics: &mut Statistics,
     ) -> bool {
-        let mut together = displaced(&now.positions, direction, 1.0);
-        let mut alone = now.positions.clone();
-        now.dirichlet.set(&mut together);
-        now.dirichlet.set(&mut alone);
-        let far = self.system.extent() * FARTHEST;
-        for end in [together, alone] {
-            let pairs = zip(&now.positions, &end).map(|(a, b)| (b - a).amax());
-            if pairs.fold(0.0, f64::max) > far {
-                continue;
-            }
-            let clock = Instant::now();
-            let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
-                continue;
-            };
-            let candidates = self.system.near(step, &self.barrier);
-            let free = self.is_free(&candidates, step);
-            statistics.seconds.ccd += clock.elapsed().as_secs_f64();
-            if !free {
-                continue;
-            }
-            let collisions = self.collisions(&candidates, &end);
-            if potential.value(&end, &collisions).is_finite() {
-                now.positions = end;
-                now.collisions = collisions;
-                now.dirichlet.reached();
-                statistics.step_sizes.push(1.0);
-                return true;
+        let clock = Instant::now();
+        let all: Vec<usize> = (0..now.dirichlet.motions().len()).collect();
+        let mut progress = self.move_bodies(now, &all, Some(direction), potential);
+        if progress < TOGETHER {
+            progress += self.move_bodies(now, &all, None, potential);
+        }
+        if progress < TOGETHER && all.len() > 1 {
+            for &place in &all {
+                progress += self.move_bodies(now, &[place], None, potential);
             }
         }
-        statistics.step_sizes.push(0.0);
-        now.dirichlet.stiffen(self.system);
-        false
+        now.dirichlet.moved(progress);
+        statistics.seconds.ccd += clock.elapsed().as_secs_f64();
+        statistics.step_sizes.push(progress.min(1.0));
+        progress > 0.0
+    }
+
+    /// Moves some bodies by the largest part of the rest of their motions that is free, up to halving, and
+    /// for which the potential is finite. Returns the part, 0 if there is none.
+    fn move_bodies(
+        &self,
+        now: &mut Iterate<'_>,
+        places: &[usize],
+        direction: Option<&[Vector3<f64>]>,
+        potential: &Potential<'_>,
+    ) -> f64 {
+        let end = |now: &Iterate<'_>, part: f64| {
+            let mut end = match direction {
+                None => now.positions.clone(),
+                Some(direction) => displaced(&now.positions, direction, part),
+            };
+            now.dirichlet.set(&mut end, places, part);
+            end
+        };
+        let whole = end(now, 1.0);
+        let moves = now.positions.iter().zip(&whole);
+        let size = moves.fold(0.0_f64, |size, (a, b)| {
+            size.max((Vector3::from(*b) - Vector3::from(*a)).amax())
+        });
+        let mut part = (FARTHEST * self.system.extent() / size).min(1.0);
+        for attempt in 0..SHORTER {
+            let end = end(now, part);
+            let Ok(step) = Step::new(&self.system.surface, &now.positions, &end) else {
+                return 0.0;
+            };
+            let candidates = self.system.near(step, &self.barrier);
+            let obstacles = self.system.obstacle_pairs(step);
+            if self.is_free(&candidates, step) && self.filter.is_free(&obstacles, step) {
+                let collisions = self.collisions(&candidates, &end);
+                if potential.value(&end, collisions.as_slice()).is_finite() {
+                    now.positions = end;
+                    now.collisions = collisions;
+                    now.dirichlet.advance(places, part);
+                    return part;
+                }
+            }
+            let free = if attempt == 0 {
+                let free = self.filter.free_part(&candidates, step);
+                free.min(self.filter.free_part(&obstacles, step))
+                    .min(self.system.free_of_half_spaces(step))
+            } else {
+                1.0
+            };
+            part *= if free < 1.0 { SLACK * free } else { 0.5 };
+        }
+        0.0
     }
 
     /// Takes a step along a direction that is free of contact and decreases the potential. Returns false if
     /// there is none.
     pub(super) fn search(
         &self,
-        now: &mut Iterate,
+        now: &mut Iterate<'_>,
         direction: &[Vector3<f64>],
         size: f64,
         potential: &Potential<'_>,
@@ -96,7 +136,7 @@ impl Newton<'_> {
         }
         statistics.seconds.ccd += clock.elapsed().as_secs_f64();
 
-        let before = potential.value(&now.positions, &now.collisions);
+        let before = potential.value(&now.positions, now.collisions.as_slice());
         let mut part = if free < 1.0 { SLACK * free } else { 1.0 };
         for _ in 0..HALVINGS {
             let clock = Instant::now();
@@ -106,7 +146,7 @@ impl Newton<'_> {
                 break;
             }
             let collisions = self.collisions(&candidates, &positions);
-            let after = potential.value(&positions, &collisions);
+            let after = potential.value(&positions, collisions.as_slice());
             statistics.seconds.line_search += clock.elapsed().as_secs_f64();
             let falls = after <= before
                 || after <= before + potential.noise(before)
@@ -139,7 +179,7 @@ impl Newton<'_> {
     /// efficient line search*, 2005.
     fn flattens(
         &self,
-        now: &Iterate,
+        now: &Iterate<'_>,
         direction: &[Vector3<f64>],
         potential: &Potential<'_>,
         positions: &[Point],
@@ -152,8 +192,8 @@ impl Newton<'_> {
                 .map(|(gradient, direction)| gradient.dot(direction))
                 .sum()
         };
-        let before = slope(potential.gradient(&now.positions, &now.collisions));
-        slope(potential.gradient(positions, collisions)) <= -0.8 * before
+        let before = slope(potential.gradient(&now.positions, now.collisions.as_slice()));
+        slope(potential.gradient(positions, collisions.as_slice())) <= -0.8 * before
     }
 
     /// True if a step is free of contact: between surfaces by the filter, with half spaces exactly.
@@ -175,10 +215,4 @@ impl Newton<'_> {
 fn displaced(points: &[Point], direction: &[Vector3<f64>], size: f64) -> Vec<Point> {
     let along = |(x, d): (&Point, &Vector3<f64>)| (Vector3::from(*x) + d * size).into();
     points.iter().zip(direction).map(along).collect()
-}
-
-fn zip<'a>(a: &'a [Point], b: &'a [Point]) -> impl Iterator<Item = (Vector3<f64>, Vector3<f64>)> + 'a {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (Vector3::from(*a), Vector3::from(*b)))
 }

@@ -1,5 +1,6 @@
 //! The minimisation of the incremental potential of one time step, by projected Newton.
 
+mod form;
 mod line_search;
 mod linear;
 mod newton;
@@ -10,6 +11,7 @@ mod quadratic;
 mod tests;
 mod unknowns;
 
+pub(crate) use form::Form;
 pub(crate) use linear::LinearSolver;
 pub(crate) use newton::{Iterate, Newton};
-pub(crate) use potential::{Potential, Spring};
+pub(crate) use potential::Potential;

@@ -9,11 +9,11 @@ use nalgebra::Vector3;
 use super::linear::LinearSolver;
 use super::potential::Potential;
 use super::unknowns::Unknowns;
+use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions, StiffnessRange};
 use crate::dirichlet::Dirichlet;
 use crate::filter::StepFilter;
-use crate::friction::{FrictionContact, Smoothing};
-use crate::integrator::Scheme;
+use crate::friction::FrictionContact;
 use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::simulation::SimulationError;
@@ -23,12 +23,13 @@ use crate::system::System;
 /// The data of a minimisation that stay constant.
 pub(crate) struct Newton<'a> {
     pub(crate) system: &'a System,
-    pub(crate) scheme: &'a Scheme,
+    /// The effective time step, in s.
+    pub(crate) duration: f64,
+    pub(crate) inertia: &'a [Anchor],
     /// The coordinates of each vertex that are not free.
     pub(crate) held: &'a [Axes],
     pub(crate) interrupt: &'a AtomicBool,
     pub(crate) friction: &'a [FrictionContact],
-    pub(crate) smoothing: Smoothing,
     pub(crate) barrier: Barrier,
     pub(crate) range: StiffnessRange,
     pub(crate) filter: &'a StepFilter,
@@ -39,12 +40,12 @@ pub(crate) struct Newton<'a> {
 }
 
 /// An iterate of Newton's method.
-pub(crate) struct Iterate {
+pub(crate) struct Iterate<'a> {
     pub(crate) positions: Vec<Point>,
     pub(crate) collisions: Collisions,
     /// κ.
     pub(crate) stiffness: f64,
-    pub(crate) dirichlet: Dirichlet,
+    pub(crate) dirichlet: Dirichlet<'a>,
 }
 
 impl Newton<'_> {
@@ -55,37 +56,35 @@ impl Newton<'_> {
     pub(crate) fn minimise(
         &self,
         solver: &mut LinearSolver,
-        now: &mut Iterate,
+        now: &mut Iterate<'_>,
         statistics: &mut Statistics,
         visit: &mut dyn FnMut(&[Point]),
     ) -> Result<bool, SimulationError> {
         let mass = self.system.free_mass();
-        let mut plan: Option<(Unknowns, Vec<u64>)> = None;
+        let unknowns = &Unknowns::new(self.held);
+        let mut keys: Option<Vec<u64>> = None;
         for _ in 0..self.max_iterations {
             if self.interrupt.load(Ordering::Relaxed) {
                 let step = statistics.step;
                 return Err(SimulationError::Interrupted { step });
             }
             let clock = Instant::now();
-            let springs = now.dirichlet.springs();
             let potential = Potential {
                 system: self.system,
-                scheme: self.scheme,
+                duration: self.duration,
                 stiffness: now.stiffness,
+                inertia: self.inertia,
                 friction: self.friction,
-                smoothing: self.smoothing,
-                springs: &springs,
-                held: self.held,
             };
-            let unknowns = Unknowns::new(&now.dirichlet.known(self.held));
-            if plan.as_ref().is_none_or(|(before, _)| *before != unknowns) {
-                let keys = potential.elastic_keys(&unknowns);
-                plan = Some((unknowns, keys));
-            }
-            let Some((unknowns, keys)) = &plan else { continue };
-
+            let keys = keys.get_or_insert_with(|| potential.elastic_keys(unknowns));
             let prescribed = now.dirichlet.displacements(&now.positions);
-            let quadratic = potential.quadratic(&now.positions, &now.collisions, unknowns, keys, &prescribed);
+            let quadratic = potential.quadratic(
+                &now.positions,
+                now.collisions.as_slice(),
+                unknowns,
+                keys,
+                &prescribed,
+            );
             let right = quadratic.right(unknowns);
             statistics.seconds.assembly += clock.elapsed().as_secs_f64();
 
@@ -112,7 +111,7 @@ impl Newton<'_> {
             // release much energy. The step counts as small only if this energy is at most the kinetic
             // energy of all free masses at the tolerance.
             let decrease: f64 = right.iter().zip(&solution).map(|(a, b)| a * b).sum();
-            let length = self.tolerance * self.scheme.duration;
+            let length = self.tolerance * self.duration;
             let is_small = size <= length && decrease <= mass * length * length;
             let stiffness = now.stiffness;
             let moved = self.search(now, &direction, size, &potential, statistics)?;
@@ -121,9 +120,7 @@ impl Newton<'_> {
             }
             // After an increase of κ, the iterate is not a minimum of the new potential.
             let is_done = !moved || is_small && now.stiffness == stiffness;
-            if is_done && now.dirichlet.has_springs() {
-                now.dirichlet.prescribe();
-            } else if is_done {
+            if is_done && !now.dirichlet.resume() {
                 return Ok(is_small);
             }
         }

@@ -1,14 +1,14 @@
 //! The quadratic model that a Newton iteration minimises.
 
 use exact_ccd_mesh::Point;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{DMatrix, Vector3};
 
+use super::form::Form;
 use super::pattern::{Pattern, key};
-use super::potential::{Potential, each};
+use super::potential::Potential;
 use super::unknowns::Unknowns;
-use crate::contact::Collisions;
-use crate::element::Term;
-use crate::gather::gather_some;
+use crate::contact::Collision;
+use crate::energy::Projection;
 use crate::scripted::Axes;
 
 /// The gradient and the Hessian of a potential, and the effect of the prescribed displacements.
@@ -28,12 +28,7 @@ impl Potential<'_> {
     /// The pairs of unknowns that share an elastic element.
     pub(crate) fn elastic_keys(&self, unknowns: &Unknowns) -> Vec<u64> {
         let mut keys = Vec::new();
-        for element in &self.system.elements {
-            add_keys(&mut keys, unknowns, &element.vertices());
-        }
-        for bend in &self.system.bends {
-            add_keys(&mut keys, unknowns, bend.vertices());
-        }
+        add_keys(&mut keys, unknowns, &self.elasticity(1.0));
         keys.sort_unstable();
         keys.dedup();
         keys
@@ -43,77 +38,32 @@ impl Potential<'_> {
     pub(crate) fn quadratic(
         &self,
         points: &[Point],
-        collisions: &Collisions,
+        collisions: &[Collision],
         unknowns: &Unknowns,
         elastic_keys: &[u64],
         displacements: &[Vector3<f64>],
     ) -> Quadratic {
         let mut keys = elastic_keys.to_vec();
-        let contacts = collisions.as_slice();
-        contacts
-            .iter()
-            .for_each(|c| add_keys(&mut keys, unknowns, c.vertices()));
-        self.friction
-            .iter()
-            .for_each(|c| add_keys(&mut keys, unknowns, c.vertices()));
+        add_keys(&mut keys, unknowns, &Form::of(collisions, 1.0));
+        add_keys(&mut keys, unknowns, &Form::of(self.friction, 1.0));
         let pattern = Pattern::new(unknowns.len(), keys);
-        let mut sum = Sum {
+        let mut sum = Quadratic {
+            gradient: vec![Vector3::zeros(); points.len()],
             values: vec![0.0; pattern.scalar_count()],
-            gradient: self.inertia_gradient(points),
             prescribed: vec![Vector3::zeros(); points.len()],
             pattern,
-            unknowns,
-            displacements,
         };
-
-        for (vertex, mass) in self.inertia() {
-            sum.add_diagonal(vertex as u32, &Vector3::repeat(mass));
+        for form in self.forms(collisions) {
+            form.add_gradient(points, &mut sum.gradient);
+            form.each(
+                |term| term.hessian(points, Projection::SemiDefinite) * form.factor,
+                |term, hessian| sum.add(term.vertices(), hessian, unknowns, displacements),
+            );
         }
-        for spring in self.springs {
-            sum.gradient[spring.vertex as usize] += spring.gradient(points);
-            sum.add_diagonal(spring.vertex, &spring.stiffness);
-        }
-        let scale = self.scheme.duration * self.scheme.duration;
-        each(
-            &self.system.elements,
-            |element| element.derivatives(points, true).scaled(scale),
-            |_, element| sum.add(element),
-        );
-        each(
-            &self.system.bends,
-            |bend| {
-                let mut patch = bend.derivatives(points);
-                patch.gradient *= scale;
-                patch.hessian *= scale;
-                patch
-            },
-            |_, patch| sum.add(patch),
-        );
-        each(
-            contacts,
-            |collision| {
-                let corners = gather_some(points, collision.vertices());
-                collision
-                    .derivatives(&corners, collisions.barrier(), true)
-                    .scaled(self.stiffness)
-            },
-            |_, element| sum.add(element),
-        );
-        each(
-            self.friction,
-            |contact| contact.derivatives(&self.displacements(points, contact), self.smoothing),
-            |_, element| sum.add(element),
-        );
-        let mut quadratic = Quadratic {
-            gradient: sum.gradient,
-            pattern: sum.pattern,
-            values: sum.values,
-            prescribed: sum.prescribed,
-        };
         if let Some(known) = unknowns.known() {
-            quadratic.eliminate(known, unknowns, displacements);
+            sum.eliminate(known, unknowns, displacements);
         }
-        quadratic
+        sum
     }
 }
 
@@ -151,54 +101,40 @@ impl Quadratic {
         }
         right
     }
-}
 
-fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, vertices: &[u32]) {
-    for (place, &a) in vertices.iter().enumerate() {
-        let Some(a) = unknowns.number(a) else { continue };
-        let others = vertices[..place].iter().filter_map(|&b| unknowns.number(b));
-        keys.extend(others.map(|b| key(a, b)));
-    }
-}
-
-/// A quadratic model under construction.
-struct Sum<'a> {
-    pattern: Pattern,
-    values: Vec<f64>,
-    gradient: Vec<Vector3<f64>>,
-    prescribed: Vec<Vector3<f64>>,
-    unknowns: &'a Unknowns,
-    displacements: &'a [Vector3<f64>],
-}
-
-impl Sum<'_> {
-    fn add_diagonal(&mut self, vertex: u32, values: &Vector3<f64>) {
-        if let Some(number) = self.unknowns.number(vertex) {
-            let block = Matrix3::from_diagonal(values);
-            self.pattern.add(&mut self.values, number, number, &block);
-        }
-    }
-
-    fn add(&mut self, element: &impl Term) {
-        for (row, &vertex) in element.vertices().iter().enumerate() {
-            self.gradient[vertex as usize] += element.force(row);
-            let Some(number) = self.unknowns.number(vertex) else {
+    /// Adds the Hessian of a term.
+    fn add(
+        &mut self,
+        vertices: &[u32],
+        hessian: &DMatrix<f64>,
+        unknowns: &Unknowns,
+        displacements: &[Vector3<f64>],
+    ) {
+        for (row, &vertex) in vertices.iter().enumerate() {
+            let Some(number) = unknowns.number(vertex) else {
                 continue;
             };
-            for (column, &other) in element.vertices().iter().enumerate() {
-                match self.unknowns.number(other) {
-                    None => {
-                        let displacement = self.displacements[other as usize];
-                        self.prescribed[vertex as usize] += element.block(row, column) * displacement;
-                    }
+            for (column, &other) in vertices.iter().enumerate() {
+                let block = hessian.fixed_view::<3, 3>(3 * row, 3 * column);
+                match unknowns.number(other) {
+                    None => self.prescribed[vertex as usize] += block * displacements[other as usize],
                     // The upper triangle is not stored.
                     Some(other) if other > number => {}
-                    Some(other) => {
-                        let block = element.block(row, column);
-                        self.pattern.add(&mut self.values, number, other, &block);
-                    }
+                    Some(other) => self
+                        .pattern
+                        .add(&mut self.values, number, other, &block.into_owned()),
                 }
             }
+        }
+    }
+}
+
+fn add_keys(keys: &mut Vec<u64>, unknowns: &Unknowns, form: &Form<'_>) {
+    for vertices in form.terms.iter().map(|term| term.vertices()) {
+        for (place, &a) in vertices.iter().enumerate() {
+            let Some(a) = unknowns.number(a) else { continue };
+            let others = vertices[..place].iter().filter_map(|&b| unknowns.number(b));
+            keys.extend(others.map(|b| key(a, b)));
         }
     }
 }

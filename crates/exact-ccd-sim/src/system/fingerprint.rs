@@ -37,12 +37,11 @@ pub struct Fingerprint {
 
 impl Fingerprint {
     pub(super) fn of(system: &System) -> Self {
-        let tetrahedra: Vec<[u32; 4]> = system.tetrahedra().collect();
         Self {
             version: VERSION,
             positions: Hash::of(&system.start),
             velocities: Hash::of(&system.velocities),
-            elements: Hash::of(&(system.surface(), tetrahedra)),
+            elements: Hash::of(&(system.surface(), system.tetrahedra())),
             materials: system.materials.clone(),
             scripts: Hash::of(&system.scripts),
             half_spaces: Hash::of(&system.half_spaces),

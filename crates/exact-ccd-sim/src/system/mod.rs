@@ -11,6 +11,7 @@ mod origins;
 mod parts;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use exact_ccd::{InvalidThickness, Thickness};
 use exact_ccd_mesh::{
@@ -21,7 +22,7 @@ use nalgebra::Vector3;
 
 use crate::body::Body;
 use crate::contact::{Barrier, Part, Surface, Weights};
-use crate::elasticity::{Elastic, VertexBend};
+use crate::energy::Energy;
 use crate::half_space::{HalfSpace, Plane};
 use crate::load::Load;
 use crate::scripted::{Coordinates, Scripted, Timed};
@@ -38,11 +39,11 @@ pub struct System {
     pub(crate) start: Vec<Point>,
     pub(crate) velocities: Vec<Point>,
     pub(crate) masses: Vec<f64>,
-    pub(crate) elements: Vec<Elastic>,
+    /// The elastic energies.
+    pub(crate) elements: Vec<Arc<dyn Energy>>,
+    tetrahedra: Vec<[u32; 4]>,
     /// The hash of the materials, for the fingerprint.
     materials: String,
-    /// The bending of shells about vertices.
-    pub(crate) bends: Vec<VertexBend>,
     /// The scripts of each vertex.
     pub(crate) scripts: Vec<Coordinates>,
     /// The faces, rods and particles; and the vertices in the interior of solids, which take no part.
@@ -57,6 +58,8 @@ pub struct System {
     min_distance: MinDistance,
     /// All pairs of surface primitives, except two of obstacles.
     pub(crate) can_collide: CanCollide,
+    /// The pairs of obstacles whose relative positions can change. `None` if there are none.
+    obstacle_pairs: Option<CanCollide>,
     /// Σ E V over all elements, in J: the scale of the rounding errors of elastic energies.
     pub(crate) rigidity: f64,
     loads: Vec<Load>,
@@ -127,18 +130,17 @@ impl System {
             .filter(|&vertex| on_surface[vertex as usize])
             .collect();
         let ranges = Self::ranges(bodies);
-        let weights = Weights::new(
-            &mesh,
-            &parts.start,
-            &contact_parts(&ranges, &parts.obstacle, &parts.scripts),
-        );
+        let of_contact = contact_parts(&ranges, &parts.obstacle, &parts.scripts);
+        let weights = Weights::new(&mesh, &parts.start, &of_contact);
         let is_fixed = |(&is_obstacle, scripts): (&bool, &Coordinates)| is_obstacle && scripts.are_fixed();
-        let fixed = parts.obstacle.iter().zip(&parts.scripts).map(is_fixed).collect();
+        let fixed: Vec<bool> = parts.obstacle.iter().zip(&parts.scripts).map(is_fixed).collect();
+        let obstacles = obstacle_groups(&ranges, &of_contact, &fixed);
         let is_grounded = |&vertex: &u32| !parts.obstacle[vertex as usize];
         let grounded = surface_vertices.iter().copied().filter(is_grounded).collect();
         let min_distance = min_distance(&parts.offsets)?;
         let compact_surface = compact(&mesh, &surface_vertices)?;
         Ok(Self {
+            obstacle_pairs: obstacle_pairs(obstacles),
             can_collide: CanCollide::not_two_obstacles(parts.obstacle).among(on_surface),
             surface: mesh,
             surface_vertices,
@@ -150,8 +152,8 @@ impl System {
             velocities: parts.velocities,
             masses: parts.masses,
             elements: parts.elements,
+            tetrahedra: parts.tetrahedra,
             materials: Fingerprint::materials(bodies),
-            bends: parts.bends,
             scripts: parts.scripts,
             rigidity: parts.rigidity,
             loads: Vec::new(),
@@ -190,6 +192,19 @@ impl System {
             .with_can_collide(self.can_collide.clone());
         Candidates::with_options(step, &Bvh, &options)
             .expect("the distance of a barrier is not below 0, and each vertex has an offset")
+    }
+
+    /// The pairs of two obstacles that can touch in a step. Pairs within one obstacle that moves as a whole
+    /// are left out, and so are those of obstacles that rest: their relative positions do not change, because
+    /// linear motions between rigid ones are affine.
+    pub(crate) fn obstacle_pairs(&self, step: Step<'_>) -> Candidates {
+        let Some(can_collide) = &self.obstacle_pairs else {
+            return Candidates::default();
+        };
+        let options = CandidateOptions::default()
+            .with_boxes(BoxKind::Moving)
+            .with_can_collide(can_collide.clone());
+        Candidates::with_options(step, &Bvh, &options).expect("the default distance is 0")
     }
 
     /// The distance within which two primitives touch: the sum of their offsets.
@@ -231,11 +246,9 @@ impl System {
     }
 
     /// The corners of all tetrahedra, ordered so that the volume at the start is positive.
-    pub fn tetrahedra(&self) -> impl Iterator<Item = [u32; 4]> {
-        self.elements.iter().filter_map(|element| match element {
-            Elastic::Tetrahedron(tetrahedron) => Some(tetrahedron.vertices()),
-            _ => None,
-        })
+    #[must_use]
+    pub fn tetrahedra(&self) -> &[[u32; 4]] {
+        &self.tetrahedra
     }
 
     /// The surface, for these positions of all vertices of the system: faces, rods and particles. It has no
@@ -323,7 +336,9 @@ fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Coordinate
         let (obstacle, scripts) = (&obstacle[vertices.clone()], &scripts[vertices.clone()]);
         let part = if !obstacle.iter().all(|&is_obstacle| is_obstacle) {
             Part::Body
-        } else if scripts.windows(2).all(|pair| pair[0] == pair[1]) {
+        } else if scripts.windows(2).all(|pair| pair[0] == pair[1])
+            && scripts.first().is_none_or(Coordinates::are_rigid)
+        {
             Part::Obstacle
         } else {
             Part::DeformingObstacle
@@ -331,6 +346,36 @@ fn contact_parts(bodies: &[Range<u32>], obstacle: &[bool], scripts: &[Coordinate
         std::iter::repeat_n(part, vertices.len())
     };
     bodies.iter().flat_map(part).collect()
+}
+
+/// For each vertex, the number of the rigid motion of its obstacle: 0 for those that rest. `None` for bodies,
+/// and the largest number for obstacles that do not move as a whole.
+fn obstacle_groups(bodies: &[Range<u32>], parts: &[Part], fixed: &[bool]) -> Vec<Option<u32>> {
+    let group = |(number, range): (u32, &Range<u32>)| {
+        let vertices = range.start as usize..range.end as usize;
+        vertices.map(move |vertex| match parts[vertex] {
+            Part::Body => None,
+            Part::Obstacle if fixed[vertex] => Some(0),
+            Part::Obstacle => Some(number),
+            Part::DeformingObstacle => Some(u32::MAX),
+        })
+    };
+    (1..).zip(bodies).flat_map(group).collect()
+}
+
+/// The pairs of obstacles of different groups, and those within obstacles that do not move as a whole. `None`
+/// if there are none.
+fn obstacle_pairs(groups: Vec<Option<u32>>) -> Option<CanCollide> {
+    let first = groups.iter().flatten().next()?;
+    if *first != u32::MAX && groups.iter().flatten().all(|group| group == first) {
+        return None;
+    }
+    // A primitive belongs to one body.
+    let group = move |primitive: &[u32]| primitive.first().and_then(|&vertex| groups[vertex as usize]);
+    Some(CanCollide::new(move |a, b| match (group(a), group(b)) {
+        (Some(a), Some(b)) => a != b || a == u32::MAX,
+        _ => false,
+    }))
 }
 
 /// The diagonal of the bounding box of points. 0 without points.

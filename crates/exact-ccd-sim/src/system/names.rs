@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::System;
 use crate::contact::Collision;
+use crate::energy::Energy;
 
 /// A body or a half space in messages.
 pub(crate) fn designation(what: &str, index: usize, name: &str) -> String {

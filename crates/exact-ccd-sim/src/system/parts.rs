@@ -1,6 +1,7 @@
 //! The construction of a system, body by body.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use exact_ccd::Thickness;
 use exact_ccd_mesh::{Point, TetMesh};
@@ -10,9 +11,8 @@ use super::error::SystemError;
 use super::materials::materials;
 use crate::bends::bends;
 use crate::body::{Body, BodyKind, ParticleProperties, RodProperties, ShellProperties, SolidProperties};
-use crate::elasticity::{Bend, Elastic, Membrane, Stretch, Tetrahedron, VertexBend, bending};
-use crate::gather::gather;
-use crate::hinges::hinges;
+use crate::elasticity::{Bend, Membrane, Stretch, bending, tetrahedron};
+use crate::energy::{Energy, gather};
 use crate::range::{OutOfRange, check, check_finite, check_positive};
 use crate::scripted::Coordinates;
 
@@ -28,8 +28,8 @@ pub(super) struct Parts {
     /// The particles.
     pub(super) particles: Vec<u32>,
     pub(super) offsets: Vec<f64>,
-    pub(super) elements: Vec<Elastic>,
-    pub(super) bends: Vec<VertexBend>,
+    pub(super) elements: Vec<Arc<dyn Energy>>,
+    pub(super) tetrahedra: Vec<[u32; 4]>,
     pub(super) scripts: Vec<Coordinates>,
     pub(super) obstacle: Vec<bool>,
     pub(super) rigidity: f64,
@@ -125,23 +125,20 @@ impl Parts {
         materials: &[&SolidProperties],
     ) -> Result<(), SystemError> {
         for (element, (corners, material)) in tetrahedra.iter_mut().zip(materials).enumerate() {
-            let points = gather(&self.start, corners);
-            let volume = (points[1] - points[0])
-                .cross(&(points[2] - points[0]))
-                .dot(&(points[3] - points[0]));
-            if volume < 0.0 {
+            let [a, b, c, d] = gather(&self.start, corners);
+            if (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0 {
                 corners.swap(2, 3);
             }
-            let points = gather(&self.start, corners);
-            let tetrahedron = Tetrahedron::new(*corners, &points, material.energy, material.moduli())
+            let (energy, volume) = tetrahedron(*corners, &self.start, material.energy, material.moduli())
                 .ok_or(SystemError::Flat { body, element })?;
-            let share = mass(body, element, material.density * tetrahedron.volume())? / 4.0;
-            for &corner in &*corners {
-                self.masses[corner as usize] += share;
-            }
-            self.rigidity += material.young * tetrahedron.volume();
-            self.elements.push(Elastic::Tetrahedron(tetrahedron));
+            self.add_element(
+                [body, element],
+                Arc::from(energy),
+                volume,
+                [material.density, material.young],
+            )?;
         }
+        self.tetrahedra.extend(tetrahedra);
         Ok(())
     }
 
@@ -156,20 +153,19 @@ impl Parts {
             .and(material.moduli().check())
             .map_err(|source| SystemError::Body { body, source })?;
         for (element, corners) in faces.iter().enumerate() {
-            let points = gather(&self.start, corners);
-            let membrane = Membrane::new(*corners, &points, material.thickness, material.moduli())
+            let membrane = Membrane::new(*corners, &self.start, material.thickness, material.moduli())
                 .ok_or(SystemError::Flat { body, element })?;
-            let share = mass(body, element, material.density * membrane.volume())? / 3.0;
-            for &corner in corners {
-                self.masses[corner as usize] += share;
-            }
-            self.rigidity += material.young * membrane.volume();
-            self.elements.push(Elastic::Membrane(membrane));
+            let volume = membrane.volume();
+            self.add_element(
+                [body, element],
+                Arc::new(membrane),
+                volume,
+                [material.density, material.young],
+            )?;
         }
         let rigidity = material.moduli().flexural_rigidity(material.thickness);
-        let (hinges, bends) = bending(&self.start, &faces, &hinges(&faces), rigidity, material.poisson);
-        self.elements.extend(hinges.into_iter().map(Elastic::Hinge));
-        self.bends.extend(bends);
+        self.elements
+            .extend(bending(&self.start, &faces, rigidity, material.poisson));
         self.faces.extend(faces);
         Ok(())
     }
@@ -185,28 +181,40 @@ impl Parts {
             .and(check_positive("young", material.young))
             .map_err(|source| SystemError::Body { body, source })?;
         for (element, ends) in edges.iter().enumerate() {
-            let stretch = Stretch::new(*ends, &gather(&self.start, ends), material.axial_stiffness())
+            let stretch = Stretch::new(*ends, &self.start, material.axial_stiffness())
                 .ok_or(SystemError::Flat { body, element })?;
             let volume = material.area() * stretch.length();
-            let share = mass(body, element, material.density * volume)? / 2.0;
-            for &end in ends {
-                self.masses[end as usize] += share;
-            }
-            self.rigidity += material.young * volume;
-            self.elements.push(Elastic::Stretch(stretch));
+            self.add_element(
+                [body, element],
+                Arc::new(stretch),
+                volume,
+                [material.density, material.young],
+            )?;
         }
-        for corners in bends(&edges) {
-            let bend = Bend::new(
-                corners,
-                &gather(&self.start, &corners),
-                material.flexural_rigidity(),
-            );
-            let element = edges.iter().position(|edge| edge.contains(&corners[1]));
-            let element = element.unwrap_or_default();
+        for (element, corners) in bends(&edges) {
+            let bend = Bend::new(corners, &self.start, material.flexural_rigidity());
             let bend = bend.ok_or(SystemError::Folded { body, element })?;
-            self.elements.push(Elastic::Bend(bend));
+            self.elements.push(Arc::new(bend));
         }
         self.edges.extend(edges);
+        Ok(())
+    }
+
+    /// Adds an element of a body with its mass, in equal shares for its vertices. The first numbers are those of
+    /// the body and the element; the material has a density and a Young's modulus.
+    fn add_element(
+        &mut self,
+        [body, element]: [usize; 2],
+        energy: Arc<dyn Energy>,
+        volume: f64,
+        [density, young]: [f64; 2],
+    ) -> Result<(), SystemError> {
+        let share = mass(body, element, density * volume)? / energy.vertices().len() as f64;
+        for &corner in energy.vertices() {
+            self.masses[corner as usize] += share;
+        }
+        self.rigidity += young * volume;
+        self.elements.push(energy);
         Ok(())
     }
 

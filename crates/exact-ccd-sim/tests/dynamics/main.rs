@@ -4,16 +4,17 @@
 
 mod conservation;
 mod contacts;
+mod damping;
 mod decisions;
 mod filters;
 mod friction;
 mod friction_pairs;
 mod half_space;
+mod impact;
 mod lengths;
 mod loads;
 mod measure;
 mod newton;
-mod pairs;
 mod rest;
 mod resume;
 mod rods;
@@ -21,8 +22,6 @@ mod script_starts;
 mod scripted_axes;
 mod scripts;
 mod start;
-mod stiffness;
-mod strips;
 mod thick_pairs;
 mod thickness;
 mod twist;

@@ -57,12 +57,17 @@ fn a_resumed_simulation_has_the_same_bits() {
 #[test]
 fn the_stiffness_of_the_barrier_is_kept_after_the_first_step_of_bdf2() {
     let mut simulation = Simulation::new(system(), settings()).unwrap();
-    while simulation.step().unwrap().contacts == 0 {}
+    // The cube has come to rest: a change of contacts would be another step of implicit Euler.
+    let mut touching = 0;
+    while touching < 20 {
+        let contacts = simulation.step().unwrap().contacts;
+        touching = if contacts > 0 { touching + 1 } else { 0 };
+    }
     // Without an earlier state, the next step is the first of BDF2.
     let mut state = simulation.state().clone();
     state.earlier = None;
     // A stiffness inside the range is kept.
-    state.stiffness = state.stiffness.map(|stiffness| 10.0 * stiffness);
+    state.stiffness = state.stiffness.map(|stiffness| 1.5 * stiffness);
     let expected = state.stiffness.unwrap();
     let mut simulation = Simulation::resume(system(), settings(), state).unwrap();
     for duration in [0.01, 0.02 / 3.0] {
@@ -110,7 +115,7 @@ fn a_checkpoint_of_another_simulation_is_an_error() {
             None => "none".to_owned(),
             Some(SimulationError::OtherSetting { what, there, here }) => {
                 assert_ne!(there, here);
-                what
+                what.to_owned()
             }
             Some(SimulationError::OtherSystem { what }) => what.to_owned(),
             Some(other) => panic!("{other}"),

@@ -152,10 +152,10 @@ fn a_bar_contracts_sideways_if_only_its_axis_is_held() {
     assert!(held.abs() < 1e-9, "{held}");
 }
 
-/// Where a ceiling obstructs the script along y, springs act along y only: the corner of the cloth moves on
-/// along x as any free vertex, and the lag is that along y.
+/// Where a ceiling obstructs the script along y, the corner of the cloth moves on along x as any free vertex,
+/// and the lag is that along y.
 #[test]
-fn springs_act_along_the_scripted_axes_only() {
+fn an_obstruction_acts_along_the_scripted_axes_only() {
     let ceiling = shapes::floor([2, 2], [3.0, 2.0]).placed(|[x, y, z]| [x - 0.5, y + 0.05, z - 0.5]);
     let mut cloth = shapes::cloth([4, 4], [1.0, 1.0]);
     cloth.velocity = [1.0, 0.0, 0.0];

@@ -1,7 +1,7 @@
 //! The entries of a text scene.
 
 use exact_ccd_mesh::Point;
-use exact_ccd_sim::elasticity::SolidMaterial;
+use exact_ccd_sim::SolidMaterial;
 use exact_ccd_sim::{Formulation, Friction, HalfSpace, Integrator, Length, Settings, SolidProperties};
 
 use super::super::fault::Place;

@@ -3,8 +3,8 @@
 use core::f64::consts::PI;
 
 use exact_ccd_mesh::{Aabb, Point};
+use exact_ccd_sim::SolidMaterial;
 use exact_ccd_sim::SolidProperties;
-use exact_ccd_sim::elasticity::SolidMaterial;
 use nalgebra::Vector3;
 
 use super::super::fault::{Fault, Place, Problem};

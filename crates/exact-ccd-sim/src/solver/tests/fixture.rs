@@ -4,15 +4,14 @@ use exact_ccd_mesh::{Candidates, Point, Step};
 use fastrand::Rng;
 use nalgebra::{DMatrix, Vector3};
 
+use crate::anchor::Anchor;
 use crate::contact::{Barrier, Collisions};
-use crate::element::Element;
+use crate::energy::{Energy, Projection};
 use crate::friction::{FrictionContact, Smoothing};
-use crate::gather::gather_some;
-use crate::integrator::Scheme;
 use crate::scripted::Axes;
 use crate::settings::Formulation;
 use crate::shapes;
-use crate::solver::potential::{Potential, Spring};
+use crate::solver::potential::Potential;
 use crate::solver::quadratic::Quadratic;
 use crate::solver::unknowns::Unknowns;
 use crate::system::System;
@@ -22,19 +21,15 @@ const DISTANCE: f64 = 0.2;
 
 const SMOOTHING: Smoothing = Smoothing { threshold: 0.05 };
 
-/// The vertex with a spring.
-const SPRING_VERTEX: u32 = 9;
-
 /// A cloth between a floor and a box, with a rod and particles above: elements of all kinds, on vertices of
 /// all bodies.
 pub(super) struct Fixture {
     pub(super) system: System,
-    pub(super) scheme: Scheme,
+    duration: f64,
+    inertia: Vec<Anchor>,
     pub(super) points: Vec<Point>,
     pub(super) barrier: Barrier,
     pub(super) friction: Vec<FrictionContact>,
-    pub(super) springs: Vec<Spring>,
-    held: Vec<Axes>,
 }
 
 impl Fixture {
@@ -57,29 +52,29 @@ impl Fixture {
             .iter()
             .map(|point| moved(&stretched(point), noise))
             .collect();
-        let scheme = Scheme {
-            duration: 0.1,
-            origin: points.iter().map(|point| moved(point, 0.04)).collect(),
-            predicted: points.iter().map(|point| moved(point, 0.3)).collect(),
-        };
-        let spring = Spring {
-            vertex: SPRING_VERTEX,
-            target: [1.0, 2.0, 3.0],
-            stiffness: Vector3::new(50.0, 0.0, 70.0),
-        };
+        let (duration, held) = (0.1, system.held(0.1));
+        let origin: Vec<Point> = points.iter().map(|point| moved(point, 0.04)).collect();
+        let free = (0..points.len()).filter(|&vertex| held[vertex] != [true; 3]);
+        let inertia = free.map(|vertex| Anchor {
+            vertex: vertex as u32,
+            target: moved(&points[vertex], 0.3),
+            stiffness: Vector3::repeat(system.masses[vertex]),
+            force: Vector3::new(0.1, -0.2, 0.3) * system.masses[vertex],
+        });
+        let inertia = inertia.collect();
         let mut fixture = Self {
-            held: system.held(0.1),
             system,
-            scheme,
+            duration,
+            inertia,
             points,
             barrier: Barrier::new(DISTANCE),
             friction: Vec::new(),
-            springs: vec![spring],
         };
         let collisions = fixture.collisions(&fixture.points);
         let friction = collisions.as_slice().iter().map(|collision| {
-            let separation = collision.separation(&gather_some(&fixture.points, collision.vertices()));
-            FrictionContact::new(collision.vertices().clone(), &separation, 1e3)
+            let separation = collision.separation(&fixture.points);
+            let vertices = collision.vertices().iter().copied().collect();
+            FrictionContact::new(vertices, &origin, &separation, 1e3, SMOOTHING)
         });
         fixture.friction = friction.collect();
         fixture
@@ -88,12 +83,10 @@ impl Fixture {
     pub(super) fn potential(&self) -> Potential<'_> {
         Potential {
             system: &self.system,
-            scheme: &self.scheme,
+            duration: self.duration,
             stiffness: 1e7,
+            inertia: &self.inertia,
             friction: &self.friction,
-            smoothing: SMOOTHING,
-            springs: &self.springs,
-            held: &self.held,
         }
     }
 
@@ -152,51 +145,39 @@ impl Fixture {
     pub(super) fn quadratic(&self, collisions: &Collisions, unknowns: &Unknowns) -> Quadratic {
         let potential = self.potential();
         let keys = potential.elastic_keys(unknowns);
-        potential.quadratic(&self.points, collisions, unknowns, &keys, &self.prescribed())
+        potential.quadratic(
+            &self.points,
+            collisions.as_slice(),
+            unknowns,
+            &keys,
+            &self.prescribed(),
+        )
     }
 
     /// The projected Hessian with respect to all vertices.
     pub(super) fn dense(&self, collisions: &Collisions) -> DMatrix<f64> {
         let points = &self.points;
         let mut dense = DMatrix::zeros(3 * points.len(), 3 * points.len());
-        let mut add = |element: &Element, scale: f64| {
-            for (row, &a) in element.vertices.iter().enumerate() {
-                for (column, &b) in element.vertices.iter().enumerate() {
+        let mut add = |term: &dyn Energy, scale: f64| {
+            let hessian = term.hessian(points, Projection::SemiDefinite);
+            for (row, &a) in term.vertices().iter().enumerate() {
+                for (column, &b) in term.vertices().iter().enumerate() {
                     let mut block = dense.fixed_view_mut::<3, 3>(3 * a as usize, 3 * b as usize);
-                    block += element.block(row, column) * scale;
+                    block += hessian.fixed_view::<3, 3>(3 * row, 3 * column) * scale;
                 }
             }
         };
-        let potential = self.potential();
-        let scale = self.scheme.duration * self.scheme.duration;
-        for element in &self.system.elements {
-            add(&element.derivatives(points, true), scale);
-        }
-        for c in collisions.as_slice() {
-            let corners = gather_some(points, c.vertices());
-            add(&c.derivatives(&corners, &self.barrier, true), potential.stiffness);
-        }
-        for f in &self.friction {
-            add(
-                &f.derivatives(&potential.displacements(points, f), SMOOTHING),
-                1.0,
-            );
-        }
-        for vertex in 0..points.len() {
-            let springs = self
-                .springs
-                .iter()
-                .filter(|spring| spring.vertex as usize == vertex);
-            let inertia = if self.system.is_free(vertex) {
-                self.system.masses[vertex]
-            } else {
-                0.0
-            };
-            let springs: Vector3<f64> = springs.map(|spring| spring.stiffness).sum();
-            for axis in 0..3 {
-                dense[(3 * vertex + axis, 3 * vertex + axis)] += inertia + springs[axis];
-            }
-        }
+        let scale = self.duration * self.duration;
+        self.system
+            .elements
+            .iter()
+            .for_each(|element| add(&**element, scale));
+        collisions
+            .as_slice()
+            .iter()
+            .for_each(|collision| add(collision, 1e7));
+        self.friction.iter().for_each(|contact| add(contact, 1.0));
+        self.inertia.iter().for_each(|anchor| add(anchor, 1.0));
         dense
     }
 }

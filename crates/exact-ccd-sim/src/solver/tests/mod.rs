@@ -50,9 +50,10 @@ fn the_gradient_is_the_slope_of_the_value() {
     let potential = fixture.potential();
     let collisions = fixture.collisions(&fixture.points);
     assert!(collisions.as_slice().len() > 20);
-    let found = flat(&potential.gradient(&fixture.points, &collisions));
-    let value =
-        |points: &[Point]| DVector::from_element(1, potential.value(points, &fixture.collisions(points)));
+    let found = flat(&potential.gradient(&fixture.points, collisions.as_slice()));
+    let value = |points: &[Point]| {
+        DVector::from_element(1, potential.value(points, fixture.collisions(points).as_slice()))
+    };
     let expected = differences(&fixture.points, 1e-5, value).transpose();
     let error = (&found - &expected).amax();
     assert!(error < 1e-6 * expected.amax(), "{error} of {}", expected.amax());
@@ -114,7 +115,7 @@ fn the_hessian_is_the_slope_of_the_gradient() {
     let quadratic = fixture.quadratic(&none, &unknowns);
     let potential = fixture.potential();
     let slopes = differences(&fixture.points, 1e-5, |points| {
-        flat(&potential.gradient(points, &none))
+        flat(&potential.gradient(points, none.as_slice()))
     });
     let [rows, places] = fixture.rows();
 

@@ -1,11 +1,13 @@
 //! The constraint set, in which equal collisions are merged, against the sum over all pairs of primitives.
 
 use exact_ccd_mesh::{Bvh, CanCollide, CandidateOptions, Candidates, Point, Step, TriangleMesh};
-use exact_ccd_sim::contact::{Barrier, Collisions, Surface};
 use nalgebra::Vector3;
 
-use crate::differences::{Points, random_rotation, random_vector};
-use crate::naive::Naive;
+use super::differences::{Points, random_rotation, random_vector};
+use super::naive::Naive;
+use crate::contact::{Barrier, Collisions, Surface};
+use crate::energy::Energy;
+use crate::solver::Form;
 
 /// The activation distance of the barrier.
 const DISTANCE: f64 = 0.5;
@@ -69,19 +71,15 @@ fn the_sum_over_merged_collisions_is_the_sum_over_all_pairs() {
         let collisions = Collisions::new(surface, &candidates, &points, barrier);
         let naive = Naive::new(&mesh, &obstacle, &points, &rest, barrier);
 
-        let value = collisions.value(&points);
+        let sum = Form::of(collisions.as_slice(), 1.0);
+        let value = sum.value(&points);
         assert!(
             (value - naive.value).abs() <= 1e-10 * naive.value,
             "case {case}: {value} {}",
             naive.value
         );
         let scale: f64 = naive.gradient.iter().map(Vector3::norm).sum();
-        for (vertex, (found, expected)) in collisions
-            .gradient(&points)
-            .iter()
-            .zip(&naive.gradient)
-            .enumerate()
-        {
+        for (vertex, (found, expected)) in sum.gradient(&points).iter().zip(&naive.gradient).enumerate() {
             let error = (found - expected).norm();
             assert!(
                 error <= 1e-10 * scale,

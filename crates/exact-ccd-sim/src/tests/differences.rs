@@ -1,9 +1,61 @@
 //! Finite differences of functions of four points.
 
-use exact_ccd_sim::{Matrix12, Vector12};
-use nalgebra::{Rotation3, Vector3};
+use exact_ccd_mesh::Point;
+use nalgebra::{DMatrix, Rotation3, Vector3};
+
+use crate::distance::{Matrix12, Vector12};
+use crate::energy::{Energy, Projection};
 
 pub(crate) type Points = [Vector3<f64>; 4];
+
+/// The points as positions.
+pub(crate) fn at(points: &Points) -> [Point; 4] {
+    points.map(Point::from)
+}
+
+/// The gradient of an energy by the four points.
+pub(crate) fn slope(energy: &dyn Energy, points: &Points) -> Vector12 {
+    let mut gradient = Vector12::zeros();
+    let found = energy.gradient(&at(points));
+    for (place, &vertex) in energy.vertices().iter().enumerate() {
+        let rows = found.fixed_rows::<3>(3 * place);
+        gradient.fixed_rows_mut::<3>(3 * vertex as usize).copy_from(&rows);
+    }
+    gradient
+}
+
+/// The Hessian of an energy by the four points.
+pub(crate) fn curvature(energy: &dyn Energy, points: &Points, projection: Projection) -> Matrix12 {
+    let mut hessian = Matrix12::zeros();
+    let found: DMatrix<f64> = energy.hessian(&at(points), projection);
+    for (row, &a) in energy.vertices().iter().enumerate() {
+        for (column, &b) in energy.vertices().iter().enumerate() {
+            let block = found.fixed_view::<3, 3>(3 * row, 3 * column);
+            let place = (3 * a as usize, 3 * b as usize);
+            hessian.fixed_view_mut::<3, 3>(place.0, place.1).copy_from(&block);
+        }
+    }
+    hessian
+}
+
+/// Asserts that the derivatives of an energy match differences with steps of this size, up to the tolerances
+/// of gradient and Hessian, and that its projected Hessian is semi-definite. Returns the least eigenvalue of
+/// its Hessian.
+pub(crate) fn check(
+    energy: &dyn Energy,
+    points: &Points,
+    step: f64,
+    tolerances: [f64; 2],
+    what: &str,
+) -> f64 {
+    let expected = gradient(points, step, |x| energy.value(&at(x)));
+    assert_gradient(&slope(energy, points), &expected, tolerances[0], what);
+    let expected = jacobian(points, step, |x| slope(energy, x));
+    let found = curvature(energy, points, Projection::None);
+    assert_hessian(&found, &expected, tolerances[1], what);
+    assert_semi_definite(&curvature(energy, points, Projection::SemiDefinite), what);
+    found.symmetric_eigenvalues().min()
+}
 
 /// Central differences of fourth order: the error is near 1e-11 for well-scaled functions.
 const STENCIL: [(f64, f64); 4] = [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)];

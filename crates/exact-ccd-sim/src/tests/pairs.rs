@@ -5,9 +5,10 @@ use exact_ccd_mesh::{
     Aabb, BoxKind, Bvh, CanCollide, CandidateOptions, Candidates, Pair, PairKind, Point, Step, TriangleMesh,
 };
 use exact_ccd_methods::parity::Displacement;
-use exact_ccd_sim::distance::{edge_edge, point_triangle};
 use fastrand::Rng;
 use nalgebra::Vector3;
+
+use crate::distance::{edge_edge, point_triangle};
 
 /// The number of pieces of a scene, with two triangles each. The first and the last are obstacles.
 const PIECES: usize = 5;

@@ -1,11 +1,11 @@
 //! The barrier of surfaces with a thickness.
 
-use exact_ccd_sim::contact::{Barrier, Collision};
-use exact_ccd_sim::distance::{Mollifier, edge_edge, point_edge, point_triangle};
 use nalgebra::Vector3;
 
-use crate::contact::{check, compact};
-use crate::differences::random_points;
+use super::differences::{at, check, random_points, slope};
+use crate::contact::{Barrier, Collision};
+use crate::distance::{Mollifier, edge_edge, point_edge, point_triangle};
+use crate::energy::Energy;
 
 const REACH: f64 = 0.25;
 
@@ -83,7 +83,7 @@ fn forces_hardly_depend_on_the_thickness() {
 #[test]
 fn the_derivatives_of_collisions_with_thickness_match_differences() {
     let mut random = fastrand::Rng::with_seed(31);
-    let barrier = Barrier::new(0.5);
+    let barrier = Barrier::new(0.5).with_thickness(0.3);
     let (mut tested, mut indefinite, mut mollified) = (0, 0, 0);
     while tested < 300 {
         let points = random_points(&mut random);
@@ -103,25 +103,22 @@ fn the_derivatives_of_collisions_with_thickness_match_differences() {
         let mollifier = Mollifier::new([30.0, 30.0]);
         let collision = if tested % 3 == 2 && mollifier.is_active(&points) {
             mollified += 1;
-            Collision::mollified(vertices, feature, mollifier)
+            Collision::mollified(vertices, feature, mollifier, barrier)
         } else {
-            Collision::new(vertices, feature)
+            Collision::new(vertices, feature, barrier)
         };
-        let collision = collision.with_thickness(0.3);
-        indefinite += usize::from(check(&collision, &points, &barrier));
+        let least = check(&collision, &points, 1e-5, [1e-5; 2], "thick collision");
+        indefinite += usize::from(least < -1e-9);
         // The normal force is the gradient by the distance, for unit weights.
-        let compact = compact(&points, &collision);
-        let force: Vector3<f64> = (0..4)
-            .filter(|&place| collision.separation(&compact).weights[place] > 0.0)
-            .map(|place| {
-                -collision
-                    .gradient(&compact, &barrier)
-                    .fixed_rows::<3>(3 * place)
-                    .into_owned()
-            })
+        let gradient = slope(&collision, &points);
+        let separation = collision.separation(&at(&points));
+        let force: Vector3<f64> = (0..)
+            .zip(collision.vertices())
+            .filter(|&(place, _): &(usize, &u32)| separation.weights[place] > 0.0)
+            .map(|(_, &vertex)| -gradient.fixed_rows::<3>(3 * vertex as usize))
             .sum();
         if tested % 3 != 2 {
-            let normal = collision.normal_force(&compact, &barrier);
+            let normal = collision.normal_force(&at(&points));
             assert!((force.norm() - normal).abs() < 1e-10 * normal);
         }
     }

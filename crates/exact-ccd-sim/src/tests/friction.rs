@@ -1,12 +1,11 @@
 //! The derivatives of friction.
 
 use arrayvec::ArrayVec;
-use exact_ccd_sim::distance::point_triangle;
-use exact_ccd_sim::friction::{FrictionContact, Smoothing};
+use nalgebra::Vector3;
 
-use crate::differences::{
-    assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
-};
+use super::differences::{at, check, random_points, slope};
+use crate::distance::point_triangle;
+use crate::friction::{FrictionContact, Smoothing};
 
 const SMOOTHING: Smoothing = Smoothing { threshold: 0.8 };
 
@@ -30,24 +29,19 @@ fn the_derivatives_of_friction_match_differences() {
     for _ in 0..100 {
         let points = random_points(&mut random);
         let separation = point_triangle(&points).separation(&points);
-        let contact = FrictionContact::new(ArrayVec::from([0, 1, 2, 3]), &separation, 0.7);
+        let vertices = ArrayVec::from([0, 1, 2, 3]);
+        let contact = FrictionContact::new(vertices, &at(&points), &separation, 0.7, SMOOTHING);
         let displacements = random_points(&mut random).map(|x| x * 0.5);
-        let element = contact.derivatives(&displacements, SMOOTHING);
-        let expected = gradient(&displacements, 1e-4, |x| contact.value(x, SMOOTHING));
-        assert_gradient(&element.gradient, &expected, 1e-7, "friction");
-        let expected = jacobian(&displacements, 1e-4, |x| {
-            contact.derivatives(x, SMOOTHING).gradient
-        });
-        assert_hessian(&element.hessian, &expected, 2e-4, "friction");
-        assert_semi_definite(&element.hessian, "friction");
+        let moved = core::array::from_fn(|place| points[place] + displacements[place]);
+        check(&contact, &moved, 1e-4, [1e-7, 2e-4], "friction");
         // The force opposes the slip and is tangential. The sum over the vertices is zero.
-        let power: f64 = (0..4)
-            .map(|place| element.force(place).dot(&displacements[place]))
-            .sum();
+        let gradient = slope(&contact, &moved);
+        let force = |place: usize| gradient.fixed_rows::<3>(3 * place).into_owned();
+        let power: f64 = (0..4).map(|place| force(place).dot(&displacements[place])).sum();
         assert!(power >= 0.0);
-        let total: nalgebra::Vector3<f64> = (0..4).map(|place| element.force(place)).sum();
+        let total: Vector3<f64> = (0..4).map(force).sum();
         assert!(total.norm() < 1e-12);
-        assert!(element.force(0).dot(&separation.vector).abs() < 1e-12);
-        assert!(element.force(0).norm() <= 0.7 * (1.0 + 1e-12));
+        assert!(force(0).dot(&separation.vector).abs() < 1e-12);
+        assert!(force(0).norm() <= 0.7 * (1.0 + 1e-12));
     }
 }

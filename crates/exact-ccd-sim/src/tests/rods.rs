@@ -1,20 +1,13 @@
 //! Elastic energies of rods.
 
-use exact_ccd_sim::elasticity::{Bend, Stretch};
+use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use crate::differences::{
-    Points, assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
-    random_rotation, random_vector,
+use super::differences::{
+    Points, at, check, curvature, random_points, random_rotation, random_vector, slope,
 };
-
-fn two(points: &Points) -> [Vector3<f64>; 2] {
-    [points[0], points[1]]
-}
-
-fn three(points: &Points) -> [Vector3<f64>; 3] {
-    [points[0], points[1], points[2]]
-}
+use crate::elasticity::{Bend, Stretch};
+use crate::energy::{Energy, Projection};
 
 /// cos φ of the angle φ between two successive edges.
 fn cosine(points: &Points) -> f64 {
@@ -32,17 +25,13 @@ fn the_derivatives_of_stretching_match_differences() {
         if lengths.into_iter().any(|length| length < 0.3) {
             continue;
         }
-        let stretch = Stretch::new([0, 1], &two(&rest), 5.0).unwrap();
-        let element = stretch.derivatives(&two(&points), false);
-        let expected = gradient(&points, 1e-3, |x| stretch.value(&two(x)));
-        assert_gradient(&element.gradient, &expected, 1e-8, "stretch");
-        let expected = jacobian(&points, 1e-3, |x| stretch.gradient(&two(x)));
-        assert_hessian(&element.hessian, &expected, 1e-7, "stretch");
-        let projected = stretch.derivatives(&two(&points), true).hessian;
-        assert_semi_definite(&projected, "stretch");
+        let stretch = Stretch::new([0, 1], &at(&rest), 5.0).unwrap();
+        check(&stretch, &points, 1e-3, [1e-8, 1e-7], "stretch");
+        let [exact, projected] = [Projection::None, Projection::SemiDefinite]
+            .map(|projection| curvature(&stretch, &points, projection));
         // The projection changes the Hessian of compressed edges only.
         let is_compressed = lengths[1] < lengths[0];
-        assert_eq!((projected - element.hessian).amax() > 1e-12, is_compressed);
+        assert_eq!((projected - exact).amax() > 1e-12, is_compressed);
         compressed += usize::from(is_compressed);
     }
     assert!(compressed > 20);
@@ -50,9 +39,9 @@ fn the_derivatives_of_stretching_match_differences() {
 
 #[test]
 fn a_stretched_edge_has_the_energy_of_a_bar() {
-    let stretch = Stretch::new([0, 1], &[Vector3::zeros(), Vector3::x() * 2.0], 7.0).unwrap();
+    let stretch = Stretch::new([0, 1], &[[0.0; 3], [2.0, 0.0, 0.0]], 7.0).unwrap();
     let turn = random_rotation(&mut fastrand::Rng::with_seed(22));
-    let value = stretch.value(&[Vector3::y(), Vector3::y() + turn * Vector3::x() * 2.5]);
+    let value = stretch.value(&[Vector3::y(), Vector3::y() + turn * Vector3::x() * 2.5].map(Point::from));
     // ½ E A ε² L.
     assert!((value / (0.5 * 7.0 * 0.25 * 0.25 * 2.0) - 1.0).abs() < 1e-13);
 }
@@ -72,16 +61,10 @@ fn the_derivatives_of_bending_match_differences() {
         }
         tested += 1;
         // Every other rod is straight at rest.
-        let straight = [rest[0], rest[1], rest[1] * 2.0 - rest[0]];
-        let rest = if tested % 2 == 0 { three(&rest) } else { straight };
-        let bend = Bend::new([0, 1, 2], &rest, 3.0).unwrap();
-        let element = bend.derivatives(&three(&points), false);
-        let expected = gradient(&points, 1e-4, |x| bend.value(&three(x)));
-        assert_gradient(&element.gradient, &expected, 1e-7, "bend");
-        let expected = jacobian(&points, 1e-4, |x| bend.gradient(&three(x)));
-        assert_hessian(&element.hessian, &expected, 1e-7, "bend");
-        assert_semi_definite(&bend.derivatives(&three(&points), true).hessian, "bend");
-        indefinite += usize::from(element.hessian.symmetric_eigenvalues().min() < -1e-6);
+        let straight = [rest[0], rest[1], rest[1] * 2.0 - rest[0], rest[3]];
+        let rest = if tested % 2 == 0 { rest } else { straight };
+        let bend = Bend::new([0, 1, 2], &at(&rest), 3.0).unwrap();
+        indefinite += usize::from(check(&bend, &points, 1e-4, [1e-7; 2], "bend") < -1e-6);
     }
     assert!(indefinite > 20, "{indefinite}");
 }
@@ -89,15 +72,10 @@ fn the_derivatives_of_bending_match_differences() {
 /// Near the straight shape, cos φ is 1 up to rounding; the energy still has all digits.
 #[test]
 fn slight_bending_keeps_its_digits() {
-    let bend = Bend::new(
-        [0, 1, 2],
-        &[Vector3::zeros(), Vector3::x(), Vector3::x() * 2.0],
-        2.0,
-    )
-    .unwrap();
+    let bend = Bend::new([0, 1, 2], &[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]], 2.0).unwrap();
     for angle in [1e-9, 1e-6, 1e-3, 0.1, 1.0, 3.0_f64] {
         let end = Vector3::new(angle.cos(), angle.sin(), 0.0);
-        let points = [Vector3::zeros(), Vector3::x(), Vector3::x() + end];
+        let points = [Vector3::zeros(), Vector3::x(), Vector3::x() + end].map(Point::from);
         let expected = 2.0 / 2.0 * (2.0 * (0.5 * angle).tan()).powi(2);
         let value = bend.value(&points);
         // The rounding of the points alone is ε / angle.
@@ -114,10 +92,10 @@ fn a_rod_that_is_rolled_into_a_circle_has_the_energy_of_a_beam() {
     let errors = [20, 40].map(|count: u32| {
         let angle = core::f64::consts::TAU / f64::from(count);
         let edge = 2.0 * (0.5 * angle).sin();
-        let straight = [0.0, 1.0, 2.0].map(|place| Vector3::x() * (place * edge));
+        let straight = [0.0, 1.0, 2.0].map(|place| [place * edge, 0.0, 0.0]);
         let circle = [0.0, 1.0, 2.0].map(|place: f64| {
             let (sine, cosine) = (place * angle).sin_cos();
-            Vector3::new(cosine, sine, 0.0)
+            [cosine, sine, 0.0]
         });
         let bend = Bend::new([0, 1, 2], &straight, 3.0).unwrap();
         let whole = bend.value(&circle) * f64::from(count);
@@ -142,18 +120,18 @@ fn rods_are_invariant_under_rigid_motions() {
         let (rest, points) = (random_points(&mut random), random_points(&mut random));
         let (turn, shift) = (random_rotation(&mut random), random_vector(&mut random));
         let moved = points.map(|x| turn * x + shift);
-        let stretch = Stretch::new([0, 1], &two(&rest), 1.0).unwrap();
-        let bend = Bend::new([0, 1, 2], &three(&rest), 1.0).unwrap();
-        let values = [&points, &moved].map(|x| stretch.value(&two(x)) + bend.value(&three(x)));
+        let stretch = Stretch::new([0, 1], &at(&rest), 1.0).unwrap();
+        let bend = Bend::new([0, 1, 2], &at(&rest), 1.0).unwrap();
+        let values = [&points, &moved].map(|x| stretch.value(&at(x)) + bend.value(&at(x)));
         assert!(
             (values[0] - values[1]).abs() < 1e-9 * (1.0 + values[0]),
             "{values:?}"
         );
-        let forces = stretch.gradient(&two(&points)) + bend.gradient(&three(&points));
-        let at = |place: usize| forces.fixed_rows::<3>(3 * place).into_owned();
+        let forces = slope(&stretch, &points) + slope(&bend, &points);
+        let force = |place: usize| forces.fixed_rows::<3>(3 * place).into_owned();
         let scale = forces.norm();
-        assert!((at(0) + at(1) + at(2)).norm() < 1e-12 * scale);
-        let moment: Vector3<f64> = (0..3).map(|place| points[place].cross(&at(place))).sum();
+        assert!((force(0) + force(1) + force(2)).norm() < 1e-12 * scale);
+        let moment: Vector3<f64> = (0..3).map(|place| points[place].cross(&force(place))).sum();
         assert!(moment.norm() < 1e-12 * scale);
     }
 }
@@ -161,33 +139,26 @@ fn rods_are_invariant_under_rigid_motions() {
 /// A rod that is folded onto itself has infinite energy, and no derivatives that are not finite.
 #[test]
 fn degenerate_rods_have_finite_derivatives() {
-    let [o, x] = [Vector3::zeros(), Vector3::x()];
-    let bend = Bend::new([0, 1, 2], &[o, x, x * 2.0], 1.0).unwrap();
+    fn is_finite(energy: &dyn Energy, points: &[Point]) -> bool {
+        let hessian = energy.hessian(points, Projection::SemiDefinite);
+        let gradient = energy.gradient(points);
+        gradient.iter().chain(&hessian).all(|x| x.is_finite())
+    }
+    let [o, x, xx, xy] = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 1.0, 0.0]];
+    let bend = Bend::new([0, 1, 2], &[o, x, xx], 1.0).unwrap();
     for points in [[o, x, o], [o, o, x], [x, x, x]] {
         assert_eq!(bend.value(&points), f64::INFINITY);
-        let element = bend.derivatives(&points, true);
-        assert!(
-            element
-                .gradient
-                .iter()
-                .chain(&element.hessian)
-                .all(|x| x.is_finite())
-        );
+        assert!(is_finite(&bend, &points));
         assert!(Bend::new([0, 1, 2], &points, 1.0).is_none());
     }
     let stretch = Stretch::new([0, 1], &[o, x], 1.0).unwrap();
-    let element = stretch.derivatives(&[o, o], true);
-    assert_eq!((stretch.value(&[o, o]), element.gradient.amax()), (0.5, 0.0));
-    assert!(element.hessian.iter().all(|x| x.is_finite()));
+    assert_eq!(
+        (stretch.value(&[o, o]), stretch.gradient(&[o, o]).amax()),
+        (0.5, 0.0)
+    );
+    assert!(is_finite(&stretch, &[o, o]));
     assert!(Stretch::new([0, 1], &[x, x], 1.0).is_none());
     // A straight rod that is curved at rest is at a peak of its energy.
-    let curved = Bend::new([0, 1, 2], &[o, x, x + Vector3::y()], 1.0).unwrap();
-    let element = curved.derivatives(&[o, x, x * 2.0], true);
-    assert!(
-        element
-            .gradient
-            .iter()
-            .chain(&element.hessian)
-            .all(|x| x.is_finite())
-    );
+    let curved = Bend::new([0, 1, 2], &[o, x, xy], 1.0).unwrap();
+    assert!(is_finite(&curved, &[o, x, xx]));
 }

@@ -1,9 +1,10 @@
 //! Small deflections of plates whose bending energy is that of hinges alone.
 
-use exact_ccd_sim::elasticity::Hinge;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::mesh::Mesh;
+use crate::elasticity::Hinge;
+use crate::energy::{Energy, Projection};
 
 /// The deflections of the vertices for a flexural rigidity of 1 and a load by area of 1, with some of them
 /// clamped.
@@ -12,12 +13,12 @@ pub(super) fn deflections(mesh: &Mesh, is_clamped: impl Fn(u32) -> bool) -> Vec<
     let at = |vertex: u32| Vector3::from(mesh.points[vertex as usize]);
     let mut stiffness = DMatrix::zeros(count, count);
     for corners in interior(&mesh.faces) {
-        let hinge = Hinge::new(corners, &corners.map(at), 1.0).unwrap();
-        let element = hinge.derivatives(&corners.map(at), false);
+        let hinge = Hinge::new(corners, &mesh.points, 1.0).unwrap();
+        let hessian = hinge.hessian(&mesh.points, Projection::None);
         for (row, &a) in corners.iter().enumerate() {
             for (column, &b) in corners.iter().enumerate() {
                 // The plate is in the plane y = 0.
-                stiffness[(a as usize, b as usize)] += element.hessian[(3 * row + 1, 3 * column + 1)];
+                stiffness[(a as usize, b as usize)] += hessian[(3 * row + 1, 3 * column + 1)];
             }
         }
     }

@@ -1,13 +1,11 @@
 //! The barrier, and its sum over collisions.
 
-use exact_ccd_sim::contact::{Barrier, Collision};
-use exact_ccd_sim::distance::{Mollifier, edge_edge, point_triangle};
 use nalgebra::Vector3;
 
-use crate::differences::{
-    Points, assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
-    random_vector,
-};
+use super::differences::{at, check, random_points, random_vector, slope};
+use crate::contact::{Barrier, Collision};
+use crate::distance::{Mollifier, edge_edge, point_triangle};
+use crate::energy::{Energy, Projection};
 
 #[test]
 fn the_derivatives_of_the_barrier_match_differences() {
@@ -38,38 +36,6 @@ fn the_barrier_ends_smoothly_and_is_infinite_at_contact() {
     assert!(barrier.value(1e-300) > 40.0);
 }
 
-pub(crate) fn compact(points: &Points, collision: &Collision) -> Points {
-    let at = |place: usize| {
-        collision
-            .vertices()
-            .get(place)
-            .map_or(Vector3::zeros(), |&v| points[v as usize])
-    };
-    [at(0), at(1), at(2), at(3)]
-}
-
-pub(crate) fn check(collision: &Collision, points: &Points, barrier: &Barrier) -> bool {
-    let points = compact(points, collision);
-    let element = collision.derivatives(&points, barrier, false);
-    let expected = gradient(&points, 1e-5, |x| collision.value(x, barrier));
-    assert_gradient(&element.gradient, &expected, 1e-5, "collision");
-    assert_gradient(
-        &collision.gradient(&points, barrier),
-        &element.gradient,
-        1e-12,
-        "collision",
-    );
-    let expected = jacobian(&points, 1e-5, |x| {
-        collision.derivatives(x, barrier, false).gradient
-    });
-    assert_hessian(&element.hessian, &expected, 1e-5, "collision");
-    assert_semi_definite(
-        &collision.derivatives(&points, barrier, true).hessian,
-        "collision",
-    );
-    element.hessian.symmetric_eigenvalues().min() < -1e-9
-}
-
 #[test]
 fn the_derivatives_of_collisions_match_differences() {
     let mut random = fastrand::Rng::with_seed(1);
@@ -89,12 +55,12 @@ fn the_derivatives_of_collisions_match_differences() {
             continue;
         }
         tested += 1;
-        let collision = Collision::new([0, 1, 2, 3], feature);
+        let collision = Collision::new([0, 1, 2, 3], feature, barrier);
         sizes[collision.vertices().len()] += 1;
         // The canonical form, without unused vertices, has the same distance.
-        let shortest = collision.separation(&compact(&points, &collision)).squared();
+        let shortest = collision.separation(&at(&points)).squared();
         assert!((shortest - squared).abs() < 1e-12);
-        indefinite += usize::from(check(&collision, &points, &barrier));
+        indefinite += usize::from(check(&collision, &points, 1e-5, [1e-5; 2], "collision") < -1e-9);
     }
     assert!(
         indefinite > 20 && sizes[2..].iter().all(|&count| count > 20),
@@ -124,24 +90,70 @@ fn the_derivatives_of_mollified_collisions_match_differences() {
             continue;
         }
         tested += 1;
-        let collision = Collision::mollified([0, 1, 2, 3], feature, mollifier);
+        let collision = Collision::mollified([0, 1, 2, 3], feature, mollifier, barrier);
         assert_eq!(collision.vertices().len(), 4);
-        check(&collision, &points, &barrier);
+        check(&collision, &points, 1e-5, [1e-5; 2], "mollified");
     }
 }
 
 /// Equal features of different primitives are the same collision.
 #[test]
 fn features_have_a_canonical_form() {
+    let barrier = Barrier::new(1.0);
     let [o, x, y] = [Vector3::zeros(), Vector3::x(), Vector3::y()];
     let p = Vector3::new(0.5, -0.5, 0.0);
     let (face, back) = ([p, o, x, y], [p, x, o, y]);
-    let one = Collision::new([7, 3, 5, 6], point_triangle(&face));
-    let other = Collision::new([7, 5, 3, 6], point_triangle(&back));
+    let one = Collision::new([7, 3, 5, 6], point_triangle(&face), barrier);
+    let other = Collision::new([7, 5, 3, 6], point_triangle(&back), barrier);
     assert!(one.is_same(&other));
-    assert_eq!(one.vertices().as_slice(), [7, 3, 5]);
+    assert_eq!(one.vertices(), [7, 3, 5]);
     // The same features, from a pair of edges.
     let edges = [o, x, p, p - y];
-    let third = Collision::new([5, 3, 7, 8], edge_edge(&[edges[1], edges[0], edges[2], edges[3]]));
+    let third = Collision::new(
+        [5, 3, 7, 8],
+        edge_edge(&[edges[1], edges[0], edges[2], edges[3]]),
+        barrier,
+    );
     assert!(one.is_same(&third), "{third:?}");
+}
+
+/// The positive weights of nearly parallel edges belong to the first of the vertices, whichever edge has the
+/// end that is closest.
+#[test]
+fn mollified_collisions_have_a_canonical_order() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let barrier = Barrier::new(10.0);
+    let mut swapped = 0;
+    for _ in 0..200 {
+        let [a, b, c, _] = random_points(&mut random);
+        let d = c + (b - a) * random.f64() + random_vector(&mut random) * 1e-3;
+        let points = [a, b, c, d];
+        let mollifier = Mollifier::new([20.0, 20.0]);
+        let feature = edge_edge(&points);
+        let collision = Collision::mollified([0, 1, 2, 3], feature, mollifier, barrier);
+        let separation = collision.separation(&at(&points));
+        assert!(separation.weights[..2].iter().all(|&weight| weight >= 0.0));
+        assert!(separation.weights[2..].iter().all(|&weight| weight <= 0.0));
+        swapped += usize::from(collision.vertices()[0] == 2);
+        // The distance is that of the edges in their first order.
+        let squared = feature.separation(&points).squared();
+        assert!((separation.squared() - squared).abs() <= 1e-12 * squared);
+    }
+    assert!((20..180).contains(&swapped), "{swapped}");
+}
+
+/// Parallel edges whose distance rounds to zero have no barrier, and no derivatives.
+#[test]
+fn parallel_edges_that_touch_have_finite_derivatives() {
+    let barrier = Barrier::new(1.0);
+    let points = [0.0, 2.0, 1.0, 3.0].map(|x| Vector3::x() * x);
+    let mollifier = Mollifier::new([4.0, 4.0]);
+    let collision = Collision::mollified([0, 1, 2, 3], edge_edge(&points), mollifier, barrier);
+    assert_eq!(collision.separation(&at(&points)).squared(), 0.0);
+    assert_eq!(collision.value(&at(&points)), 0.0);
+    assert_eq!(slope(&collision, &points).amax(), 0.0);
+    assert_eq!(collision.normal_force(&at(&points)), 0.0);
+    for projection in [Projection::None, Projection::SemiDefinite] {
+        assert_eq!(collision.hessian(&at(&points), projection).amax(), 0.0);
+    }
 }

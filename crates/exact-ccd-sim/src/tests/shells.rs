@@ -1,13 +1,13 @@
 //! Elastic energies of shells.
 
-use exact_ccd_sim::elasticity::{Hinge, Membrane};
-use exact_ccd_sim::{Body, BodyKind};
+use exact_ccd_mesh::Point;
 use nalgebra::Vector3;
 
-use crate::differences::{
-    Points, assert_gradient, assert_hessian, assert_semi_definite, gradient, jacobian, random_points,
-};
-use crate::elasticity::MODULI;
+use super::differences::{Points, at, check, random_points};
+use super::elasticity::MODULI;
+use crate::elasticity::{Hinge, Membrane};
+use crate::energy::Energy;
+use crate::{Body, BodyKind};
 
 #[test]
 fn the_derivatives_of_membranes_match_differences() {
@@ -19,15 +19,8 @@ fn the_derivatives_of_membranes_match_differences() {
         if (b - a).cross(&(c - a)).norm() < 0.3 {
             continue;
         }
-        let membrane = Membrane::new([0, 1, 2], &[a, b, c], 0.1, MODULI).unwrap();
-        let three = |x: &Points| [x[0], x[1], x[2]];
-        let element = membrane.derivatives(&three(&points), false);
-        let expected = gradient(&points, 1e-3, |x| membrane.value(&three(x)));
-        assert_gradient(&element.gradient, &expected, 1e-8, "membrane");
-        let expected = jacobian(&points, 1e-3, |x| membrane.derivatives(&three(x), false).gradient);
-        assert_hessian(&element.hessian, &expected, 1e-8, "membrane");
-        assert_semi_definite(&membrane.derivatives(&three(&points), true).hessian, "membrane");
-        indefinite += usize::from(element.hessian.symmetric_eigenvalues().min() < -1e-6);
+        let membrane = Membrane::new([0, 1, 2], &at(&rest), 0.1, MODULI).unwrap();
+        indefinite += usize::from(check(&membrane, &points, 1e-3, [1e-8; 2], "membrane") < -1e-6);
     }
     assert!(indefinite > 5);
 }
@@ -35,11 +28,11 @@ fn the_derivatives_of_membranes_match_differences() {
 /// The energy of a triangle that is stretched along one side is h A (μ ε² + λ/2 ε²) with ε = (s² − 1) / 2.
 #[test]
 fn a_stretched_membrane_has_the_energy_of_saint_venant_and_kirchhoff() {
-    let rest = [Vector3::zeros(), Vector3::x(), Vector3::y()];
+    let rest = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let membrane = Membrane::new([0, 1, 2], &rest, 0.1, MODULI).unwrap();
     let strain = 0.5 * (1.2_f64 * 1.2 - 1.0);
     let expected = 0.05 * (MODULI.shear() + 0.5 * MODULI.plane_lambda()) * strain * strain;
-    let value = membrane.value(&rest.map(|x| Vector3::new(0.0, x.x * 1.2, -x.y)));
+    let value = membrane.value(&rest.map(|[x, y, _]| [0.0, x * 1.2, -y]));
     assert!((value / expected - 1.0).abs() < 1e-13);
 }
 
@@ -55,16 +48,11 @@ fn the_derivatives_of_hinges_match_differences() {
                 .min(edge.cross(&(d - a)).norm())
                 < 0.4
         };
-        let Some(hinge) = Hinge::new([0, 1, 2, 3], &rest, 1.0).filter(|_| !flat(rest) && !flat(points))
+        let Some(hinge) = Hinge::new([0, 1, 2, 3], &at(&rest), 1.0).filter(|_| !flat(rest) && !flat(points))
         else {
             continue;
         };
-        let element = hinge.derivatives(&points, false);
-        let expected = gradient(&points, 1e-4, |x| hinge.value(x));
-        assert_gradient(&element.gradient, &expected, 1e-6, "hinge");
-        let expected = jacobian(&points, 1e-4, |x| hinge.derivatives(x, false).gradient);
-        assert_hessian(&element.hessian, &expected, 1e-6, "hinge");
-        assert_semi_definite(&hinge.derivatives(&points, true).hessian, "hinge");
+        check(&hinge, &points, 1e-4, [1e-6; 2], "hinge");
     }
 }
 
@@ -72,13 +60,13 @@ fn the_derivatives_of_hinges_match_differences() {
 #[test]
 fn the_energy_of_a_fold_is_half_the_stiffness_times_the_square_of_the_angle() {
     let rest = [Vector3::zeros(), Vector3::z(), Vector3::x(), -Vector3::x()];
-    let hinge = Hinge::new([0, 1, 2, 3], &rest, 2.0).unwrap();
+    let hinge = Hinge::new([0, 1, 2, 3], &at(&rest), 2.0).unwrap();
     for angle in [-3.0_f64, -1.0, 0.25, 2.5] {
         let mut folded = rest;
         folded[3] = Vector3::new(-angle.cos(), angle.sin(), 0.0);
         // D |e|² / A = 2 · 1 / 1.
         let expected = 0.5 * 2.0 * angle * angle;
-        assert!((hinge.value(&folded) / expected - 1.0).abs() < 1e-13);
+        assert!((hinge.value(&at(&folded)) / expected - 1.0).abs() < 1e-13);
     }
 }
 
@@ -95,11 +83,11 @@ fn the_angle_of_a_hinge_is_continuous_between_touching_faces() {
             corner(-angle.cos(), angle.sin()),
         ]
     };
-    let hinge = Hinge::new([0, 1, 2, 3], &bent(2.0), 1.0).unwrap();
+    let hinge = Hinge::new([0, 1, 2, 3], &at(&bent(2.0)), 1.0).unwrap();
     for angle in (-31..=31).map(|tenths| 0.1 * f64::from(tenths)) {
         // k = |e|² / A = 1: the edge has length 1, and the triangles together have area 1.
         let expected = 0.5 * (angle - 2.0).powi(2);
-        let found = hinge.value(&bent(angle));
+        let found = hinge.value(&at(&bent(angle)));
         assert!(
             (found - expected).abs() < 1e-12,
             "{angle}: {found}, expected {expected}"
@@ -114,7 +102,7 @@ fn the_angle_of_a_hinge_is_continuous_between_touching_faces() {
 fn a_rolled_plate_has_the_energy_of_its_curvature() {
     const RIGIDITY: f64 = 0.7;
     const CURVATURE: f64 = 0.5;
-    let squares = |n: u16| exact_ccd_sim::shapes::cloth([n, n], [1.0, 1.0]);
+    let squares = |n: u16| crate::shapes::cloth([n, n], [1.0, 1.0]);
     // The triangles are equilateral: rows of a grid are shifted and have the height √¾.
     let triangles = |n: u16| {
         let n = u32::from(n);
@@ -140,7 +128,8 @@ fn a_rolled_plate_has_the_energy_of_its_curvature() {
             let angle = CURVATURE * across;
             Vector3::new(angle.sin(), 1.0 - angle.cos(), CURVATURE * along) / CURVATURE
         };
-        let bent: Vec<_> = points.iter().map(rolled).collect();
+        let bent: Vec<Point> = points.iter().map(|point| rolled(point).into()).collect();
+        let flat: Vec<Point> = points.iter().map(|&point| point.into()).collect();
         let mut energy = 0.0;
         for (place, &[a, b, c]) in faces.iter().enumerate() {
             for [from, to, left] in [[a, b, c], [b, c, a], [c, a, b]] {
@@ -148,9 +137,8 @@ fn a_rolled_plate_has_the_energy_of_its_curvature() {
                     for [first, second, right] in [[a, b, c], [b, c, a], [c, a, b]] {
                         if [from, to] == [second, first] {
                             let vertices = [from, to, left, right];
-                            let rest = vertices.map(|v| points[v as usize]);
-                            let hinge = Hinge::new(vertices, &rest, RIGIDITY).unwrap();
-                            energy += hinge.value(&vertices.map(|v| bent[v as usize]));
+                            let hinge = Hinge::new(vertices, &flat, RIGIDITY).unwrap();
+                            energy += hinge.value(&bent);
                         }
                     }
                 }

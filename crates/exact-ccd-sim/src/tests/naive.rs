@@ -2,11 +2,11 @@
 
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_mesh::{PairKind, Point, TriangleMesh};
-use exact_ccd_sim::contact::Barrier;
-use exact_ccd_sim::distance::Mollifier;
 use nalgebra::Vector3;
 
-use crate::differences::Points;
+use super::differences::Points;
+use crate::contact::Barrier;
+use crate::distance::{Mollifier, Vector12};
 
 /// The weights of four points in the shortest vector between two primitives, computed without the features
 /// of the library.
@@ -141,9 +141,7 @@ impl Naive {
             return;
         }
         let fade = mollifier.map_or(1.0, |mollifier| mollifier.value(corners));
-        let fades = mollifier.map_or_else(exact_ccd_sim::Vector12::zeros, |mollifier| {
-            mollifier.derivatives(corners).0
-        });
+        let fades = mollifier.map_or_else(Vector12::zeros, |mollifier| mollifier.derivatives(corners).0);
         self.value += fade * barrier.value(squared);
         for (place, &vertex) in vertices.iter().enumerate() {
             let force = vector * (2.0 * weights[place] * barrier.slope(squared) * fade);

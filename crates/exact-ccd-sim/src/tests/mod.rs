@@ -1,4 +1,4 @@
-//! Gradients and Hessians of all energies against finite differences. Projected Hessians are semi-definite.
+//! Gradients and Hessians of all energies against finite differences, and properties of single terms.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -9,6 +9,9 @@ mod distance;
 mod elasticity;
 mod friction;
 mod naive;
+mod pairs;
 mod rods;
 mod shells;
+mod stiffness;
+mod strips;
 mod thickness;

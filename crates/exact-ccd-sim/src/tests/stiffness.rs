@@ -1,8 +1,9 @@
 //! The choice of the barrier's stiffness.
 
-use exact_ccd_sim::contact::{Barrier, StiffnessRange};
-use exact_ccd_sim::{Length, Script, Settings, Simulation, System, shapes};
 use nalgebra::Vector3;
+
+use crate::contact::{Barrier, StiffnessRange};
+use crate::{Length, Script, Settings, Simulation, System, shapes};
 
 const SIZE: f64 = 3.0;
 const MASS: f64 = 0.02;

@@ -3,8 +3,7 @@
 mod hinges;
 mod mesh;
 
-use exact_ccd_sim::{Body, BodyKind, Integrator, Length, Script, Settings, Simulation, System, shapes};
-
+use crate::{Body, BodyKind, Integrator, Length, Script, Settings, Simulation, System, shapes};
 use mesh::{Mesh, Strip};
 
 /// The figures of the documentation are rounded to this.
