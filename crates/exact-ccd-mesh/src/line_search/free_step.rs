@@ -181,7 +181,7 @@ pub(super) fn free_step<B: BroadPhase>(
     if keep.is_nan() || keep <= 0.0 || keep > 1.0 {
         return Err(LineSearchError::Keep(keep));
     }
-    let watch = Watch::new(options.progress, options.cancel);
+    let watch = Watch::new(options);
     let earliest = watched(search, &step, options, Earliest::with_touching(), &watch)?;
     let [x0, x1] = step.positions();
     let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));

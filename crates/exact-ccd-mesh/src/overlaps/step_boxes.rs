@@ -30,9 +30,9 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// Those of the vertices, if they differ.
     margins: Vec<f64>,
-    /// The start of a vertex amid many others: coordinates are relative to it, so that single
-    /// precision is fine.
-    origin: Point,
+    /// A vertex amid many others: coordinates are relative to its place at each time, so that single precision
+    /// is fine, however far all of them move together.
+    origin: Option<u32>,
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
     /// True if the boxes are those of the current step.
@@ -55,7 +55,7 @@ impl<const T: usize> Default for StepBoxes<T> {
             moving: Vec::new(),
             margin: Margin::default(),
             margins: Vec::new(),
-            origin: [0.0; 3],
+            origin: None,
             time: f64::NAN,
             has_begun: false,
             ordered: None,
@@ -93,8 +93,7 @@ impl<const T: usize> StepBoxes<T> {
         // A vertex in the middle of the order is amid many others, even if some vertices are far
         // away.
         let ids = self.get(PrimitiveSet::Vertices).ids();
-        let middle = ids.get(ids.len() / 2);
-        self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
+        self.origin = ids.get(ids.len() / 2).copied();
     }
 
     fn order(&mut self, mesh: &TriangleMesh, x0: &[Point], can_collide: &CanCollide) {
@@ -187,17 +186,26 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        let origin = self.origin;
+        let origins = &self.origin.map_or([[0.0; 3]; T], |vertex| {
+            let [start, end] = [x0, x1].map(|x| x[vertex as usize]);
+            core::array::from_fn(|place| {
+                if place == 0 {
+                    start
+                } else {
+                    between(time, start, end)
+                }
+            })
+        });
         let ends = x0.par_iter().zip(x1).with_min_len(512);
         let moving = &mut self.moving;
         let inflated = |margin: f64, x0: Point, x1: Point| {
             let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
-            MovingBox::new(places, origin)
+            MovingBox::new(&places, origins)
         };
         // Copies of the loop: the usual one does not inflate.
         match self.margin.uniform() {
             Some(0.0) => ends
-                .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+                .map(|(&x0, &x1)| MovingBox::new(&until(time, x0, x1), origins))
                 .collect_into_vec(moving),
             Some(margin) => ends
                 .map(|(&x0, &x1)| inflated(margin, x0, x1))
@@ -210,6 +218,15 @@ impl<const T: usize> StepBoxes<T> {
     }
 }
 
+/// A place near (1 − t) x₀ + t x₁, between x₀ and x₁.
+fn between(time: f64, x0: Point, x1: Point) -> Point {
+    core::array::from_fn(|axis| {
+        let (a, b) = (x0[axis], x1[axis]);
+        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
+        ((1.0 - time) * a + time * b).clamp(lower, upper)
+    })
+}
+
 /// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T =
 /// 1).
 ///
@@ -219,10 +236,9 @@ impl<const T: usize> StepBoxes<T> {
 /// to zero, each of the six operands and results is off by less than 2⁻¹⁰²².
 fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
     let mut end = Aabb::EMPTY;
+    let place = between(time, x0, x1);
     for axis in 0..3 {
-        let (a, b) = (x0[axis], x1[axis]);
-        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
-        let near = ((1.0 - time) * a + time * b).clamp(lower, upper);
+        let (a, b, near) = (x0[axis], x1[axis], place[axis]);
         let error = 8.0 * f64::EPSILON * a.abs() + 8.0 * f64::EPSILON * b.abs() + 8.0 * f64::MIN_POSITIVE;
         end.lower[axis] = near - error;
         end.upper[axis] = near + error;
