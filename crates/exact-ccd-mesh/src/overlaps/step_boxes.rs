@@ -1,14 +1,15 @@
 //! The boxes of a mesh's primitives during a step.
 
-use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use exact_ccd::Point;
 use rayon::prelude::*;
 
 use super::margin::Margin;
-use crate::broad_phase::{Aabb, Boxes, BroadPhase, MovingBox, PairSink, extent, order};
-use crate::mesh::{TriangleMesh, sides};
+use super::path::{between, until};
+use super::primitives::{by_first_vertex, loose_edges};
+use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
+use crate::mesh::TriangleMesh;
 use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
 use crate::steps::Step;
 
@@ -218,91 +219,9 @@ impl<const T: usize> StepBoxes<T> {
     }
 }
 
-/// A place near (1 − t) x₀ + t x₁, between x₀ and x₁.
-fn between(time: f64, x0: Point, x1: Point) -> Point {
-    core::array::from_fn(|axis| {
-        let (a, b) = (x0[axis], x1[axis]);
-        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
-        ((1.0 - time) * a + time * b).clamp(lower, upper)
-    })
-}
-
-/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T =
-/// 1).
-///
-/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products
-/// that may underflow; no value between x₀ and x₁ overflows. Rounded in any direction, it is off by at most
-/// 3 ε (|x₀| + |x₁|), and the bound itself and the sides by another ε. Where subnormal numbers are flushed
-/// to zero, each of the six operands and results is off by less than 2⁻¹⁰²².
-fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
-    let mut end = Aabb::EMPTY;
-    let place = between(time, x0, x1);
-    for axis in 0..3 {
-        let (a, b, near) = (x0[axis], x1[axis], place[axis]);
-        let error = 8.0 * f64::EPSILON * a.abs() + 8.0 * f64::EPSILON * b.abs() + 8.0 * f64::MIN_POSITIVE;
-        end.lower[axis] = near - error;
-        end.upper[axis] = near + error;
-    }
-    let start = Aabb::of(x0);
-    match T {
-        1 => [start.union(&end); T],
-        _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
-    }
-}
-
 #[inline(always)]
 fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u32; N]) -> MovingBox<T> {
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })
-}
-
-/// Those of the edges that belong to no face that takes part.
-fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
-    let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
-    let left_out = mesh.faces().iter().filter(|face| !takes_part(face));
-    // Only edges of faces that are left out may lack a face.
-    let mut lacking: HashSet<[u32; 2]> = left_out.flat_map(sides).collect();
-    if !lacking.is_empty() {
-        for side in mesh.faces().iter().filter(takes_part).flat_map(sides) {
-            lacking.remove(&side);
-        }
-    }
-    let first_loose = mesh.edges().len() - mesh.loose_edges().len();
-    let mut loose = edges.to_vec();
-    loose.retain(|&edge| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]));
-    loose
-}
-
-/// The indices of the primitives that take part, in the order of the ranks of their first vertices.
-fn by_first_vertex<const N: usize>(
-    rank: &[u32],
-    primitives: &[[u32; N]],
-    can_collide: &CanCollide,
-) -> Vec<u32> {
-    let first = |vertices: &[u32; N]| vertices.iter().map(|&v| rank[v as usize]).min().unwrap_or(0);
-    let taking_part = || {
-        (0..)
-            .zip(primitives)
-            .filter(|(_, vertices)| can_collide.takes_part(*vertices))
-    };
-    // A counting sort: `begin` has the first place of each rank.
-    let mut begin = vec![0u32; rank.len() + 1];
-    let mut sum = 0;
-    for (_, vertices) in taking_part() {
-        begin[first(vertices) as usize + 1] += 1;
-        sum += 1;
-    }
-    let mut ids = vec![0; sum];
-    let mut sum = 0;
-    for count in &mut begin {
-        sum += *count;
-        *count = sum;
-    }
-    for (id, vertices) in taking_part() {
-        let place = &mut begin[first(vertices) as usize];
-        ids[*place as usize] = id;
-        *place += 1;
-    }
-    ids
 }
