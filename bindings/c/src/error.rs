@@ -134,6 +134,7 @@ impl From<StepError> for Error {
         match error {
             StepError::TooManyPrimitives(error) => error.into(),
             StepError::Time(error) => error.into(),
+            StepError::ThicknessCount(error) => error.into(),
             StepError::Crossing { edge, face, .. } => Self {
                 crossing: Some([edge, face]),
                 ..Self::new(Status::Crossing, error)

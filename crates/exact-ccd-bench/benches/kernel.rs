@@ -18,7 +18,7 @@ use std::time::Instant;
 use exact_ccd::batch::Trajectories;
 use exact_ccd::{CONTACT, EdgeEdge, Query, Stage, VertexFace, exact};
 use exact_ccd_data::{DataError, DataFolder, DataKind};
-use exact_ccd_mesh::{Bvh, Candidates, Motion, Step};
+use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion, Step};
 
 const REPOSITORY: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const ROUNDS: usize = 7;
@@ -99,7 +99,8 @@ struct Functions {
 
 fn batches((name, motion): &(String, Motion)) -> [Batch<'_>; 2] {
     let step = motion.step().expect("the frames of a scene are sound");
-    let candidates = Candidates::new(step, &Bvh);
+    let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
+    let candidates = Candidates::with_options(step, &Bvh, &options).expect("the default distances are 0");
     [
         Batch::new::<VertexFace>(name, step, candidates.vertex_face()),
         Batch::new::<EdgeEdge>(name, step, candidates.edge_edge()),

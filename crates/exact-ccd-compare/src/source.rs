@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_data::{DataError, DataKind, Rounding, Sample, Scene, Seventh, is_parquet, list, open};
-use exact_ccd_mesh::{Bvh, Candidates};
+use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates};
 use exact_ccd_methods::parity::Rounded;
 
 use crate::sampling::{Subject, Subjects};
@@ -96,7 +96,10 @@ impl Source {
             Queries::Candidates(scene) => {
                 let motion = scene.motion()?;
                 let step = motion.step()?;
-                let candidates = Candidates::new(step, &Bvh);
+                // As other software has them.
+                let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
+                let candidates = Candidates::with_options(step, &Bvh, &options);
+                let candidates = candidates.expect("the default distances are 0");
                 for &pair in K::candidates(&candidates) {
                     subjects.add(Subject::new(K::query(&step, pair), None));
                 }

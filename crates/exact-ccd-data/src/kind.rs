@@ -50,8 +50,8 @@ impl DataKind for VertexFace {
         [vertex.into(), u64::from(face) + first_face as u64]
     }
 
-    fn query(step: &Step<'_>, [vertex, face]: [u32; 2]) -> Query<Self> {
-        step.vertex_face(vertex, face).expect("the mesh has both")
+    fn query(step: &Step<'_>, ids: [u32; 2]) -> Query<Self> {
+        step.query(ids).expect("the mesh has both")
     }
 
     fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4] {
@@ -75,8 +75,8 @@ impl DataKind for EdgeEdge {
         indices.map(|edge| u64::from(edge) + mesh.vertex_count() as u64)
     }
 
-    fn query(step: &Step<'_>, [a, b]: [u32; 2]) -> Query<Self> {
-        step.edge_edge(a, b).expect("the mesh has both")
+    fn query(step: &Step<'_>, ids: [u32; 2]) -> Query<Self> {
+        step.query(ids).expect("the mesh has both")
     }
 
     fn vertices(mesh: &TriangleMesh, indices: [u32; 2]) -> [u32; 4] {

@@ -99,11 +99,14 @@ fn pairs_become_queries_with_their_verdicts() {
     let queries: Vec<_> = faces.iter().map(|sample| sample.query).collect();
     assert_eq!(
         queries,
-        [step.vertex_face(0, 1).unwrap(), step.vertex_face(3, 0).unwrap()]
+        [
+            step.query::<VertexFace>([0, 1]).unwrap(),
+            step.query::<VertexFace>([3, 0]).unwrap()
+        ]
     );
     assert!(faces.iter().all(|sample| sample.truth == Some(true)));
     let edges: Vec<Sample<EdgeEdge>> = scene.samples(&step).unwrap();
-    assert_eq!(edges[0].query, step.edge_edge(0, 5).unwrap());
+    assert_eq!(edges[0].query, step.query::<EdgeEdge>([0, 5]).unwrap());
     assert_eq!(edges[0].truth, Some(false));
 }
 

@@ -1,4 +1,4 @@
-//! Vectors in space, in floating point, for drawing: nothing here decides contact.
+//! Vectors in space, in floating point, rounded: nothing here decides contact.
 
 use exact_ccd::Point;
 

@@ -3,7 +3,7 @@
 use exact_ccd::batch::{Instructions, Trajectories};
 use exact_ccd::{CONTACT, EdgeEdge, Query, VertexFace};
 use exact_ccd_data::{DataKind, QueryReader, Rounding};
-use exact_ccd_mesh::{Bvh, Candidates, Point, Step};
+use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Point, Step};
 
 use crate::{data, scenes};
 
@@ -48,7 +48,8 @@ fn all_candidates_of_the_scenes() {
     for scene in scenes() {
         let motion = scene.motion().unwrap();
         let step = motion.step().unwrap();
-        let candidates = Candidates::new(step, &Bvh);
+        let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
+        let candidates = Candidates::with_options(step, &Bvh, &options).unwrap();
         check_scene::<VertexFace>(&step, &candidates, &scene.name());
         check_scene::<EdgeEdge>(&step, &candidates, &scene.name());
     }

@@ -1,16 +1,22 @@
 //! The broad phase on the scenes.
 
 use exact_ccd::{EdgeEdge, VertexFace};
-use exact_ccd_mesh::{Bvh, Candidates};
+use exact_ccd_mesh::{BoxKind, Bvh, CandidateOptions, Candidates, Motion};
 
 use crate::scenes;
+
+/// The candidates by boxes around the paths, as those that were published.
+fn swept(motion: &Motion) -> Candidates {
+    let options = CandidateOptions::default().with_boxes(BoxKind::Swept);
+    Candidates::with_options(motion.step().unwrap(), &Bvh, &options).unwrap()
+}
 
 #[test]
 #[cfg_attr(no_data, ignore = "the published data sets are missing: set EXACT_CCD_DATA")]
 fn there_are_as_many_candidates_as_overlapping_boxes() {
     let counts = scenes().into_iter().map(|scene| {
         let motion = scene.motion().unwrap();
-        let counts = Candidates::new(motion.step().unwrap(), &Bvh).counts();
+        let counts = swept(&motion).counts();
         (scene.name(), counts.vertex_face, counts.edge_edge)
     });
     let expected = [
@@ -31,7 +37,7 @@ fn the_published_pairs_are_candidates() {
     }
     for scene in scenes() {
         let motion = scene.motion().unwrap();
-        let candidates = Candidates::new(motion.step().unwrap(), &Bvh);
+        let candidates = swept(&motion);
         let faces = scene.pairs::<VertexFace>(&motion.mesh).unwrap();
         let edges = scene.pairs::<EdgeEdge>(&motion.mesh).unwrap();
         assert_eq!(

@@ -1,5 +1,4 @@
-//! Meshes at rest: the places where a mesh passes through itself, and the check that it does not where a step
-//! begins.
+//! Meshes at rest: the places where a mesh meets itself, and the check that nothing crosses where a step begins.
 
 mod intersections;
 mod start_check;

@@ -36,7 +36,7 @@ impl<const T: usize> Boxes<T> {
         check_primitive_count(boxes.len())?;
         let centres: Vec<Point> = boxes.par_iter().map(centre).collect();
         let mut all = Self::in_order(order(&centres, (0..boxes.len() as u32).collect()));
-        all.replace(|_| true, |id| MovingBox::new(boxes[id as usize], [0.0; 3]));
+        all.replace(|_| true, |id| MovingBox::new(&boxes[id as usize], &[[0.0; 3]; T]));
         Ok(all)
     }
 

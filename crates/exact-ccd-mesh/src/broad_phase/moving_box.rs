@@ -7,9 +7,9 @@ use super::aabb::Aabb;
 /// A box at both ends of a step, whose sides move at constant speed in between (T = 2), or a box at
 /// rest (T = 1).
 ///
-/// Coordinates are rounded to single precision, which halves the memory traffic. Rounding is
-/// monotone: a number that is not greater than another before rounding is not greater after it. So
-/// boxes that meet still meet. A thread with another [`environment`] than the default one rounds outward,
+/// Coordinates are relative to an origin, one for each time and the same for all boxes, and rounded to single
+/// precision, which halves the memory traffic. Rounding is monotone: a number that is not greater than another
+/// before rounding is not greater after it. So boxes that meet still meet. A thread with another [`environment`] than the default one rounds outward,
 /// past the results of all other threads. No coordinate is subnormal, so that comparisons do not depend on
 /// the environment.
 #[derive(Clone, Copy, Debug)]
@@ -27,20 +27,24 @@ impl<const T: usize> MovingBox<T> {
         upper: [[f32::NEG_INFINITY; 4]; T],
     };
 
-    /// The box from its places at each time, relative to an origin.
+    /// The box from its places at each time, each relative to the origin at that time.
     #[inline]
-    pub(crate) fn new(places: [Aabb; T], origin: Point) -> Self {
-        let [x0, y0, z0] = origin;
-        let relative = |[x, y, z]: Point| [x - x0, y - y0, z - z0, 0.0];
+    pub(crate) fn new(places: &[Aabb; T], origins: &[Point; T]) -> Self {
+        let relative = |time: usize, [x, y, z]: Point| {
+            let [x0, y0, z0] = origins[time];
+            [x - x0, y - y0, z - z0, 0.0]
+        };
+        let lower = |time: usize| relative(time, places[time].lower);
+        let upper = |time: usize| relative(time, places[time].upper);
         if environment::is_default() {
             Self {
-                lower: places.map(|place| relative(place.lower).map(nearest)),
-                upper: places.map(|place| relative(place.upper).map(nearest)),
+                lower: core::array::from_fn(|time| lower(time).map(nearest)),
+                upper: core::array::from_fn(|time| upper(time).map(nearest)),
             }
         } else {
             Self {
-                lower: places.map(|place| relative(place.lower).map(below)),
-                upper: places.map(|place| relative(place.upper).map(|x| -below(-x))),
+                lower: core::array::from_fn(|time| lower(time).map(below)),
+                upper: core::array::from_fn(|time| upper(time).map(|x| -below(-x))),
             }
         }
     }

@@ -5,8 +5,9 @@ use std::cmp::Ordering::{self, Equal, Greater};
 use dashu_int::IBig;
 use exact_ccd::Point;
 
+use super::HalfSpace;
 use super::side::integer;
-use super::{HalfSpace, dot};
+use crate::vector::{dot, minus};
 
 /// 1074: [`integer`] is a number in units of 2⁻¹⁰⁷⁴.
 const UNIT: usize = 1074;
@@ -50,7 +51,7 @@ impl HalfSpace {
     /// The first time in floating point. It may be any number.
     fn estimate(&self, positions: [Point; 2], offset: f64) -> f64 {
         let normal = self.unit_normal();
-        let height = |x: Point| dot(normal, [0, 1, 2].map(|axis| x[axis] - self.point[axis]));
+        let height = |x: Point| dot(normal, minus(x, self.point));
         let [before, after] = positions.map(|x| height(x) - offset);
         before / (before - after)
     }

@@ -5,6 +5,8 @@ mod side;
 
 use exact_ccd::Point;
 
+use crate::vector::dot;
+
 /// A half space that no vertex enters: all x with n · (x − p) ≤ 0, for a point p of its boundary and the
 /// normal n of the boundary, which points outward.
 ///
@@ -98,8 +100,4 @@ impl HalfSpace {
     pub fn is_apart(&self, x: Point, offset: f64) -> bool {
         side::is_beyond(self.normal, self.point, x, offset)
     }
-}
-
-fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }

@@ -190,7 +190,7 @@ pub(super) fn free_step<B: BroadPhase>(
     options: &FreeStepOptions<'_>,
 ) -> Result<FreeStep, LineSearchError> {
     let keep = options.checked_keep()?;
-    let watch = Watch::new(options.progress, options.cancel);
+    let watch = Watch::new(options);
     let earliest = watched(search, &step, options, Earliest::with_touching(), &watch)?;
     let [x0, x1] = step.positions();
     let contact = earliest.pair().and_then(|pair| search.contact(&step, pair));

@@ -91,7 +91,7 @@ fn free_steps<B: BroadPhase>(
     options: &FreeStepOptions<'_>,
 ) -> Result<FreeSteps, LineSearchError> {
     let keep = options.checked_keep()?;
-    let watch = Watch::new(options.progress, options.cancel);
+    let watch = Watch::new(options);
     let mut sizes = Sizes::new(step, pinned)?;
     let mut is_least_certified = !pinned.is_empty();
     let (mut kept, mut rounds, mut blocked) = (1.0, 0, Vec::new());

@@ -3,25 +3,21 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::free_step::FreeStepOptions;
 use crate::mesh::TriangleMesh;
 use crate::pairs::PairKind;
 use crate::search::{Collect, NarrowPhase};
 
 /// The caller's callbacks during a search.
 pub(super) struct Watch<'a> {
-    progress: Option<&'a (dyn Fn(usize) + Sync)>,
-    cancel: Option<&'a (dyn Fn() -> bool + Sync)>,
+    options: &'a FreeStepOptions<'a>,
     is_cancelled: AtomicBool,
 }
 
 impl<'a> Watch<'a> {
-    pub(super) fn new(
-        progress: Option<&'a (dyn Fn(usize) + Sync)>,
-        cancel: Option<&'a (dyn Fn() -> bool + Sync)>,
-    ) -> Self {
+    pub(super) fn new(options: &'a FreeStepOptions<'a>) -> Self {
         Self {
-            progress,
-            cancel,
+            options,
             is_cancelled: AtomicBool::new(false),
         }
     }
@@ -29,7 +25,7 @@ impl<'a> Watch<'a> {
     /// Returns true if the caller cancels the search now or has cancelled it.
     pub(super) fn is_cancelled(&self) -> bool {
         let is_cancelled =
-            self.is_cancelled.load(Ordering::Relaxed) || self.cancel.is_some_and(|cancel| cancel());
+            self.is_cancelled.load(Ordering::Relaxed) || self.options.cancel.is_some_and(|cancel| cancel());
         if is_cancelled {
             self.is_cancelled.store(true, Ordering::Relaxed);
         }
@@ -60,7 +56,7 @@ impl<C: Collect> Collect for Watched<'_, C> {
             return ControlFlow::Break(());
         }
         self.collector.examine::<K>(narrow_phase, mesh, pairs)?;
-        if let Some(progress) = self.watch.progress {
+        if let Some(progress) = self.watch.options.progress {
             progress(pairs.len());
         }
         ControlFlow::Continue(())

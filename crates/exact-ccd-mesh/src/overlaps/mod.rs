@@ -3,6 +3,8 @@
 
 mod margin;
 mod options;
+mod path;
+mod primitives;
 mod step_boxes;
 mod stream;
 

@@ -4,8 +4,8 @@ use super::margin::{Margin, half};
 use crate::pairs::{CanCollide, MinDistance, ThicknessCount};
 use crate::steps::Step;
 
-/// Options of the search for [`Candidates`](crate::Candidates). The default is all pairs whose
-/// boxes over the step overlap.
+/// Options of the search for [`Candidates`](crate::Candidates). The default is all pairs whose boxes, each
+/// moving with its primitive, meet in the step.
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct CandidateOptions {
@@ -23,14 +23,14 @@ pub struct CandidateOptions {
 /// The boxes of primitives over a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum BoxKind {
-    /// A box at rest around the path of each primitive. Candidates are the pairs whose boxes
-    /// overlap.
-    #[default]
-    Swept,
     /// A box that moves with each primitive. Candidates are the pairs whose boxes no axis
-    /// separates, in the same order, at both ends of the step. There are fewer of them, most of all
-    /// if the parts of a mesh move together.
+    /// separates, in the same order, at both ends of the step. A motion that all primitives have in common
+    /// does not matter.
+    #[default]
     Moving,
+    /// A box at rest around the path of each primitive, as other software has. Candidates are the pairs whose
+    /// boxes overlap: those of moving boxes, and more, the longer the paths are.
+    Swept,
 }
 
 /// The reason why there are no candidates.

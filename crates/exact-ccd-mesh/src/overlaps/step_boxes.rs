@@ -1,14 +1,15 @@
 //! The boxes of a mesh's primitives during a step.
 
-use std::collections::HashSet;
 use std::ops::ControlFlow;
 
 use exact_ccd::Point;
 use rayon::prelude::*;
 
 use super::margin::Margin;
-use crate::broad_phase::{Aabb, Boxes, BroadPhase, MovingBox, PairSink, extent, order};
-use crate::mesh::{TriangleMesh, sides};
+use super::path::{between, until};
+use super::primitives::{by_first_vertex, loose_edges};
+use crate::broad_phase::{Boxes, BroadPhase, MovingBox, PairSink, extent, order};
+use crate::mesh::TriangleMesh;
 use crate::pairs::{CanCollide, OtherEnds, PrimitiveSet, Searched};
 use crate::steps::Step;
 
@@ -30,9 +31,11 @@ pub(crate) struct StepBoxes<const T: usize> {
     margin: Margin,
     /// Those of the vertices, if they differ.
     margins: Vec<f64>,
-    /// The start of a vertex amid many others: coordinates are relative to it, so that single
-    /// precision is fine.
-    origin: Point,
+    /// A vertex amid many others: coordinates are relative to its place at each time, so that single precision
+    /// is fine, however far all of them move together.
+    origin: Option<u32>,
+    /// The places of this vertex when all boxes were placed last.
+    origins: [Point; T],
     /// The time until which the boxes of `moving` hold, or NaN.
     time: f64,
     /// True if the boxes are those of the current step.
@@ -55,7 +58,8 @@ impl<const T: usize> Default for StepBoxes<T> {
             moving: Vec::new(),
             margin: Margin::default(),
             margins: Vec::new(),
-            origin: [0.0; 3],
+            origin: None,
+            origins: [[0.0; 3]; T],
             time: f64::NAN,
             has_begun: false,
             ordered: None,
@@ -93,8 +97,7 @@ impl<const T: usize> StepBoxes<T> {
         // A vertex in the middle of the order is amid many others, even if some vertices are far
         // away.
         let ids = self.get(PrimitiveSet::Vertices).ids();
-        let middle = ids.get(ids.len() / 2);
-        self.origin = middle.map_or([0.0; 3], |&vertex| x0[vertex as usize]);
+        self.origin = ids.get(ids.len() / 2).copied();
     }
 
     fn order(&mut self, mesh: &TriangleMesh, x0: &[Point], can_collide: &CanCollide) {
@@ -186,8 +189,8 @@ impl<const T: usize> StepBoxes<T> {
         let [x0, x1] = step.positions();
         for vertex in (0..is_marked.len()).filter(|&vertex| is_marked[vertex]) {
             let margin = self.margin.uniform().unwrap_or_else(|| self.margins[vertex]);
-            let places = until(1.0, x0[vertex], x1[vertex]);
-            self.moving[vertex] = MovingBox::new(places.map(|aabb| aabb.inflated(margin)), self.origin);
+            let places = until(1.0, x0[vertex], x1[vertex]).map(|aabb| aabb.inflated(margin));
+            self.moving[vertex] = MovingBox::new(&places, &self.origins);
         }
         true
     }
@@ -264,17 +267,27 @@ impl<const T: usize> StepBoxes<T> {
         }
         self.time = time;
         let [x0, x1] = step.positions();
-        let origin = self.origin;
+        self.origins = self.origin.map_or([[0.0; 3]; T], |vertex| {
+            let [start, end] = [x0, x1].map(|x| x[vertex as usize]);
+            core::array::from_fn(|place| {
+                if place == 0 {
+                    start
+                } else {
+                    between(time, start, end)
+                }
+            })
+        });
+        let origins = &self.origins;
         let ends = x0.par_iter().zip(x1).with_min_len(512);
         let moving = &mut self.moving;
         let inflated = |margin: f64, x0: Point, x1: Point| {
             let places = until(time, x0, x1).map(|aabb| aabb.inflated(margin));
-            MovingBox::new(places, origin)
+            MovingBox::new(&places, origins)
         };
         // Copies of the loop: the usual one does not inflate.
         match self.margin.uniform() {
             Some(0.0) => ends
-                .map(|(&x0, &x1)| MovingBox::new(until(time, x0, x1), origin))
+                .map(|(&x0, &x1)| MovingBox::new(&until(time, x0, x1), origins))
                 .collect_into_vec(moving),
             Some(margin) => ends
                 .map(|(&x0, &x1)| inflated(margin, x0, x1))
@@ -287,83 +300,9 @@ impl<const T: usize> StepBoxes<T> {
     }
 }
 
-/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T =
-/// 1).
-///
-/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products
-/// that may underflow; no value between x₀ and x₁ overflows. Rounded in any direction, it is off by at most
-/// 3 ε (|x₀| + |x₁|), and the bound itself and the sides by another ε. Where subnormal numbers are flushed
-/// to zero, each of the six operands and results is off by less than 2⁻¹⁰²².
-fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
-    let mut end = Aabb::EMPTY;
-    for axis in 0..3 {
-        let (a, b) = (x0[axis], x1[axis]);
-        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
-        let near = ((1.0 - time) * a + time * b).clamp(lower, upper);
-        let error = 8.0 * f64::EPSILON * a.abs() + 8.0 * f64::EPSILON * b.abs() + 8.0 * f64::MIN_POSITIVE;
-        end.lower[axis] = near - error;
-        end.upper[axis] = near + error;
-    }
-    let start = Aabb::of(x0);
-    match T {
-        1 => [start.union(&end); T],
-        _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
-    }
-}
-
 #[inline(always)]
 fn around<const T: usize, const N: usize>(boxes: &[MovingBox<T>], vertices: &[u32; N]) -> MovingBox<T> {
     vertices.iter().fold(MovingBox::EMPTY, |all, &vertex| {
         all.union(&boxes[vertex as usize])
     })
-}
-
-/// Those of the edges that belong to no face that takes part.
-fn loose_edges(mesh: &TriangleMesh, edges: &[u32], can_collide: &CanCollide) -> Vec<u32> {
-    let takes_part = |face: &&[u32; 3]| can_collide.takes_part(*face);
-    let left_out = mesh.faces().iter().filter(|face| !takes_part(face));
-    // Only edges of faces that are left out may lack a face.
-    let mut lacking: HashSet<[u32; 2]> = left_out.flat_map(sides).collect();
-    if !lacking.is_empty() {
-        for side in mesh.faces().iter().filter(takes_part).flat_map(sides) {
-            lacking.remove(&side);
-        }
-    }
-    let first_loose = mesh.edges().len() - mesh.loose_edges().len();
-    let mut loose = edges.to_vec();
-    loose.retain(|&edge| edge as usize >= first_loose || lacking.contains(&mesh.edges()[edge as usize]));
-    loose
-}
-
-/// The indices of the primitives that take part, in the order of the ranks of their first vertices.
-fn by_first_vertex<const N: usize>(
-    rank: &[u32],
-    primitives: &[[u32; N]],
-    can_collide: &CanCollide,
-) -> Vec<u32> {
-    let first = |vertices: &[u32; N]| vertices.iter().map(|&v| rank[v as usize]).min().unwrap_or(0);
-    let taking_part = || {
-        (0..)
-            .zip(primitives)
-            .filter(|(_, vertices)| can_collide.takes_part(*vertices))
-    };
-    // A counting sort: `begin` has the first place of each rank.
-    let mut begin = vec![0u32; rank.len() + 1];
-    let mut sum = 0;
-    for (_, vertices) in taking_part() {
-        begin[first(vertices) as usize + 1] += 1;
-        sum += 1;
-    }
-    let mut ids = vec![0; sum];
-    let mut sum = 0;
-    for count in &mut begin {
-        sum += *count;
-        *count = sum;
-    }
-    for (id, vertices) in taking_part() {
-        let place = &mut begin[first(vertices) as usize];
-        ids[*place as usize] = id;
-        *place += 1;
-    }
-    ids
 }

@@ -9,7 +9,7 @@ use super::margin::Margin;
 use super::options::{BoxKind, CandidateError, CandidateOptions};
 use super::step_boxes::StepBoxes;
 use crate::broad_phase::{Aabb, BroadPhase, meet};
-use crate::pairs::{CanCollide, PrimitiveSet, Searched};
+use crate::pairs::{CanCollide, Searched};
 use crate::steps::Step;
 
 /// A receiver of candidates, in batches in any order, on any thread.
@@ -43,15 +43,14 @@ pub(crate) fn stream(
     })
 }
 
-/// The boxes of all primitives, in single precision for the broad phase, and in double precision to
-/// define the result.
+/// The boxes of all primitives in single precision, for the broad phase, and those of the vertices in double
+/// precision: the box of a primitive is around those of its vertices, and larger by its margin.
 struct Overlaps<'a, const T: usize> {
     step: Step<'a>,
     can_collide: &'a CanCollide,
     boxes: StepBoxes<T>,
     vertices: Vec<[Aabb; T]>,
-    faces: Vec<[Aabb; T]>,
-    edges: Vec<[Aabb; T]>,
+    margin: Margin,
 }
 
 impl<'a, const T: usize> Overlaps<'a, T> {
@@ -63,10 +62,9 @@ impl<'a, const T: usize> Overlaps<'a, T> {
     ) -> Self {
         let [x0, x1] = step.positions();
         let ends = x0.par_iter().zip(x1);
-        let bare: Vec<[Aabb; T]> = ends.map(|(&a, &b)| of_vertex(a, b).map(whole)).collect();
-        let faces = around(&bare, step.mesh().faces(), &margin);
-        let edges = around(&bare, step.mesh().edges(), &margin);
-        let vertices = inflated(bare, &margin);
+        let vertices = ends
+            .map(|(&a, &b)| of_vertex(a, b).map(|aabb| aabb.inflated(lacking())))
+            .collect();
         let mut boxes = StepBoxes::default();
         boxes.end(&margin);
         boxes.place::<VertexFace>(&step, can_collide, 1.0);
@@ -78,8 +76,7 @@ impl<'a, const T: usize> Overlaps<'a, T> {
             can_collide,
             boxes,
             vertices,
-            faces,
-            edges,
+            margin,
         }
     }
 
@@ -102,71 +99,35 @@ impl<'a, const T: usize> Overlaps<'a, T> {
 
     /// The pairs that can collide and whose boxes meet in double precision.
     fn among<K: Searched>(&self, pairs: &[[u32; 2]]) -> Vec<[u32; 2]> {
-        let all_can_collide = self.can_collide.is_all();
-        let [a, b] = K::SETS.map(|set| self.of_set(set));
+        let (all_can_collide, lacking) = (self.can_collide.is_all(), lacking());
+        let around = |vertices: &[u32]| -> [Aabb; T] {
+            let margin = self.margin.of(vertices);
+            core::array::from_fn(|time| {
+                let boxes = vertices
+                    .iter()
+                    .map(|&vertex| &self.vertices[vertex as usize][time]);
+                let union = boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb));
+                union.inflated(lacking).inflated(margin)
+            })
+        };
         let is_candidate = |ids: &&[u32; 2]| {
             K::vertices(self.step.mesh(), **ids).is_some_and(|vertices| {
+                let (a, b) = vertices.as_ref().split_at(K::FIRST);
                 K::are_apart(&vertices)
-                    && meet(&a[ids[0] as usize], &b[ids[1] as usize])
-                    && (all_can_collide || {
-                        let (first, second) = vertices.as_ref().split_at(K::FIRST);
-                        self.can_collide.allows(first, second)
-                    })
+                    && meet(&around(a), &around(b))
+                    && (all_can_collide || self.can_collide.allows(a, b))
             })
         };
         pairs.iter().filter(is_candidate).copied().collect()
     }
-
-    /// The boxes of a set, by the indices of the primitives in the mesh.
-    fn of_set(&self, set: PrimitiveSet) -> &[[Aabb; T]] {
-        match set {
-            PrimitiveSet::Vertices | PrimitiveSet::LooseVertices | PrimitiveSet::Ends => &self.vertices,
-            PrimitiveSet::Faces => &self.faces,
-            PrimitiveSet::Edges | PrimitiveSet::LooseEdges => &self.edges,
-        }
-    }
 }
 
-/// A union of boxes that lacks none of their points. Where comparisons read subnormal numbers as zero, the
-/// union may lack those.
-fn whole(union: Aabb) -> Aabb {
+/// The margin with which a union of boxes has all of their points: where comparisons read subnormal numbers as
+/// zero, it may lack those.
+fn lacking() -> f64 {
     if environment::is_default() {
-        union
+        0.0
     } else {
-        union.inflated(f64::MIN_POSITIVE)
+        f64::MIN_POSITIVE
     }
-}
-
-/// The boxes of primitives, from those of their vertices without margins.
-fn around<const T: usize, const N: usize>(
-    bare: &[[Aabb; T]],
-    primitives: &[[u32; N]],
-    margin: &Margin,
-) -> Vec<[Aabb; T]> {
-    let around = |vertices: &[u32; N]| -> [Aabb; T] {
-        core::array::from_fn(|time| {
-            let boxes = vertices.iter().map(|&vertex| &bare[vertex as usize][time]);
-            whole(boxes.fold(Aabb::EMPTY, |all, aabb| all.union(aabb)))
-        })
-    };
-    let primitives = primitives.par_iter();
-    if margin.uniform() == Some(0.0) {
-        return primitives.map(around).collect();
-    }
-    let inflated = |vertices: &[u32; N]| {
-        let margin = margin.of(vertices);
-        around(vertices).map(|aabb| aabb.inflated(margin))
-    };
-    primitives.map(inflated).collect()
-}
-
-/// The boxes of vertices, with margins.
-fn inflated<const T: usize>(mut bare: Vec<[Aabb; T]>, margin: &Margin) -> Vec<[Aabb; T]> {
-    if margin.uniform() != Some(0.0) {
-        bare.par_iter_mut().enumerate().for_each(|(vertex, boxes)| {
-            let margin = margin.of(&[vertex as u32]);
-            *boxes = boxes.map(|aabb| aabb.inflated(margin));
-        });
-    }
-    bare
 }

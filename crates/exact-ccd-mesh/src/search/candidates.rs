@@ -25,9 +25,6 @@ use crate::steps::Step;
 /// distance](CandidateOptions::min_distance) for which the candidates were found. A vertex without a thickness
 /// has the thickness 0. Other methods decide contact.
 ///
-/// A mesh that is pierced at the start, by an edge that passes through a face, may be free of contact:
-/// [`intersections`](crate::intersections) finds such edges.
-///
 /// [`FromIterator`] makes candidates of [`Pair`]s from another source: each is kept once, and those that a
 /// mesh does not have are no contacts.
 ///
@@ -58,7 +55,7 @@ pub struct Candidates(ByKind<Vec<[u32; 2]>>);
 const GRAIN: usize = 2048;
 
 impl Candidates {
-    /// All pairs whose boxes over the step overlap: all contacts of the step are among them.
+    /// All pairs whose boxes meet in the step: all contacts of the step are among them.
     #[must_use]
     pub fn new(step: Step<'_>, broad_phase: &impl BroadPhase) -> Self {
         let candidates = Self::with_options(step, broad_phase, &CandidateOptions::default());

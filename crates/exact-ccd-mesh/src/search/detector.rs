@@ -4,20 +4,19 @@ use std::sync::Arc;
 
 use exact_ccd::{Options, Point, TimeOutOfStep};
 
-use super::collect::{AllContacts, AnyContact, Collect, Earliest};
-use super::contact::Contact;
+use super::collect::Collect;
 use super::culled_search::CulledSearch;
 use crate::at_rest::StartCheck;
 use crate::broad_phase::{BroadPhase, Bvh};
 use crate::mesh::TriangleMesh;
-use crate::pairs::{CanCollide, MinDistance, Pair};
+use crate::pairs::{CanCollide, MinDistance};
 use crate::steps::{Step, StepError};
 
 /// Finds contact in successive steps of one mesh.
 ///
 /// [`Options`] have the distance at which primitives touch, a [`Separation`](exact_ccd::Separation) or a
 /// [`MinDistance`], and the last time that counts. [`CONTACT`](exact_ccd::CONTACT) is the distance 0 and the
-/// whole step. [`Pair`] says which pairs are compared, and which are never a contact.
+/// whole step. [`Pair`](crate::Pair) says which pairs are compared, and which are never a contact.
 ///
 /// An edge that passes through a face at the start of a step is no contact of the step, which may be free:
 /// [`with_start_check`](Self::with_start_check) finds such edges.
@@ -151,82 +150,6 @@ impl<B: BroadPhase> Detector<B> {
         self.search.can_collide()
     }
 
-    /// Returns true if any two primitives touch in the step from positions `x0` to positions `x1`: a
-    /// [`Pair`], which says what is never a contact. Ends soon after the first contact found.
-    ///
-    /// # Errors
-    /// [`StepError`] names the positions that are too many, too few or not finite, the thicknesses that are
-    /// not as many as the vertices, a last time that is not in [0, 1], or, with the check of the start, the
-    /// edge that passes through a face.
-    pub fn collides(
-        &mut self,
-        x0: &[Point],
-        x1: &[Point],
-        options: Options<impl Into<MinDistance>>,
-    ) -> Result<bool, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        let contact = begun.run(AnyContact::new(begun.until, |_| true));
-        if !contact.is_found() {
-            begun.found_free(x1);
-        }
-        Ok(contact.is_found())
-    }
-
-    /// The same for the pairs that count only.
-    ///
-    /// The predicate is evaluated for pairs in contact only, on many threads, and for some of them twice. So
-    /// it may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
-    /// and holds for all answers, and for the check of the start.
-    ///
-    /// # Errors
-    /// As [`collides`](Self::collides).
-    pub fn collides_if(
-        &mut self,
-        x0: &[Point],
-        x1: &[Point],
-        options: Options<impl Into<MinDistance>>,
-        counts: impl Fn(Pair) -> bool + Sync,
-    ) -> Result<bool, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        Ok(begun.run(AnyContact::new(begun.until, counts)).is_found())
-    }
-
-    /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if there is none.
-    ///
-    /// A sample of the primitives is examined first. Each contact that is found bounds the time
-    /// until which the others matter; so most candidates are never examined, nor counted as
-    /// [`StepReport`](crate::StepReport) does. The answer is the same on any number of threads.
-    ///
-    /// # Errors
-    /// As [`collides`](Self::collides).
-    pub fn collision(
-        &mut self,
-        x0: &[Point],
-        x1: &[Point],
-        options: Options<impl Into<MinDistance>>,
-    ) -> Result<Option<Contact>, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        let pair = begun.run(Earliest::new(begun.until)).pair();
-        if pair.is_none() {
-            begun.found_free(x1);
-        }
-        Ok(pair.and_then(|pair| begun.search.contact(&begun.step, pair)))
-    }
-
-    /// All contacts in the step from positions `x0` to positions `x1`, the earliest first.
-    ///
-    /// # Errors
-    /// As [`collides`](Self::collides).
-    pub fn collisions(
-        &mut self,
-        x0: &[Point],
-        x1: &[Point],
-        options: Options<impl Into<MinDistance>>,
-    ) -> Result<Vec<Contact>, StepError> {
-        let mut begun = self.begin(x0, x1, options)?;
-        Ok(begun.run(AllContacts::new(begun.until)).sorted())
-    }
-
     /// The step from positions `x0` to positions `x1`, after the check of its start.
     pub(crate) fn begin<'a>(
         &'a mut self,
@@ -255,14 +178,14 @@ impl<B: BroadPhase> Detector<B> {
 pub(crate) struct Begun<'a, B> {
     pub(crate) step: Step<'a>,
     min_distance: MinDistance,
-    until: f64,
+    pub(super) until: f64,
     pub(crate) search: &'a mut CulledSearch<B>,
     start_check: Option<&'a mut StartCheck>,
 }
 
 impl<B: BroadPhase> Begun<'_, B> {
     /// The collector after the search.
-    fn run<C: Collect>(&mut self, collector: C) -> C {
+    pub(super) fn run<C: Collect>(&mut self, collector: C) -> C {
         self.search.run(&self.step, &self.min_distance, &collector);
         collector
     }

@@ -1,6 +1,7 @@
 //! The search for contacts: exact tests of pairs, among all candidates of a step, or in step after step with
 //! few tests.
 
+mod answers;
 mod approach;
 mod candidates;
 mod collect;

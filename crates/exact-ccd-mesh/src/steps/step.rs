@@ -1,6 +1,6 @@
 //! One time step of a mesh.
 
-use exact_ccd::{EdgeEdge, Point, Query, TimeOutOfStep, VertexFace};
+use exact_ccd::{Point, Query, TimeOutOfStep};
 
 use crate::broad_phase::{TooManyPrimitives, check_primitive_count};
 use crate::mesh::{PositionsError, TriangleMesh, check_positions};
@@ -94,20 +94,6 @@ impl<'a> Step<'a> {
     pub(crate) fn vertex_at(&self, vertex: usize, time: f64) -> Point {
         let [x0, x1] = self.positions;
         place(x0[vertex], x1[vertex], time)
-    }
-
-    /// The query of a vertex against a face, its corners in the order of the face, or `None` if the
-    /// mesh has no such vertex or no such face.
-    #[must_use]
-    pub fn vertex_face(&self, vertex: u32, face: u32) -> Option<Query<VertexFace>> {
-        self.query([vertex, face])
-    }
-
-    /// The query of two edges, the vertices of each in increasing order, or `None` if the mesh does
-    /// not have both.
-    #[must_use]
-    pub fn edge_edge(&self, a: u32, b: u32) -> Option<Query<EdgeEdge>> {
-        self.query([a, b])
     }
 
     /// The query of a pair by the indices of its primitives, or `None` if the mesh does not have

@@ -5,8 +5,8 @@ use std::sync::Mutex;
 
 use exact_ccd::{CONTACT, Ccd, Decide, EdgeEdge, Exact, VertexFace};
 use exact_ccd_mesh::{
-    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Detector, Pair, Step, StepError,
-    Sweep, TriangleMesh,
+    AllPairs, BoxKind, Bvh, CandidateError, CandidateOptions, Candidates, Contact, Detector, Pair, Point,
+    Step, StepError, Sweep, TriangleMesh,
 };
 use fastrand::Rng;
 
@@ -79,11 +79,11 @@ fn methods_decide_candidates_one_by_one() {
         let methods: [&dyn Ccd; 2] = [&Exact, &Odd];
         for method in methods {
             let faces = candidates.vertex_face().iter().filter_map(|&[vertex, face]| {
-                let query = step.vertex_face(vertex, face).unwrap();
+                let query = step.query::<VertexFace>([vertex, face]).unwrap();
                 Decide::<VertexFace>::time_of_impact(method, &query)
             });
             let edges = candidates.edge_edge().iter().filter_map(|&[a, b]| {
-                let query = step.edge_edge(a, b).unwrap();
+                let query = step.query::<EdgeEdge>([a, b]).unwrap();
                 Decide::<EdgeEdge>::time_of_impact(method, &query)
             });
             let expected = faces.chain(edges).reduce(f64::min);
@@ -123,6 +123,39 @@ fn stored_and_streamed_candidates_are_the_same_with_every_broad_phase() {
             }
         }
     }
+}
+
+/// Where no coordinate is rounded, a motion that all primitives have in common changes no candidate, and the
+/// contacts are those of all pairs.
+#[test]
+fn a_common_motion_does_not_matter() {
+    let mut random = Rng::with_seed(11);
+    let mut colliding = 0;
+    for _ in 0..40 {
+        let mut scene = Scene::sheets(&mut random, 4, 0.0, 1.0);
+        let rounded = |x: &mut Vec<Point>| {
+            x.as_flattened_mut()
+                .iter_mut()
+                .for_each(|x| *x = (*x * 1024.0).round() / 1024.0)
+        };
+        rounded(&mut scene.x0);
+        rounded(&mut scene.x1);
+        let candidates = Candidates::new(scene.step(), &Bvh);
+        let expected = contacts(scene.step(), &scene.pairs());
+        for size in [1.0, 1000.0] {
+            scene
+                .x1
+                .iter_mut()
+                .for_each(|[x, y, z]| (*x, *y, *z) = (*x + size, *y - 3.0 * size, *z + size));
+            assert_eq!(Candidates::new(scene.step(), &Bvh), candidates);
+            let found = candidates.collisions(scene.step(), CONTACT);
+            assert_eq!(found, contacts(scene.step(), &scene.pairs()));
+            let key = |contact: &Contact| (contact.pair, contact.impact.time);
+            assert!(found.iter().map(key).eq(expected.iter().map(key)));
+        }
+        colliding += expected.len();
+    }
+    assert!(colliding > 100, "{colliding}");
 }
 
 #[test]

@@ -49,6 +49,44 @@ fn a_vertex_far_away_does_not_increase_the_number_of_pairs() {
     }
 }
 
+/// Boxes, too, are relative to the other vertices: the numbers of pairs, of candidates and of contacts are those
+/// of the motion without the common part.
+#[test]
+fn a_common_motion_does_not_matter() {
+    let apart = falling_sheet();
+    let answers = |shift: f64| {
+        let shifted = |x: &[Point]| {
+            x.iter()
+                .map(|[x, y, z]| [x + shift, y - shift, z + 2.0 * shift])
+                .collect()
+        };
+        let motion = motion(apart.x0.clone(), shifted(&apart.x1), apart.mesh.faces().to_vec());
+        let counted = Counted::default();
+        let report = report(&motion, &counted);
+        let mut detector = Detector::new(motion.mesh.clone());
+        assert_eq!(
+            detector.collision(&motion.x0, &motion.x1, CONTACT),
+            Ok(report.earliest)
+        );
+        let contacts = detector.collisions(&motion.x0, &motion.x1, CONTACT).unwrap();
+        let contacts: Vec<_> = contacts
+            .into_iter()
+            .map(|contact| (contact.pair, contact.impact.time))
+            .collect();
+        (
+            counted.0.into_inner(),
+            report.candidates,
+            report.colliding,
+            contacts,
+        )
+    };
+    let expected = answers(0.0);
+    assert!(expected.3.len() > 1000);
+    for shift in [1.0, 1000.0, 1e9] {
+        assert_eq!(answers(shift), expected, "{shift}");
+    }
+}
+
 /// A broad phase that names primitives that do not exist.
 struct Nonsense;
 

@@ -1,5 +1,6 @@
 //! The queries of pairs of primitives.
 
+use exact_ccd::{EdgeEdge, VertexFace};
 use exact_ccd_mesh::{Step, TriangleMesh};
 
 use super::motions::falling_sheet;
@@ -14,12 +15,12 @@ fn primitives_that_a_mesh_does_not_have_have_no_query() {
         motion.mesh.edges().len(),
     ]
     .map(|count| count as u32);
-    assert!(step.vertex_face(vertices - 1, faces - 1).is_some());
-    assert_eq!(step.vertex_face(vertices, faces - 1), None);
-    assert_eq!(step.vertex_face(vertices - 1, faces), None);
-    assert!(step.edge_edge(edges - 1, 0).is_some());
-    assert_eq!(step.edge_edge(edges, 0), None);
-    assert_eq!(step.edge_edge(0, u32::MAX), None);
+    assert!(step.query::<VertexFace>([vertices - 1, faces - 1]).is_some());
+    assert_eq!(step.query::<VertexFace>([vertices, faces - 1]), None);
+    assert_eq!(step.query::<VertexFace>([vertices - 1, faces]), None);
+    assert!(step.query::<EdgeEdge>([edges - 1, 0]).is_some());
+    assert_eq!(step.query::<EdgeEdge>([edges, 0]), None);
+    assert_eq!(step.query::<EdgeEdge>([0, u32::MAX]), None);
 }
 
 #[test]
@@ -28,9 +29,9 @@ fn a_query_has_its_points_in_the_order_of_its_primitives() {
     let x1 = x0.map(|[x, _, _]| [x, 1.0, 0.0]);
     let mesh = TriangleMesh::new(4, vec![[3, 1, 0], [2, 1, 3]]).unwrap();
     let step = Step::new(&mesh, &x0, &x1).unwrap();
-    let query = step.vertex_face(2, 0).unwrap();
+    let query = step.query::<VertexFace>([2, 0]).unwrap();
     assert_eq!(*query.points(), [x0, x1].map(|x| [x[2], x[3], x[1], x[0]]));
     // The edges are 01, 12, 03, 13, 23.
-    let query = step.edge_edge(1, 2).unwrap();
+    let query = step.query::<EdgeEdge>([1, 2]).unwrap();
     assert_eq!(*query.points(), [x0, x1].map(|x| [x[1], x[2], x[0], x[3]]));
 }

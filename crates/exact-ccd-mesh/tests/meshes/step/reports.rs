@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use exact_ccd::CONTACT;
+use exact_ccd::{CONTACT, VertexFace};
 use exact_ccd_mesh::{Bvh, Pair, PairCounts, Point, StepReport, TriangleMesh, step};
 
 use super::motions::falling_sheet;
@@ -144,7 +144,7 @@ fn exactly_a_time_is_before_just_above_it() {
         let time = motion
             .step()
             .unwrap()
-            .vertex_face(vertex, 0)
+            .query::<VertexFace>([vertex, 0])
             .unwrap()
             .time_of_impact(CONTACT);
         assert_eq!(time, Some(0.5));

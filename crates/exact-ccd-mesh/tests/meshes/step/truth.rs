@@ -115,17 +115,14 @@ fn gather<const N: usize>(x: &[Point], vertices: [u32; N]) -> [Point; N] {
     vertices.map(|vertex| x[vertex as usize])
 }
 
-/// True if the boxes around two primitives over the step have a common point.
+/// True unless an axis separates the boxes around two primitives at both ends of the step, in the same order.
 fn boxes_meet(a: [&[Point]; 2], b: [&[Point]; 2]) -> bool {
     (0..3).all(|axis| {
-        let interval = |points: [&[Point]; 2]| {
-            let values = points.concat().into_iter().map(|point| point[axis]);
-            (
-                values.clone().fold(f64::INFINITY, f64::min),
-                values.fold(f64::NEG_INFINITY, f64::max),
-            )
-        };
-        let ((a_lower, a_upper), (b_lower, b_upper)) = (interval(a), interval(b));
-        a_lower <= b_upper && b_lower <= a_upper
+        let coordinates = |points: &[Point]| points.iter().map(|point| point[axis]).collect::<Vec<_>>();
+        let lower = |points: &[Point]| coordinates(points).into_iter().fold(f64::INFINITY, f64::min);
+        let upper = |points: &[Point]| coordinates(points).into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let is_below =
+            |a: [&[Point]; 2], b: [&[Point]; 2]| (0..2).all(|time| upper(a[time]) < lower(b[time]));
+        !is_below(a, b) && !is_below(b, a)
     })
 }

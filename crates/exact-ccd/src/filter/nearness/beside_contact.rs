@@ -26,7 +26,7 @@ pub(super) fn first_after<K: Kind>(
     if hull.is_out_of_range(Within(d)) {
         return None;
     }
-    let planes = Coplanarity::new::<K>(query.points());
+    let planes = Coplanarity::new::<K>(&query.four());
     let Decision::Collision(Proved::Contact(contact)) = decide_near_plane(query, &planes.cubic) else {
         return None;
     };

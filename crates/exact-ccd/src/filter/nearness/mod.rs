@@ -114,14 +114,14 @@ fn decide_by_hull<K: Kind>(
 /// All times within a separation above 0, given the first one, if they are certain.
 #[inline(never)]
 pub(crate) fn intervals<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Intervals> {
-    let scaled = Scaled::new(&Hull::new::<K>(query.points()), d.get())?;
+    let scaled = Scaled::new(&Hull::new::<K>(&query.four()), d.get())?;
     (scaled.d > LEAST_CROSSED).then(|| Crossings::new(query, &scaled).intervals::<K>(first))?
 }
 
 /// The closest points at the first time within a separation above 0, if they are certain.
 #[inline(never)]
 pub(crate) fn impact<K: Kind>(query: &Query<K>, d: Separation, first: ContactTime) -> Option<Impact> {
-    let scaled = Scaled::new(&Hull::new::<K>(query.points()), d.get())?;
+    let scaled = Scaled::new(&Hull::new::<K>(&query.four()), d.get())?;
     Crossings::new(query, &scaled)
         .approach::<K>(first)?
         .impact::<K>(first)

@@ -1,0 +1,37 @@
+//! The boxes of the path of a vertex.
+
+use exact_ccd::Point;
+
+use crate::broad_phase::Aabb;
+
+/// A place near (1 − t) x₀ + t x₁, between x₀ and x₁.
+pub(super) fn between(time: f64, x0: Point, x1: Point) -> Point {
+    core::array::from_fn(|axis| {
+        let (a, b) = (x0[axis], x1[axis]);
+        let (lower, upper) = if a < b { (a, b) } else { (b, a) };
+        ((1.0 - time) * a + time * b).clamp(lower, upper)
+    })
+}
+
+/// The boxes of a vertex at t = 0 and at `time` (T = 2), or the box around its path in between (T =
+/// 1).
+///
+/// (1 − t) x₀ + t x₁ is computed with at most three roundings of each summand, and with products
+/// that may underflow; no value between x₀ and x₁ overflows. Rounded in any direction, it is off by at most
+/// 3 ε (|x₀| + |x₁|), and the bound itself and the sides by another ε. Where subnormal numbers are flushed
+/// to zero, each of the six operands and results is off by less than 2⁻¹⁰²².
+pub(super) fn until<const T: usize>(time: f64, x0: Point, x1: Point) -> [Aabb; T] {
+    let mut end = Aabb::EMPTY;
+    let place = between(time, x0, x1);
+    for axis in 0..3 {
+        let (a, b, near) = (x0[axis], x1[axis], place[axis]);
+        let error = 8.0 * f64::EPSILON * a.abs() + 8.0 * f64::EPSILON * b.abs() + 8.0 * f64::MIN_POSITIVE;
+        end.lower[axis] = near - error;
+        end.upper[axis] = near + error;
+    }
+    let start = Aabb::of(x0);
+    match T {
+        1 => [start.union(&end); T],
+        _ => core::array::from_fn(|time| if time == 0 { start } else { end }),
+    }
+}

@@ -1,0 +1,88 @@
+//! The answers of a detector about a step.
+
+use exact_ccd::{Options, Point};
+
+use super::collect::{AllContacts, AnyContact, Earliest};
+use super::contact::Contact;
+use super::detector::Detector;
+use crate::broad_phase::BroadPhase;
+use crate::pairs::{MinDistance, Pair};
+use crate::steps::StepError;
+
+impl<B: BroadPhase> Detector<B> {
+    /// Returns true if any two primitives touch in the step from positions `x0` to positions `x1`: a
+    /// [`Pair`], which says what is never a contact. Ends soon after the first contact found.
+    ///
+    /// # Errors
+    /// [`StepError`] names the positions that are too many, too few or not finite, the thicknesses that are
+    /// not as many as the vertices, a last time that is not in [0, 1], or, with the check of the start, the
+    /// edge that passes through a face.
+    pub fn collides(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+    ) -> Result<bool, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        let contact = begun.run(AnyContact::new(begun.until, |_| true));
+        if !contact.is_found() {
+            begun.found_free(x1);
+        }
+        Ok(contact.is_found())
+    }
+
+    /// The same for the pairs that count only.
+    ///
+    /// The predicate is evaluated for pairs in contact only, on many threads, and for some of them twice. So
+    /// it may be slow. That of [`with_can_collide`](Self::with_can_collide) is evaluated for every candidate,
+    /// and holds for all answers, and for the check of the start.
+    ///
+    /// # Errors
+    /// As [`collides`](Self::collides).
+    pub fn collides_if(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+        counts: impl Fn(Pair) -> bool + Sync,
+    ) -> Result<bool, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        Ok(begun.run(AnyContact::new(begun.until, counts)).is_found())
+    }
+
+    /// The earliest contact in the step from positions `x0` to positions `x1`, or `None` if there is none.
+    ///
+    /// A sample of the primitives is examined first. Each contact that is found bounds the time
+    /// until which the others matter; so most candidates are never examined, nor counted as
+    /// [`StepReport`](crate::StepReport) does. The answer is the same on any number of threads.
+    ///
+    /// # Errors
+    /// As [`collides`](Self::collides).
+    pub fn collision(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+    ) -> Result<Option<Contact>, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        let pair = begun.run(Earliest::new(begun.until)).pair();
+        if pair.is_none() {
+            begun.found_free(x1);
+        }
+        Ok(pair.and_then(|pair| begun.search.contact(&begun.step, pair)))
+    }
+
+    /// All contacts in the step from positions `x0` to positions `x1`, the earliest first.
+    ///
+    /// # Errors
+    /// As [`collides`](Self::collides).
+    pub fn collisions(
+        &mut self,
+        x0: &[Point],
+        x1: &[Point],
+        options: Options<impl Into<MinDistance>>,
+    ) -> Result<Vec<Contact>, StepError> {
+        let mut begun = self.begin(x0, x1, options)?;
+        Ok(begun.run(AllContacts::new(begun.until)).sorted())
+    }
+}
