@@ -48,13 +48,20 @@ impl Crossings {
         /// The longest and the shortest stretch that are tried, in units of the first step.
         const LONGEST: f64 = 4.0;
         const SHORTEST: f64 = 1.0 / 64.0;
+        const ATTEMPTS: usize = 100;
         let d = self.rough.separation();
         let mut within = self.step::<K>(from);
         let mut length = LONGEST * (within - from);
         let shortest = SHORTEST * (within - from);
         let first = self.rough.at::<K>(within);
         let mut now = first.closest;
-        while is_certainly_within(first.point(), d) && within < 1.0 && length > shortest {
+        if !is_certainly_within(first.point(), d) {
+            return within;
+        }
+        for _ in 0..ATTEMPTS {
+            if within == 1.0 || length <= shortest {
+                break;
+            }
             let end = (within + length).min(1.0);
             let then = self.rough.at::<K>(end);
             let [a, b] = [self.rough.place(within, then.closest), self.rough.place(end, now)];
