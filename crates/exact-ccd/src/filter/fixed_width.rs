@@ -108,21 +108,24 @@ fn flat_moments(cubic: &[Integer; 4]) -> Option<ArrayVec<Moment, MAX_MOMENTS>> {
     moments.extend(at_start.then_some(Moment::Start));
     match cubic.roots() {
         Some(roots) => moments.extend(roots.into_iter().map(|root| Moment::Root(Window::STEP, root))),
-        None => moments.extend(roots_in_windows(&inner, &cubic)?),
+        None => {
+            let almost_triple = roots_in_windows(&inner, &[cubic.inflection()]);
+            moments.extend(almost_triple.or_else(|| roots_in_windows(&inner, &cubic.cuts()))?);
+        }
     }
     moments.extend(at_end.then_some(Moment::End));
     Some(moments)
 }
 
-/// The roots of a cubic, if they are certain, in the windows around the points that cut it into monotone
-/// pieces, and between them: there it may have almost double or triple roots.
+/// The roots of a cubic, if they are certain, in windows around these times, and between them: those at which
+/// it may have almost double or triple roots.
 ///
 /// The signs of the coefficients in a window are exact: without two opposite ones, there is no root.
 /// Otherwise the bounds of [`Cubic::new`] hold as in [`flat_moments`], with one more rounding.
-fn roots_in_windows(inner: &[Integer; 4], cubic: &Cubic<f64>) -> Option<ArrayVec<Moment, 3>> {
+fn roots_in_windows(inner: &[Integer; 4], middles: &[f64]) -> Option<ArrayVec<Moment, 3>> {
     let mut moments = ArrayVec::new();
     let mut low = 0.0;
-    for high in around(&cubic.cuts()).into_iter().chain([1.0]) {
+    for high in around(middles).into_iter().chain([1.0]) {
         let window = Window::new(low, high)?;
         let coefficients = window.cubic(inner)?;
         let signs = coefficients.map(|c| c.sign());

@@ -50,9 +50,17 @@ impl Crossings {
     }
 
     /// A guess of the largest f64 between two times before D passes through d, from another guess on.
+    ///
+    /// The rough one may be beyond the time at which a small distance is least.
     pub(super) fn guess<K: Kind>(&self, range: [f64; 2], from: f64, sense: Sense) -> Option<f64> {
+        const BACK: f64 = 16.0 * <f64 as Precision>::SETTLED;
+        let [first, last] = range;
         let near = newton::<K, _>(&self.rough, range, from, sense)?;
-        newton::<K, _>(&self.precise, range, near, sense)
+        let precise = |near: f64| newton::<K, _>(&self.precise, range, near, sense);
+        precise(near).or_else(|| match sense {
+            Sense::Falling => precise((near - BACK).max(first)),
+            Sense::Rising => precise((near + BACK).min(last)),
+        })
     }
 
     /// The closest points in the bracket of a time, if they are certain.

@@ -45,7 +45,8 @@ impl Crossings {
     ///
     /// D is so near to d there that the first stretch needs twice the precision.
     fn first_after<K: Kind>(&self, from: f64) -> Option<Option<ContactTime>> {
-        const ATTEMPTS: usize = 12;
+        // The shortest stretches are as short as those of `Advancement::free_after`: their number is bounded.
+        const ATTEMPTS: usize = 5;
         let now = self.precise.at::<K>(from);
         let mut length = 1.0 - from;
         for _ in 0..ATTEMPTS {

@@ -90,20 +90,12 @@ fn decide_by_hull<K: Kind>(
         let start = ContactTime::exactly(0.0);
         return Decision::Collision(Proved::Within(start, Stage::Start));
     }
-    let first = if scaled.d > LEAST_CROSSED {
-        Crossings::new(query, &scaled).first_between::<K>([free, until])
-    } else {
-        (Advancement::of(&scaled).free_after::<K>(free, until) == until).then_some(None)
-    };
-    match first.or_else(|| {
-        Some(Some(beside_contact::first_after(
-            query,
-            hull,
-            &scaled,
-            d.get(),
-            free,
-        )?))
-    }) {
+    let is_crossed = scaled.d > LEAST_CROSSED;
+    let crossing = || is_crossed.then(|| Crossings::new(query, &scaled).first_between::<K>([free, until]))?;
+    let beside_contact = || beside_contact::first_after(query, hull, &scaled, d.get(), free).map(Some);
+    let is_free = || !is_crossed && Advancement::of(&scaled).free_after::<K>(free, until) == until;
+    let first = crossing().or_else(beside_contact);
+    match first.or_else(|| is_free().then_some(None)) {
         Some(Some(first)) if first.is_start() => Decision::Collision(Proved::Within(first, Stage::Start)),
         Some(Some(first)) => Decision::Collision(Proved::Within(first, Stage::Crossing)),
         Some(None) => Decision::Free(Stage::Crossing),
