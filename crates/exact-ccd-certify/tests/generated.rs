@@ -1,5 +1,7 @@
 //! Certificates of generated meshes, and of false statements about them.
 
+#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
+
 mod proof;
 
 use exact_ccd::{Point, Separation};
@@ -143,8 +145,7 @@ fn generated_meshes_have_certificates() {
         }
     }
     println!("certified and not, of reals and of a lattice: {counts:?}; contacts by kind {kinds:?}");
-    assert_eq!(counts[0][1], 0);
-    assert!(counts[1][1] <= 6, "{counts:?}");
+    assert_eq!(counts.map(|[_, missing]| missing), [0, 0]);
     assert!(kinds[..2].iter().all(|&count| count > 0));
 }
 
@@ -159,10 +160,10 @@ fn certified(count: usize, has: impl Fn(&[u8]) -> bool) -> Vec<(Scene, Vec<u8>, 
         let contact = scene
             .earliest(d)
             .filter(|contact| !contact.impact.touching_at_start());
-        if let (Some(contact), Ok(certificate)) = (contact, certify(&scene, d)) {
-            if has(&certificate) {
-                all.push((scene, certificate, d, contact));
-            }
+        if let (Some(contact), Ok(certificate)) = (contact, certify(&scene, d))
+            && has(&certificate)
+        {
+            all.push((scene, certificate, d, contact));
         }
     }
     all
@@ -198,7 +199,6 @@ fn mutate_some(
             assert!(are_true(scene, &proved), "round {round}: {proved}");
         }
     }
-    println!("{differ} differ, {accepted} accepted");
     [differ, accepted]
 }
 
