@@ -3,7 +3,6 @@
 use dashu_int::IBig;
 use exact_ccd_check::Kind;
 use exact_ccd_check::contact::Proof;
-use exact_ccd_check::motion::Point;
 use exact_ccd_check::separation::Stretch;
 
 /// A number in groups of seven bits.
@@ -29,8 +28,12 @@ pub(crate) fn ids(bytes: &mut Vec<u8>, last: Option<[u32; 2]>, [a, b]: [u32; 2])
     }
 }
 
-/// The stretches of a pair.
-pub(crate) fn stretches(bytes: &mut Vec<u8>, stretches: &[Stretch]) {
+/// The largest size of a component, as the format has four bits for its logarithm.
+const LARGEST: usize = 1 << 15;
+
+/// The stretches of a pair, if their directions have a size of the format.
+pub(crate) fn stretches(stretches: &[Stretch]) -> Option<Box<[u8]>> {
+    let mut bytes = Vec::new();
     for (number, stretch) in (1..).zip(stretches) {
         let directions = [Some(&stretch.from), stretch.to.as_ref()].into_iter().flatten();
         let components: Vec<&IBig> = directions.flatten().collect();
@@ -40,6 +43,9 @@ pub(crate) fn stretches(bytes: &mut Vec<u8>, stretches: &[Stretch]) {
             .max()
             .unwrap_or(1);
         let size = needed.next_power_of_two();
+        if size > LARGEST {
+            return None;
+        }
         let is_last = number == stretches.len();
         bytes.push(
             (size.trailing_zeros() as u8) << 2 | u8::from(stretch.to.is_some()) << 1 | u8::from(!is_last),
@@ -54,6 +60,7 @@ pub(crate) fn stretches(bytes: &mut Vec<u8>, stretches: &[Stretch]) {
             bytes.extend(signed);
         }
     }
+    Some(bytes.into())
 }
 
 /// The proof of a contact.
@@ -94,11 +101,4 @@ fn signed(x: &IBig) -> Vec<u8> {
     } else {
         bytes.into_vec()
     }
-}
-
-/// True if a direction has a size of the format.
-pub(crate) fn fits(direction: &Point) -> bool {
-    direction
-        .iter()
-        .all(|component| component.to_le_bytes().len() <= 1 << 15)
 }

@@ -4,7 +4,6 @@ use exact_ccd::{Point, Separation};
 use exact_ccd_check::certificate::{CONTACT, FREE, MAGIC, REST};
 use exact_ccd_check::grid::Grid;
 use exact_ccd_check::motion::{Motion, Time};
-use exact_ccd_check::separation::Stretch;
 use exact_ccd_check::{Failure, Kind, Mesh, tree};
 use exact_ccd_mesh::{Contact, Pair, TriangleMesh};
 use rayon::prelude::*;
@@ -139,18 +138,15 @@ impl Maker {
             true
         });
         needed.par_sort_unstable();
-        let proof = |&ids: &[u32; 2]| step.stretches(kind, &mesh.pair(kind, ids)?);
-        let proofs: Vec<Option<Vec<Stretch>>> = needed.par_iter().map(proof).collect();
+        let proof = |&ids: &[u32; 2]| encode::stretches(&step.stretches(kind, &mesh.pair(kind, ids)?)?);
+        let proofs: Vec<Option<Box<[u8]>>> = needed.par_iter().map(proof).collect();
         encode::number(&mut self.bytes, needed.len() as u32);
         let mut last = None;
         for (ids, proof) in needed.iter().zip(&proofs) {
-            let proof = proof
-                .as_ref()
-                .filter(|proof| proof.iter().all(|stretch| encode::fits(&stretch.from)));
             match proof {
                 Some(proof) => {
                     encode::ids(&mut self.bytes, last, *ids);
-                    encode::stretches(&mut self.bytes, proof);
+                    self.bytes.extend(proof);
                     last = Some(*ids);
                 }
                 None => self.uncertified.add(kind, *ids),

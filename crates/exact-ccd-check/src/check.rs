@@ -183,11 +183,10 @@ impl fmt::Display for Proved {
             }
             if let (Some((kind, ids)), Some(time)) = (contact, head.contact) {
                 let pair = Named(*kind, *ids);
-                match head.free {
+                let until = head.free.map(|until| format!("after {until:?} and not after {time:?}"));
+                match until {
                     None => writeln!(f, "  At t = 0, {pair} are {near}.")?,
-                    Some(until) => {
-                        writeln!(f, "  {first} {pair}, at a time after {until:?} and not after {time:?}.")?
-                    }
+                    Some(until) => writeln!(f, "  {first} {pair}, at a time {until}.")?,
                 }
             }
         }

@@ -6,9 +6,11 @@
 //! apart.
 //!
 //! On a stretch of time from s to e, let g turn from g_s to g_e. Then g · (x_i − x_j) is quadratic,
-//! with the Bernstein coefficients of g_s · x_s, (g_s · x_e + g_e · x_s) / 2 and g_e · x_e for x = x_i
-//! − x_j. It is at least the least of them, and |g| is at most the larger of |g_s| and |g_e|, as length
-//! is convex. If g is constant, the middle coefficient is the mean of the others.
+//! with the Bernstein coefficients g_s · x_s, (g_s · x_e + g_e · x_s) / 2 and g_e · x_e for x = x_i −
+//! x_j. As length is convex, |g| is at most the linear function from |g_s| to |g_e|, with the Bernstein
+//! coefficients |g_s|, (|g_s| + |g_e|) / 2 and |g_e|. It suffices that each coefficient is more than d
+//! times the other. The square of |g_s| + |g_e| is at most 2 (|g_s|² + |g_e|²). If g is constant, the
+//! middle coefficient is the mean of the others.
 //!
 //! For an edge and a face at t = 0, it suffices that g is not 0 and g · (x_i − x_j) ≥ 0. An edge that
 //! pierces a face has a point inside of itself in common with the inside of the face; there, all of
@@ -52,8 +54,9 @@ impl Stretch {
         let power = times[0].power.max(times[1].power);
         let [start, end] = times.map(|time| time.over(power));
         let to = self.to.as_ref().unwrap_or(&self.from);
-        let longer = dot(&self.from, &self.from).max(dot(to, to));
-        if longer == IBig::ZERO {
+        let squares = [dot(&self.from, &self.from), dot(to, to)];
+        let both = &squares[0] + &squares[1];
+        if both == IBig::ZERO {
             return false;
         }
         let points = [start, end]
@@ -65,19 +68,18 @@ impl Stretch {
             let least = first.into_iter().map(along).min().unwrap_or(IBig::ZERO);
             least - second.into_iter().map(along).max().unwrap_or(IBig::ZERO)
         };
-        // d |g| ≥ 0 in the unit of the positions, squared.
+        // In the unit of the positions.
         let distance = if pair.has_distance { motion.distance() << power } else { IBig::ZERO };
-        let bound = &distance * &distance * longer;
-        let is_beyond = |gap: IBig, bound: &IBig| match kind {
+        let is_beyond = |gap: IBig, square: &IBig| match kind {
             Kind::EdgeFace => gap >= IBig::ZERO,
-            _ => gap > IBig::ZERO && &gap * &gap > *bound,
+            _ => gap > IBig::ZERO && &gap * &gap > &distance * &distance * square,
         };
-        is_beyond(gap(&|place| dot(&self.from, &at_start[place])), &bound)
-            && is_beyond(gap(&|place| dot(to, &at_end[place])), &bound)
+        is_beyond(gap(&|place| dot(&self.from, &at_start[place])), &squares[0])
+            && is_beyond(gap(&|place| dot(to, &at_end[place])), &squares[1])
             && (self.to.is_none() || {
                 // Twice the middle coefficient.
                 let middle = |place: usize| dot(&self.from, &at_end[place]) + dot(to, &at_start[place]);
-                is_beyond(gap(&middle), &(bound << 2))
+                is_beyond(gap(&middle), &(both << 1))
             })
     }
 }
