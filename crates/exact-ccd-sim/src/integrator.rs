@@ -13,8 +13,9 @@ use crate::state::State;
 /// Neither method conserves energy. In smooth motion both dissipate it numerically, the more so the larger
 /// the time step. The angular velocity ω of a free body decays under implicit Euler, by dω/dt ≈ −ω³ h for
 /// the time step h. The order of BDF2 holds for smooth motion only: a time step in which bodies begin or
-/// cease to touch, and the next one, are steps of implicit Euler. [`Energies::friction`](crate::Energies::friction) does not include numerical
-/// dissipation; no other energy does either.
+/// cease to touch, and the next one, are steps of implicit Euler.
+/// [`Energies::friction`](crate::Energies::friction) does not include numerical dissipation; no other energy
+/// does either.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Integrator {

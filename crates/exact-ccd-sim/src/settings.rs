@@ -141,8 +141,8 @@ impl Settings {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Formulation {
-    /// An integral over the surface of the barrier of the distance: a body at rest on a plane of triangles does
-    /// not drift.
+    /// An integral over the surface of the barrier of the distance: a body at rest on a plane of triangles
+    /// does not drift.
     #[default]
     Convergent,
     /// The sum over all pairs of primitives, as in *Incremental Potential Contact*. Near edges of a plane of

@@ -28,8 +28,8 @@ pub struct State {
     /// Those without an entry were at their start.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub origins: BTreeMap<u32, [Point; 3]>,
-    /// The time in s by which the scripts of a body are behind because of an obstruction, by the number of the
-    /// body. Those without an entry are not behind.
+    /// The time in s by which the scripts of a body are behind because of an obstruction, by the number of
+    /// the body. Those without an entry are not behind.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub behind: BTreeMap<u32, f64>,
 }

@@ -206,8 +206,8 @@ impl Collision {
         }
     }
 
-    /// The factor of the barrier, between 0 and 1. Where it is 0, value, gradient and force are 0, even if the
-    /// barrier is infinite: parallel edges have no barrier.
+    /// The factor of the barrier, between 0 and 1. Where it is 0, value, gradient and force are 0, even if
+    /// the barrier is infinite: parallel edges have no barrier.
     fn fade(&self, points: &[Point]) -> f64 {
         let corners = gather_some(points, &self.vertices);
         self.mollifier.map_or(1.0, |mollifier| mollifier.value(&corners))

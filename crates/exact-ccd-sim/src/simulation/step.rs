@@ -37,10 +37,10 @@ impl Simulation {
     /// The filter applies to these increments, in which all vertices move in straight lines. The straight
     /// motion from the start of the time step to its end is a different one, which may have contacts.
     ///
-    /// If Newton's method does not converge or fails, the time step is repeated in twice as many parts of equal
-    /// duration, up to [`max_substeps`](crate::Settings::max_substeps). A time step of BDF2 in which bodies
-    /// begin or cease to touch is repeated as one of implicit Euler. Only the increments of the last attempt
-    /// are visited, when it ends.
+    /// If Newton's method does not converge or fails, the time step is repeated in twice as many parts of
+    /// equal duration, up to [`max_substeps`](crate::Settings::max_substeps). A time step of BDF2 in which
+    /// bodies begin or cease to touch is repeated as one of implicit Euler. Only the increments of the last
+    /// attempt are visited, when it ends.
     ///
     /// # Errors
     /// As [`Simulation::step`].

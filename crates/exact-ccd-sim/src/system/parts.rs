@@ -200,8 +200,8 @@ impl Parts {
         Ok(())
     }
 
-    /// Adds an element of a body with its mass, in equal shares for its vertices. The first numbers are those of
-    /// the body and the element; the material has a density and a Young's modulus.
+    /// Adds an element of a body with its mass, in equal shares for its vertices. The first numbers are those
+    /// of the body and the element; the material has a density and a Young's modulus.
     fn add_element(
         &mut self,
         [body, element]: [usize; 2],
