@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use exact_ccd_mesh::{FrameError, TetMeshError};
 
-use crate::format::EXTENSIONS;
+use crate::format::Format;
 use crate::unsupported::Unsupported;
 
 /// The reason why a mesh file could not be read.
@@ -22,7 +22,7 @@ pub enum ReadError {
         source: io::Error,
     },
     /// The extension belongs to no format.
-    #[error("{}: unknown extension, expected {EXTENSIONS}", path.display())]
+    #[error("{}: unknown extension, expected {}", path.display(), Format::extensions())]
     Extension {
         /// The file.
         path: PathBuf,

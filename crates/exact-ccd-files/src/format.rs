@@ -34,10 +34,6 @@ pub enum Format {
     Npz,
 }
 
-/// All extensions of [`Format::of_path`], for error messages.
-pub(crate) const EXTENSIONS: &str =
-    ".ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, .gltf, .glb, .npy or .npz, also with .gz";
-
 impl Format {
     /// The format that belongs to the extension of a path, in upper or lower case. A last extension
     /// `.gz` does not count.
@@ -64,6 +60,17 @@ impl Format {
     /// The extension of a file that is renamed to this format.
     pub(crate) fn extension(self) -> &'static str {
         self.names().1[0]
+    }
+
+    /// All extensions of [`Format::of_path`], for messages.
+    pub(crate) fn extensions() -> String {
+        let all: Vec<_> = Self::ALL.iter().flat_map(|format| format.names().1).collect();
+        let (last, others) = all.split_last().unwrap_or((&&"", &[]));
+        let others = others
+            .iter()
+            .map(|extension| format!(".{extension}"))
+            .collect::<Vec<_>>();
+        format!("{} or .{last}, also with .gz", others.join(", "))
     }
 
     const ALL: [Self; 11] = {

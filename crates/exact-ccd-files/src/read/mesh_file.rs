@@ -9,7 +9,7 @@ use super::cells::{Assembled, Cells};
 use super::file::{format_of, parse_bytes, parse_file};
 use super::group::Group;
 use super::options::{Polygons, ReadOptions};
-use super::{content, gltf, msh, numpy, obj, off, ply, stl, vtk};
+use super::{content, read_cells};
 use crate::contents::Contents;
 use crate::error::{Fault, ParseError, Place, ReadError};
 use crate::file_ids::FileIds;
@@ -99,19 +99,7 @@ pub(super) fn assemble(
     budget: &Budget,
 ) -> Result<Assembled, ParseError> {
     content::check(bytes, format)?;
-    let cells = match format {
-        Format::Ply => ply::read(bytes, budget)?,
-        Format::Obj => obj::read(bytes, budget)?,
-        Format::Stl => stl::read(bytes, budget)?,
-        Format::Off => off::read(bytes, budget)?,
-        Format::Msh => msh::read(bytes, budget)?,
-        Format::Vtu => vtk::read_grid(bytes, "UnstructuredGrid", budget)?,
-        Format::Vtp => vtk::read_grid(bytes, "PolyData", budget)?,
-        Format::Vtk => vtk::read_legacy(bytes, budget)?,
-        Format::Gltf => gltf::read(bytes, folder, budget)?,
-        Format::Npy => numpy::read_npy(bytes, budget)?.into_single()?,
-        Format::Npz => numpy::read_npz(bytes, budget)?.into_single()?,
-    };
+    let cells = read_cells(bytes, format, folder, budget)?;
     cells.charge(budget);
     assemble_cells(cells, format)
 }

@@ -30,6 +30,12 @@ mod tokens;
 mod vtk;
 mod zip;
 
+use std::path::Path;
+
+use crate::error::ParseError;
+use crate::format::Format;
+use cells::Cells;
+
 pub use budget::Budget;
 pub use frame::{parse_frame, read_frame};
 pub use group::{Group, PhysicalTag};
@@ -39,3 +45,25 @@ pub use options::{Polygons, ReadOptions};
 pub use sequence::FrameSequence;
 pub use series::{read_pvd, read_series};
 pub use tet_mesh::{parse_tet_groups, parse_tet_mesh, read_tet_groups, read_tet_mesh};
+
+/// The contents of a file. The files that it refers to are in `folder`.
+fn read_cells(
+    bytes: &[u8],
+    format: Format,
+    folder: Option<&Path>,
+    budget: &Budget,
+) -> Result<Cells, ParseError> {
+    match format {
+        Format::Ply => ply::read(bytes, budget),
+        Format::Obj => obj::read(bytes, budget),
+        Format::Stl => stl::read(bytes, budget),
+        Format::Off => off::read(bytes, budget),
+        Format::Msh => msh::read(bytes, budget),
+        Format::Vtu => vtk::read_grid(bytes, "UnstructuredGrid", budget),
+        Format::Vtp => vtk::read_grid(bytes, "PolyData", budget),
+        Format::Vtk => vtk::read_legacy(bytes, budget),
+        Format::Gltf => gltf::read(bytes, folder, budget),
+        Format::Npy => numpy::read_npy(bytes, budget)?.into_single(),
+        Format::Npz => numpy::read_npz(bytes, budget)?.into_single(),
+    }
+}

@@ -7,7 +7,7 @@ use exact_ccd_mesh::Point;
 use super::budget::Budget;
 use super::cells::Cells;
 use super::group::Group;
-use super::tokens::{Syntax, Tokens, parse};
+use super::tokens::{Number, Syntax, Tokens};
 use crate::error::{Fault, ParseError, Place};
 
 /// The elements of one kind.
@@ -219,10 +219,10 @@ impl Begin<'_> {
 /// The index of the vertex in `vertex`, `vertex/texture`, `vertex/texture/normal` or `vertex//normal`.
 fn index(corner: &[u8]) -> Option<i64> {
     let mut parts = corner.split(|&byte| byte == b'/');
-    let vertex = parse(parts.next()?)?;
+    let vertex = i64::parse(parts.next()?)?;
     let texture = parts.next();
     let normal = parts.next();
-    let is_number = |part: &[u8]| parse::<i64>(part).is_some();
+    let is_number = |part: &[u8]| i64::parse(part).is_some();
     let texture_fits = texture.is_none_or(|part| is_number(part) || (part.is_empty() && normal.is_some()));
     let fits = texture_fits && normal.is_none_or(is_number) && parts.next().is_none();
     fits.then_some(vertex)

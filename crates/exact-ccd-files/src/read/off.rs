@@ -2,7 +2,7 @@
 
 use super::budget::Budget;
 use super::cells::{Cells, vertex_index};
-use super::tokens::{Syntax, Tokens, parse};
+use super::tokens::{Number, Syntax, Tokens};
 use crate::error::ParseError;
 
 pub(super) fn read(bytes: &[u8], budget: &Budget) -> Result<Cells, ParseError> {
@@ -37,7 +37,7 @@ fn read_header(tokens: &mut Tokens) -> Result<(), ParseError> {
     tokens.expect_line(|| "`OFF`".to_owned())?;
     let mut after = tokens.clone();
     let header = after.expect_word("`OFF`")?;
-    if parse::<u64>(header).is_some() {
+    if u64::parse(header).is_some() {
         return Ok(());
     }
     if !is_header(header) {

@@ -4,7 +4,7 @@
 
 use super::super::budget::Budget;
 use super::super::scalar::{ByteOrder, Scalar};
-use super::super::tokens::{Tokens, parse};
+use super::super::tokens::Tokens;
 use crate::error::{Fault, ParseError, quoted};
 
 /// The most dimensions of an array, as in numpy before version 2.
@@ -117,7 +117,7 @@ fn value(text: &str) -> Option<(Value<'_>, &str)> {
         let (inside, rest) = rest.split_once(')')?;
         let counts = inside.split(',').map(str::trim);
         let counts = counts.filter(|count| !count.is_empty());
-        let counts = counts.map(|count| parse(count.trim_end_matches('L').as_bytes()));
+        let counts = counts.map(|count| count.trim_end_matches('L').parse().ok());
         return Some((Value::Shape(counts.collect::<Option<_>>()?), rest));
     }
     let (text, rest) = quoted_text(text)?;

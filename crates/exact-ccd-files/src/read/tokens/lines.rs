@@ -1,5 +1,7 @@
 //! The lines of a file.
 
+use std::io::BufRead;
+
 use super::{Syntax, Tokens};
 use crate::error::{Fault, ParseError, quoted};
 
@@ -44,14 +46,14 @@ impl<'a> Tokens<'a> {
     /// Removes one line and returns it without its comment and line break, and true if the next line
     /// continues it.
     fn cut_line(&mut self) -> (&'a [u8], bool) {
-        let length = self.rest.iter().position(|&byte| byte == b'\n');
+        let length = find(self.rest, b'\n');
         let (line, rest) = self.rest.split_at(length.unwrap_or(self.rest.len()));
         self.rest = rest.get(1..).unwrap_or(&[]);
         self.budget.step(line.len() as u64 + 1);
         self.next_number += usize::from(length.is_some());
         let comment = match self.syntax {
             Syntax::Lines | Syntax::Free => None,
-            Syntax::Comments | Syntax::CommentsAndContinuation => line.iter().position(|&byte| byte == b'#'),
+            Syntax::Comments | Syntax::CommentsAndContinuation => find(line, b'#'),
         };
         let line = comment.map_or(line, |comment| &line[..comment]);
         let continues = self.syntax == Syntax::CommentsAndContinuation
@@ -99,11 +101,7 @@ impl<'a> Tokens<'a> {
     }
 
     pub(in super::super) fn is_line_empty(&self) -> bool {
-        self.line.iter().all(|&byte| self.is_blank(byte))
-    }
-
-    pub(super) fn is_blank(&self, byte: u8) -> bool {
-        byte.is_ascii_whitespace() || (byte == b'\\' && self.syntax == Syntax::CommentsAndContinuation)
+        self.line.iter().all(self.syntax.blank())
     }
 
     /// Checks that nothing follows, except white space after binary data, which some programs write.
@@ -118,4 +116,11 @@ impl<'a> Tokens<'a> {
         self.token = start;
         Err(Fault::expected("the end of the file", format!("{left} more bytes")).at(self.place()))
     }
+}
+
+/// The offset of the first byte of this value. The standard library searches for it with vectors.
+fn find(bytes: &[u8], byte: u8) -> Option<usize> {
+    let mut rest = bytes;
+    let skipped = rest.skip_until(byte).ok()?;
+    bytes[..skipped].strip_suffix(&[byte]).map(<[u8]>::len)
 }

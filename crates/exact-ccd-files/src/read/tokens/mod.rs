@@ -3,6 +3,7 @@
 //! Every reader takes the bytes of a file from here, so that they are counted in one place.
 
 mod lines;
+mod number;
 mod numbers;
 mod words;
 
@@ -10,7 +11,8 @@ use super::budget::Budget;
 use super::record::Record;
 use super::scalar::ByteOrder;
 use crate::error::{Fault, ParseError, Place, quoted};
-pub(super) use words::{is, parse};
+pub(super) use number::Number;
+pub(super) use words::is;
 
 /// The syntax of text besides words.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -23,6 +25,17 @@ pub(super) enum Syntax {
     CommentsAndContinuation,
     /// A word is on the current line or on a later one.
     Free,
+}
+
+impl Syntax {
+    /// The test for a byte between words.
+    fn blank(self) -> impl Fn(&u8) -> bool {
+        let other = match self {
+            Self::CommentsAndContinuation => b'\\',
+            _ => b' ',
+        };
+        move |&byte| byte == other || byte.is_ascii_whitespace()
+    }
 }
 
 /// The encoding of numbers.

@@ -1,10 +1,8 @@
 //! Numbers in the encoding of a file. `expected` describes a number in errors.
 
-use std::str::FromStr;
-
 use super::super::record::Record;
 use super::super::scalar::Scalar;
-use super::{Encoding, Tokens};
+use super::{Encoding, Number, Tokens};
 use crate::error::ParseError;
 
 impl<'a> Tokens<'a> {
@@ -83,7 +81,7 @@ impl<'a> Tokens<'a> {
         }
     }
 
-    fn words<T: FromStr>(&mut self, count: u64, expected: &str) -> Result<Vec<T>, ParseError> {
+    fn words<T: Number>(&mut self, count: u64, expected: &str) -> Result<Vec<T>, ParseError> {
         (0..count).map(|_| self.parse(expected)).collect()
     }
 

@@ -1,19 +1,19 @@
 //! The words of a file, and numbers that are words in every encoding.
 
-use std::str::FromStr;
-
 use exact_ccd_mesh::Point;
 
-use super::{Syntax, Tokens};
+use super::{Number, Syntax, Tokens};
 use crate::error::{Fault, ParseError, quoted};
 
 impl<'a> Tokens<'a> {
     /// The next word, if there is one.
+    #[inline]
     pub(in super::super) fn word(&mut self) -> Option<&'a [u8]> {
+        let is_blank = self.syntax.blank();
         loop {
-            if let Some(start) = self.line.iter().position(|&byte| !self.is_blank(byte)) {
+            if let Some(start) = self.line.iter().position(|byte| !is_blank(byte)) {
                 let text = &self.line[start..];
-                let length = text.iter().position(|&byte| self.is_blank(byte));
+                let length = text.iter().position(&is_blank);
                 let (word, rest) = text.split_at(length.unwrap_or(text.len()));
                 self.line = rest;
                 self.token = self.line_end - text.len();
@@ -29,11 +29,17 @@ impl<'a> Tokens<'a> {
     ///
     /// # Errors
     /// At the end of the line or, where words are on any lines, of the file.
+    #[inline]
     pub(in super::super) fn expect_word(&mut self, expected: &str) -> Result<&'a [u8], ParseError> {
-        self.word().ok_or_else(|| match self.syntax {
+        self.word().ok_or_else(|| self.no_word(expected))
+    }
+
+    #[cold]
+    fn no_word(&self, expected: &str) -> ParseError {
+        match self.syntax {
             Syntax::Free => self.ends(expected),
             _ => Fault::expected(expected, "the end of the line").at(self.place()),
-        })
+        }
     }
 
     /// Reads the next word, which must be `keyword`, in upper or lower case.
@@ -41,7 +47,7 @@ impl<'a> Tokens<'a> {
         match self.word() {
             Some(word) if is(word, keyword) => Ok(()),
             Some(word) => Err(self.unexpected(quoted(keyword.as_bytes()), word)),
-            None => self.expect_word(&quoted(keyword.as_bytes())).map(drop),
+            None => Err(self.no_word(&quoted(keyword.as_bytes()))),
         }
     }
 
@@ -56,9 +62,10 @@ impl<'a> Tokens<'a> {
     }
 
     /// The next word as a number: the nearest `f64`, or an integer. It is text in a binary file, too.
-    pub(in super::super) fn parse<T: FromStr>(&mut self, expected: &str) -> Result<T, ParseError> {
+    #[inline]
+    pub(in super::super) fn parse<T: Number>(&mut self, expected: &str) -> Result<T, ParseError> {
         let word = self.expect_word(expected)?;
-        parse(word).ok_or_else(|| self.unexpected(expected, word))
+        T::parse(word).ok_or_else(|| self.unexpected(expected, word))
     }
 
     /// The next word as a count. It is text in a binary file, too.
@@ -73,10 +80,10 @@ impl<'a> Tokens<'a> {
     }
 
     /// All words that are left as numbers.
-    pub(in super::super) fn numbers<T: FromStr>(&mut self, expected: &str) -> Result<Vec<T>, ParseError> {
+    pub(in super::super) fn numbers<T: Number>(&mut self, expected: &str) -> Result<Vec<T>, ParseError> {
         let mut numbers = Vec::new();
         while let Some(word) = self.word() {
-            numbers.push(parse(word).ok_or_else(|| self.unexpected(expected, word))?);
+            numbers.push(T::parse(word).ok_or_else(|| self.unexpected(expected, word))?);
         }
         self.budget.hold::<T>(numbers.len());
         Ok(numbers)
@@ -86,9 +93,4 @@ impl<'a> Tokens<'a> {
 /// Returns true if a word is this keyword, in upper or lower case.
 pub(in super::super) fn is(word: &[u8], keyword: &str) -> bool {
     word.eq_ignore_ascii_case(keyword.as_bytes())
-}
-
-/// A word as a number.
-pub(in super::super) fn parse<T: FromStr>(word: &[u8]) -> Option<T> {
-    std::str::from_utf8(word).ok()?.parse().ok()
 }

@@ -1,13 +1,12 @@
 //! Arrays of numbers: inline as text or in base64, or appended to the file.
 
 use std::borrow::Cow;
-use std::str::FromStr;
 
 use roxmltree::Node;
 
 use super::super::budget::Budget;
 use super::super::scalar::{ByteOrder, Scalar};
-use super::super::tokens::{Syntax, Tokens, parse};
+use super::super::tokens::{Number, Syntax, Tokens};
 use super::blocks::{Compression, Layout};
 use super::stream::Stream;
 use super::xml::File;
@@ -105,7 +104,7 @@ impl<'a> Encoding<'a> {
         })
     }
 
-    fn values<'n, T: FromStr>(
+    fn values<'n, T: Number>(
         &self,
         file: &File<'n>,
         array: Node<'n, 'n>,
@@ -150,7 +149,8 @@ impl<'a> Encoding<'a> {
             file.fault(array, "an offset into the appended data", found)
         };
         let appended = self.appended.as_ref().ok_or_else(missing)?;
-        let data = parse::<usize>(offset.as_bytes()).and_then(|offset| appended.data.get(offset..));
+        let data = offset.parse::<usize>().ok();
+        let data = data.and_then(|offset| appended.data.get(offset..));
         let data = data.ok_or_else(missing)?;
         Ok(if appended.is_raw {
             Stream::Raw(data)

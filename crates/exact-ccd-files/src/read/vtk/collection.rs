@@ -1,7 +1,6 @@
 //! Collections: times and the files that belong to them.
 
 use super::super::budget::Budget;
-use super::super::tokens::parse;
 use super::xml::{File, parse_xml};
 use crate::error::{ParseError, quoted};
 
@@ -14,9 +13,10 @@ pub(in super::super) fn read(bytes: &[u8], budget: &Budget) -> Result<Vec<(f64, 
         .children()
         .filter(|child| child.has_tag_name("DataSet"));
     let entry = |node| {
-        let time = file.attribute(node, "timestep")?.as_bytes();
-        let number = parse(time).filter(|time: &f64| time.is_finite());
-        let number = number.ok_or_else(|| file.fault(node, "a time, a finite number", quoted(time)))?;
+        let time = file.attribute(node, "timestep")?;
+        let number = time.parse().ok().filter(|time: &f64| time.is_finite());
+        let number =
+            number.ok_or_else(|| file.fault(node, "a time, a finite number", quoted(time.as_bytes())))?;
         Ok((number, file.attribute(node, "file")?.to_owned()))
     };
     entries.map(entry).collect()

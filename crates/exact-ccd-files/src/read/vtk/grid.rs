@@ -4,7 +4,6 @@ use roxmltree::Node;
 
 use super::super::budget::Budget;
 use super::super::cells::Cells;
-use super::super::tokens::parse;
 use super::appended;
 use super::array::Encoding;
 use super::cell::{POLY_LINE, POLY_VERTEX, POLYGON, TRIANGLE_STRIP};
@@ -91,7 +90,7 @@ impl<'a> Reader<'_, 'a> {
     /// Compares a number that an attribute of a piece declares with that of its arrays.
     fn check_count(&self, piece: Node<'a, 'a>, name: &str, count: usize) -> Result<(), ParseError> {
         match piece.attribute(name) {
-            Some(declared) if parse(declared.as_bytes()) != Some(count) => {
+            Some(declared) if declared.parse() != Ok(count) => {
                 let declared = quoted(declared.as_bytes());
                 let expected = format!("as many elements as `{name}` says, {declared}");
                 Err(self.file.fault(piece, expected, count.to_string()))

@@ -1,11 +1,8 @@
 //! The roles of arrays in `.npz` files: nothing is guessed without a word.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-mod npz;
-
+use super::npz::{self, archive, floats, integers};
+use super::temporary;
 use exact_ccd_files::{Format, FrameSequence, MeshFile, ParseError, Polygons, parse_frame};
-use npz::{archive, floats, integers, temporary};
 
 /// Two triangles, one above the other.
 const POSITIONS: [f64; 18] = [
@@ -169,7 +166,7 @@ fn tetrahedra_read_as_their_surface_in_every_frame() {
             ("particle_q", floats("(2, 6, 3)", &numbers)),
             ("tet_indices", integers(shape, &corners)),
         ]);
-        let path = temporary("tetrahedra.npz", &file);
+        let path = temporary("numpy/tetrahedra.npz", &file);
         let sequence = FrameSequence::open(path, Polygons::Refuse).unwrap();
         for (file, positions) in sequence.iter().zip([frame, moved]) {
             let file = file.unwrap();

@@ -1,11 +1,9 @@
 //! Files that are not what their names say, compressed files, and files without a mesh.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
 
+use super::temporary;
 use exact_ccd_files::{Contents, Format, FrameSequence, MeshFile, Polygons, parse_frame, read_frame};
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
@@ -17,11 +15,7 @@ fn gzip(data: &[u8]) -> Vec<u8> {
 }
 
 fn file(name: &str, contents: impl AsRef<[u8]>) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("contents");
-    fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    fs::write(&path, contents).unwrap();
-    path
+    temporary(&format!("contents/{name}"), contents)
 }
 
 #[track_caller]

@@ -1,7 +1,5 @@
 //! VTK files, read back with a general XML reader.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use std::io::ErrorKind;
 
 use base64::Engine;

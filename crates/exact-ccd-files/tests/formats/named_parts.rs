@@ -1,7 +1,5 @@
 //! The names of the parts of a mesh, in PLY files.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::ops::Range;
 
 use exact_ccd_files::{Format, Group, MeshFile, NamedPart, Polygons, write_ply, write_ply_with_parts};

@@ -1,7 +1,5 @@
 //! Objects and groups of OBJ files.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_files::{Format, Group, MeshFile, Polygons};
 
 fn groups(text: &str) -> Vec<(String, Vec<u32>)> {

@@ -4,7 +4,7 @@ use exact_ccd_files::{Format, parse_frame, parse_tet_groups, parse_tet_mesh};
 use exact_ccd_mesh::{Frame, TetMesh};
 use proptest::prelude::*;
 
-use crate::writer::{Contents, all};
+use super::writer::{Contents, all};
 
 fn samples() -> Vec<(String, Vec<u8>)> {
     let positions = [

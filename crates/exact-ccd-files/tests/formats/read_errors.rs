@@ -1,7 +1,5 @@
 //! Each error names its place and what was expected there, on one line.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_files::{Format, parse_frame};
 
 #[track_caller]

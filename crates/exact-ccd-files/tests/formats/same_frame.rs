@@ -1,9 +1,6 @@
 //! Every format and encoding gives the same frame, bit for bit.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-mod encodings;
-
+use super::encodings;
 use exact_ccd_files::{Format, parse_frame, write_ply};
 use exact_ccd_mesh::{Frame, Point};
 use proptest::prelude::*;

@@ -2,7 +2,7 @@
 
 use exact_ccd_files::{Format, parse_frame, parse_tet_mesh};
 
-use crate::writer::{Contents, Encoding, v2, v4};
+use super::writer::{Contents, Encoding, v2, v4};
 
 #[track_caller]
 fn assert_error(bytes: impl AsRef<[u8]>, message: &str) {

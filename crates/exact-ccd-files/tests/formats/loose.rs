@@ -1,7 +1,5 @@
 //! Rods and points in every format that supports them.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use exact_ccd_files::{
     Format, UnstructuredGrid, parse_frame, parse_tet_mesh, write_obj, write_ply, write_vtu,
 };

@@ -1,9 +1,6 @@
 //! For any bytes, a reader returns an error or a valid frame.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-mod encodings;
-
+use super::encodings;
 use exact_ccd_files::{Format, parse_frame};
 use exact_ccd_mesh::Frame;
 use proptest::prelude::*;

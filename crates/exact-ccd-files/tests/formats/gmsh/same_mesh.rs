@@ -4,7 +4,7 @@ use exact_ccd_files::{Format, parse_frame, parse_tet_mesh};
 use exact_ccd_mesh::{Frame, Point, TetMesh};
 use proptest::prelude::*;
 
-use crate::writer::{Contents, all};
+use super::writer::{Contents, all};
 
 fn bits(positions: &[Point]) -> Vec<u64> {
     positions.as_flattened().iter().map(|x| x.to_bits()).collect()

@@ -1,9 +1,8 @@
 //! Motions and frames from files.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use std::path::{Path, PathBuf};
 
+use super::temporary;
 use exact_ccd_files::{Format, parse_frame, read_frame, read_motion, write_ply};
 use exact_ccd_mesh::{Frame, Point};
 
@@ -15,9 +14,7 @@ fn triangle() -> Frame {
 
 /// Writes a file for one test and returns its path.
 fn file(name: &str, contents: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    std::fs::write(&path, contents).unwrap();
-    path
+    temporary(&format!("motion/{name}"), contents)
 }
 
 fn stl(facets: &[[Point; 3]]) -> String {
@@ -71,7 +68,7 @@ fn errors_name_the_files() {
         message(&good, &unknown),
         format!(
             "{}: unknown extension, expected .ply, .obj, .stl, .off, .msh, .vtu, .vtp, .vtk, \
-             .gltf, .glb, .npy or .npz, also with .gz",
+             .glb, .gltf, .npy or .npz, also with .gz",
             unknown.display()
         ),
     );
@@ -106,7 +103,7 @@ fn a_frame_that_would_not_read_back_is_not_written() {
 
 #[test]
 fn a_written_file_reads_back() {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("written.ply");
+    let path = file("written.ply", "");
     let written = triangle();
     write_ply(std::fs::File::create(&path).unwrap(), &written).unwrap();
     assert_eq!(read_frame(&path).unwrap(), written);

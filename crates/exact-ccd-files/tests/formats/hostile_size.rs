@@ -1,23 +1,12 @@
 //! Limits: files that are large, and files in which a few bytes would cost much.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-use std::path::PathBuf;
-
+use super::temporary;
 use exact_ccd_files::{Fault, Format, FrameSequence, MeshFile, Polygons, ReadOptions, parse_frame};
 
 const OBJ: &[u8] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 fn message(file: &[u8], format: Format) -> String {
     parse_frame(file, format).unwrap_err().to_string()
-}
-
-fn temporary(name: &str, contents: &[u8]) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("size");
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, contents).unwrap();
-    path
 }
 
 fn gzip(bytes: &[u8]) -> Vec<u8> {
@@ -123,7 +112,8 @@ fn compression_within_compression_has_one_limit() {
         .collect();
     let file = vtp("vtkZLibDataCompressor", 5, &[header, block].concat());
     let compressed = gzip(&[&file[..], &vec![b' '; 100_000]].concat());
-    let error = MeshFile::read(temporary("both.vtp.gz", &compressed), Polygons::Triangulate).unwrap_err();
+    let error =
+        MeshFile::read(temporary("size/both.vtp.gz", &compressed), Polygons::Triangulate).unwrap_err();
     assert!(
         error.to_string().contains("the data expand to more than"),
         "{error}"
@@ -139,8 +129,8 @@ fn the_remedy_for_lzma_is_named() {
 
 #[test]
 fn larger_files_than_allowed_are_refused() {
-    let path = temporary("triangle.obj", OBJ);
-    let compressed = temporary("triangle.obj.gz", &gzip(&[OBJ, &[b'\n'; 1000]].concat()));
+    let path = temporary("size/triangle.obj", OBJ);
+    let compressed = temporary("size/triangle.obj.gz", &gzip(&[OBJ, &[b'\n'; 1000]].concat()));
     let options = |size: usize| ReadOptions::default().with_max_size(size as u64);
     let limit = |fault: &Fault| match fault {
         Fault::Size { limit } => Some(*limit),

@@ -1,7 +1,6 @@
 //! Archives of arrays, as the crate `zip` writes them.
 
 use std::io::{Cursor, Write};
-use std::path::PathBuf;
 
 use zip::write::SimpleFileOptions;
 
@@ -30,12 +29,4 @@ pub(crate) fn archive(arrays: &[(&str, Vec<u8>)]) -> Vec<u8> {
         zip.write_all(array).unwrap();
     }
     zip.finish().unwrap().into_inner()
-}
-
-pub(crate) fn temporary(name: &str, contents: &[u8]) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("numpy");
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, contents).unwrap();
-    path
 }

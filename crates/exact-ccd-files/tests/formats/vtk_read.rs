@@ -1,7 +1,5 @@
 //! VTK files of other programs, and invalid files.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use exact_ccd_files::{Format, MeshFile, Polygons, UnstructuredGrid, parse_frame, read_pvd, write_vtu};

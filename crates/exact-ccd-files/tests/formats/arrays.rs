@@ -1,23 +1,12 @@
 //! Arrays of numpy, and the meshes of glTF: invalid files, shapes and transforms.
 
-#![expect(clippy::unwrap_used, reason = "a failure is a failed test")]
-
-use std::path::PathBuf;
-
+use super::temporary;
 use exact_ccd_files::{Format, FrameSequence, Polygons, parse_frame, read_frame};
 
 fn npy(header: &str, data: &[u8]) -> Vec<u8> {
     let mut bytes = b"\x93NUMPY\x02\x00".to_vec();
     bytes.extend((header.len() as u32).to_le_bytes());
     [&bytes, header.as_bytes(), data].concat()
-}
-
-fn temporary(name: &str, contents: &[u8]) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("arrays");
-    std::fs::create_dir_all(&folder).unwrap();
-    let path = folder.join(name);
-    std::fs::write(&path, contents).unwrap();
-    path
 }
 
 #[test]
@@ -29,7 +18,7 @@ fn an_array_of_positions_is_a_sequence_of_points() {
         "{\"shape\": (4, 2, 3), \"fortran_order\": True, \"descr\": \">i2\"}",
         &data,
     );
-    let sequence = FrameSequence::open(temporary("points.npy", &file), Polygons::Refuse).unwrap();
+    let sequence = FrameSequence::open(temporary("arrays/points.npy", &file), Polygons::Refuse).unwrap();
     assert_eq!(sequence.len(), 4);
     for (frame, file) in sequence.iter().enumerate() {
         let x = 100.0 * frame as f64;
@@ -55,7 +44,7 @@ fn frames_that_are_not_finite_are_errors_when_they_are_read() {
         "{'descr': '<f4', 'fortran_order': False, 'shape': (2, 1, 3)}",
         &data,
     );
-    let sequence = FrameSequence::open(temporary("nan.npy", &file), Polygons::Refuse).unwrap();
+    let sequence = FrameSequence::open(temporary("arrays/nan.npy", &file), Polygons::Refuse).unwrap();
     assert!(sequence.read(0).is_ok());
     let error = sequence.read(1).unwrap_err().to_string();
     assert!(
@@ -165,14 +154,14 @@ fn triangles_without_all_their_corners_are_errors() {
 /// A file that many buffers name counts once, and so does its size.
 #[test]
 fn a_file_of_several_buffers_is_read_once() {
-    temporary("positions.bin", &[0; 1 << 20]);
+    temporary("arrays/positions.bin", &[0; 1 << 20]);
     let buffers =
         "{\"byteLength\":36,\"uri\":\"positions.bin\"},{\"byteLength\":36,\"uri\":\"./positions.bin\"},";
     let file = gltf(r#"{"mesh":0}"#, "").replacen("\"buffers\":[", &format!("\"buffers\":[{buffers}"), 1);
-    let frame = read_frame(temporary("shared.gltf", file.as_bytes())).unwrap();
+    let frame = read_frame(temporary("arrays/shared.gltf", file.as_bytes())).unwrap();
     assert_eq!(frame.positions, [[0.0; 3]; 3]);
     let accessor = file.replacen("\"count\":3", "\"count\":12000000", 1);
-    let error = read_frame(temporary("shared.gltf", accessor.as_bytes())).unwrap_err();
+    let error = read_frame(temporary("arrays/shared.gltf", accessor.as_bytes())).unwrap_err();
     // Twice the size of the file would allow for these positions.
     assert!(
         error.to_string().contains("the data expand to more than"),
@@ -261,7 +250,7 @@ fn what_a_gltf_mesh_cannot_be_is_named() {
         }
     }
     let outside = file.replacen("data:application/octet-stream;base64,", "%2e%2e/", 1);
-    let error = read_frame(temporary("outside.gltf", outside.as_bytes()))
+    let error = read_frame(temporary("arrays/outside.gltf", outside.as_bytes()))
         .unwrap_err()
         .to_string();
     assert!(

@@ -2,7 +2,7 @@
 
 use exact_ccd_files::{Format, Group, MeshFile, PhysicalTag, Polygons, parse_tet_groups, parse_tet_mesh};
 
-use crate::writer::{Contents, Encoding, all, v4};
+use super::writer::{Contents, Encoding, all, v4};
 
 fn group(dimension: u8, tag: u32, name: &str, vertices: &[u32], cells: &[u32]) -> Group {
     Group {
